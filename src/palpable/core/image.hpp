@@ -1,0 +1,44 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/raster.hpp"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace palpable {
+
+/// 8-bit sRGB, as shown on screens and used as a texture.
+struct Rgb8 {
+  std::uint8_t r = 0, g = 0, b = 0;
+  bool operator==(const Rgb8&) const = default;
+};
+
+/// A picture as a file holds it: 1 (grey), 2 (grey + alpha), 3 (RGB) or 4 (RGBA) interleaved channels of
+/// float samples. Integer files are scaled to 0…1 (value/255 or value/65535, exact to recover); float files
+/// keep their values. No gamma is applied. Row-major, origin top-left.
+struct Image {
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  /// Bits of a sample in the file: 8, 16 or 32 (float).
+  int bits = 8;
+  std::vector<float> samples;
+
+  const float* pixel(int x, int y) const {
+    return samples.data() +
+           (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) *
+               static_cast<std::size_t>(channels);
+  }
+};
+
+/// Luma (Rec. 601) in the picture's own scale; alpha is ignored.
+Raster<float> grey(const Image& image);
+
+/// Clamped to 0…1, rounded to 8 bits; grey is repeated; alpha is ignored.
+Raster<Rgb8> rgb8(const Image& image);
+
+}  // namespace palpable

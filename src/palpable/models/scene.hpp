@@ -1,0 +1,52 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/models/material.hpp"
+#include "palpable/models/relief.hpp"
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace palpable::models {
+
+/// The frame of what went in: pixels of a picture (x right, y down, z = depth or disparity as read) or a
+/// mesh's own metres.
+struct InputFrame;
+
+/// What can be touched. Later kinds join here (field, grid, contours, map).
+using Model = std::variant<std::shared_ptr<const Relief>>;
+
+/// "relief", "field", … as `palpable info` prints it.
+std::string kind_of(const Model& model);
+
+/// Where a scene came from, kept in its file so that a result can be traced.
+struct Provenance {
+  std::vector<std::string> inputs;
+  /// The method and options that made it, as one command-line-like text.
+  std::string method;
+  std::string made_by;
+};
+
+/// A touchable scene as it is saved: a model, its picture, materials and origin. A value type; models are
+/// shared and immutable.
+struct Scene {
+  Model model;
+  /// Shown on the surface, covering the model's rectangle; may be empty.
+  Raster<Rgb8> texture;
+  /// At least one; label k of `labels` uses materials[k].
+  std::vector<Material> materials{Material{}};
+  /// Material index per sample, over the same rectangle as the texture; empty = all 0.
+  Raster<std::uint8_t> labels;
+  Transform<SceneFrame, InputFrame> scene_from_input;
+  Provenance source;
+};
+
+/// Width, height and depth in metres of the box that the scene fills.
+Vec3 size_m(const Scene& scene);
+
+}  // namespace palpable::models

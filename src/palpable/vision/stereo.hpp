@@ -1,0 +1,50 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/core/work.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpable::vision {
+
+/// Two pictures of the same size on common scanlines; the left one is the reference.
+struct StereoPair {
+  Image left;
+  Image right;
+  /// Known where the pair is calibrated; carried into the result.
+  std::optional<StereoRig> rig;
+};
+
+/// The stereo methods of the papers, and ours (docs/stereo.md).
+enum class StereoMethod { scanline, graph_cut, segments, pyramid, fast, best };
+
+/// The name on the command line ("graph-cut"); and back, nullopt for an unknown name.
+std::string_view name_of(StereoMethod method);
+std::optional<StereoMethod> stereo_method_from(std::string_view name);
+
+struct StereoOptions {
+  /// Disparities 0 … max_disparity_px are searched; 0 = found automatically (find_disparity_range).
+  int max_disparity_px = 0;
+};
+
+struct StereoMatch {
+  /// Sub-pixel disparity of the left picture; NaN only where the method leaves pixels unknown.
+  DisparityMap disparity;
+  /// 0…1 per pixel; empty where the method gives none.
+  Raster<float> confidence;
+  /// What the person should know, a sentence each: swapped, misaligned, little agreement …
+  std::vector<std::string> notes;
+};
+
+/// Runs one method with the same parameters for every picture. Errors: invalid_input for sizes that differ or
+/// are too small, interrupted. Long work: reports progress, polls cancel.
+Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
+                          const Work& work);
+
+}  // namespace palpable::vision
