@@ -1,0 +1,76 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/console.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace palpable::cli {
+namespace {
+
+constexpr std::chrono::seconds kProgressAfter{1};
+constexpr std::chrono::seconds kProgressEvery{2};
+
+// The signal handler can reach nothing else.
+std::atomic<bool> interrupt_flag{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+}  // namespace
+
+const std::atomic<bool>& interrupted() { return interrupt_flag; }
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupt_flag.store(true, std::memory_order_relaxed); };
+  // The second one is the system's own answer: work that does not poll must still be stoppable.
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+Console::Console(const CommonOptions& options)
+    : options_(options),
+      shows_progress_(!options.quiet && isatty(STDERR_FILENO) != 0),
+      started_(std::chrono::steady_clock::now()),
+      last_shown_(started_) {}
+
+void Console::note(std::string_view sentence) {
+  if (options_.quiet) return;
+  const std::lock_guard lock(mutex_);
+  fmt::print(stderr, "{}\n", sentence);
+}
+
+Work Console::work() {
+  Work work;
+  work.threads = options_.threads;
+  work.seed = options_.seed;
+  work.cancel = &interrupted();
+  if (shows_progress_)
+    work.progress = [this](double fraction, std::string_view what) { progress(fraction, what); };
+  return work;
+}
+
+void Console::progress(double fraction, std::string_view what) {
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (now - started_ < kProgressAfter || now - last_shown_ < kProgressEvery) return;
+  last_shown_ = now;
+  fmt::print(stderr, "{}: {} %\n", what, std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
+}
+
+Result<void> print(std::string_view text) {
+  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
+  if (written == text.size() && std::fflush(stdout) == 0) return {};
+  return Error{ErrorCode::failed, fmt::format("could not be written: {}", std::strerror(errno)),
+               "standard output"};
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,54 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/work.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace palpable::cli {
+
+/// What every command shares.
+struct CommonOptions {
+  bool json = false;
+  bool quiet = false;
+  unsigned threads = 0;
+  std::uint64_t seed = 1;
+};
+
+/// Where a command speaks: results on standard output, everything else on standard error. Progress is whole
+/// lines, a few for a long work and none for work under a second, so that a screen reader can follow.
+/// Any thread.
+class Console {
+ public:
+  explicit Console(const CommonOptions& options);
+
+  /// A note for the person on standard error, one line; silent with --quiet.
+  void note(std::string_view sentence);
+  /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.
+  Work work();
+  const CommonOptions& options() const { return options_; }
+
+ private:
+  void progress(double fraction, std::string_view what);
+
+  CommonOptions options_;
+  bool shows_progress_ = false;
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point last_shown_;
+};
+
+/// Set by the first SIGINT, SIGTERM or SIGHUP once catch_interrupts() was called; a second signal ends the
+/// program at once.
+const std::atomic<bool>& interrupted();
+void catch_interrupts();
+
+/// Writes `text` to standard output. Errors: failed, if it cannot be written in full.
+Result<void> print(std::string_view text);
+
+}  // namespace palpable::cli

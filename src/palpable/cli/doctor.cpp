@@ -1,0 +1,156 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace palpable::cli {
+namespace {
+
+/// One thing looked at. A touch works without what is only `wanted`, less well.
+struct Finding {
+  enum class State { good, wanted, missing };
+  std::string name;
+  State state = State::good;
+  std::string found;
+  /// What to do about it; empty where nothing is to be done.
+  std::string advice;
+};
+
+Finding realtime_priority() {
+  Finding finding{"realtime-priority", Finding::State::good, {}, {}};
+  int outcome = 0;
+  // Asked for on a thread of its own, so that this one keeps its ordinary priority.
+  std::thread([&outcome] {
+    sched_param parameters{};
+    parameters.sched_priority = 1;
+    outcome = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  }).join();
+  if (outcome == 0) {
+    finding.found = "the servo may run at real-time priority";
+    return finding;
+  }
+  finding.state = Finding::State::wanted;
+  finding.found = fmt::format("the servo may not run at real-time priority ({})", std::strerror(outcome));
+  finding.advice =
+      "add '@audio - rtprio 90' to /etc/security/limits.d/palpable.conf, join the group audio and log in "
+      "again";
+  return finding;
+}
+
+Finding locked_memory() {
+  constexpr rlim_t kWanted = rlim_t{512} << 20U;
+  Finding finding{"locked-memory", Finding::State::good, {}, {}};
+  rlimit limit{};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || geteuid() == 0) {
+    finding.found = "scenes may be locked in memory without a limit";
+    return finding;
+  }
+  finding.found = fmt::format("{} MB may be locked in memory", limit.rlim_cur >> 20U);
+  if (limit.rlim_cur < kWanted) {
+    finding.state = Finding::State::wanted;
+    finding.advice =
+        "add '@audio - memlock 1048576' to /etc/security/limits.d/palpable.conf and log in again";
+  }
+  return finding;
+}
+
+Finding loopback() {
+  Finding finding{"loopback", Finding::State::good, "the page can be served on 127.0.0.1", {}};
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const bool works = listener >= 0 &&
+                     bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+                     listen(listener, 1) == 0;
+  if (!works) {
+    finding.state = Finding::State::missing;
+    finding.found = fmt::format("nothing can be served on 127.0.0.1 ({})", std::strerror(errno));
+    finding.advice = "let this program open a port on the loopback interface; --headless works without one";
+  }
+  if (listener >= 0) close(listener);
+  return finding;
+}
+
+Finding processors() {
+  const unsigned count = std::thread::hardware_concurrency();
+  Finding finding{"processors", Finding::State::good, fmt::format("{} processors", count), {}};
+  if (count < 2) {
+    finding.state = Finding::State::wanted;
+    finding.advice = "with a single processor the page and the servo disturb each other; use two or more";
+  }
+  return finding;
+}
+
+/// Devices on USB are opened as an ordinary user only where udev's rules allow it.
+Finding device_rules() {
+  Finding finding{"device-rules", Finding::State::good, {}, {}};
+  for (const char* folder : {"/etc/udev/rules.d", "/usr/lib/udev/rules.d", "/lib/udev/rules.d"}) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (entry.path().filename().string().find("palpable") == std::string::npos) continue;
+      finding.found = fmt::format("device rules are installed: {}", entry.path().string());
+      return finding;
+    }
+  }
+  finding.state = Finding::State::wanted;
+  finding.found = "no device rules are installed; the pointer and the simulated hand need none";
+  finding.advice = "for a force-feedback device on USB, install the udev rule that docs/devices.md shows";
+  return finding;
+}
+
+std::string_view name_of(Finding::State state) {
+  switch (state) {
+    case Finding::State::good:
+      return "good";
+    case Finding::State::wanted:
+      return "wanted";
+    case Finding::State::missing:
+      return "missing";
+  }
+  return "missing";
+}
+
+Result<Answer> examine(Console& /*console*/) {
+  Answer answer;
+  answer.json["version"] = PALPABLE_VERSION;
+  answer.json["findings"] = Json::array();
+  bool ready = true;
+  for (const Finding& finding :
+       {processors(), realtime_priority(), locked_memory(), loopback(), device_rules()}) {
+    answer.json["findings"].push_back({{"name", finding.name},
+                                       {"state", name_of(finding.state)},
+                                       {"found", finding.found},
+                                       {"advice", finding.advice}});
+    answer.text += fmt::format("{:8}{}: {}\n", name_of(finding.state), finding.name, finding.found);
+    if (!finding.advice.empty()) answer.text += fmt::format("        To do: {}.\n", finding.advice);
+    ready = ready && finding.state != Finding::State::missing;
+  }
+  answer.json["ready"] = ready;
+  answer.text += ready ? "Ready to touch.\n" : "Not ready: see what is missing above.\n";
+  answer.exit_code = ready ? 0 : static_cast<int>(ErrorCode::failed);
+  return answer;
+}
+
+}  // namespace
+
+void add_doctor(Program& program) {
+  add_command(program, "doctor", "Say what this machine can do, and what to change for a better touch",
+              "  palpable doctor", examine);
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,137 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/run.hpp"
+
+#include "palpable/cli/command.hpp"
+#include "palpable/cli/suggest.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+void add_common(CLI::App& app, CommonOptions& common) {
+  const std::string group = "Every command";
+  app.add_flag("--json", common.json, "One JSON object on standard output")->group(group);
+  app.add_flag("--quiet", common.quiet, "No notes and no progress")->group(group);
+  app.add_option("--threads", common.threads, "Threads to use; 0 = as many as the machine has")
+      ->check(CLI::Range(0U, 256U))
+      ->group(group);
+  app.add_option("--seed", common.seed, "Where chance is used: the same seed gives the same result")
+      ->group(group);
+}
+
+int report(const Error& error) {
+  fmt::print(stderr, "palpable: {}\n", error.sentence());
+  return static_cast<int>(error.code);
+}
+
+Error usage(std::string message) { return {ErrorCode::usage, std::move(message), {}}; }
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::string with_suggestion(std::string sentence, const std::string& typed,
+                            const std::vector<std::string>& known) {
+  if (const auto meant = suggestion(typed, known)) sentence += fmt::format(": did you mean {}?", *meant);
+  return sentence;
+}
+
+/// CLI11's complaint as one sentence of ours.
+Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const auto extras = app.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&complaint) != nullptr && !extras.empty()) {
+    const std::string& typed = extras.front();
+    if (typed.starts_with("-"))
+      return usage(with_suggestion(fmt::format("unknown option {}", typed), typed.substr(0, typed.find('=')),
+                                   option_names(command)));
+    if (chosen.empty())
+      return usage(with_suggestion(fmt::format("there is no command {}", typed), typed, command_names(app)) +
+                   (suggestion(typed, command_names(app)) ? "" : "; palpable --help lists them"));
+    return usage(fmt::format("{} takes no argument {}", command.get_name(), typed));
+  }
+  std::string sentence = complaint.what();
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  return usage(command.get_name().empty() ? sentence : command.get_name() + ": " + sentence);
+}
+
+int finish(const Result<Answer>& answer, const CommonOptions& common) {
+  if (!answer) return report(answer.error());
+  const std::string text =
+      common.json ? answer->json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" : answer->text;
+  if (const auto printed = print(text); !printed) return report(printed.error());
+  return answer->exit_code;
+}
+
+void describe(Program& program) {
+  CLI::App& app = program.app;
+  app.name("palpable");
+  app.description(
+      "Palpable makes pictures touchable. Without arguments: touch the sample that comes with it.");
+  app.set_version_flag("--version", std::string("palpable ") + PALPABLE_VERSION);
+  app.require_subcommand(0, 1);
+  app.footer(
+      "palpable COMMAND --help tells more, with examples.\n"
+      "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 unreadable or invalid input, 4 device, 130 "
+      "interrupted.");
+  add_common(app, program.common);
+  add_doctor(program);
+}
+
+int parse_and_run(int argc, char** argv) {
+  Program program;
+  describe(program);
+  try {
+    program.app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    return finish(Answer{{}, program.app.help()}, {});
+  } catch (const CLI::CallForVersion&) {
+    return finish(Answer{{}, program.app.version() + "\n"}, {});
+  } catch (const CLI::ParseError& complaint) {
+    return report(explained(program.app, complaint));
+  }
+  if (!program.action) return finish(Answer{{}, program.app.help()}, {});
+  Console console(program.common);
+  catch_interrupts();
+  return finish(program.action(console), program.common);
+}
+
+}  // namespace
+
+CLI::App& add_command(Program& program, const std::string& name, const std::string& description,
+                      const std::string& examples, Action action) {
+  CLI::App& command = *program.app.add_subcommand(name, description);
+  command.footer("Examples:\n" + examples);
+  command.callback([&program, action = std::move(action)] { program.action = action; });
+  add_common(command, program.common);
+  return command;
+}
+
+int run(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return report({ErrorCode::failed, "there is not enough memory for this", {}});
+  } catch (const std::exception& exception) {
+    return report({ErrorCode::failed, fmt::format("this is a bug of ours: {}", exception.what()), {}});
+  }
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,26 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/suggest.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::cli {
+namespace {
+
+const std::vector<std::string> kCommands{"touch", "make", "depth", "probe", "sample", "score"};
+
+TEST(Suggestion, FindsTheCommandBehindATypingSlip) {
+  EXPECT_EQ(suggestion("tuoch", kCommands), "touch");
+  EXPECT_EQ(suggestion("dept", kCommands), "depth");
+  EXPECT_EQ(suggestion("samples", kCommands), "sample");
+}
+
+TEST(Suggestion, StaysSilentWhereNothingIsNear) {
+  EXPECT_EQ(suggestion("xyzzy", kCommands), std::nullopt);
+  EXPECT_EQ(suggestion("", kCommands), std::nullopt);
+}
+
+}  // namespace
+}  // namespace palpable::cli
