@@ -7,6 +7,15 @@
 
 namespace palpable {
 
+Result<void> check_picture_size(std::int64_t width, std::int64_t height) {
+  const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
+  if (width < 1 || height < 1) return invalid_input("states a size of " + size);
+  if (width > kMaxPixels || height > kMaxPixels || width * height > kMaxPixels)
+    return invalid_input(size + " are more than the " + std::to_string(kMaxPixels >> 20) +
+                         " million that can be taken in: make the picture smaller first");
+  return {};
+}
+
 Raster<float> grey(const Image& image) {
   Raster<float> out(image.width, image.height);
   const bool colour = image.channels >= 3;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/raster.hpp"
+#include "palpable/core/result.hpp"
 
 #include <array>
 #include <cstdint>
@@ -34,6 +35,13 @@ struct Image {
                static_cast<std::size_t>(channels);
   }
 };
+
+/// No picture or raster with more pixels is read: 64 Mi, about 8192 x 8192.
+inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;
+
+/// Whether a size that a file states may be given memory. Errors: invalid_input for sizes below 1 or more
+/// than kMaxPixels.
+Result<void> check_picture_size(std::int64_t width, std::int64_t height);
 
 /// Luma (Rec. 601) in the picture's own scale; alpha is ignored.
 Raster<float> grey(const Image& image);

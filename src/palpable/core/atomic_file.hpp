@@ -1,0 +1,43 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+namespace palpable {
+
+/// A file that comes into being whole or not at all: bytes go into a new file beside it, and commit() makes
+/// them durable and renames it over the old one, whose permissions stay. Destroyed without commit(): the new
+/// file is removed and the old one is as it was. Not for the tick path.
+class AtomicFile {
+ public:
+  /// Errors: failed, with the system's reason (no such folder, not permitted, disk full …).
+  static Result<AtomicFile> create(const std::filesystem::path& path);
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  ~AtomicFile();
+
+  Result<void> write(std::span<const std::byte> bytes);
+  /// Flushes to the disk and renames. At most once, as the last call.
+  Result<void> commit();
+
+ private:
+  AtomicFile() = default;
+  Error failure(std::string_view what) const;
+  void discard() noexcept;
+
+  std::filesystem::path path_;
+  std::filesystem::path beside_;
+  int descriptor_ = -1;
+};
+
+/// Writes a whole file atomically, as AtomicFile does. A path that leads to a symbolic link replaces what the
+/// link points to; one that leads to a device or pipe (/dev/stdout) is written to directly.
+Result<void> write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+}  // namespace palpable
