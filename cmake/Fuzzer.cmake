@@ -1,0 +1,12 @@
+# palpable_fuzzer(NAME x SOURCES x_fuzz.cpp USES modules… LINKS libraries…): one libFuzzer program, build/fuzz/bin/fuzz_x.
+# Small inputs that it starts from stand in fuzz/corpus/x/: whatever once broke the parser, and one valid file.
+function(palpable_fuzzer)
+  cmake_parse_arguments(F "" "NAME" "SOURCES;USES;LINKS" ${ARGN})
+  add_executable(fuzz_${F_NAME} ${F_SOURCES})
+  foreach(used ${F_USES})
+    target_link_libraries(fuzz_${F_NAME} PRIVATE palpable_${used})
+  endforeach()
+  target_link_libraries(fuzz_${F_NAME} PRIVATE palpable_options ${F_LINKS})
+  target_compile_options(fuzz_${F_NAME} PRIVATE -fsanitize=fuzzer)
+  target_link_options(fuzz_${F_NAME} PRIVATE -fsanitize=fuzzer)
+endfunction()

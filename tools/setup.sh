@@ -1,0 +1,103 @@
+# Copyright 2026 The Palpable authors
+# SPDX-License-Identifier: Apache-2.0
+# What ./run and ./test share: installing what is missing, and building. Sourced by them, in the project's root, with
+# `set -euo pipefail`. Everything said here goes to standard error: standard output belongs to the program started.
+
+say() { printf 'palpable: %s\n' "$*" >&2; }
+
+give_up() {
+  say "$*"
+  exit 1
+}
+
+# The names in the lists of the given groups (packages/GROUP.txt). Debian's nodejs is left out where a newer node stands
+# in its place: the two packages cannot be installed together.
+packages_of() {
+  local group names
+  names=$(for group; do sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "packages/$group.txt"; done | sort -u)
+  if node_is_enough; then names=$(grep -vxE 'nodejs|npm' <<<"$names"); fi
+  printf '%s\n' "$names"
+}
+
+node_is_enough() {
+  command -v node >/dev/null && command -v npm >/dev/null && [ "$(node -p 'process.versions.node.split(".")[0]')" -ge 18 ]
+}
+
+missing_of() {
+  local name
+  for name; do
+    case $(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null || true) in
+      installed*) ;;
+      *) printf '%s\n' "$name" ;;
+    esac
+  done
+}
+
+apt_install() {
+  local apt=(apt-get -qq -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0) root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || give_up "these packages are missing, and there is no sudo to install them with: $*"
+    root=(sudo -n)
+    if [ -t 0 ] && [ -t 2 ]; then
+      root=(sudo)
+      local answer
+      read -r -p "palpable: may sudo install these Debian packages? $* [Y/n] " answer >&2
+      case $answer in [nN]*) give_up "nothing was installed, so nothing can be built" ;; esac
+    fi
+  fi
+  root+=(env DEBIAN_FRONTEND=noninteractive)
+  say "installing with apt: $*"
+  # The package lists are fetched only where they are missing, or too old to find every file.
+  if compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null &&
+    "${root[@]}" "${apt[@]}" install -y --no-install-recommends "$@" >&2; then
+    return
+  fi
+  say "refreshing apt's package lists"
+  "${root[@]}" "${apt[@]}" update >&2 || give_up "apt cannot refresh its package lists (see above)"
+  "${root[@]}" "${apt[@]}" install -y --no-install-recommends "$@" >&2 || give_up "apt cannot install the packages (see above)"
+}
+
+# install_packages GROUP…: installs what is missing of the groups' packages. A stamp of the lists and of dpkg's own
+# database makes the second call cheap.
+install_packages() {
+  local stamp now missing
+  command -v apt-get >/dev/null || give_up "this script installs with apt (Debian, Ubuntu); the packages are listed in packages/"
+  stamp=build/.setup/packages-$(IFS=-; echo "$*")
+  now=$(stat -c '%n %s %Y' packages/*.txt /var/lib/dpkg/status)
+  if [ -f "$stamp" ] && [ "$(<"$stamp")" = "$now" ]; then return; fi
+  mapfile -t missing < <(missing_of $(packages_of "$@"))
+  if [ ${#missing[@]} -gt 0 ]; then apt_install "${missing[@]}"; fi
+  stat -c '%n %s %Y' packages/*.txt /var/lib/dpkg/status >"$stamp"
+}
+
+# The page's npm packages, exactly as its lock file names them.
+install_npm_packages() {
+  local stamp=web/node_modules/.palpable-lock
+  [ -f web/package-lock.json ] || return 0
+  if [ -f "$stamp" ] && cmp -s web/package-lock.json "$stamp"; then return; fi
+  say "installing the page's npm packages"
+  (cd web && npm ci --no-audit --no-fund >&2) || give_up "npm cannot install the page's packages (see above)"
+  cp web/package-lock.json "$stamp"
+}
+
+# build PRESET [TARGET…]: configures where that was never done, then builds what changed.
+build() {
+  local preset=$1 quiet=(--quiet)
+  shift
+  if [ ! -f "build/$preset/build.ninja" ]; then
+    say "configuring ($preset)"
+    cmake --preset "$preset" >&2 || give_up "cmake cannot configure the project (see above)"
+    say "building; the first time takes some minutes"
+    quiet=()
+  fi
+  ninja "${quiet[@]}" -C "build/$preset" "$@" >&2 || give_up "the build failed (see above)"
+}
+
+# Only one script at a time installs and builds; a second one waits.
+take_turns() {
+  mkdir -p build/.setup
+  exec {turn}>build/.setup/lock
+  flock -n "$turn" || { say "waiting for another ./run or ./test to finish building"; flock "$turn"; }
+}
+
+end_turn() { exec {turn}>&-; }
