@@ -25,6 +25,10 @@ struct Feel {
   Vector<SceneFrame> force_N;
   /// Where the law keeps a proxy on the surface: its place. Meaningful only if has_proxy.
   Point<SceneFrame> proxy;
+  /// Energy that the law's springs store now and may give back: ½K·d² of a spring, k_g·z of a weight on a
+  /// slope. 0 for a law that stores none. Its zero is free (only differences count), and it is what lets the
+  /// observer (passivity.hpp) tell energy given back from energy made.
+  double stored_J = 0.0;
   bool contact = false;
   bool has_proxy = false;
   /// Index of the material or region touched.

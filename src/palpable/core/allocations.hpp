@@ -1,0 +1,34 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace palpable {
+
+/// Heap allocations that the calling thread has made since it began: malloc, calloc, realloc and everything
+/// built on them, operator new included, in our code and in every library. Counted only in programs that
+/// link the object library palpable_allocation_counter; 0 elsewhere. Never allocates; any thread.
+std::uint64_t allocations_of_this_thread() noexcept;
+
+/// Whether this program counts (see above). Tests assert it first, so that a guard cannot pass unlinked.
+bool allocations_are_counted() noexcept;
+
+/// What the calling thread allocated since the scope began.
+///   AllocationScope scope;  law.feel(hand, state);  EXPECT_EQ(scope.count(), 0U);
+class AllocationScope {
+ public:
+  AllocationScope() noexcept : begin_(allocations_of_this_thread()) {}
+  std::uint64_t count() const noexcept { return allocations_of_this_thread() - begin_; }
+
+ private:
+  std::uint64_t begin_;
+};
+
+/// For palpable_allocation_counter only.
+namespace allocation_counter {
+void note() noexcept;
+void declare_linked() noexcept;
+}  // namespace allocation_counter
+
+}  // namespace palpable

@@ -1,0 +1,47 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/hand_off.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpable::device {
+
+/// Where a pointer's place arrives from the page: one thread puts, the device takes.
+using PointerFeed = LatestValue<Point<DeviceFrame>>;
+
+struct OpenOptions {
+  /// For what is random and has no seed in its URL.
+  std::uint64_t seed = 1;
+  /// The loop's rate: how often read() and write() will be called.
+  double rate_hz = 1000.0;
+  /// Needed by `pointer:` only.
+  std::shared_ptr<PointerFeed> pointer;
+};
+
+/// Opens what a URL names: scheme, then what the scheme takes, then ?name=value&name=value. docs/devices.md
+/// lists them. Errors: usage (unknown scheme or option, a value out of range), device (not there, no
+/// permission, no answer), invalid_input (a recording that cannot be read).
+Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options);
+
+/// A kind of device that can be opened, for `palpable devices`.
+struct DeviceKind {
+  /// What open_device() takes: "sim:".
+  std::string url;
+  std::string name;
+  /// One sentence.
+  std::string description;
+  /// Whether one can be opened here and now; if not, `note` says why.
+  bool available = true;
+  std::string note;
+};
+std::vector<DeviceKind> list_devices();
+
+}  // namespace palpable::device

@@ -1,0 +1,93 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/haptics/servo_types.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpable::haptics {
+
+enum class Passivity { observe, control };
+
+struct ServoOptions {
+  /// 100…4000.
+  double rate_hz = 1000.0;
+  /// Lowered to the device's own; > 0.
+  double max_force_N = std::numeric_limits<double>::infinity();
+  /// Growth only; release is never delayed. The default lets a stop of 500 N/m met at 0.6 m/s through.
+  double max_force_rate_N_per_s = 300.0;
+  Passivity passivity = Passivity::control;
+  /// One program gives way to the next in this time.
+  double fade_s = 0.15;
+  /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
+  double ramp_down_s = 0.02;
+  double ramp_up_s = 0.25;
+  /// SCHED_FIFO priority asked for, 1…99; 0 = do not ask.
+  int realtime_priority = 80;
+  /// The last stretch before a deadline is waited for by watching the clock; 0 = sleep all the way.
+  double watch_s = 150e-6;
+  /// Samples kept for a recorder that is late; 4 s at 4 kHz.
+  std::size_t recording_capacity = 16384;
+};
+
+/// What the operating system granted.
+struct RealTimeOutcome {
+  /// "SCHED_FIFO 80", or why not: "none (Operation not permitted)".
+  std::string priority;
+  /// "locked", or why not.
+  std::string memory;
+};
+
+/// Runs the tick of docs/real-time.md on its own thread at a steady rate. Owns the device from begin to end:
+/// every way out, the destructor included, writes zero force. One thread at a time calls a method that is not
+/// const; samples, events and recordings are each taken by one thread.
+class ServoLoop {
+ public:
+  /// Starts the thread; the force rises from zero. `device` and program.touchable must not be null.
+  /// Errors (usage): a rate, cap or time outside its range.
+  static Result<std::unique_ptr<ServoLoop>> start(std::unique_ptr<device::Device> device, Program program,
+                                                  const ServoOptions& options);
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  /// Hands over a new program; the servo fades to it as soon as it is not fading already, and a program
+  /// handed over before that replaces one that still waits. Reads the model's pages first. Old programs are
+  /// freed by later calls of this and by the destructor, never by the servo.
+  void change(Program program);
+  /// Force to zero and held there, or back.
+  void pause();
+  void resume();
+  /// Ends the thread with zero force written; returns when it has. More than once is allowed.
+  void stop();
+
+  /// The newest sample if one came since the last call.
+  std::optional<TouchSample> take_latest();
+  std::optional<TouchEvent> take_event();
+  std::optional<MissedDeadline> take_missed();
+  /// While on, every tick's sample goes into the recording ring.
+  void record(bool on);
+  std::optional<TouchSample> take_recorded();
+  /// Samples that found the ring full.
+  std::uint64_t recording_lost() const;
+
+  /// A copy a few milliseconds old; exact after stop().
+  ServoStatistics statistics() const;
+  const RealTimeOutcome& real_time() const;
+  const device::Traits& device_traits() const;
+  std::string device_fault() const;
+
+ private:
+  struct Inside;
+  explicit ServoLoop(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace palpable::haptics

@@ -1,0 +1,100 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/haptics/servo_loop.hpp"
+#include "palpable/models/scene.hpp"
+#include "palpable/session/touch_settings.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpable::session {
+
+struct SessionOptions {
+  haptics::ServoOptions servo;
+  /// Written into recordings, and given to a simulated hand that names none itself.
+  std::uint64_t seed = 1;
+  /// Written into recordings: "shi", "park", … when a paper's parameters were chosen.
+  std::string as_published;
+};
+
+/// CONTRACT's figures for a session that ran (docs/cli.md, touch --headless).
+struct TouchStatistics {
+  haptics::ServoStatistics servo;
+  /// From the reference time given to TouchSession::open to the first force that is not zero; NaN if none.
+  double seconds_to_first_force = std::numeric_limits<double>::quiet_NaN();
+  std::string device;
+  std::string realtime_priority;
+  std::string memory_lock;
+};
+
+/// {"servo": {"ticks", "rate_hz", …}, "force": …} as CONTRACT states it; one JSON object, numbers only finite
+/// or null.
+std::string to_json(const TouchStatistics& statistics);
+
+/// One touch: a scene, felt by one law, through one device. Any thread may call any method; none of them
+/// makes the servo wait. Ending it, in any way, leaves the device at zero force.
+class TouchSession {
+ public:
+  /// Opens the device (device/open.hpp) and starts the servo. `begin_ns` is CLOCK_MONOTONIC when the person
+  /// asked for the touch: seconds_to_first_force counts from it; 0 = now. Errors: device (cannot be opened),
+  /// usage (a law, parameter or URL that does not exist).
+  static Result<std::unique_ptr<TouchSession>> open(std::shared_ptr<const models::Scene> scene,
+                                                    const TouchSettings& settings,
+                                                    const std::string& device_url,
+                                                    const SessionOptions& options, std::int64_t begin_ns = 0);
+  ~TouchSession();
+  TouchSession(const TouchSession&) = delete;
+  TouchSession& operator=(const TouchSession&) = delete;
+
+  /// Swapped live, forces cross-faded; on an error everything stays as it was.
+  Result<void> change_scene(std::shared_ptr<const models::Scene> scene);
+  Result<void> change_settings(const TouchSettings& settings);
+  std::shared_ptr<const models::Scene> scene() const;
+  TouchSettings settings() const;
+  /// What was changed by the device's limits and why, one sentence each: "Stiffness 800 N/m was lowered to
+  /// 412 N/m: …". Empty when nothing was.
+  std::vector<std::string> notices() const;
+
+  void pause();
+  void resume();
+  bool paused() const;
+  /// Places the scene so that the hand is at its middle, level with its highest point.
+  void recentre();
+  void stop();
+
+  /// Only for the device `pointer:`; ignored by others. Scene frame, so that the page need not know the
+  /// device's. Send at least ten a second, also while the pointer rests: silence for half a second counts as
+  /// a lost source and ramps the force down.
+  void move_pointer(Point<SceneFrame> position);
+
+  /// The newest tick.
+  haptics::TouchSample latest() const;
+  /// Everything since the last call, in order; at most the newest 4096. For one listener.
+  std::vector<haptics::TouchEvent> take_events();
+
+  /// Errors: the file cannot be written; recording already.
+  Result<void> start_recording(const std::filesystem::path& file);
+  /// Ends the file; errors met while writing come here.
+  Result<void> stop_recording();
+  bool recording() const;
+
+  TouchStatistics statistics() const;
+  const device::Traits& device_traits() const;
+  /// Empty while the device is well.
+  std::string device_fault() const;
+
+ private:
+  struct Inside;
+  explicit TouchSession(std::unique_ptr<Inside> inside);
+  std::unique_ptr<Inside> inside_;
+};
+
+}  // namespace palpable::session
