@@ -7,6 +7,7 @@
 #include "palpable/core/result.hpp"
 
 #include <concepts>
+#include <cstddef>
 
 namespace palpable::models {
 
@@ -17,12 +18,32 @@ struct HeightSample {
   double dzdy = 0.0;
 };
 
+/// The same with its exact second derivatives, in 1/m.
+struct CurvedSample {
+  double z_m = 0.0;
+  double dzdx = 0.0;
+  double dzdy = 0.0;
+  double dzdxx_per_m = 0.0;
+  double dzdxy_per_m = 0.0;
+  double dzdyy_per_m = 0.0;
+};
+
 /// What a law needs to feel a surface z(x, y): height and slope, both continuous. Never allocates, locks or
 /// throws.
 template <class M>
 concept HeightField = requires(const M& m, double x_m, double y_m) {
   { m.sample(x_m, y_m) } -> std::same_as<HeightSample>;
   requires noexcept(m.sample(x_m, y_m));
+};
+
+/// What a law needs to follow such a surface closely: curvature, a bound of the slope, and the step within
+/// which the surface hides nothing (its pixel). Never allocates, locks or throws.
+template <class M>
+concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, double y_m) {
+  { m.curved_sample(x_m, y_m) } -> std::same_as<CurvedSample>;
+  { m.steepest_slope() } -> std::same_as<double>;
+  { m.pixel_m() } -> std::same_as<double>;
+  requires noexcept(m.curved_sample(x_m, y_m));
 };
 
 /// A height field z(x, y) over a rectangle centred on the scene's origin: a uniform cubic B-spline whose
@@ -39,8 +60,13 @@ class Relief {
   /// Height and exact gradient at (x_m, y_m), any finite value. Tick path.
   HeightSample sample(double x_m, double y_m) const noexcept;
 
+  /// The same with the exact second derivatives; costs little more. Tick path.
+  CurvedSample curved_sample(double x_m, double y_m) const noexcept;
+
   const Raster<float>& samples_m() const { return height_m_; }
-  double pixel_m() const { return pixel_m_; }
+  double pixel_m() const noexcept { return pixel_m_; }
+  /// A bound that no slope |grad z| of the surface exceeds: from the samples' greatest differences.
+  double steepest_slope() const noexcept { return steepest_slope_; }
   /// Size between the outermost samples' outer edges: width * pixel_m, height * pixel_m.
   double width_m() const { return pixel_m_ * height_m_.width(); }
   double depth_m() const { return pixel_m_ * height_m_.height(); }
@@ -52,6 +78,8 @@ class Relief {
   Relief() = default;
   Raster<float> height_m_;
   double pixel_m_ = 0.0;
+  double pixels_per_m_ = 0.0;
+  double steepest_slope_ = 0.0;
   double lowest_m_ = 0.0;
   double highest_m_ = 0.0;
 };

@@ -1,0 +1,54 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/haptics/touchable.hpp"
+#include "palpable/models/scene.hpp"
+
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace palpable::haptics {
+
+/// The force laws, ours and the papers' (docs/laws.md says what each is and where it fails).
+enum class Law {
+  /// A ball rolling on the relief: f = -k_g grad z - k_v v. Shi & Pai 1997, eq. 1. Ignores z, always in
+  /// contact.
+  rolling,
+  /// Their original force image: 5 x 5 Sobel at half size over 10 x 15 cm, nearest look-up. Kept for
+  /// comparison.
+  sobel,
+  /// A surface-bound proxy with friction cone, spring and damper: the default.
+  proxy
+};
+
+/// The name on the command line; and back, nullopt for an unknown name.
+std::string_view name_of(Law law);
+std::optional<Law> law_from(std::string_view name);
+/// Every law that exists for a scene of this kind, the default first.
+std::vector<Law> laws_for(const models::Scene& scene);
+
+/// What can be set of a law. Where a value is not given, the scene's material decides.
+struct LawParameters {
+  Law law = Law::proxy;
+  /// Of the contact spring, 0 < k <= 1e6. `rolling` and `sobel` take k_g here, in newtons (default 1).
+  std::optional<double> stiffness_N_per_m;
+  /// Of the contact damper along the normal (of all motion in `rolling` and `sobel`), >= 0.
+  std::optional<double> damping_Ns_per_m;
+  /// Friction coefficients, 0 ... 10. A static one alone sets the dynamic one to the same value times 5/6.
+  std::optional<double> static_friction;
+  std::optional<double> dynamic_friction;
+  /// Radius of the ball that touches, 0 ... 0.02 m; its centre is the hand's position. 0 = a point.
+  double radius_m = 0.0;
+};
+
+/// Surface + law, ready for the servo loop. Work that a law needs once (dilating a relief by the ball)
+/// happens here, outside the tick: up to a second for large radii. Errors: usage for a parameter out of its
+/// range or a law that this kind of scene does not have.
+Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
+                                                        const LawParameters& parameters);
+
+}  // namespace palpable::haptics
