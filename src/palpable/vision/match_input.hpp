@@ -1,0 +1,26 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/stereo_method.hpp"
+
+namespace palpable::vision {
+
+/// The pair as 8-bit planes: levels stretched alike in both pictures to 0…255, and where the pictures'
+/// exposures differ (by their histograms), the right one's levels mapped onto the left one's. `disparities`
+/// is left 0. `levelled`, where given, says whether the exposures differed. Sizes must be equal and not 0.
+MatchInput prepare_pictures(const StereoPair& pair, bool* levelled = nullptr);
+
+/// The picture moved so that result(x, y) = picture(x - shift_px, y), border columns repeated.
+template <class T>
+Raster<T> shifted(const Raster<T>& picture, int shift_px) {
+  Raster<T> out(picture.width(), picture.height());
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const int from = x - shift_px;
+      out(x, y) = picture(from < 0 ? 0 : from >= picture.width() ? picture.width() - 1 : from, y);
+    }
+  return out;
+}
+
+}  // namespace palpable::vision
