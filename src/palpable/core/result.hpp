@@ -49,6 +49,7 @@ class [[nodiscard]] Result {
   T&& operator*() && { return std::move(*this).value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
+  Error& error() & { return PALPABLE_CHECK(!has_value()), std::get<1>(content_); }
   const Error& error() const& { return PALPABLE_CHECK(!has_value()), std::get<1>(content_); }
   Error&& error() && { return PALPABLE_CHECK(!has_value()), std::get<1>(std::move(content_)); }
 

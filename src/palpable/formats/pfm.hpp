@@ -1,0 +1,22 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/result.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace palpable::formats {
+
+/// A portable float map, of one ("Pf") or three ("PF") channels, either byte order, rows stored from the
+/// bottom up. Values are given exactly; the size of the scale number in its header is not applied. Errors:
+/// invalid_input for a bad header, a file that is cut off, or more than kMaxPixels.
+Result<Image> decode_pfm(std::span<const std::byte> file);
+
+/// A one-channel map in little-endian order.
+std::vector<std::byte> encode_pfm(const Raster<float>& values);
+
+}  // namespace palpable::formats
