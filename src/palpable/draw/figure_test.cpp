@@ -1,0 +1,153 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/figure.hpp"
+
+#include "palpable/core/read_file.hpp"
+#include "palpable/draw/canvas.hpp"
+#include "palpable/draw/force_view.hpp"
+#include "palpable/draw/height_view.hpp"
+#include "palpable/draw/section_view.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::draw {
+namespace {
+
+/// A folder of its own, removed at the end.
+class Figures : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("palpable-draw-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+/// A hill and a step: 100 x 75 mm, 15 mm high.
+models::Relief hill() {
+  Raster<float> height(160, 120);
+  for (int y = 0; y < height.height(); ++y)
+    for (int x = 0; x < height.width(); ++x) {
+      const double r = std::hypot(x - 60.0, y - 50.0) / 35.0;
+      height(x, y) = static_cast<float>(0.012 * std::exp(-r * r) + (x > 120 ? 0.005 : 0.0));
+    }
+  return *models::Relief::from_samples(std::move(height), 0.1 / 160);
+}
+
+/// The colour in the middle of `area`, painted by `figure` on an image of its size.
+Rgb8 colour_at(const Figure& figure, Spot spot) {
+  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, figure.width_px, figure.height_px),
+      &cairo_surface_destroy);
+  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()),
+                                                                   &cairo_destroy);
+  Canvas canvas(context.get());
+  canvas.fill({0.0, 0.0, static_cast<double>(figure.width_px), static_cast<double>(figure.height_px)},
+              {255, 255, 255});
+  figure.paint(canvas);
+  EXPECT_STREQ(cairo_status_to_string(cairo_status(context.get())), "no error has occurred");
+  cairo_surface_flush(surface.get());
+  const auto* row = reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface.get()) +
+                                                           static_cast<std::ptrdiff_t>(spot.y) *
+                                                               cairo_image_surface_get_stride(surface.get()));
+  const std::uint32_t p = row[static_cast<std::ptrdiff_t>(spot.x)];
+  return {static_cast<std::uint8_t>(p >> 16U), static_cast<std::uint8_t>(p >> 8U),
+          static_cast<std::uint8_t>(p)};
+}
+
+double luma(Rgb8 c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; }
+
+TEST_F(Figures, AreWrittenInTheFormatThatTheNameEndsIn) {
+  const auto relief = hill();
+  const Figure figure = relief_figure(relief, {"A hill", "100 × 75 mm"});
+  const std::pair<const char*, std::string> cases[] = {
+      {"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}};
+  for (const auto& [name, start] : cases) {
+    ASSERT_TRUE(write_figure(figure, folder_ / name)) << name;
+    const auto bytes = read_file_start(folder_ / name, start.size());
+    ASSERT_TRUE(bytes);
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size()), start);
+  }
+}
+
+TEST_F(Figures, RefuseAnUnknownEndingAndLeaveNoFile) {
+  const auto relief = hill();
+  const auto written = write_figure(relief_figure(relief, {}), folder_ / "a.xyz");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::usage);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(Figures, NameTheFolderThatIsMissing) {
+  const auto relief = hill();
+  const auto written = write_figure(relief_figure(relief, {}), folder_ / "none" / "a.png");
+  ASSERT_FALSE(written);
+  EXPECT_NE(written.error().sentence().find("none"), std::string::npos);
+}
+
+TEST(ReliefFigure, IsBrighterOnTheSlopeThatFacesTheLight) {
+  const auto relief = hill();
+  const Figure figure = relief_figure(relief, {});
+  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const auto place = [&sheet](double x, double y) {
+    return Spot{sheet.plot.x + x / 160.0 * sheet.plot.width, sheet.plot.y + y / 120.0 * sheet.plot.height};
+  };
+  EXPECT_GT(luma(colour_at(figure, place(47, 37))), luma(colour_at(figure, place(73, 63))) + 40.0);
+}
+
+TEST(HeightFigure, IsPaleWhereItIsHigh) {
+  const auto relief = hill();
+  const Figure figure = height_figure(relief, {});
+  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const Spot top{sheet.plot.x + 60.5 / 160.0 * sheet.plot.width,
+                 sheet.plot.y + 50.5 / 120.0 * sheet.plot.height};
+  const Spot flat{sheet.plot.x + 0.05 * sheet.plot.width, sheet.plot.y + 0.06 * sheet.plot.height};
+  EXPECT_GT(luma(colour_at(figure, top)), luma(colour_at(figure, flat)) + 100.0);
+}
+
+TEST(DepthFigure, HatchesInGreyWhatIsUnknownAndColoursTheRest) {
+  Raster<float> depth(80, 60, 2.0F);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 40; ++x) depth(x, y) = std::numeric_limits<float>::quiet_NaN();
+  for (int x = 40; x < 80; ++x) depth(x, 30) = 1.0F;
+  const Figure figure = depth_figure(depth, "depth, m", Near::low, {});
+  const Sheet sheet = sheet_for(80.0 / 60.0);
+  const Rgb8 unknown = colour_at(figure, {sheet.plot.x + 100.0, sheet.plot.y + 100.0});
+  const Rgb8 known = colour_at(figure, {sheet.plot.right() - 100.0, sheet.plot.y + 100.0});
+  EXPECT_EQ(unknown.r, unknown.g);
+  EXPECT_EQ(unknown.g, unknown.b);
+  EXPECT_NE(known.r, known.b);
+}
+
+TEST(ForceFigure, DrawsAnArrowWhereThereIsAForceAndNoneWhereThereIsNone) {
+  const auto relief = hill();
+  const std::vector<ForceArrow> arrows{{-0.02, 0.0, 1.0, 0.0}, {0.02, 0.0, 0.0, 0.0}};
+  const Figure figure = force_figure(relief, Raster<Rgb8>(4, 3, {255, 255, 255}), arrows, 0.01, {});
+  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const auto place = [&sheet](double x_mm) {
+    return Spot{sheet.plot.x + (x_mm + 50.0) / 100.0 * sheet.plot.width,
+                sheet.plot.y + sheet.plot.height / 2.0};
+  };
+  EXPECT_LT(luma(colour_at(figure, place(-20.0))), 150.0);
+  EXPECT_GT(luma(colour_at(figure, place(20.0))), 250.0);
+}
+
+TEST(SectionFigure, FillsBelowTheProfileOnly) {
+  const auto relief = hill();
+  const Figure figure = section_figure(relief, 0.0125, {});
+  const Rgb8 inside = colour_at(figure, {92.0 + 60.0 / 160.0 * 900.0, 300.0});
+  const Rgb8 outside = colour_at(figure, {92.0 + 5.0 / 160.0 * 900.0, 150.0});
+  EXPECT_LT(luma(inside), 200.0);
+  EXPECT_GT(luma(outside), 210.0);
+}
+
+}  // namespace
+}  // namespace palpable::draw

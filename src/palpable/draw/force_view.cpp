@@ -1,0 +1,90 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/force_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace palpable::draw {
+namespace {
+
+constexpr double kMm = 1000.0;
+constexpr Rgb8 kArrow{20, 60, 140};
+constexpr Rgb8 kCutArrow{190, 30, 30};
+
+Raster<Rgb8> paled(const Raster<Rgb8>& picture) {
+  Raster<Rgb8> out = picture;
+  const auto pale = [](std::uint8_t v) { return static_cast<std::uint8_t>(v + (255 - v) * 55 / 100); };
+  for (Rgb8& p : out.values()) p = {pale(p.r), pale(p.g), pale(p.b)};
+  return out;
+}
+
+/// The greatest of 1, 2, 5 times a power of ten that is not above `value`.
+double round_down(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * power <= value) return factor * power;
+  return power;
+}
+
+/// The force that fills the space between two arrows: nine of ten arrows are drawn in full.
+double full_force_N(const std::vector<ForceArrow>& arrows) {
+  std::vector<double> sizes;
+  for (const ForceArrow& a : arrows)
+    if (std::isfinite(a.fx_N) && std::isfinite(a.fy_N)) sizes.push_back(std::hypot(a.fx_N, a.fy_N));
+  if (sizes.empty()) return 1.0;
+  const auto nine_of_ten = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+  std::nth_element(sizes.begin(), nine_of_ten, sizes.end());
+  return *nine_of_ten > 1e-9 ? *nine_of_ten : std::max(*std::max_element(sizes.begin(), sizes.end()), 1e-6);
+}
+
+}  // namespace
+
+Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vector<ForceArrow> arrows,
+                    double spacing_m, const Heading& heading) {
+  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const double half_width = 0.5 * kMm * relief.width_m(), half_depth = 0.5 * kMm * relief.depth_m();
+  const Plot plot{sheet.plot, -half_width, half_width, -half_depth, half_depth};
+  return {
+      sheet.width_px, sheet.height_px,
+      [backdrop = paled(texture), arrows = std::move(arrows), spacing_m, heading, sheet,
+       plot](Canvas& canvas) {
+        const double longest_px = 0.95 * kMm * spacing_m / (plot.right - plot.left) * plot.area.width;
+        const double full_N = full_force_N(arrows);
+        const double px_per_N = longest_px / full_N;
+        canvas.picture(backdrop, sheet.plot);
+        bool any_cut = false;
+        for (const ForceArrow& a : arrows) {
+          const double size = std::hypot(a.fx_N, a.fy_N);
+          if (!(size * px_per_N > 0.5)) continue;
+          const bool cut = size > full_N * 1.001;
+          any_cut = any_cut || cut;
+          const double scale = std::min(px_per_N, longest_px / size);
+          const Spot centre = plot.at(kMm * a.x_m, kMm * a.y_m);
+          const double dx = 0.5 * scale * a.fx_N, dy = -0.5 * scale * a.fy_N;
+          canvas.arrow({centre.x - dx, centre.y - dy}, {centre.x + dx, centre.y + dy},
+                       {cut ? kCutArrow : kArrow, 1.7});
+        }
+        draw_axes(canvas, plot, "to the right, mm", "upwards, mm");
+        draw_scale_bar(canvas, plot);
+        const double known_N = round_down(full_N);
+        Spot key{sheet.bar.x, sheet.plot.y + 12.0};
+        key.y += canvas.text("force on the hand", key, {.size_px = 14.0, .bold = true}) + 14.0;
+        canvas.arrow({key.x, key.y + 8.0}, {key.x + known_N * px_per_N, key.y + 8.0}, {kArrow, 1.7});
+        canvas.text(fmt::format("{:g} N", known_N), {key.x + longest_px + 12.0, key.y}, {.size_px = 14.0});
+        if (any_cut) {
+          key.y += 34.0;
+          canvas.arrow({key.x, key.y + 8.0}, {key.x + longest_px, key.y + 8.0}, {kCutArrow, 1.7});
+          canvas.text(fmt::format("over {:.2g} N,\ndrawn short", full_N), {key.x + longest_px + 12.0, key.y},
+                      {.size_px = 14.0});
+        }
+        draw_words(canvas, sheet, heading,
+                   "An arrow's middle stands where the force is felt, its length is the force in the "
+                   "picture's plane; "
+                   "no arrow: less than can be drawn.");
+      }};
+}
+
+}  // namespace palpable::draw

@@ -1,0 +1,203 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/height_view.hpp"
+
+#include "palpable/draw/colour_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::draw {
+namespace {
+
+constexpr double kMm = 1000.0;
+
+Plot plot_of(const models::Relief& relief, Rect area) {
+  const double half_width = 0.5 * kMm * relief.width_m(), half_depth = 0.5 * kMm * relief.depth_m();
+  return {area, -half_width, half_width, -half_depth, half_depth};
+}
+
+/// A raster of the surface itself, asked at every pixel of the plot (the samples are its control values
+/// only).
+template <class Colour>
+Raster<Rgb8> rendered(const models::Relief& relief, const Plot& plot, Colour colour) {
+  Raster<Rgb8> pixels(static_cast<int>(plot.area.width), static_cast<int>(plot.area.height));
+  const double step_x = (plot.right - plot.left) / pixels.width(),
+               step_y = (plot.top - plot.bottom) / pixels.height();
+  for (int y = 0; y < pixels.height(); ++y) {
+    for (int x = 0; x < pixels.width(); ++x) {
+      const double x_mm = plot.left + (x + 0.5) * step_x, y_mm = plot.top - (y + 0.5) * step_y;
+      pixels(x, y) = colour(relief.sample(x_mm / kMm, y_mm / kMm));
+    }
+  }
+  return pixels;
+}
+
+double position(double value, double low, double high) {
+  return high > low ? (value - low) / (high - low) : 0.5;
+}
+
+/// Lambert's shading by a light from the upper left, 45 degrees high, half of it ambient; slopes count
+/// double, as map makers do, and the caption says so.
+double shade_of(const models::HeightSample& s) {
+  constexpr double kSlopeGain = 2.0;
+  const Vec3 normal = unit({-kSlopeGain * s.dzdx, -kSlopeGain * s.dzdy, 1.0});
+  const Vec3 light = unit({-1.0, 1.0, std::sqrt(2.0)});
+  return 0.45 + 0.55 * std::max(0.0, dot(normal, light)) / light.z;
+}
+
+Rgb8 shaded(Rgb8 c, double shade) {
+  const auto lit = [shade](std::uint8_t v) {
+    return static_cast<std::uint8_t>(std::clamp(std::lround(v * shade), 0L, 255L));
+  };
+  return {lit(c.r), lit(c.g), lit(c.b)};
+}
+
+/// Where the surface crosses `level_mm`, as short strokes: marching squares over a grid of the plot.
+void draw_contour(Canvas& canvas, const Plot& plot, const Raster<float>& height_mm, double level_mm,
+                  Ink ink) {
+  const double cell_x = plot.area.width / (height_mm.width() - 1),
+               cell_y = plot.area.height / (height_mm.height() - 1);
+  for (int y = 0; y + 1 < height_mm.height(); ++y) {
+    for (int x = 0; x + 1 < height_mm.width(); ++x) {
+      const std::array corners{Spot{0, 0}, Spot{1, 0}, Spot{1, 1}, Spot{0, 1}};
+      const std::array<double, 4> z{height_mm(x, y), height_mm(x + 1, y), height_mm(x + 1, y + 1),
+                                    height_mm(x, y + 1)};
+      std::array<Spot, 4> crossings;
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const std::size_t j = (i + 1) % 4;
+        if ((z[i] < level_mm) == (z[j] < level_mm)) continue;
+        const double t = (level_mm - z[i]) / (z[j] - z[i]);
+        crossings[count++] = {plot.area.x + (x + corners[i].x + t * (corners[j].x - corners[i].x)) * cell_x,
+                              plot.area.y + (y + corners[i].y + t * (corners[j].y - corners[i].y)) * cell_y};
+      }
+      for (std::size_t k = 0; k + 1 < count; k += 2) canvas.line(crossings[k], crossings[k + 1], ink);
+    }
+  }
+}
+
+double contour_step_mm(double low_mm, double high_mm) {
+  const auto levels = round_ticks(low_mm, high_mm, 9);
+  return levels.size() > 1 ? levels[1] - levels[0] : high_mm - low_mm;
+}
+
+void draw_contours(Canvas& canvas, const models::Relief& relief, const Plot& plot) {
+  constexpr double kCell_px = 3.0;
+  Raster<float> height_mm(static_cast<int>(plot.area.width / kCell_px) + 1,
+                          static_cast<int>(plot.area.height / kCell_px) + 1);
+  for (int y = 0; y < height_mm.height(); ++y) {
+    for (int x = 0; x < height_mm.width(); ++x) {
+      const double x_mm = plot.left + (plot.right - plot.left) * x / (height_mm.width() - 1);
+      const double y_mm = plot.top - (plot.top - plot.bottom) * y / (height_mm.height() - 1);
+      height_mm(x, y) = static_cast<float>(kMm * relief.sample(x_mm / kMm, y_mm / kMm).z_m);
+    }
+  }
+  for (const double level : round_ticks(kMm * relief.lowest_m(), kMm * relief.highest_m(), 9))
+    draw_contour(canvas, plot, height_mm, level, {{40, 40, 40}, 0.8, 0.45});
+}
+
+void draw_relief(Canvas& canvas, const models::Relief& relief, const Sheet& sheet, Rgb8 (*colour)(double)) {
+  const Plot plot = plot_of(relief, sheet.plot);
+  draw_axes(canvas, plot, "to the right, mm", "upwards, mm");
+  draw_scale_bar(canvas, plot);
+  draw_colour_bar(canvas, sheet.bar, kMm * relief.lowest_m(), kMm * relief.highest_m(),
+                  "height above\nthe base, mm", colour);
+}
+
+/// The values between which nearly all of a map lies: a few wild pixels must not use up the colours.
+std::pair<float, float> usual_range(const Raster<float>& values) {
+  std::vector<float> known;
+  known.reserve(values.count());
+  for (const float v : values.values())
+    if (std::isfinite(v)) known.push_back(v);
+  if (known.empty()) return {0.0F, 1.0F};
+  const auto quantile = [&known](double q) {
+    const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(known.size() - 1));
+    std::nth_element(known.begin(), known.begin() + k, known.end());
+    return known[static_cast<std::size_t>(k)];
+  };
+  const float low = quantile(0.005), high = quantile(0.995);
+  return high > low ? std::pair{low, high} : std::pair{low - 0.5F, low + 0.5F};
+}
+
+Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
+
+}  // namespace
+
+Figure relief_figure(models::Relief relief, const Heading& heading) {
+  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  return {
+      sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
+        const Plot plot = plot_of(relief, sheet.plot);
+        const double low = relief.lowest_m(), high = relief.highest_m();
+        canvas.picture(rendered(relief, plot,
+                                [&](const models::HeightSample& s) {
+                                  return shaded(tint_colour(position(s.z_m, low, high)), shade_of(s));
+                                }),
+                       sheet.plot);
+        draw_contours(canvas, relief, plot);
+        draw_relief(canvas, relief, sheet, tint_colour);
+        draw_words(
+            canvas, sheet, heading,
+            fmt::format(
+                "Lit from the upper left, slopes drawn twice as steep as they are. A thin line every "
+                "{} mm of height.",
+                label_of(contour_step_mm(kMm * low, kMm * high), contour_step_mm(kMm * low, kMm * high))));
+      }};
+}
+
+Figure height_figure(models::Relief relief, const Heading& heading) {
+  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  return {
+      sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
+        const double low = relief.lowest_m(), high = relief.highest_m();
+        canvas.picture(
+            rendered(relief, plot_of(relief, sheet.plot),
+                     [&](const models::HeightSample& s) { return depth_colour(position(s.z_m, low, high)); }),
+            sheet.plot);
+        draw_relief(canvas, relief, sheet, depth_colour);
+        draw_words(
+            canvas, sheet, heading,
+            "Pale is high and near, dark is low and far; equal steps of colour are equal steps of height.");
+      }};
+}
+
+Figure depth_figure(Raster<float> values, const std::string& value_name, Near near, const Heading& heading) {
+  const Sheet sheet = sheet_for(static_cast<double>(values.width()) / values.height());
+  return {sheet.width_px, sheet.height_px,
+          [values = std::move(values), value_name, near, heading, sheet](Canvas& canvas) {
+            const auto [low, high] = usual_range(values);
+            const auto colour = near == Near::high ? depth_colour : reversed_depth_colour;
+            Raster<Rgb8> pixels(values.width(), values.height());
+            Raster<std::uint8_t> unknown(values.width(), values.height());
+            std::size_t unknown_count = 0;
+            for (std::size_t i = 0; i < values.count(); ++i) {
+              const float v = values.values()[i];
+              unknown.values()[i] = std::isfinite(v) ? 0 : 1;
+              unknown_count += unknown.values()[i];
+              if (std::isfinite(v)) pixels.values()[i] = colour(position(v, low, high));
+            }
+            canvas.picture(pixels, sheet.plot);
+            canvas.hatch(unknown, sheet.plot);
+            const Plot plot{sheet.plot, 0.0, static_cast<double>(values.width()),
+                            static_cast<double>(values.height()), 0.0};
+            draw_axes(canvas, plot, "columns, pixels", "rows, pixels");
+            draw_colour_bar(canvas, sheet.bar, low, high, value_name, colour);
+            const Rect key{sheet.bar.x, sheet.bar.bottom() + 24.0, 26.0, 20.0};
+            canvas.hatch(key);
+            canvas.frame(key, {{70, 70, 70}, 1.2});
+            const double share =
+                100.0 * static_cast<double>(unknown_count) / static_cast<double>(values.count());
+            canvas.text(fmt::format("unknown, {:.1f} %", share), {key.right() + 8.0, key.y + 1.0},
+                        {.size_px = 13.0});
+            draw_words(canvas, sheet, heading,
+                       "Pale is near, dark is far; equal steps of colour are equal steps of the value.");
+          }};
+}
+
+}  // namespace palpable::draw

@@ -1,0 +1,40 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/draw/canvas.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::draw {
+
+/// Round numbers (1, 2 or 5 times a power of ten apart) inside [low, high], at most `most` of them.
+std::vector<double> round_ticks(double low, double high, int most);
+
+/// A number as a label: no needless zeros, a true minus sign; the decimals that a step of `step` needs.
+std::string label_of(double value, double step);
+
+/// A rectangle of the figure that shows a range of values; y grows upwards.
+struct Plot {
+  Rect area;
+  double left = 0, right = 1, bottom = 0, top = 1;
+
+  double x(double value) const { return area.x + (value - left) / (right - left) * area.width; }
+  double y(double value) const { return area.bottom() - (value - bottom) / (top - bottom) * area.height; }
+  Spot at(double value_x, double value_y) const { return {x(value_x), y(value_y)}; }
+};
+
+/// Frame, ticks, their labels and the axes' names (with units), left and below.
+void draw_axes(Canvas& canvas, const Plot& plot, const std::string& x_name, const std::string& y_name);
+
+/// An upright bar of colours from `low` (below) to `high` with labelled ticks on its right and its name
+/// above. `colour` takes 0…1.
+void draw_colour_bar(Canvas& canvas, Rect area, double low, double high, const std::string& name,
+                     Rgb8 (*colour)(double));
+
+/// A bar of a round length near a fifth of the plot's width, labelled in millimetres, in its lower left
+/// corner. The plot's values are millimetres.
+void draw_scale_bar(Canvas& canvas, const Plot& plot);
+
+}  // namespace palpable::draw

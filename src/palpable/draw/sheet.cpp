@@ -1,0 +1,43 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpable::draw {
+namespace {
+
+constexpr double kLargest_px = 860.0;
+constexpr double kLeft_px = 92.0;
+constexpr double kTop_px = 96.0;
+constexpr double kRight_px = 210.0;
+constexpr double kBelow_px = 108.0;
+
+}  // namespace
+
+Sheet sheet_for(double aspect) {
+  const double ratio = std::clamp(aspect, 1.0 / 3.0, 3.0);
+  const double width = std::round(ratio >= 1.0 ? kLargest_px : kLargest_px * ratio);
+  const double height = std::round(ratio >= 1.0 ? kLargest_px / ratio : kLargest_px);
+  Sheet sheet;
+  sheet.plot = {kLeft_px, kTop_px, width, height};
+  // A narrow plot still leaves its heading room to be read.
+  sheet.width_px = static_cast<int>(std::max(kLeft_px + width + kRight_px, 640.0));
+  sheet.height_px = static_cast<int>(kTop_px + height + kBelow_px);
+  const double bar_height = std::min(320.0, height - 60.0);
+  sheet.bar = {kLeft_px + width + 36.0, kTop_px + 54.0, 26.0, bar_height};
+  sheet.caption = {kLeft_px, kTop_px + height + 60.0, sheet.width_px - kLeft_px - 30.0, 40.0};
+  return sheet;
+}
+
+void draw_words(Canvas& canvas, const Sheet& sheet, const Heading& heading, const std::string& caption) {
+  const double width = sheet.width_px - sheet.plot.x - 30.0;
+  canvas.text(heading.title, {sheet.plot.x, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = width});
+  canvas.text(heading.subtitle, {sheet.plot.x, 58.0},
+              {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width});
+  canvas.text(caption, {sheet.caption.x, sheet.caption.y},
+              {.size_px = 13.0, .colour = {80, 80, 80}, .wrap_px = sheet.caption.width});
+}
+
+}  // namespace palpable::draw
