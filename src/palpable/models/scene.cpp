@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/scene.hpp"
 
+#include <algorithm>
+
 namespace palpable::models {
 namespace {
 
@@ -15,6 +17,17 @@ struct Overloaded : Functions... {
 std::string kind_of(const Model& model) {
   return std::visit(Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); }},
                     model);
+}
+
+std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
+  if (scene.labels.empty() || !is_finite(place)) return 0;
+  const Vec3 size = size_m(scene);
+  const auto cell = [](double position, double extent, int count) {
+    return static_cast<int>(std::clamp((position / extent + 0.5) * count, 0.0, count - 1.0));
+  };
+  const std::uint8_t label = scene.labels(cell(place.v.x, size.x, scene.labels.width()),
+                                          cell(-place.v.y, size.y, scene.labels.height()));
+  return std::min<std::size_t>(label, scene.materials.size() - 1);
 }
 
 Vec3 size_m(const Scene& scene) {

@@ -46,6 +46,10 @@ struct Scene {
   Provenance source;
 };
 
+/// Index of the material at a place of the scene, seen from above: always one of scene.materials. Outside the
+/// scene the nearest place's. Any thread; never allocates.
+std::size_t label_at(const Scene& scene, Point<SceneFrame> place);
+
 /// Width, height and depth in metres of the box that the scene fills.
 Vec3 size_m(const Scene& scene);
 
