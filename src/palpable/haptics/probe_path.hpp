@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/result.hpp"
 #include "palpable/haptics/latency_recorder.hpp"
 #include "palpable/haptics/touchable.hpp"
 

@@ -68,6 +68,8 @@ class Touchable {
   virtual double damping_Ns_per_m() const noexcept = 0;
   /// Reads every page of the model once, before it is swapped in.
   virtual void touch_pages() const noexcept = 0;
+  /// What the ticks read: the model, and what the law made of it beforehand.
+  virtual std::size_t memory_bytes() const noexcept { return 0; }
 };
 
 }  // namespace palpable::haptics

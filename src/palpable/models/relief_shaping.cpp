@@ -22,8 +22,8 @@ constexpr std::array<Neighbour, 8> kVisited{
     {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {-2, -1}, {2, -1}, {-1, -2}, {1, -2}}};
 
 // Steps along sixteen directions bound the slope in between by 1/cos(13.3 deg) = 1.0275 of theirs; that the
-// spline's two derivatives weigh different differences adds up to 1.3 %.
-constexpr double kBetweenDirections = 1.042;
+// spline's two derivatives weigh different differences adds up to 1.6 %.
+constexpr double kBetweenDirections = 1.045;
 
 /// Lowers `low` to the greatest function below it that rises by at most `step` a pixel: two passes of a
 /// grey-weighted distance transform (Borgefors 1986).

@@ -1,0 +1,186 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/laws.hpp"
+
+#include "palpable/haptics/proxy.hpp"
+#include "palpable/haptics/rolling.hpp"
+#include "palpable/haptics/sobel.hpp"
+#include "palpable/models/relief_shaping.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace palpable::haptics {
+namespace {
+
+using models::Material;
+using models::Relief;
+
+struct Name {
+  Law law;
+  std::string_view name;
+};
+constexpr std::array kNames{Name{Law::proxy, "proxy"}, Name{Law::rolling, "rolling"},
+                            Name{Law::sobel, "sobel"}};
+
+// What Shi & Pai's laws take where nothing is given: a slope of 1 pushes with 1 N.
+constexpr double kRollingWeight_N = 1.0;
+constexpr double kRollingDamping_Ns_per_m = 0.5;
+constexpr double kDynamicOfStatic = 5.0 / 6.0;
+
+Error usage(std::string message) { return {ErrorCode::usage, std::move(message), {}}; }
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
+  // Steele & Lea's SplitMix64 finaliser.
+  hash += value + 0x9E3779B97F4A7C15ULL;
+  hash = (hash ^ (hash >> 30U)) * 0xBF58476D1CE4E5B9ULL;
+  hash = (hash ^ (hash >> 27U)) * 0x94D049BB133111EBULL;
+  return hash ^ (hash >> 31U);
+}
+
+std::uint64_t content_hash(const Relief& relief) {
+  std::uint64_t hash = mixed(static_cast<std::uint64_t>(relief.samples_m().width()),
+                             std::bit_cast<std::uint64_t>(relief.pixel_m()));
+  for (const float z : relief.samples_m().values()) hash = mixed(hash, std::bit_cast<std::uint32_t>(z));
+  return hash;
+}
+
+constexpr std::size_t kPage = 4096;
+
+template <class T>
+void read_pages(const Raster<T>& raster) noexcept {
+  const auto* bytes = reinterpret_cast<const volatile unsigned char*>(raster.data());
+  for (std::size_t at = 0; at < raster.count() * sizeof(T); at += kPage) static_cast<void>(bytes[at]);
+}
+void read_pages(const Relief& relief) noexcept { read_pages(relief.samples_m()); }
+void read_pages(const SobelSlopes& slopes) noexcept { read_pages(slopes.slopes()); }
+
+/// Gives one law the contract's outside. A Law has a State, feel(), surface(), damping_Ns_per_m(),
+/// memory_bytes().
+template <class L>
+class LawTouchable final : public Touchable {
+ public:
+  LawTouchable(L law, std::uint64_t family) : law_(std::move(law)), family_(family) {}
+  Feel feel(const Hand& hand, TouchState& state) const noexcept override {
+    return law_.feel(hand, state_as<typename L::State>(state));
+  }
+  std::uint64_t state_family() const noexcept override { return family_; }
+  double damping_Ns_per_m() const noexcept override { return law_.damping_Ns_per_m(); }
+  void touch_pages() const noexcept override { read_pages(law_.surface()); }
+  std::size_t memory_bytes() const noexcept override { return law_.memory_bytes(); }
+
+ private:
+  L law_;
+  std::uint64_t family_;
+};
+
+template <class L>
+std::shared_ptr<const Touchable> touchable(L law, std::uint64_t family) {
+  return std::make_shared<LawTouchable<L>>(std::move(law), family);
+}
+
+bool within(const std::optional<double>& value, double low, double high) {
+  return !value || (*value >= low && *value <= high);
+}
+
+Result<void> check(const LawParameters& p) {
+  if (!within(p.stiffness_N_per_m, 1e-6, 1e6))
+    return usage("the stiffness must be above 0 and at most 1000000");
+  if (!within(p.damping_Ns_per_m, 0.0, 1e4)) return usage("the damping must be 0 to 10000");
+  if (!within(p.static_friction, 0.0, 10.0) || !within(p.dynamic_friction, 0.0, 10.0))
+    return usage("a friction coefficient must be 0 to 10");
+  if (!within(p.radius_m, 0.0, 0.02)) return usage("the radius must be 0 to 20 mm");
+  return {};
+}
+
+Contact contact_of(const Material& material, const LawParameters& p) {
+  Contact c;
+  c.stiffness_N_per_m = p.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
+  c.damping_Ns_per_m = p.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
+  c.static_friction = p.static_friction.value_or(p.dynamic_friction.value_or(material.static_friction));
+  c.dynamic_friction = p.dynamic_friction.value_or(p.static_friction ? kDynamicOfStatic * *p.static_friction
+                                                                     : material.dynamic_friction);
+  c.dynamic_friction = std::min(c.dynamic_friction, c.static_friction);
+  return c;
+}
+
+MaterialMap materials_of(const models::Scene& scene, const Relief& relief, const LawParameters& parameters) {
+  const Material fallback;
+  const Material& first = scene.materials.empty() ? fallback : scene.materials.front();
+  std::array<Contact, 256> contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    contacts[k] = contact_of(k < scene.materials.size() ? scene.materials[k] : first, parameters);
+  return {contacts, scene.labels, relief.width_m(), relief.depth_m()};
+}
+
+/// The relief itself for a point; dilated for a ball. The relief's slopes bound the dilated one's.
+Result<std::shared_ptr<const Relief>> surface_for(const std::shared_ptr<const Relief>& relief,
+                                                  double radius_m) {
+  if (radius_m == 0.0) return relief;
+  auto dilated = Relief::from_samples(
+      models::dilate_by_ball(relief->samples_m(), relief->pixel_m(), radius_m, Work{}), relief->pixel_m());
+  if (!dilated) return dilated.error();
+  return std::make_shared<const Relief>(std::move(*dilated));
+}
+
+Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
+                                                   const std::shared_ptr<const Relief>& relief,
+                                                   const LawParameters& p) {
+  std::uint64_t family = mixed(static_cast<std::uint64_t>(p.law), content_hash(*relief));
+  switch (p.law) {
+    case Law::rolling:
+      return touchable(RollingLaw<Relief>(relief, p.stiffness_N_per_m.value_or(kRollingWeight_N),
+                                          p.damping_Ns_per_m.value_or(kRollingDamping_Ns_per_m)),
+                       family);
+    case Law::sobel:
+      return touchable(SobelLaw(*relief, p.stiffness_N_per_m.value_or(kRollingWeight_N),
+                                p.damping_Ns_per_m.value_or(kRollingDamping_Ns_per_m)),
+                       family);
+    case Law::proxy: {
+      auto surface = surface_for(relief, p.radius_m);
+      if (!surface) return surface.error();
+      family = mixed(family, std::bit_cast<std::uint64_t>(p.radius_m));
+      return touchable(ProxyLaw<Relief>(*std::move(surface), materials_of(scene, *relief, p)), family);
+    }
+  }
+  return usage("this law does not exist for a relief");
+}
+
+}  // namespace
+
+std::string_view name_of(Law law) {
+  const auto* found =
+      std::find_if(kNames.begin(), kNames.end(), [law](const Name& n) { return n.law == law; });
+  return found != kNames.end() ? found->name : std::string_view{};
+}
+
+std::optional<Law> law_from(std::string_view name) {
+  const auto* found =
+      std::find_if(kNames.begin(), kNames.end(), [name](const Name& n) { return n.name == name; });
+  return found != kNames.end() ? std::optional(found->law) : std::nullopt;
+}
+
+std::vector<Law> laws_for(const models::Scene& scene) {
+  if (std::holds_alternative<std::shared_ptr<const Relief>>(scene.model))
+    return {Law::proxy, Law::rolling, Law::sobel};
+  return {};
+}
+
+Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
+                                                        const LawParameters& parameters) {
+  if (const auto sound = check(parameters); !sound) return sound.error();
+  const auto laws = laws_for(scene);
+  if (std::find(laws.begin(), laws.end(), parameters.law) == laws.end())
+    return usage("the law " + std::string(name_of(parameters.law)) + " does not exist for a " +
+                 models::kind_of(scene.model));
+  const auto& relief = std::get<std::shared_ptr<const Relief>>(scene.model);
+  PALPABLE_CHECK(relief != nullptr);
+  return on_relief(scene, relief, parameters);
+}
+
+}  // namespace palpable::haptics

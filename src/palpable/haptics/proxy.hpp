@@ -1,0 +1,84 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/material_map.hpp"
+#include "palpable/haptics/surface_proxy.hpp"
+#include "palpable/haptics/touchable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+namespace palpable::haptics {
+
+/// `proxy`: a spring from the hand to a surface-bound proxy that slides under a friction cone with static and
+/// dynamic coefficient (the proxy is Hayward & Armstrong's w: it moves only when the cone is left, so nothing
+/// drifts), and a damper along the surface's normal. The force never pulls the hand into the surface. A ball
+/// of finite radius is a point on the relief dilated by it (relief_shaping.hpp).
+template <models::CurvedHeightField Surface>
+class ProxyLaw {
+ public:
+  struct State {
+    SurfaceProxy proxy;
+    /// Follows the material under the proxy, so that a border between two is no kick.
+    Contact contact;
+    std::uint16_t label;
+    bool knows_contact;
+  };
+
+  ProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials)
+      : surface_(std::move(surface)), materials_(std::move(materials)) {}
+
+  Feel feel(const Hand& hand, State& state) const noexcept {
+    const Contact contact = contact_here(hand.dt_s, state);
+    const ProxyFollower<Surface> follower(*surface_, {contact.static_friction, contact.dynamic_friction});
+    follower.follow(hand.position.v, state.proxy);
+    Feel feel;
+    feel.has_proxy = true;
+    feel.proxy.v = state.proxy.place_m;
+    feel.contact = state.proxy.phase == SurfaceProxy::Phase::touching;
+    feel.label = state.label;
+    if (feel.contact) feel.force_N.v = force(hand, contact, state.proxy);
+    return feel;
+  }
+
+  const Surface& surface() const noexcept { return *surface_; }
+  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
+  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
+
+ private:
+  static constexpr double kMaterialEase_s = 0.010;
+
+  Contact contact_here(double dt_s, State& state) const noexcept {
+    if (!materials_.has_labels()) return materials_.contact(0);
+    state.label = materials_.label_at(state.proxy.place_m.x, state.proxy.place_m.y);
+    const Contact& here = materials_.contact(state.label);
+    const double share = state.knows_contact && state.proxy.phase == SurfaceProxy::Phase::touching
+                             ? dt_s / (dt_s + kMaterialEase_s)
+                             : 1.0;
+    state.knows_contact = true;
+    const auto ease = [share](double& value, double target) { value += share * (target - value); };
+    ease(state.contact.stiffness_N_per_m, here.stiffness_N_per_m);
+    ease(state.contact.damping_Ns_per_m, here.damping_Ns_per_m);
+    ease(state.contact.static_friction, here.static_friction);
+    ease(state.contact.dynamic_friction, here.dynamic_friction);
+    return state.contact;
+  }
+
+  static Vec3 force(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy) noexcept {
+    const models::CurvedSample& s = proxy.surface;
+    const Vec3 normal = Vec3{-s.dzdx, -s.dzdy, 1.0} / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+    const Vec3 spring = contact.stiffness_N_per_m * (proxy.place_m - hand.position.v);
+    const double spring_normal = dot(spring, normal);
+    const double damper = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, normal);
+    const double pressing = std::max(0.0, spring_normal + damper);
+    return spring + (pressing - spring_normal) * normal;
+  }
+
+  std::shared_ptr<const Surface> surface_;
+  MaterialMap materials_;
+};
+
+}  // namespace palpable::haptics
