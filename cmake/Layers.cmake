@@ -3,7 +3,7 @@
 set(PALPABLE_MODULES core sources vision models sculpt formats measure draw device haptics voice session page study cli)
 
 set(PALPABLE_MAY_USE_core "")
-set(PALPABLE_MAY_USE_sources core)
+set(PALPABLE_MAY_USE_sources core formats)
 set(PALPABLE_MAY_USE_vision core)
 set(PALPABLE_MAY_USE_models core)
 set(PALPABLE_MAY_USE_sculpt core vision models)
