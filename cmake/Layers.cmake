@@ -1,13 +1,13 @@
 # The one table of who may use whom (docs/architecture.md explains it; tests/layers enforces it).
 # palpable_module() refuses a link that is not in it; cmake/CheckLayers.cmake refuses such an #include.
-set(PALPABLE_MODULES core sources vision models sculpt formats measure draw device haptics voice session page study cli)
+set(PALPABLE_MODULES core models formats sources vision sculpt measure draw device haptics voice session page study cli)
 
 set(PALPABLE_MAY_USE_core "")
+set(PALPABLE_MAY_USE_models core)
+set(PALPABLE_MAY_USE_formats core models)
 set(PALPABLE_MAY_USE_sources core formats)
 set(PALPABLE_MAY_USE_vision core)
-set(PALPABLE_MAY_USE_models core)
 set(PALPABLE_MAY_USE_sculpt core vision models)
-set(PALPABLE_MAY_USE_formats core models)
 set(PALPABLE_MAY_USE_measure core vision models)
 set(PALPABLE_MAY_USE_draw core models measure)
 set(PALPABLE_MAY_USE_device core)
