@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/vec3.hpp"
+#include "palpable/models/nearest_step.hpp"
 #include "palpable/models/relief.hpp"
 
 #include <algorithm>
@@ -149,7 +150,8 @@ class ProxyFollower {
       const double mu = moved ? friction_.sliding : coefficient;
       const double held = mu * std::sqrt(normal2);
       if (along2 <= (held + kTolerance_m) * (held + kTolerance_m)) break;
-      const auto [dx, dy] = towards(d, s, 1.0 - held / std::sqrt(along2), shorter);
+      const auto [dx, dy] = models::step_towards_nearest(d, s, shorter * (1.0 - held / std::sqrt(along2)),
+                                                         shorter * surface_.pixel_m());
       const double x = proxy.place_m.x + dx;
       const double y = proxy.place_m.y + dy;
       const models::CurvedSample next = surface_.curved_sample(x, y);
@@ -165,47 +167,6 @@ class ProxyFollower {
     }
     proxy.slipping = moved;
     return true;
-  }
-
-  struct Step {
-    double dx;
-    double dy;
-  };
-
-  /// Newton's step to the place of the surface nearest to the hand, times `part` and `shorter` (both 0 ...
-  /// 1), at most `shorter` pixels long. `d` is from the proxy to the hand. Where the distance bends the wrong
-  /// way (the hand below a sharp ridge), along its descent.
-  Step towards(Vec3 d, const models::CurvedSample& s, double part, double shorter) const noexcept {
-    const double down_x = d.x + d.z * s.dzdx;
-    const double down_y = d.y + d.z * s.dzdy;
-    const double level_xx = 1.0 + s.dzdx * s.dzdx;
-    const double level_xy = s.dzdx * s.dzdy;
-    const double level_yy = 1.0 + s.dzdy * s.dzdy;
-    double xx = level_xx - d.z * s.dzdxx_per_m;
-    double xy = level_xy - d.z * s.dzdxy_per_m;
-    double yy = level_yy - d.z * s.dzdyy_per_m;
-    double determinant = xx * yy - xy * xy;
-    constexpr double kLeast = 0.05;
-    const double level_determinant = level_xx * level_yy - level_xy * level_xy;
-    double stretch = part * shorter;
-    const bool bends_right = xx + yy > 0.0 && determinant > kLeast * level_determinant;
-    if (!bends_right) {
-      xx = level_xx;
-      xy = level_xy;
-      yy = level_yy;
-      determinant = level_determinant;
-      stretch /= kLeast;
-    }
-    double dx = (yy * down_x - xy * down_y) / determinant * stretch;
-    double dy = (xx * down_y - xy * down_x) / determinant * stretch;
-    const double longest = surface_.pixel_m() * shorter;
-    const double length2 = dx * dx + dy * dy;
-    if (length2 > longest * longest) {
-      const double shrink = longest / std::sqrt(length2);
-      dx *= shrink;
-      dy *= shrink;
-    }
-    return {dx, dy};
   }
 
   const Surface& surface_;
