@@ -80,17 +80,18 @@ install_npm_packages() {
   cp web/package-lock.json "$stamp"
 }
 
-# build PRESET [TARGET…]: configures where that was never done, then builds what changed.
+# build PRESET [TARGET…]: configures where that was never done, then builds what changed; silent where nothing did.
 build() {
-  local preset=$1 quiet=(--quiet)
+  local preset=$1 folder=build/$1
   shift
-  if [ ! -f "build/$preset/build.ninja" ]; then
+  if [ ! -f "$folder/build.ninja" ]; then
     say "configuring ($preset)"
     cmake --preset "$preset" >&2 || give_up "cmake cannot configure the project (see above)"
     say "building; the first time takes some minutes"
-    quiet=()
+  elif [ "$(ninja -C "$folder" -n "$@" | tail -n 1)" = 'ninja: no work to do.' ]; then
+    return
   fi
-  ninja "${quiet[@]}" -C "build/$preset" "$@" >&2 || give_up "the build failed (see above)"
+  ninja -C "$folder" "$@" >&2 || give_up "the build failed (see above)"
 }
 
 # Only one script at a time installs and builds; a second one waits.
