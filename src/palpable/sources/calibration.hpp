@@ -1,0 +1,61 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/vec3.hpp"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpable::sources {
+
+/// A camera with lens distortion.
+struct CameraModel {
+  /// Row-major 3 x 3, pixels, pixel centres at integers: fx 0 cx, 0 fy cy, 0 0 1.
+  std::array<double, 9> matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  /// OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6 …: 0, 4, 5, 8, 12 or 14 numbers.
+  std::vector<double> distortion;
+  /// The pictures' size; 0 where the file does not state it.
+  int width = 0;
+  int height = 0;
+};
+
+/// What a calibration file states.
+struct Calibration {
+  CameraModel left;
+  /// Present for a pair of cameras.
+  std::optional<CameraModel> right;
+  /// p_right = rotation * p_left + translation_m, row-major, metres; present where the file states it.
+  std::optional<std::array<double, 9>> rotation;
+  std::optional<Vec3> translation_m;
+  /// Where the file states a rectified pair (Middlebury, JSON with a baseline): what depth_from_disparity()
+  /// needs. Empty: the pair is to be rectified first.
+  std::optional<StereoRig> rig;
+  /// What the person should know, a sentence each.
+  std::vector<std::string> notes;
+};
+
+/// Reads a calibration, recognised by content: OpenCV's yml or xml (M1, D1, M2, D2, R, T, also K1…, or
+/// camera_matrix and distortion_coefficients for one camera; image_width, image_height or imageSize; T in
+/// metres, or in units of `metres_per_unit`), Middlebury's calib.txt (baseline in mm), or JSON with fx, fy,
+/// cx, cy, width, height and optionally baseline_m, doffs. Errors: invalid_input, with the file's name, for
+/// what is none of these or states impossible values.
+Result<Calibration> read_calibration(const std::filesystem::path& path);
+/// The same from memory; errors without a place.
+Result<Calibration> decode_calibration(std::span<const std::byte> file);
+
+/// The calibration for pictures of this size. Another size of the same shape: scaled, and a note says so; of
+/// another shape, or with a principal point outside the pictures: invalid_input.
+Result<Calibration> calibration_for(Calibration calibration, int width, int height);
+
+/// The left camera without its distortion; its size must be known (calibration_for sets it).
+Pinhole pinhole_of(const CameraModel& camera);
+
+}  // namespace palpable::sources
