@@ -4,7 +4,9 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
+#include "palpable/haptics/real_time.hpp"
 #include "palpable/haptics/servo_types.hpp"
+#include "palpable/haptics/tick.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -14,35 +16,21 @@
 
 namespace palpable::haptics {
 
-enum class Passivity { observe, control };
+enum class Memory { leave, lock };
+enum class Recording { off, on };
 
 struct ServoOptions {
   /// 100…4000.
   double rate_hz = 1000.0;
-  /// Lowered to the device's own; > 0.
-  double max_force_N = std::numeric_limits<double>::infinity();
-  /// Growth only; release is never delayed. The default lets a stop of 500 N/m met at 0.6 m/s through.
-  double max_force_rate_N_per_s = 300.0;
-  Passivity passivity = Passivity::control;
-  /// One program gives way to the next in this time.
-  double fade_s = 0.15;
-  /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
-  double ramp_down_s = 0.02;
-  double ramp_up_s = 0.25;
+  TickOptions tick;
   /// SCHED_FIFO priority asked for, 1…99; 0 = do not ask.
   int realtime_priority = 80;
+  /// Locking keeps the whole process's pages in memory.
+  Memory memory = Memory::lock;
   /// The last stretch before a deadline is waited for by watching the clock; 0 = sleep all the way.
   double watch_s = 150e-6;
-  /// Samples kept for a recorder that is late; 4 s at 4 kHz.
+  /// Samples kept for a recorder that is late: 4 s at 4 kHz.
   std::size_t recording_capacity = 16384;
-};
-
-/// What the operating system granted.
-struct RealTimeOutcome {
-  /// "SCHED_FIFO 80", or why not: "none (Operation not permitted)".
-  std::string priority;
-  /// "locked", or why not.
-  std::string memory;
 };
 
 /// Runs the tick of docs/real-time.md on its own thread at a steady rate. Owns the device from begin to end:
@@ -73,14 +61,15 @@ class ServoLoop {
   std::optional<TouchEvent> take_event();
   std::optional<MissedDeadline> take_missed();
   /// While on, every tick's sample goes into the recording ring.
-  void record(bool on);
+  void record(Recording recording);
   std::optional<TouchSample> take_recorded();
   /// Samples that found the ring full.
   std::uint64_t recording_lost() const;
 
   /// A copy a few milliseconds old; exact after stop().
   ServoStatistics statistics() const;
-  const RealTimeOutcome& real_time() const;
+  /// Complete once the servo has ticked.
+  RealTimeOutcome real_time() const;
   const device::Traits& device_traits() const;
   std::string device_fault() const;
 

@@ -6,6 +6,7 @@
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/touchable.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -48,8 +49,9 @@ inline constexpr std::uint32_t kNewTouch = 1U << 10;
 /// Everything about one tick: what the page shows and what a recording holds.
 struct TouchSample {
   std::uint64_t tick = 0;
-  /// Since the loop began.
+  /// Since the loop began; and since the tick before.
   double t_s = 0.0;
+  double dt_s = 0.0;
   /// As read, before any plausibility check: may be NaN.
   Point<DeviceFrame> device_position;
   Point<SceneFrame> position;
@@ -66,8 +68,6 @@ struct TouchSample {
   std::uint32_t buttons = 0;
   std::uint32_t program = 0;
   std::uint16_t label = 0;
-  /// Sample periods since the tick before: 1, more after a stall.
-  std::uint16_t periods = 1;
   device::Status status = device::Status::ok;
 
   bool has(std::uint32_t wanted) const { return (flags & wanted) != 0; }
@@ -123,21 +123,16 @@ struct Percentiles {
   double max = 0.0;
 };
 
-struct ServoStatistics {
+/// What a touch counted, whatever ran it.
+struct TickCounts {
   std::uint64_t ticks = 0;
-  double rate_hz = 0.0;
-  /// Whole periods skipped, and how many of them for each MissedDeadline::Cause in its order.
-  std::uint64_t missed = 0;
-  std::uint64_t missed_by_cause[4] = {0, 0, 0, 0};
-  /// From one tick's begin to the next's; and a tick's own length, device exchange included.
-  Percentiles period_us;
-  Percentiles compute_us;
   double max_force_N = 0.0;
   /// Ticks in which the force cap shortened the force; likewise for the rate cap and the controller.
   std::uint64_t clamped_ticks = 0;
   std::uint64_t rate_capped_ticks = 0;
   std::uint64_t passivity_ticks = 0;
   std::uint64_t contact_ticks = 0;
+  /// Ticks without a sound reading or force.
   std::uint64_t fault_ticks = 0;
   /// Greatest energy made beyond the virtual damper's reserve (passivity.hpp), as the hand received it, and
   /// had the controller not been there.
@@ -145,9 +140,20 @@ struct ServoStatistics {
   double made_max_without_controller_J = 0.0;
   /// Work done on the hand while one scene gave way to another: the change's, not the law's.
   double scene_change_J = 0.0;
+  /// Since the first tick, to the first force that a hand can feel (0.02 N); NaN before it.
+  double first_force_t_s = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct ServoStatistics {
+  TickCounts touch;
+  double rate_hz = 0.0;
+  /// Whole periods skipped, and how many of them for each MissedDeadline::Cause in its order.
+  std::uint64_t missed = 0;
+  std::array<std::uint64_t, 4> missed_by_cause{};
+  /// From one tick's begin to the next's; and a tick's own length, device exchange included.
+  Percentiles period_us;
+  Percentiles compute_us;
   std::uint64_t allocations_in_ticks = 0;
-  /// Since the loop began; NaN before the first force that is not zero.
-  double seconds_to_first_force = std::numeric_limits<double>::quiet_NaN();
 };
 
 }  // namespace palpable::haptics

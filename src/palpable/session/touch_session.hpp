@@ -7,6 +7,7 @@
 #include "palpable/haptics/servo_loop.hpp"
 #include "palpable/models/scene.hpp"
 #include "palpable/session/touch_settings.hpp"
+#include "palpable/session/touch_statistics.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -24,20 +25,6 @@ struct SessionOptions {
   /// Written into recordings: "shi", "park", … when a paper's parameters were chosen.
   std::string as_published;
 };
-
-/// CONTRACT's figures for a session that ran (docs/cli.md, touch --headless).
-struct TouchStatistics {
-  haptics::ServoStatistics servo;
-  /// From the reference time given to TouchSession::open to the first force that is not zero; NaN if none.
-  double seconds_to_first_force = std::numeric_limits<double>::quiet_NaN();
-  std::string device;
-  std::string realtime_priority;
-  std::string memory_lock;
-};
-
-/// {"servo": {"ticks", "rate_hz", …}, "force": …} as CONTRACT states it; one JSON object, numbers only finite
-/// or null.
-std::string to_json(const TouchStatistics& statistics);
 
 /// One touch: a scene, felt by one law, through one device. Any thread may call any method; none of them
 /// makes the servo wait. Ending it, in any way, leaves the device at zero force.
@@ -77,8 +64,11 @@ class TouchSession {
 
   /// The newest tick.
   haptics::TouchSample latest() const;
-  /// Everything since the last call, in order; at most the newest 4096. For one listener.
+  /// Everything since the last call, in order. For one listener, which should call several times a second:
+  /// the ring holds 1024, and what finds it full is lost.
   std::vector<haptics::TouchEvent> take_events();
+  /// Deadlines missed since the last call, each with its cause; likewise.
+  std::vector<haptics::MissedDeadline> take_missed();
 
   /// Errors: the file cannot be written; recording already.
   Result<void> start_recording(const std::filesystem::path& file);

@@ -1,0 +1,90 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace palpable::device {
+
+/// One tick as a recording keeps it (docs/recording.md); the meaning of the fields is TouchSample's.
+struct RecordedTick {
+  std::uint64_t tick = 0;
+  double t_s = 0.0;
+  double dt_s = 0.0;
+  Point<DeviceFrame> device_position;
+  Point<SceneFrame> position;
+  Vector<SceneFrame> velocity_m_per_s;
+  Point<SceneFrame> proxy;
+  Vector<SceneFrame> raw_force_N;
+  Vector<SceneFrame> written_force_N;
+  double energy_J = 0.0;
+  std::uint32_t flags = 0;
+  std::uint32_t buttons = 0;
+  std::uint32_t program = 0;
+  std::uint16_t label = 0;
+  Status status = Status::ok;
+
+  bool operator==(const RecordedTick&) const = default;
+};
+
+/// What was touched, and how, from a tick on. Text in JSON: scene hash, law, parameters, scene_from_device.
+struct RecordedProgram {
+  std::uint32_t id = 0;
+  std::string json;
+};
+
+struct Recording {
+  /// What holds for the whole session, JSON: format, made_by, seed, rate_hz, device, as_published.
+  std::string header_json;
+  std::vector<RecordedProgram> programs;
+  std::vector<RecordedTick> ticks;
+  /// Ticks that the recorder lost because the disk was too slow, as far as the file could say.
+  std::uint64_t lost = 0;
+  /// False if the program was killed, or the file cut, before its end was written; everything before is
+  /// whole.
+  bool complete = false;
+};
+
+/// Reads a whole recording. A file that ends early or is damaged further on gives what stands before, with
+/// complete = false. Errors (invalid_input): not a recording, a newer version, a damaged header, larger than
+/// 4 GB.
+Result<Recording> read_recording(const std::filesystem::path& file);
+/// The same from memory; `name` is for the errors' place.
+Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::string& name);
+
+/// Writes a recording bit by bit: what was written stays readable if the program is killed. Not for the tick
+/// path; one thread.
+class RecordingWriter {
+ public:
+  /// Replaces an old file of that name. Errors (failed): cannot be created.
+  static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
+                                                         const std::string& header_json);
+  ~RecordingWriter();
+  RecordingWriter(const RecordingWriter&) = delete;
+  RecordingWriter& operator=(const RecordingWriter&) = delete;
+
+  /// Errors (failed): the disk is full, or the like. After an error the file ends with its last whole chunk.
+  Result<void> write(const RecordedProgram& program);
+  Result<void> write(std::span<const RecordedTick> ticks);
+  /// Writes the end mark and flushes to the disk. At most once, as the last call.
+  Result<void> finish(std::uint64_t lost);
+
+ private:
+  RecordingWriter() = default;
+  Result<void> write_chunk(std::uint32_t kind, std::span<const std::byte> payload);
+
+  std::filesystem::path file_;
+  std::FILE* stream_ = nullptr;
+};
+
+}  // namespace palpable::device

@@ -1,0 +1,80 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/url.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace palpable::device {
+namespace {
+
+std::string shown(double number) {
+  std::string text(32, ' ');
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  text.resize(static_cast<std::size_t>(end - text.data()));
+  return text;
+}
+
+}  // namespace
+
+Result<DeviceUrl> DeviceUrl::parse(std::string_view url) {
+  const auto usage = [&](std::string message) {
+    return Error{ErrorCode::usage, std::move(message), std::string(url)};
+  };
+  DeviceUrl parsed;
+  parsed.url_ = url;
+  const auto colon = url.find(':');
+  if (colon == std::string_view::npos || colon == 0)
+    return usage("a device is named by a scheme and a colon, such as sim: or pointer:");
+  parsed.scheme_ = url.substr(0, colon);
+  std::string_view rest = url.substr(colon + 1);
+  const auto question = rest.find('?');
+  parsed.path_ = rest.substr(0, question);
+  rest = question == std::string_view::npos ? std::string_view{} : rest.substr(question + 1);
+  while (!rest.empty()) {
+    const auto part = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+    const auto equals = part.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+      return usage("an option is written name=value, not \"" + std::string(part) + "\"");
+    if (!parsed.options_.emplace(part.substr(0, equals), part.substr(equals + 1)).second)
+      return usage("the option " + std::string(part.substr(0, equals)) + " is given twice");
+  }
+  return parsed;
+}
+
+double DeviceUrl::take_number(const std::string& name, double otherwise, double least, double most) {
+  const auto option = options_.extract(name);
+  if (option.empty()) return otherwise;
+  const std::string& text = option.mapped();
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc{} && end == text.data() + text.size() && number >= least && number <= most)
+    return number;
+  fail(name + " must be a number from " + shown(least) + " to " + shown(most) + ", not \"" + text + "\"");
+  return otherwise;
+}
+
+std::string DeviceUrl::take_word(const std::string& name, const std::vector<std::string>& allowed) {
+  const auto option = options_.extract(name);
+  if (option.empty()) return allowed.front();
+  if (std::find(allowed.begin(), allowed.end(), option.mapped()) != allowed.end()) return option.mapped();
+  std::string list = allowed.front();
+  for (std::size_t i = 1; i < allowed.size(); ++i) list += ", " + allowed[i];
+  fail(name + " must be one of " + list + ", not \"" + option.mapped() + "\"");
+  return allowed.front();
+}
+
+Result<void> DeviceUrl::finish() const {
+  if (!first_error_.empty()) return Error{ErrorCode::usage, first_error_, url_};
+  if (!options_.empty())
+    return Error{ErrorCode::usage, scheme_ + ": has no option " + options_.begin()->first, url_};
+  return {};
+}
+
+void DeviceUrl::fail(std::string message) {
+  if (first_error_.empty()) first_error_ = std::move(message);
+}
+
+}  // namespace palpable::device

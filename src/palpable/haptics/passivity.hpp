@@ -1,0 +1,82 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/vec3.hpp"
+
+#include <algorithm>
+
+namespace palpable::haptics {
+
+/// Watches whether the loop makes energy (after Hannaford & Ryu 2002, in the form that is exact for a held
+/// force). Between two readings the device holds one force, so the hand receives f(n-1)·(x(n) - x(n-1)),
+/// whatever it does in between. What the law's springs store is the hand's own work and may come back; so the
+/// balance
+///     W(n) = sum f·dx + stored(n) - stored(at the touch's begin)
+/// cannot rise in a passive world: a held spring lags, which makes ½K·dx² a tick, and the virtual damper has
+/// to take out more than that, b·v²·T. What it took out in the last kReserve_s, R, is the reserve of the
+/// virtual damper: W is not allowed to fall below -R, because energy that friction took out long ago pays for
+/// nothing that is made now. W > 0 is energy made beyond the reserve. Units: J, of the device's own frame.
+/// Under the force cap, a ramp or a change of scene the springs store more than the hand gave and will get
+/// back: W may then fall but not rise. (The rate cap is no such excuse: what it holds back comes later, and
+/// is energy made.) Tick path; no allocation.
+class PassivityObserver {
+ public:
+  /// How long the virtual damper's work counts.
+  static constexpr double kReserve_s = 0.1;
+
+  struct Tick {
+    /// The force held since the tick before, N, and the movement under it, m.
+    Vec3 held_force_N;
+    Vec3 moved_m;
+    double dt_s = 0.001;
+    /// In the device's frame (Feel::stored_J / scene_from_device.scale), at the new position.
+    double stored_J = 0.0;
+    /// The law's promise while in contact, N·s/m; 0 out of contact.
+    double damping_Ns_per_m = 0.0;
+    /// The force cap, a ramp or a change of scene has shortened the law's force.
+    bool shortened = false;
+  };
+
+  /// Another program, or a new touch: what is stored now is where counting goes on from.
+  void begin(double stored_J) noexcept {
+    balance_J_ = std::min(balance_J_, 0.0);
+    stored_J_ = stored_J;
+  }
+
+  /// The balance W after this tick.
+  double see(const Tick& tick) noexcept {
+    const double along = norm(tick.held_force_N);
+    const double speed =
+        along > 0.0 && tick.dt_s > 0.0 ? dot(tick.held_force_N, tick.moved_m) / (along * tick.dt_s) : 0.0;
+    reserve_J_ += tick.damping_Ns_per_m * speed * speed * tick.dt_s -
+                  reserve_J_ * std::min(1.0, tick.dt_s / kReserve_s);
+    const double made_J = dot(tick.held_force_N, tick.moved_m) + tick.stored_J - stored_J_;
+    balance_J_ = std::max(balance_J_ + (tick.shortened ? std::min(made_J, 0.0) : made_J), -reserve_J_);
+    stored_J_ = tick.stored_J;
+    made_max_J_ = std::max(made_max_J_, balance_J_);
+    return balance_J_;
+  }
+
+  double balance_J() const noexcept { return balance_J_; }
+  /// The greatest balance since construction; never below 0.
+  double made_max_J() const noexcept { return made_max_J_; }
+
+ private:
+  double balance_J_ = 0.0;
+  double reserve_J_ = 0.0;
+  double stored_J_ = 0.0;
+  double made_max_J_ = 0.0;
+};
+
+/// Takes the energy made, `made_J`, out again as damping: f - alpha·v with alpha = made / (T·|v|²), but never
+/// more than `max_damping_Ns_per_m` (m/T, so that the damping cannot turn a hand of mass m round within one
+/// tick). Unchanged where nothing was made. Tick path.
+inline Vec3 control_passivity(Vec3 force_N, Vec3 velocity_m_per_s, double made_J, double dt_s,
+                              double max_damping_Ns_per_m) noexcept {
+  const double speed2 = squared_norm(velocity_m_per_s);
+  if (made_J <= 0.0 || speed2 <= 0.0) return force_N;
+  return force_N - std::min(made_J / (dt_s * speed2), max_damping_Ns_per_m) * velocity_m_per_s;
+}
+
+}  // namespace palpable::haptics

@@ -1,0 +1,31 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace palpable::haptics {
+
+/// What the operating system granted.
+struct RealTimeOutcome {
+  /// "SCHED_FIFO 80", or why not: "ordinary (Operation not permitted)".
+  std::string priority;
+  /// "locked", or why not.
+  std::string memory;
+};
+
+/// Asks for SCHED_FIFO at `priority` (0 = do not ask) for the calling thread, and for wake-ups without slack.
+/// The answer for RealTimeOutcome::priority.
+std::string request_priority(int priority);
+
+/// Keeps the process's pages in memory, those touched later too, where the limit allows it without risk to
+/// later allocations. The answer for RealTimeOutcome::memory.
+std::string lock_memory();
+
+/// Numbers below 1e-308 become 0 on the calling thread: they cost a hundred times more and mean nothing here.
+void flush_denormals() noexcept;
+
+/// Touches the calling thread's next 64 kB of stack, so that the loop does not meet a page fault there.
+void touch_stack() noexcept;
+
+}  // namespace palpable::haptics

@@ -1,0 +1,41 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/session/touch_session.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace palpable::session {
+
+/// Takes a scene as soon as it can be touched; called again when a better one is ready.
+using DeliverScene = std::function<void(std::shared_ptr<const models::Scene>)>;
+/// Makes scenes, the fastest first, and delivers each. Runs on a thread of its own; polls work.cancelled().
+using SceneMaker = std::function<Result<void>(const DeliverScene& deliver, const Work& work)>;
+
+struct HeadlessOptions {
+  TouchSettings settings;
+  SessionOptions session;
+  std::string device_url = "sim:";
+  /// Counted from the first scene.
+  double seconds = 10.0;
+  /// Empty = no recording.
+  std::filesystem::path recording;
+  /// CLOCK_MONOTONIC when the person asked; 0 = now.
+  std::int64_t begin_ns = 0;
+  /// For each missed deadline, as it is found; may be empty.
+  std::function<void(const haptics::MissedDeadline&)> on_missed;
+};
+
+/// A touch without page: waits for the first scene, touches it for the time given, takes better scenes in as
+/// they come. Ends early, with what it measured so far, when work is cancelled during the touch. Errors: the
+/// maker's if no scene came; the session's and the recording's; interrupted before the first scene.
+Result<TouchStatistics> touch_headless(const SceneMaker& maker, const HeadlessOptions& options,
+                                       const Work& work);
+
+}  // namespace palpable::session

@@ -1,0 +1,98 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/headless.hpp"
+
+#include "palpable/device/recording.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::session {
+namespace {
+
+std::shared_ptr<const models::Scene> hills(double height_m) {
+  Raster<float> samples(100, 80);
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 100; ++x)
+      samples(x, y) = static_cast<float>(height_m * (1.0 + std::sin(0.15 * x) * std::cos(0.11 * y)) / 2.0);
+  auto relief = models::Relief::from_samples(std::move(samples), 0.001);
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Relief>(std::move(*relief));
+  return std::make_shared<const models::Scene>(std::move(scene));
+}
+
+HeadlessOptions quiet(double seconds) {
+  HeadlessOptions options;
+  options.seconds = seconds;
+  options.session.servo.realtime_priority = 0;
+  options.session.servo.memory = haptics::Memory::leave;
+  return options;
+}
+
+Result<void> two_scenes(const DeliverScene& deliver, const Work&) {
+  deliver(hills(0.010));
+  deliver(hills(0.012));
+  return {};
+}
+
+TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
+  auto options = quiet(2.0);
+  options.recording = std::filesystem::path(testing::TempDir()) / "headless.rec";
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const auto& touch = statistics->servo.touch;
+  EXPECT_GT(touch.contact_ticks, 0U);
+  EXPECT_EQ(statistics->servo.allocations_in_ticks, 0U);
+  EXPECT_LE(touch.max_force_N, 3.3 + 1e-9);
+  EXPECT_TRUE(std::isfinite(statistics->seconds_to_first_force));
+  const auto recording = device::read_recording(options.recording);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  EXPECT_TRUE(recording->complete);
+  EXPECT_EQ(recording->programs.size(), 2U);
+  // The ticks before the recording began are not in it.
+  EXPECT_GT(recording->ticks.size(), 0U);
+  EXPECT_LE(recording->ticks.size() + recording->lost, touch.ticks);
+  EXPECT_EQ(recording->ticks.back().program, 2U);
+  const auto json = nlohmann::json::parse(to_json(*statistics));
+  EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
+  EXPECT_EQ(json["allocations_in_ticks"], 0);
+}
+
+TEST(TouchHeadless, SaysWhyNoSceneCame) {
+  const auto fails = [](const DeliverScene&, const Work&) -> Result<void> {
+    return invalid_input("is no picture", "a.txt");
+  };
+  const auto statistics = touch_headless(fails, quiet(1.0), {});
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().sentence(), "a.txt: is no picture");
+}
+
+TEST(TouchHeadless, EndsAtOnceWhenInterruptedAndTellsTheMaker) {
+  std::atomic<bool> cancel{true};
+  Work work;
+  work.cancel = &cancel;
+  std::atomic<bool> told{false};
+  const auto waits = [&](const DeliverScene&, const Work& own) -> Result<void> {
+    while (!own.cancelled()) std::this_thread::yield();
+    told = true;
+    return Work::interrupted();
+  };
+  const auto statistics = touch_headless(waits, quiet(1000.0), work);
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().code, ErrorCode::interrupted);
+  EXPECT_TRUE(told);
+}
+
+TEST(TouchHeadless, RefusesADeviceThatDoesNotExist) {
+  auto options = quiet(1.0);
+  options.device_url = "falcn:";
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().code, ErrorCode::usage);
+}
+
+}  // namespace
+}  // namespace palpable::session

@@ -1,0 +1,63 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpable::session {
+
+Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device) {
+  const Vec3 size = models::size_m(scene);
+  const Vec3 work = device.workspace_m;
+  double scale = std::max({1.0, size.x / work.x, size.y / work.y});
+  // A hand must come to the scene from above: a quarter of the device's depth stays free over it.
+  if (device.degrees_of_freedom > 2) scale = std::max(scale, size.z / (0.75 * work.z));
+  Transform<SceneFrame, DeviceFrame> fit;
+  fit.scale = scale;
+  fit.translation_m = {0.0, 0.0, 0.5 * size.z};
+  return fit;
+}
+
+Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
+  if (!(std::abs(depth) <= 4.0)) return Error{ErrorCode::usage, "the depth must be from -4 to 4", {}};
+  if (depth == 1.0) return scene;
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
+  if (relief == nullptr)
+    return Error{ErrorCode::usage,
+                 "only a relief's depth can be changed, and this scene is a " + models::kind_of(scene.model),
+                 {}};
+  Raster<float> height_m = (*relief)->samples_m();
+  for (float& height : height_m.values()) height *= static_cast<float>(depth);
+  auto changed = models::Relief::from_samples(std::move(height_m), (*relief)->pixel_m());
+  if (!changed) return std::move(changed).error();
+  models::Scene result = scene;
+  result.model = std::make_shared<const models::Relief>(std::move(*changed));
+  return result;
+}
+
+Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
+                                        const device::Traits& device,
+                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device) {
+  PreparedProgram prepared;
+  prepared.law = settings.law;
+  if (device.degrees_of_freedom < 3 && prepared.law.law != haptics::Law::rolling &&
+      prepared.law.law != haptics::Law::sobel) {
+    prepared.notices.push_back("The device moves in the plane only, so the law is rolling instead of " +
+                               std::string(haptics::name_of(prepared.law.law)) + ".");
+    prepared.law.law = haptics::Law::rolling;
+    // A contact stiffness in N/m means nothing to a weight on a slope.
+    prepared.law.stiffness_N_per_m.reset();
+    prepared.law.damping_Ns_per_m.reset();
+  }
+  auto deep = with_depth(scene, settings.depth);
+  if (!deep) return std::move(deep).error();
+  auto touchable = haptics::make_touchable(*deep, prepared.law);
+  if (!touchable) return std::move(touchable).error();
+  prepared.program.touchable = std::move(*touchable);
+  prepared.program.scene_from_device = scene_from_device;
+  return prepared;
+}
+
+}  // namespace palpable::session

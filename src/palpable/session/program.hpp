@@ -1,0 +1,39 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/haptics/laws.hpp"
+#include "palpable/haptics/servo_types.hpp"
+#include "palpable/models/scene.hpp"
+#include "palpable/session/touch_settings.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::session {
+
+/// What the servo renders, and how it came to differ from what was asked for.
+struct PreparedProgram {
+  haptics::Program program;
+  /// The law and parameters that are really in use.
+  haptics::LawParameters law;
+  /// One sentence for each value that the device's limits changed.
+  std::vector<std::string> notices;
+};
+
+/// The device's workspace laid over the scene: centred on it, and scaled so that the scene's width and height
+/// fit into the device's; a scene that fits is never enlarged.
+Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device);
+
+/// The scene with its height multiplied, kept for kinds other than reliefs. Errors (usage): depth outside
+/// -4…4, or not 1 for a scene that is no relief.
+Result<models::Scene> with_depth(const models::Scene& scene, double depth);
+
+/// Law on scene for a device. Errors: as make_touchable() and with_depth().
+Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
+                                        const device::Traits& device,
+                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device);
+
+}  // namespace palpable::session

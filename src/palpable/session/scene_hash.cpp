@@ -1,0 +1,63 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/scene_hash.hpp"
+
+#include <bit>
+#include <concepts>
+#include <string_view>
+
+namespace palpable::session {
+namespace {
+
+class Fnv1a {
+ public:
+  template <std::unsigned_integral T>
+  void add(T value) {
+    for (std::size_t i = 0; i < sizeof(T); ++i) {
+      hash_ ^= static_cast<std::uint64_t>(value >> (8 * i) & 0xFFU);
+      hash_ *= 0x100000001B3U;
+    }
+  }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
+  void add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char letter : text) add(static_cast<std::uint8_t>(letter));
+  }
+  template <class T>
+  void add(const Raster<T>& raster) {
+    add(static_cast<std::uint32_t>(raster.width()));
+    add(static_cast<std::uint32_t>(raster.height()));
+    for (const T value : raster.values()) add(value);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325U;
+};
+
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Relief>& relief) {
+  hash.add(relief->pixel_m());
+  hash.add(relief->samples_m());
+}
+
+}  // namespace
+
+std::string scene_hash(const models::Scene& scene) {
+  Fnv1a hash;
+  hash.add(std::string_view(models::kind_of(scene.model)));
+  std::visit([&](const auto& model) { add_model(hash, model); }, scene.model);
+  for (const auto& material : scene.materials) {
+    hash.add(material.stiffness_N_per_m);
+    hash.add(material.damping_Ns_per_m);
+    hash.add(material.static_friction);
+    hash.add(material.dynamic_friction);
+  }
+  hash.add(scene.labels);
+  std::string digits(16, '0');
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    digits[i] = "0123456789abcdef"[hash.value() >> (60 - 4 * i) & 0xFU];
+  return digits;
+}
+
+}  // namespace palpable::session
