@@ -1,0 +1,50 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/work.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace palpable::vision {
+
+/// A symmetric 2 x 2 tensor per pixel: sums of n n^T over edge vectors n, image axes.
+struct TensorMap {
+  Raster<float> xx;
+  Raster<float> xy;
+  Raster<float> yy;
+};
+
+/// The picture's channels as edges are looked for in them, each with its weight: L, a, b (CIELAB / 100;
+/// weights 1, 2, 2) of colour, the values themselves of grey. Deep pictures (more than 8 bits) are stretched
+/// between their 0.1st and 99.9th percentile first.
+struct WeightedChannel {
+  Raster<float> values;
+  float weight = 1.0F;
+};
+std::vector<WeightedChannel> edge_channels(const Image& image);
+
+/// The unit direction whose doubled angle has the direction of (c, s), in the right half plane; zero for (0,
+/// 0).
+inline std::pair<float, float> halve_angle(float c, float s) {
+  const float length = std::sqrt(c * c + s * s);
+  if (!(length > 0.0F)) return {0.0F, 0.0F};
+  const float larger = std::sqrt(0.5F + 0.5F * std::abs(c) / length);
+  const float smaller = 0.5F * std::abs(s) / (length * larger);
+  return c >= 0.0F ? std::pair{larger, std::copysign(smaller, s)}
+                   : std::pair{smaller, std::copysign(larger, s)};
+}
+
+/// Otsu's threshold (1979) over values in 0 ... 1, 256 levels, level 0 included; sums as corrected in the
+/// paper's section 3.2.
+double otsu_threshold(const Raster<float>& values);
+
+/// Ridges of `strength` across the tangent, one pixel wide, kept where their line reaches `high` and nowhere
+/// falls below `low`.
+Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& tangent_x,
+                          const Raster<float>& tangent_y, double low, double high);
+
+}  // namespace palpable::vision
