@@ -1,0 +1,48 @@
+# The page's web side: npm ci, the messages' definitions in C++, Vite's build, and its files as a C++ source.
+#   palpable_web(DEFINITIONS header-variable ASSETS source-variable)
+# Nothing runs again unless what it is made of has changed. npm needs the network (or a filled cache) the first time only.
+function(palpable_web)
+  cmake_parse_arguments(W "" "DEFINITIONS;ASSETS" "" ${ARGN})
+  set(web ${PROJECT_SOURCE_DIR}/web)
+  set(out ${CMAKE_BINARY_DIR}/web)
+  find_program(PALPABLE_NODE NAMES node nodejs)
+  find_program(PALPABLE_NPM npm)
+  if(NOT PALPABLE_NODE OR NOT PALPABLE_NPM)
+    message(FATAL_ERROR "Palpable's page is built with Node.js 18 or newer and npm: install them (Debian: apt install nodejs npm)")
+  endif()
+
+  # One folder of packages serves all build folders; its stamp lies in it, so that deleting one deletes both. ./run and
+  # ./test keep the same stamp.
+  set(packages ${web}/node_modules/.palpable-lock)
+  add_custom_command(
+    OUTPUT ${packages}
+    COMMAND sh -c "cmp -s package-lock.json node_modules/.palpable-lock || '${PALPABLE_NPM}' ci --no-audit --no-fund --loglevel=error"
+    COMMAND ${CMAKE_COMMAND} -E copy package-lock.json node_modules/.palpable-lock
+    DEPENDS ${web}/package-lock.json
+    WORKING_DIRECTORY ${web}
+    COMMENT "Installing the page's packages (npm ci)"
+    VERBATIM)
+
+  set(definitions ${CMAKE_BINARY_DIR}/generated/palpable/page/protocol.gen.hpp)
+  add_custom_command(
+    OUTPUT ${definitions}
+    COMMAND ${PALPABLE_NODE} ${web}/scripts/protocol.mjs --cpp ${definitions}
+    DEPENDS ${web}/protocol.json ${web}/scripts/protocol.mjs
+    COMMENT "Making the page's messages for C++"
+    VERBATIM)
+
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${web}/src/*.ts ${web}/src/*.css ${web}/public/*)
+  list(FILTER sources EXCLUDE REGEX "/generated/")
+  set(assets ${out}/assets.gen.cpp)
+  add_custom_command(
+    OUTPUT ${assets}
+    COMMAND ${PALPABLE_NPM} run --silent build -- --outDir ${out}/dist --emptyOutDir --logLevel warn
+    COMMAND ${PALPABLE_NODE} ${web}/scripts/embed.mjs ${out}/dist ${assets}
+    DEPENDS ${packages} ${sources} ${web}/index.html ${web}/protocol.json ${web}/scripts/protocol.mjs
+            ${web}/scripts/embed.mjs ${web}/vite.config.ts ${web}/tsconfig.json
+    WORKING_DIRECTORY ${web}
+    COMMENT "Building the page"
+    VERBATIM)
+  set(${W_DEFINITIONS} ${definitions} PARENT_SCOPE)
+  set(${W_ASSETS} ${assets} PARENT_SCOPE)
+endfunction()

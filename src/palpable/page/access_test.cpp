@@ -1,0 +1,110 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/access.hpp"
+
+#include "palpable/page/http.hpp"
+
+#include <gtest/gtest.h>
+
+namespace palpable::page {
+namespace {
+
+constexpr std::uint16_t kPort = 4711;
+
+Request own_request(std::string_view method, std::string_view target) {
+  return {method, target, "127.0.0.1:4711", "http://127.0.0.1:4711", {}, {}};
+}
+
+TEST(Access, SecretsAreLongAndDiffer) {
+  const auto a = random_secret();
+  const auto b = random_secret();
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->size(), 32U);
+  EXPECT_NE(*a, *b);
+}
+
+TEST(Access, ComparesSecretsWhole) {
+  EXPECT_TRUE(same_secret("abc", "abc"));
+  EXPECT_FALSE(same_secret("abc", "abd"));
+  EXPECT_FALSE(same_secret("abc", "ab"));
+  EXPECT_FALSE(same_secret("", ""));
+}
+
+TEST(Access, FindsItsCookieAmongOthers) {
+  EXPECT_EQ(cookie_value("a=1; palpable_4711=xyz; b=2", "palpable_4711"), "xyz");
+  EXPECT_EQ(cookie_value("palpable_4711=xyz", "palpable_4711"), "xyz");
+  EXPECT_EQ(cookie_value("palpable_47110=xyz", "palpable_4711"), "");
+  EXPECT_EQ(cookie_value("xpalpable_4711=xyz", "palpable_4711"), "");
+  EXPECT_EQ(cookie_value(";;=; =", "palpable_4711"), "");
+}
+
+TEST(Access, KnowsItsOwnHostOnly) {
+  EXPECT_TRUE(is_own_host("127.0.0.1:4711", kPort));
+  EXPECT_TRUE(is_own_host("localhost:4711", kPort));
+  EXPECT_FALSE(is_own_host("127.0.0.1", kPort));
+  EXPECT_FALSE(is_own_host("127.0.0.1:80", kPort));
+  EXPECT_FALSE(is_own_host("evil.example:4711", kPort));
+  EXPECT_FALSE(is_own_host("127.0.0.1:4711.evil.example", kPort));
+  EXPECT_FALSE(is_own_host("", kPort));
+  EXPECT_TRUE(is_own_origin("http://localhost:4711", kPort));
+  EXPECT_FALSE(is_own_origin("https://localhost:4711", kPort));
+  EXPECT_FALSE(is_own_origin("null", kPort));
+}
+
+TEST(Access, TakesTheTokenOnceAndThenKnowsTheCookie) {
+  Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  Request request = own_request("POST", "/session");
+  request.body = "another";
+  EXPECT_EQ(front.answer(request).status, 403U);
+  request.body = "the-token";
+  const Reply reply = front.answer(request);
+  EXPECT_EQ(reply.status, 204U);
+  EXPECT_EQ(reply.set_cookie, "palpable_4711=the-secret; Path=/; SameSite=Strict; HttpOnly");
+  EXPECT_EQ(front.answer(request).status, 403U);
+  request.cookies = "palpable_4711=the-secret";
+  EXPECT_EQ(front.answer(request).status, 204U);
+  request.method = "GET";
+  EXPECT_EQ(front.answer(request).status, 204U);
+  request.cookies = "palpable_4711=the-secre";
+  EXPECT_EQ(front.answer(request).status, 401U);
+}
+
+TEST(Access, RefusesOtherHostsAndOriginsWhateverTheyAskFor) {
+  Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  for (const char* target : {"/", "/session", "/socket"}) {
+    Request request = own_request("GET", target);
+    request.host = "rebound.example:4711";
+    EXPECT_EQ(front.answer(request).status, 403U);
+    request = own_request("GET", target);
+    request.origin = "http://evil.example";
+    EXPECT_EQ(front.answer(request).status, 403U);
+  }
+}
+
+TEST(Access, LetsASocketInOnlyWithOriginAndCookie) {
+  const Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  Request request = own_request("GET", "/socket");
+  EXPECT_EQ(front.judge_upgrade(request).status, 401U);
+  request.cookies = "palpable_4711=the-secret";
+  EXPECT_EQ(front.judge_upgrade(request).status, 101U);
+  request.origin = {};
+  EXPECT_EQ(front.judge_upgrade(request).status, 403U);
+  request.origin = "http://127.0.0.1:4712";
+  EXPECT_EQ(front.judge_upgrade(request).status, 403U);
+  request = own_request("GET", "/elsewhere");
+  EXPECT_EQ(front.judge_upgrade(request).status, 404U);
+}
+
+TEST(Access, ServesThePageAndNothingElse) {
+  Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  const Reply page = front.answer(own_request("GET", "/"));
+  EXPECT_EQ(page.status, 200U);
+  EXPECT_EQ(page.media_type, "text/html; charset=utf-8");
+  EXPECT_NE(page.body.find("<!doctype html>"), std::string::npos);
+  EXPECT_EQ(front.answer(own_request("GET", "/../etc/passwd")).status, 404U);
+  EXPECT_EQ(front.answer(own_request("DELETE", "/")).status, 405U);
+  EXPECT_EQ(front.answer(own_request("GET", "/socket")).status, 426U);
+}
+
+}  // namespace
+}  // namespace palpable::page

@@ -1,0 +1,72 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/page/protocol.hpp"
+#include "palpable/page/rate_limit.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/message.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <boost/beast/websocket/stream.hpp>
+
+namespace palpable::page {
+
+/// A frame ready to be sent, shared by all clients that get it.
+struct Frame {
+  std::string bytes;
+  bool binary = false;
+};
+using SharedFrame = std::shared_ptr<const Frame>;
+
+/// One page at the other end of a WebSocket. Keeps itself alive while something is under way; all of it runs
+/// on the server's thread.
+class Client : public std::enable_shared_from_this<Client> {
+ public:
+  using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
+  /// What the client tells the server of.
+  struct Events {
+    std::function<void(Client&)> opened;
+    std::function<void(Client&, const protocol::FromPage&)> message;
+    std::function<void(Client&)> closed;
+  };
+
+  Client(boost::beast::tcp_stream stream, RateLimits rate, std::size_t longest_message_bytes,
+         std::chrono::milliseconds patience, Events events);
+
+  void accept(const Upgrade& upgrade);
+  /// Sent in order; a client that lets too many of these wait is shown out.
+  void send(SharedFrame frame);
+  /// Sent only if nothing waits: the next state is as good.
+  void send_if_idle(const SharedFrame& frame);
+  /// Says why (at most 120 bytes) and closes.
+  void close(boost::beast::websocket::close_code code, const std::string& reason);
+
+  bool visible = true;
+
+ private:
+  void read();
+  void on_read(boost::beast::error_code error);
+  void handle(std::string_view text);
+  void write_next();
+  void end();
+
+  boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
+  boost::beast::flat_buffer buffer_;
+  std::deque<SharedFrame> waiting_;
+  RateLimit rate_;
+  Events events_;
+  bool open_ = false;
+  bool closing_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace palpable::page

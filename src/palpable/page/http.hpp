@@ -1,0 +1,70 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/page/access.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace palpable::page {
+
+/// What the server looks at in a request; views into the request.
+struct Request {
+  std::string_view method;
+  std::string_view target;
+  std::string_view host;
+  /// Empty where the header is not there.
+  std::string_view origin;
+  std::string_view cookies;
+  std::string_view body;
+};
+
+struct Reply {
+  unsigned status = 200;
+  std::string media_type = "text/plain; charset=utf-8";
+  std::string body;
+  /// The value of Set-Cookie; empty for none.
+  std::string set_cookie;
+};
+
+/// The path of the WebSocket, and of the exchange of the token for the cookie.
+constexpr std::string_view kSocketPath = "/socket";
+constexpr std::string_view kSessionPath = "/session";
+
+/// The front door: decides on each request. Not thread-safe.
+class Front {
+ public:
+  Front(Doorkeeper doorkeeper, std::uint16_t port) : doorkeeper_(std::move(doorkeeper)), port_(port) {}
+
+  /// The answer to an ordinary request: the page's files, and the exchange of the token.
+  Reply answer(const Request& request);
+  /// Status 101 if this request may become a WebSocket, else the refusal.
+  Reply judge_upgrade(const Request& request) const;
+
+ private:
+  Reply session(const Request& request);
+  bool admitted(const Request& request) const;
+  std::string cookie_name() const;
+
+  Doorkeeper doorkeeper_;
+  std::uint16_t port_;
+};
+
+/// The headers that every answer carries: what the page may load, from where, and that nothing of it is kept.
+struct Header {
+  const char* name;
+  const char* value;
+};
+constexpr Header kSafetyHeaders[] = {
+    {"Content-Security-Policy",
+     "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"Cache-Control", "no-store"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+};
+
+}  // namespace palpable::page

@@ -1,0 +1,229 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/protocol.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::page::protocol {
+namespace {
+
+using Json = nlohmann::json;
+
+// A message of ours is flat, so anything deeper is refused while parsing: nesting costs the parser stack.
+constexpr int kDeepest = 1;
+
+std::string quoted(std::string_view field) { return "'" + std::string(field) + "'"; }
+
+// Reads one message's fields out of an object; keeps the first complaint.
+class FieldReader {
+ public:
+  explicit FieldReader(const Json& object) : object_(object) {}
+
+  template <class T>
+  void operator()(const char* name, T& value, const Limits& limits) {
+    if (!complaint_.empty()) return;
+    ++seen_;
+    const auto found = object_.find(name);
+    if (found == object_.end()) {
+      complaint_ = "the field " + quoted(name) + " is missing";
+    } else {
+      read(name, *found, value, limits);
+    }
+  }
+  /// Empty if all was well; `type` and the fields read must be all there is.
+  std::string complaint() const {
+    if (complaint_.empty() && object_.size() != seen_ + 1)
+      return "there are fields that the message does not have";
+    return complaint_;
+  }
+
+ private:
+  void read(const char* name, const Json& json, bool& value, const Limits&) {
+    if (json.is_boolean()) {
+      value = json.get<bool>();
+    } else {
+      complaint_ = quoted(name) + " must be true or false";
+    }
+  }
+  void read(const char* name, const Json& json, double& value, const Limits& limits) {
+    // The comparison also refuses what is not finite.
+    if (json.is_number() && json.get<double>() >= limits.lowest && json.get<double>() <= limits.highest) {
+      value = json.get<double>();
+    } else {
+      complaint_ = quoted(name) + " must be a number within its limits";
+    }
+  }
+  void read(const char* name, const Json& json, std::int64_t& value, const Limits& limits) {
+    double number = 0.0;
+    read(name, json, number, limits);
+    if (!json.is_number_integer() && complaint_.empty())
+      complaint_ = quoted(name) + " must be a whole number";
+    if (complaint_.empty()) value = json.get<std::int64_t>();
+  }
+  void read(const char* name, const Json& json, std::string& value, const Limits& limits) {
+    if (json.is_string() && json.get_ref<const std::string&>().size() <= limits.longest) {
+      value = json.get<std::string>();
+    } else {
+      complaint_ = quoted(name) + " must be a text of at most " + std::to_string(limits.longest) + " bytes";
+    }
+  }
+
+  const Json& object_;
+  std::size_t seen_ = 0;
+  std::string complaint_;
+};
+
+Json written(bool value, const Limits&) { return value; }
+Json written(double value, const Limits& limits) {
+  return std::isfinite(value) ? std::clamp(value, limits.lowest, limits.highest) : 0.0;
+}
+Json written(std::int64_t value, const Limits& limits) {
+  return std::clamp(value, static_cast<std::int64_t>(limits.lowest),
+                    static_cast<std::int64_t>(limits.highest));
+}
+Json written(const std::string& value, const Limits& limits) {
+  if (value.size() <= limits.longest) return value;
+  std::size_t end = limits.longest;
+  while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xC0U) == 0x80U) --end;
+  return value.substr(0, end);
+}
+Json written(const std::vector<std::string>& values, const Limits& limits) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(values.size(), limits.most); ++i)
+    list.push_back(written(values[i], limits));
+  return list;
+}
+
+// Tries each message that a page may send in turn.
+template <std::size_t kIndex = 0>
+Result<FromPage> parse_as_type(const Json& object, const std::string& type) {
+  if constexpr (kIndex == std::variant_size_v<FromPage>) {
+    return invalid_input("there is no message of that type");
+  } else {
+    using Message = std::variant_alternative_t<kIndex, FromPage>;
+    if (type != Message::kType) return parse_as_type<kIndex + 1>(object, type);
+    Message message;
+    FieldReader reader(object);
+    Message::each_field(message, reader);
+    if (auto complaint = reader.complaint(); !complaint.empty())
+      return invalid_input(std::string(Message::kType) + ": " + complaint);
+    return FromPage(std::move(message));
+  }
+}
+
+void append_word(std::string& out, std::uint32_t word) {
+  for (int shift = 0; shift < 32; shift += 8) out.push_back(static_cast<char>((word >> shift) & 0xFFU));
+}
+
+template <class T>
+std::string raster_frame(RasterKind kind, std::uint32_t scene, const Raster<T>& raster) {
+  static_assert(std::endian::native == std::endian::little, "rasters are sent as they lie in memory");
+  std::string out;
+  out.reserve(20 + raster.count() * sizeof(T));
+  append_word(out, kRasterMagic);
+  append_word(out, static_cast<std::uint32_t>(kind));
+  append_word(out, scene);
+  append_word(out, static_cast<std::uint32_t>(raster.width()));
+  append_word(out, static_cast<std::uint32_t>(raster.height()));
+  const std::size_t at = out.size();
+  out.resize(at + raster.count() * sizeof(T));
+  if (!raster.empty()) std::memcpy(out.data() + at, raster.data(), raster.count() * sizeof(T));
+  return out;
+}
+
+// The mean over the block of source pixels that a target pixel covers; Sum adds up one pixel.
+template <class T, class Mean>
+Raster<T> block_means(const Raster<T>& raster, int longest_side, Mean mean) {
+  const int longest = std::max(raster.width(), raster.height());
+  if (longest <= longest_side) return raster;
+  const auto side = [&](int n) {
+    const auto scaled = static_cast<std::int64_t>(n) * longest_side / longest;
+    return static_cast<int>(std::max<std::int64_t>(scaled, std::min(n, 2)));
+  };
+  const auto edge = [](int i, int to, int from) {
+    return static_cast<int>(static_cast<std::int64_t>(i) * from / to);
+  };
+  Raster<T> out(side(raster.width()), side(raster.height()));
+  for (int y = 0; y < out.height(); ++y) {
+    for (int x = 0; x < out.width(); ++x) {
+      out(x, y) = mean(edge(x, out.width(), raster.width()), edge(x + 1, out.width(), raster.width()),
+                       edge(y, out.height(), raster.height()), edge(y + 1, out.height(), raster.height()));
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<FromPage> parse_from_page(std::string_view text) {
+  bool too_deep = false;
+  const auto shallow = [&](int depth, Json::parse_event_t event, Json&) {
+    const bool opens =
+        event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (opens && depth >= kDeepest) too_deep = true;
+    return !too_deep;
+  };
+  const Json object = Json::parse(text.begin(), text.end(), shallow, false);
+  if (too_deep || !object.is_object()) return invalid_input("the message is not a flat JSON object");
+  const auto type = object.find("type");
+  if (type == object.end() || !type->is_string()) return invalid_input("the message has no type");
+  return parse_as_type(object, type->get<std::string>());
+}
+
+template <class Message>
+std::string write_message(const Message& message) {
+  Json object = {{"type", Message::kType}};
+  Message::each_field(message, [&](const char* name, const auto& value, const Limits& limits) {
+    object[name] = written(value, limits);
+  });
+  return object.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+template std::string write_message(const Hello&);
+template std::string write_message(const Law&);
+template std::string write_message(const Scene&);
+template std::string write_message(const Settings&);
+template std::string write_message(const State&);
+template std::string write_message(const Notice&);
+
+std::string write_heights(std::uint32_t scene, const Raster<float>& height_m) {
+  return raster_frame(RasterKind::heights, scene, height_m);
+}
+
+std::string write_picture(std::uint32_t scene, const Raster<Rgb8>& picture) {
+  static_assert(sizeof(Rgb8) == 3);
+  return raster_frame(RasterKind::picture, scene, picture);
+}
+
+Raster<float> thinned(const Raster<float>& raster, int longest_side) {
+  return block_means(raster, longest_side, [&](int x0, int x1, int y0, int y1) {
+    double sum = 0.0;
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) sum += static_cast<double>(raster(x, y));
+    return static_cast<float>(sum / ((x1 - x0) * (y1 - y0)));
+  });
+}
+
+Raster<Rgb8> thinned(const Raster<Rgb8>& raster, int longest_side) {
+  return block_means(raster, longest_side, [&](int x0, int x1, int y0, int y1) {
+    unsigned r = 0;
+    unsigned g = 0;
+    unsigned b = 0;
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        r += raster(x, y).r;
+        g += raster(x, y).g;
+        b += raster(x, y).b;
+      }
+    }
+    const auto n = static_cast<unsigned>((x1 - x0) * (y1 - y0));
+    const auto mean = [&](unsigned sum) { return static_cast<std::uint8_t>((sum + n / 2) / n); };
+    return Rgb8{mean(r), mean(g), mean(b)};
+  });
+}
+
+}  // namespace palpable::page::protocol

@@ -1,0 +1,116 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/protocol.hpp"
+
+#include <cstring>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::page::protocol {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
+  const auto pointer = parse_from_page(R"({"type":"pointer","x_m":0.01,"y_m":-0.02,"press_m":0.002})");
+  ASSERT_TRUE(pointer);
+  EXPECT_EQ(std::get<Pointer>(*pointer), (Pointer{0.01, -0.02, 0.002}));
+  const auto change = parse_from_page(
+      R"({"type":"change","serial":4294967295,"law":"proxy","stiffness":500,"damping_Ns_per_m":1,"friction":0.3,"exaggeration":1})");
+  ASSERT_TRUE(change);
+  EXPECT_EQ(std::get<Change>(*change), (Change{4294967295, "proxy", 500, 1, 0.3, 1}));
+  EXPECT_TRUE(std::get<Pause>(*parse_from_page(R"({"type":"pause","paused":true})")).paused);
+  EXPECT_TRUE(std::holds_alternative<Recentre>(*parse_from_page(R"({"type":"recentre"})")));
+  EXPECT_FALSE(std::get<Visible>(*parse_from_page(R"({"type":"visible","visible":false})")).visible);
+}
+
+TEST(PageProtocol, RefusesJunkWithASentence) {
+  const std::string deep(100000, '[');
+  for (const std::string& junk :
+       {std::string(), std::string("{"), std::string("[]"), std::string("null"), std::string("7"), deep,
+        std::string(R"({"type":7})"), std::string(R"({"type":"hello"})"), std::string(R"({"type":"fly"})"),
+        std::string(R"({"x_m":1})"), std::string(R"({"type":"pause"})"),
+        std::string(R"({"type":"pause","paused":1})"),
+        std::string(R"({"type":"pause","paused":true,"more":1})"),
+        std::string(R"({"type":"pause","paused":{}})"),
+        std::string(R"({"type":"pointer","x_m":1e9,"y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","x_m":1e999,"y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","x_m":"0","y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","x_m":null,"y_m":0,"press_m":0})"), std::string("\xff\xfe{}")}) {
+    const auto message = parse_from_page(junk);
+    ASSERT_FALSE(message) << junk.substr(0, 80);
+    EXPECT_EQ(message.error().code, ErrorCode::invalid_input);
+    EXPECT_FALSE(message.error().message.empty());
+  }
+}
+
+TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
+  Json change = {
+      {"type", "change"},        {"serial", 1},     {"law", std::string(33, 'x')}, {"stiffness", 1.0},
+      {"damping_Ns_per_m", 1.0}, {"friction", 0.1}, {"exaggeration", 1.0}};
+  EXPECT_FALSE(parse_from_page(change.dump()));
+  change["law"] = std::string(32, 'x');
+  EXPECT_TRUE(parse_from_page(change.dump()));
+  change["serial"] = 1.5;
+  EXPECT_FALSE(parse_from_page(change.dump()));
+  change["serial"] = -1;
+  EXPECT_FALSE(parse_from_page(change.dump()));
+}
+
+TEST(PageProtocol, WritesWhatIsNotFiniteOrTooLargeWithinItsLimits) {
+  State state;
+  state.x_m = std::numeric_limits<double>::quiet_NaN();
+  state.fz_N = std::numeric_limits<double>::infinity();
+  state.fx_N = -1e30;
+  const Json json = Json::parse(write_message(state));
+  EXPECT_EQ(json["type"], "state");
+  EXPECT_EQ(json["x_m"], 0.0);
+  EXPECT_EQ(json["fz_N"], 0.0);
+  EXPECT_EQ(json["fx_N"], -1000.0);
+}
+
+TEST(PageProtocol, ShortensTextAtTheEndOfALetter) {
+  Law law;
+  law.name = std::string(31, 'a') + "\xc3\xa4";  // 33 bytes, the last two are one letter
+  EXPECT_EQ(Json::parse(write_message(law))["name"], std::string(31, 'a'));
+  law.name = "\xff";
+  EXPECT_EQ(Json::parse(write_message(law))["name"], "\xef\xbf\xbd");
+}
+
+TEST(PageProtocol, WritesARasterAsItsHeaderSays) {
+  Raster<float> heights(3, 2);
+  heights(2, 1) = 1.5F;
+  const std::string frame = write_heights(7, heights);
+  ASSERT_EQ(frame.size(), 20U + 24U);
+  std::uint32_t words[5];
+  std::memcpy(words, frame.data(), sizeof words);
+  EXPECT_EQ(frame.substr(0, 4), "PLP1");
+  EXPECT_EQ(words[1], 1U);
+  EXPECT_EQ(words[2], 7U);
+  EXPECT_EQ(words[3], 3U);
+  EXPECT_EQ(words[4], 2U);
+  float last = 0.0F;
+  std::memcpy(&last, frame.data() + 40, 4);
+  EXPECT_EQ(last, 1.5F);
+}
+
+TEST(PageProtocol, ThinsByMeansAndKeepsTheRest) {
+  Raster<float> ramp(1000, 500);
+  for (int y = 0; y < 500; ++y)
+    for (int x = 0; x < 1000; ++x) ramp(x, y) = static_cast<float>(x);
+  const auto thin = thinned(ramp, 100);
+  ASSERT_EQ(thin.width(), 100);
+  ASSERT_EQ(thin.height(), 50);
+  EXPECT_FLOAT_EQ(thin(0, 0), 4.5F);
+  EXPECT_FLOAT_EQ(thin(99, 49), 994.5F);
+  EXPECT_EQ(thinned(thin, 100), thin);
+  EXPECT_EQ(thinned(Raster<float>(3000, 2), 300).height(), 2);
+  EXPECT_TRUE(thinned(Raster<float>(), 300).empty());
+  const Raster<Rgb8> grey(400, 400, Rgb8{10, 20, 30});
+  EXPECT_EQ(thinned(grey, 33)(32, 32), (Rgb8{10, 20, 30}));
+}
+
+}  // namespace
+}  // namespace palpable::page::protocol

@@ -1,0 +1,302 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/server.hpp"
+
+#include "palpable/page/access.hpp"
+#include "palpable/page/client.hpp"
+#include "palpable/page/http.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+
+namespace palpable::page {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using tcp = boost::asio::ip::tcp;
+using std::chrono::milliseconds;
+
+constexpr std::size_t kLongestHeaderBytes = 8192;
+// The page's mesh and sound need no more; the state carries the exact height.
+constexpr int kLongestHeightSide = 320;
+constexpr int kLongestPictureSide = 1024;
+
+milliseconds whole_milliseconds(double seconds) {
+  return milliseconds(static_cast<std::int64_t>(seconds * 1000.0));
+}
+
+std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
+
+template <class Message>
+SharedFrame text_frame(const Message& message) {
+  return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
+}
+
+// What all connections share: the front door, the host and the clients that are in.
+class Room {
+ public:
+  Room(PageHost& host, const ServeOptions& options, Front front)
+      : host_(host), options_(options), front_(std::move(front)) {}
+
+  Front& front() { return front_; }
+  const ServeOptions& options() const { return options_; }
+  bool full() const { return clients_.size() >= options_.most_clients; }
+  std::size_t connections = 0;
+
+  void let_in(beast::tcp_stream stream, const Client::Upgrade& upgrade) {
+    Client::Events events;
+    events.opened = [this](Client& client) { greet(client); };
+    events.message = [this](Client& client, const protocol::FromPage& message) {
+      std::visit([&](const auto& m) { obey(client, m); }, message);
+    };
+    events.closed = [this](Client& client) {
+      std::erase_if(clients_,
+                    [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
+    };
+    auto client = std::make_shared<Client>(std::move(stream), options_.rate, options_.longest_message_bytes,
+                                           whole_milliseconds(options_.patience_s), std::move(events));
+    clients_.push_back(client);
+    client->accept(upgrade);
+  }
+
+  // Once a frame: news for everybody, and the newest tick for whoever looks.
+  void beat() {
+    while (const auto notice = host_.next_notice()) broadcast(text_frame(*notice));
+    if (clients_.empty()) return;
+    host_.beat();
+    if (const auto scene = host_.scene(); scene != shown_) {
+      show(scene);
+      for (const auto& frame : scene_frames_) broadcast(frame);
+    }
+    if (const auto settings = host_.settings(); settings != told_) {
+      told_ = settings;
+      broadcast(text_frame(settings));
+    }
+    SharedFrame state;
+    for_each_client([&](Client& client) {
+      if (!client.visible) return;
+      if (!state) state = text_frame(host_.state());
+      client.send_if_idle(state);
+    });
+  }
+
+  void say_goodbye() {
+    for_each_client([](Client& client) {
+      client.close(beast::websocket::close_code::going_away, "the session has ended");
+    });
+  }
+
+ private:
+  void greet(Client& client) {
+    client.send(text_frame(host_.hello()));
+    for (const auto& law : host_.laws()) client.send(text_frame(law));
+    if (const auto scene = host_.scene(); scene != shown_) show(scene);
+    for (const auto& frame : scene_frames_) client.send(frame);
+    told_ = host_.settings();
+    client.send(text_frame(told_));
+  }
+
+  void show(const std::shared_ptr<const PageScene>& scene) {
+    shown_ = scene;
+    const auto number = static_cast<std::uint32_t>(scene->about.scene);
+    const auto binary = [](std::string bytes) {
+      return std::make_shared<const Frame>(Frame{std::move(bytes), true});
+    };
+    scene_frames_ = {
+        text_frame(scene->about),
+        binary(protocol::write_heights(number, protocol::thinned(scene->height_m, kLongestHeightSide)))};
+    if (scene->about.has_picture)
+      scene_frames_.push_back(
+          binary(protocol::write_picture(number, protocol::thinned(scene->picture, kLongestPictureSide))));
+  }
+
+  // A copy is walked through: a client that is shown out leaves the list meanwhile.
+  template <class Do>
+  void for_each_client(Do act) {
+    const auto clients = clients_;
+    for (const auto& weak : clients)
+      if (const auto client = weak.lock()) act(*client);
+  }
+
+  void broadcast(const SharedFrame& frame) {
+    for_each_client([&](Client& client) { client.send(frame); });
+  }
+
+  void obey(Client&, const protocol::Pointer& pointer) { host_.move(pointer); }
+  void obey(Client&, const protocol::Change& wishes) { host_.change(wishes); }
+  void obey(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
+  void obey(Client&, const protocol::Recentre&) { host_.recentre(); }
+  void obey(Client& client, const protocol::Visible& visible) { client.visible = visible.visible; }
+
+  PageHost& host_;
+  const ServeOptions& options_;
+  Front front_;
+  // Weak: a client lives by what is under way on its socket, and never longer than the context that runs it.
+  std::vector<std::weak_ptr<Client>> clients_;
+  std::shared_ptr<const PageScene> shown_;
+  std::vector<SharedFrame> scene_frames_;
+  protocol::Settings told_;
+};
+
+// One HTTP connection, until it ends or becomes a client.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(tcp::socket socket, Room& room) : stream_(std::move(socket)), room_(room) {
+    ++room_.connections;
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  ~Connection() { --room_.connections; }
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(kLongestHeaderBytes);
+    parser_->body_limit(room_.options().longest_message_bytes);
+    stream_.expires_after(whole_milliseconds(room_.options().patience_s));
+    http::async_read(
+        stream_, buffer_, *parser_,
+        [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_read(error); });
+  }
+
+ private:
+  void on_read(beast::error_code error) {
+    if (error == http::error::end_of_stream || error == asio::error::operation_aborted) return close();
+    if (error == http::error::body_limit)
+      return write({413, "text/plain", "The request is too long.", {}}, false);
+    if (error == http::error::header_limit)
+      return write({431, "text/plain", "The request is too long.", {}}, false);
+    if (error.category() == http::make_error_code(http::error::bad_method).category())
+      return write({400, "text/plain", "The request is not HTTP.", {}}, false);
+    if (error) return close();
+    respond(parser_->get());
+  }
+
+  void respond(const Client::Upgrade& message) {
+    const Request request{view(message.method_string()),      view(message.target()),
+                          view(message[http::field::host]),   view(message[http::field::origin]),
+                          view(message[http::field::cookie]), message.body()};
+    if (!beast::websocket::is_upgrade(message))
+      return write(room_.front().answer(request), message.keep_alive());
+    const Reply verdict = room_.front().judge_upgrade(request);
+    if (verdict.status != 101) return write(verdict, false);
+    if (room_.full())
+      return write({503, "text/plain", "Enough pages look at this session already.", {}}, false);
+    room_.let_in(std::move(stream_), message);
+  }
+
+  void write(const Reply& reply, bool keep_alive) {
+    const bool head = parser_->get().method() == http::verb::head;
+    response_ = {};
+    response_.result(reply.status);
+    response_.version(11);
+    for (const auto& header : kSafetyHeaders) response_.set(header.name, header.value);
+    if (!reply.body.empty()) response_.set(http::field::content_type, reply.media_type);
+    if (!reply.set_cookie.empty()) response_.set(http::field::set_cookie, reply.set_cookie);
+    response_.keep_alive(keep_alive);
+    response_.body() = reply.body;
+    response_.prepare_payload();
+    if (head) response_.body().clear();
+    http::async_write(stream_, response_,
+                      [self = shared_from_this(), keep_alive](beast::error_code error, std::size_t) {
+                        if (error || !keep_alive) return self->close();
+                        self->read();
+                      });
+  }
+
+  void close() {
+    beast::error_code ignored;
+    stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
+  }
+
+  beast::tcp_stream stream_;
+  Room& room_;
+  beast::flat_buffer buffer_{kLongestHeaderBytes + 65536};
+  std::optional<http::request_parser<http::string_body>> parser_;
+  http::response<http::string_body> response_;
+};
+
+void accept_next(tcp::acceptor& acceptor, Room& room) {
+  acceptor.async_accept([&](beast::error_code error, tcp::socket socket) {
+    if (error == asio::error::operation_aborted) return;
+    // Beyond the limit a connection is dropped at once; so is one that failed while it was made.
+    if (!error && room.connections < room.options().most_connections)
+      std::make_shared<Connection>(std::move(socket), room)->read();
+    accept_next(acceptor, room);
+  });
+}
+
+void beat_next(asio::steady_timer& timer, Room& room, std::chrono::microseconds period) {
+  // From now on, not from when it was due: after a stall frames are skipped, not made up for.
+  timer.expires_after(period);
+  timer.async_wait([&timer, &room, period](beast::error_code error) {
+    if (error) return;
+    room.beat();
+    beat_next(timer, room, period);
+  });
+}
+
+Result<void> open(tcp::acceptor& acceptor, std::uint16_t port) {
+  const tcp::endpoint where(asio::ip::address_v4::loopback(), port);
+  beast::error_code error;
+  acceptor.open(where.protocol(), error);
+  if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
+  if (!error) acceptor.bind(where, error);
+  if (!error) acceptor.listen(16, error);
+  if (!error) return {};
+  const std::string place = "port " + std::to_string(port);
+  if (error == asio::error::address_in_use)
+    return Error{ErrorCode::failed,
+                 "in use by another program; choose another with --port, or leave it out for any free one",
+                 place};
+  return Error{ErrorCode::failed, "cannot serve the page there (" + error.message() + ")", place};
+}
+
+Result<void> run(PageHost& host, const ServeOptions& options, const std::atomic<bool>& stop) {
+  const auto token = random_secret();
+  if (!token) return token.error();
+  const auto secret = random_secret();
+  if (!secret) return secret.error();
+
+  std::optional<Room> room;  // outlives the context: what is left under way there refers to it
+  asio::io_context context(1);
+  tcp::acceptor acceptor(context);
+  if (auto opened = open(acceptor, options.port); !opened) return opened;
+  const std::uint16_t port = acceptor.local_endpoint().port();
+  room.emplace(host, options, Front(Doorkeeper(*token, *secret), port));
+  asio::steady_timer timer(context);
+  accept_next(acceptor, *room);
+  beat_next(timer, *room, std::chrono::microseconds(static_cast<std::int64_t>(1e6 / options.states_per_s)));
+  if (options.on_ready) options.on_ready("http://127.0.0.1:" + std::to_string(port) + "/#" + *token);
+
+  while (!stop.load()) context.run_for(milliseconds(50));
+  timer.cancel();
+  beast::error_code ignored;
+  acceptor.close(ignored);
+  room->say_goodbye();
+  context.run_for(milliseconds(100));
+  return {};
+}
+
+}  // namespace
+
+Result<void> serve(PageHost& host, const ServeOptions& options, const std::atomic<bool>& stop) {
+  try {
+    return run(host, options, stop);
+  } catch (const std::exception& e) {
+    return Error{ErrorCode::failed, std::string("the page's server stopped: ") + e.what(), {}};
+  }
+}
+
+}  // namespace palpable::page

@@ -1,0 +1,91 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Reads what the program sends, strictly by the definitions of protocol.json. The C++ side is page/protocol.cpp.
+import { raster, toPageSpecs, type FromPage, type ToPage } from './generated/protocol';
+
+export interface FieldSpec {
+  type: 'number' | 'integer' | 'boolean' | 'string' | 'strings';
+  min?: number;
+  max?: number;
+  max_count?: number;
+}
+export type Specs = Record<string, Record<string, FieldSpec>>;
+
+const bytesOf = (text: string) => new TextEncoder().encode(text).length;
+
+function fits(value: unknown, spec: FieldSpec): boolean {
+  const { min = -Infinity, max = Infinity, max_count = Infinity } = spec;
+  const isText = (text: unknown) => typeof text === 'string' && bytesOf(text) <= max;
+  switch (spec.type) {
+    case 'boolean':
+      return typeof value === 'boolean';
+    case 'integer':
+      return Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
+    case 'number':
+      return typeof value === 'number' && value >= min && value <= max;
+    case 'string':
+      return isText(value);
+    case 'strings':
+      return Array.isArray(value) && value.length <= max_count && value.every(isText);
+  }
+}
+
+/** The message in a text frame, or a sentence that says what is wrong with it. */
+export function readMessage(text: string, specs: Specs = toPageSpecs): ToPage | string {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch {
+    return 'the message is not JSON';
+  }
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) return 'the message is not an object';
+  const message = value as Record<string, unknown>;
+  const fields = typeof message.type === 'string' && Object.hasOwn(specs, message.type) ? specs[message.type] : undefined;
+  if (fields === undefined) return 'there is no message of that type';
+  for (const [name, spec] of Object.entries(fields))
+    if (!Object.hasOwn(message, name) || !fits(message[name], spec)) return `${message.type}: '${name}' is missing or out of its limits`;
+  if (Object.keys(message).length !== Object.keys(fields).length + 1)
+    return `${message.type}: there are fields that the message does not have`;
+  return message as unknown as ToPage;
+}
+
+export function writeMessage(message: FromPage): string {
+  return JSON.stringify(message);
+}
+
+export interface HeightsFrame {
+  kind: 'heights';
+  scene: number;
+  columns: number;
+  rows: number;
+  /** Metres, row-major, origin top-left. */
+  heights: Float32Array;
+}
+export interface PictureFrame {
+  kind: 'picture';
+  scene: number;
+  columns: number;
+  rows: number;
+  /** Three bytes a pixel, sRGB. */
+  rgb: Uint8Array;
+}
+
+/** The raster in a binary frame, or a sentence that says what is wrong with it. */
+export function readRaster(buffer: ArrayBuffer): HeightsFrame | PictureFrame | string {
+  const headerBytes = 4 * raster.header.length;
+  if (buffer.byteLength < headerBytes) return 'the frame is too short';
+  const view = new DataView(buffer);
+  const [magic, kind, scene, columns, rows] = raster.header.map((_, i) => view.getUint32(4 * i, true)) as [
+    number, number, number, number, number,
+  ];
+  if (magic !== raster.magic) return 'the frame is not a raster';
+  const isHeights = kind === raster.kinds.heights;
+  if (!isHeights && kind !== raster.kinds.picture) return 'there is no raster of that kind';
+  if (columns < 1 || rows < 1 || buffer.byteLength - headerBytes !== columns * rows * (isHeights ? 4 : 3))
+    return 'the raster is not as long as its size says';
+  if (!isHeights) return { kind: 'picture', scene, columns, rows, rgb: new Uint8Array(buffer, headerBytes) };
+  const heights = new Float32Array(columns * rows);
+  for (let i = 0; i < heights.length; ++i) heights[i] = view.getFloat32(headerBytes + 4 * i, true);
+  if (!heights.every(Number.isFinite)) return 'a height is not a number';
+  return { kind: 'heights', scene, columns, rows, heights };
+}

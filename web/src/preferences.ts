@@ -1,0 +1,61 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// How the page looks and sounds, as this person likes it. Kept in a cookie, since an ordinary browser store belongs to one
+// port and palpable's changes; nothing is kept before something was changed, and resetting removes it.
+
+export interface Preferences {
+  surface: 'picture' | 'unlit' | 'clay';
+  view: '3d' | 'flat';
+  tilt: number;
+  sound: boolean;
+  volume: number;
+  vibration: boolean;
+  speech: boolean;
+  theme: 'system' | 'light' | 'dark' | 'contrast';
+}
+
+export const defaults: Preferences = {
+  surface: 'picture',
+  view: '3d',
+  tilt: 25,
+  sound: true,
+  volume: 50,
+  vibration: true,
+  speech: false,
+  theme: 'system',
+};
+
+const name = 'palpable_page';
+const choices = { surface: ['picture', 'unlit', 'clay'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
+const ranges = { tilt: [0, 60], volume: [0, 100] };
+
+/** The preferences in a document.cookie; what is missing or makes no sense is the default. */
+export function readPreferences(cookies: string): Preferences {
+  const found: Preferences = { ...defaults };
+  const text = cookies.split('; ').find((pair) => pair.startsWith(`${name}=`))?.slice(name.length + 1);
+  if (text === undefined) return found;
+  let kept: unknown;
+  try {
+    kept = JSON.parse(decodeURIComponent(text));
+  } catch {
+    return found;
+  }
+  if (typeof kept !== 'object' || kept === null) return found;
+  for (const [key, value] of Object.entries(kept)) if (isSensible(key, value)) Object.assign(found, { [key]: value });
+  return found;
+}
+
+function isSensible(key: string, value: unknown): boolean {
+  if (!Object.hasOwn(defaults, key)) return false;
+  if (key in choices) return (choices[key as keyof typeof choices] as unknown[]).includes(value);
+  const range = ranges[key as keyof typeof ranges];
+  if (range !== undefined) return typeof value === 'number' && value >= range[0]! && value <= range[1]!;
+  return typeof value === 'boolean';
+}
+
+/** What to assign to document.cookie: only what differs from the defaults is kept, and nothing if nothing does. */
+export function preferencesCookie(preferences: Preferences): string {
+  const own = Object.entries(preferences).filter(([key, value]) => value !== defaults[key as keyof Preferences]);
+  const age = own.length > 0 ? 365 * 24 * 3600 : 0;
+  return `${name}=${encodeURIComponent(JSON.stringify(Object.fromEntries(own)))}; Path=/; SameSite=Strict; Max-Age=${age}`;
+}

@@ -1,0 +1,93 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The relief as the page knows it: heights over a rectangle centred on the origin, x right, y up, z towards the person.
+
+export interface Place {
+  x: number;
+  y: number;
+}
+
+export class Surface {
+  /** `heights`: metres, row-major, origin top-left; `width` and `depth`: metres along x and y. */
+  constructor(
+    readonly columns: number,
+    readonly rows: number,
+    readonly heights: Float32Array,
+    readonly width: number,
+    readonly depth: number,
+  ) {}
+
+  xOf(column: number): number {
+    return ((column + 0.5) / this.columns - 0.5) * this.width;
+  }
+  yOf(row: number): number {
+    return (0.5 - (row + 0.5) / this.rows) * this.depth;
+  }
+  at(column: number, row: number): number {
+    const i = Math.min(this.columns - 1, Math.max(0, column));
+    const j = Math.min(this.rows - 1, Math.max(0, row));
+    return this.heights[j * this.columns + i] ?? 0;
+  }
+
+  /** Height at a place, linear between samples; level beyond the border. */
+  heightAt({ x, y }: Place): number {
+    const u = (x / this.width + 0.5) * this.columns - 0.5;
+    const v = (0.5 - y / this.depth) * this.rows - 0.5;
+    const i = Math.floor(u);
+    const j = Math.floor(v);
+    const [s, t] = [u - i, v - j];
+    const top = this.at(i, j) * (1 - s) + this.at(i + 1, j) * s;
+    const bottom = this.at(i, j + 1) * (1 - s) + this.at(i + 1, j + 1) * s;
+    return top * (1 - t) + bottom * t;
+  }
+
+  /** dz/dx and dz/dy, by central differences over two samples. */
+  slopeAt({ x, y }: Place): Place {
+    const hx = this.width / this.columns;
+    const hy = this.depth / this.rows;
+    return {
+      x: (this.heightAt({ x: x + hx, y }) - this.heightAt({ x: x - hx, y })) / (2 * hx),
+      y: (this.heightAt({ x, y: y + hy }) - this.heightAt({ x, y: y - hy })) / (2 * hy),
+    };
+  }
+
+  clamp({ x, y }: Place): Place {
+    const within = (value: number, size: number) => Math.min(size / 2, Math.max(-size / 2, value));
+    return { x: within(x, this.width), y: within(y, this.depth) };
+  }
+
+  contains({ x, y }: Place): boolean {
+    return Math.abs(x) <= this.width / 2 && Math.abs(y) <= this.depth / 2;
+  }
+
+  range(): { lowest: number; highest: number } {
+    let [lowest, highest] = [Infinity, -Infinity];
+    for (const z of this.heights) {
+      lowest = Math.min(lowest, z);
+      highest = Math.max(highest, z);
+    }
+    return { lowest, highest };
+  }
+
+  /**
+   * Where a ray from above first meets the surface raised by `exaggeration`, or, where it passes beside, the place
+   * where it crosses the base. Null if it never comes down.
+   */
+  hit(origin: [number, number, number], direction: [number, number, number], exaggeration: number): Place | null {
+    const [dx, dy, dz] = direction;
+    if (dz >= 0) return null;
+    const { lowest, highest } = this.range();
+    const top = Math.max(0, lowest * exaggeration, highest * exaggeration);
+    const bottom = Math.min(0, lowest * exaggeration, highest * exaggeration);
+    const begin = Math.max(0, (top - origin[2]) / dz);
+    const end = (bottom - origin[2]) / dz;
+    const steps = 400;
+    const at = (t: number): Place => ({ x: origin[0] + t * dx, y: origin[1] + t * dy });
+    for (let k = 0; k <= steps; ++k) {
+      const t = begin + ((end - begin) * k) / steps;
+      const place = at(t);
+      if (this.contains(place) && origin[2] + t * dz <= this.heightAt(place) * exaggeration) return place;
+    }
+    return at(-origin[2] / dz);
+  }
+}

@@ -1,0 +1,33 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What a picture of the scene can do, in three dimensions (view3d.ts) or flat (view_flat.ts).
+import type { PictureFrame } from './codec';
+import type { Preferences } from './preferences';
+import type { Place, Surface } from './surface';
+
+export interface Probe extends Place {
+  z: number;
+  force: [number, number, number];
+  contact: boolean;
+}
+
+export interface View {
+  readonly canvas: HTMLCanvasElement;
+  show(surface: Surface, picture: PictureFrame | null): void;
+  /** Height factor, and how the surface and the view are to look. */
+  set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
+  probe(probe: Probe): void;
+  /** The place on the surface under a point of the canvas in CSS pixels from its upper left corner; null if none. */
+  placeAt(left: number, top: number): Place | null;
+  resize(): void;
+  /** Draws if anything has changed. */
+  draw(): void;
+  dispose(): void;
+}
+
+/** The colours of the style sheet that pictures use. */
+export function themeColours(element: HTMLElement): { stage: string; clay: string; marble: string; force: string } {
+  const style = getComputedStyle(element);
+  const of = (name: string) => style.getPropertyValue(name).trim();
+  return { stage: of('--stage'), clay: of('--clay'), marble: of('--marble'), force: of('--force') };
+}

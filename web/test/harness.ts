@@ -1,0 +1,104 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What the browser tests stand on: the real program, and Debian's Chromium.
+import { spawn, type ChildProcess } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page } from 'playwright-core';
+
+const results = join(dirname(fileURLToPath(import.meta.url)), '..', 'test-results');
+const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const quiet = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const softwareGl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const noGl = ['--disable-gpu', '--disable-3d-apis'];
+
+/** The program that is tested: PALPABLE names it, else the development build's. */
+const program = process.env.PALPABLE ?? join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'build', 'dev', 'bin', 'palpable');
+const programArguments = (process.env.PALPABLE_ARGUMENTS ?? 'touch').split(' ').filter((word) => word !== '');
+
+export interface Running {
+  /** As printed, token included. */
+  address: string;
+  child: ChildProcess;
+  stop(): Promise<void>;
+}
+
+/** Starts a session without a window and waits for its address. */
+export async function startProgram(...more: string[]): Promise<Running> {
+  const child = spawn(program, [...programArguments, ...more], { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, BROWSER: 'true' } });
+  let said = '';
+  const ended = new Promise<void>((resolve) => child.once('close', () => resolve()));
+  const address = await new Promise<string>((resolve, reject) => {
+    const read = (text: Buffer) => {
+      said += text.toString();
+      const found = /http:\/\/127\.0\.0\.1:\d+\/#[0-9a-f]+/.exec(said);
+      if (found) resolve(found[0]);
+    };
+    child.stdout?.on('data', read);
+    child.stderr?.on('data', read);
+    child.once('error', reject);
+    child.once('close', (code) => reject(new Error(`${program} ended with ${code} before it gave an address:\n${said}`)));
+  });
+  return {
+    address,
+    child,
+    stop: async () => {
+      child.kill('SIGINT');
+      await ended;
+    },
+  };
+}
+
+export function launch(options: { webgl?: boolean; more?: string[] } = {}): Promise<Browser> {
+  const { webgl = true, more = [] } = options;
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: [...quiet, ...(webgl ? softwareGl : noGl), ...more],
+  });
+}
+
+export interface Opened {
+  page: Page;
+  context: BrowserContext;
+  /** What the page complained about on its console. */
+  complaints: string[];
+}
+
+/** Opens the page and waits until the scene is there. `cookies` of an earlier context let a further one in. */
+export async function openPage(browser: Browser, address: string, options: BrowserContextOptions = {}): Promise<Opened> {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  const complaints: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  await page.goto(address);
+  await page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
+  await page.waitForFunction(() => document.getElementById('read-height')?.textContent?.includes('mm'));
+  return { page, context, complaints };
+}
+
+/** A picture of the whole page, kept in web/test-results for a person to look at. */
+export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {
+  mkdirSync(results, { recursive: true });
+  await page.screenshot({ path: join(results, `${name}.png`), fullPage });
+}
+
+export interface Violation {
+  id: string;
+  help: string;
+  nodes: string[];
+}
+
+/** axe-core's verdict on the page as it stands; empty if it finds nothing. */
+export async function violations(page: Page): Promise<Violation[]> {
+  await page.evaluate(axeSource);
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: { run(): Promise<{ violations: { id: string; help: string; nodes: { html: string; failureSummary: string }[] }[] }> } };
+    const { violations: found } = await axe.run();
+    return found.map(({ id, help, nodes }) => ({ id, help, nodes: nodes.map(({ html, failureSummary }) => `${html}: ${failureSummary}`) }));
+  });
+}
