@@ -35,7 +35,7 @@ Result<DisparityScore> score_disparity(const Raster<float>& result_px, const Ras
   float high = -low;
   for (std::size_t i = 0; i < truth_px.count(); ++i) {
     const float truth = truth_px.values()[i];
-    if (!std::isfinite(truth) || (!mask.empty() && mask.values()[i] <= 127)) continue;
+    if (!std::isfinite(truth) || (!mask.empty() && mask.values()[i] != 255)) continue;
     ++score.pixels;
     low = std::min(low, truth);
     high = std::max(high, truth);

@@ -3,10 +3,13 @@
 #include "palpable/vision/disparity_range.hpp"
 
 #include "palpable/core/vectorize.hpp"
+#include "palpable/vision/census.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -14,45 +17,19 @@ namespace palpable::vision {
 namespace {
 
 constexpr int kCoarseWidth = 224;
-constexpr int kHalfX = 4;  // the census window is 9 x 7
-constexpr int kHalfY = 3;
-
-/// The picture shrunk by whole pixels, each the mean of factor x factor.
-Raster<std::uint8_t> shrunk(const Raster<std::uint8_t>& picture, int factor) {
-  Raster<std::uint8_t> out(picture.width() / factor, picture.height() / factor);
-  for (int y = 0; y < out.height(); ++y)
-    for (int x = 0; x < out.width(); ++x) {
-      int sum = 0;
-      for (int v = 0; v < factor; ++v)
-        for (int u = 0; u < factor; ++u) sum += picture(factor * x + u, factor * y + v);
-      out(x, y) = static_cast<std::uint8_t>((sum + factor * factor / 2) / (factor * factor));
-    }
-  return out;
-}
+constexpr int kHalfX = kCensusHalfX;
+constexpr int kHalfY = kCensusHalfY;
+constexpr int kNoMatch = std::numeric_limits<int>::min();
 
 struct Signatures {
   Raster<std::uint64_t> bits;
   Raster<std::uint8_t> textured;
 };
 
-/// Census signatures; textured where the window's contrast stands above the noise of an 8-bit picture.
-Signatures signatures(const Raster<std::uint8_t>& picture) {
-  Signatures out{Raster<std::uint64_t>(picture.width(), picture.height()),
-                 Raster<std::uint8_t>(picture.width(), picture.height())};
-  for (int y = kHalfY; y < picture.height() - kHalfY; ++y)
-    for (int x = kHalfX; x < picture.width() - kHalfX; ++x) {
-      const int centre = picture(x, y);
-      std::uint64_t bits = 0;
-      int spread = 0;
-      for (int v = -kHalfY; v <= kHalfY; ++v)
-        for (int u = -kHalfX; u <= kHalfX; ++u) {
-          const int value = picture(x + u, y + v);
-          bits = (bits << 1U) | (value < centre ? 1U : 0U);
-          spread += std::abs(value - centre);
-        }
-      out.bits(x, y) = bits;
-      out.textured(x, y) = spread > 4 * 63 ? 1 : 0;
-    }
+Signatures signatures(const Raster<std::uint8_t>& picture, const Work& work) {
+  Signatures out{census_9x7(picture, work), Raster<std::uint8_t>(picture.width(), picture.height())};
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) out.textured(x, y) = has_texture(picture, x, y) ? 1 : 0;
   return out;
 }
 
@@ -99,33 +76,53 @@ void match_row(const Signatures& left, const Signatures& right, int y, RowMatche
 struct Standing {
   int low = 0;
   int high = 0;
-  /// Matches from low to high beyond what chance gives there.
   double matches = 0.0;
 };
 
+/// The range grows from the histogram's peak: over bins that follow closely on a small share of the matches,
+/// over a gap only to a larger share, and to disparities behind infinity (which real pairs rarely have, but
+/// repeated patterns feign) only on a large one.
 std::optional<Standing> standing_out(const std::vector<int>& histogram, int width) {
-  const int reach = 3 * width / 4;
-  const auto at = [&](int d) { return histogram[static_cast<std::size_t>(d + width)]; };
-  // Chance matches are as many as there are pairs of columns so far apart; most disparities see only chance.
-  std::vector<double> per_column;
-  double all = 0.0;
-  for (int d = -reach; d <= reach; ++d) {
-    per_column.push_back(at(d) / static_cast<double>(width - std::abs(d)));
-    all += at(d);
-  }
-  std::nth_element(per_column.begin(), per_column.begin() + reach, per_column.end());
-  const double chance = per_column[static_cast<std::size_t>(reach)];
-  std::optional<Standing> found;
-  for (int d = -reach + 1; d < reach; ++d) {
-    const double three = at(d - 1) + at(d) + at(d + 1);
-    const double by_chance = 3.0 * chance * (width - std::abs(d));
-    if (at(d) == 0 || three < std::max({5.0, 0.002 * all, 5.0 * by_chance})) continue;
-    if (!found) found = Standing{d, d, 0.0};
-    found->high = d;
-  }
-  if (!found) return std::nullopt;
-  for (int d = found->low; d <= found->high; ++d) found->matches += at(d) - chance * (width - std::abs(d));
+  constexpr double kShareClose = 0.001;
+  constexpr double kShareApart = 0.003;
+  constexpr double kShareBehind = 0.03;
+  constexpr int kGap = 6;
+  const auto three = [&](int d) {
+    double sum = 0.0;
+    for (int k = std::max(-width, d - 1); k <= std::min(width, d + 1); ++k)
+      sum += histogram[static_cast<std::size_t>(k + width)];
+    return sum;
+  };
+  const double all = std::accumulate(histogram.begin(), histogram.end(), 0.0);
+  const int peak =
+      static_cast<int>(std::max_element(histogram.begin(), histogram.end()) - histogram.begin()) - width;
+  if (three(peak) < 10.0) return std::nullopt;
+  Standing found{peak, peak, 0.0};
+  const bool peak_in_front = peak >= 0;
+  const auto grow = [&](int& end, int direction) {
+    for (int d = peak; std::abs(d) <= 3 * width / 4; d += direction) {
+      const bool other_side = peak_in_front ? d < -1 : d > 1;
+      const double share = other_side ? kShareBehind : std::abs(d - end) > kGap ? kShareApart : kShareClose;
+      if (histogram[static_cast<std::size_t>(d + width)] > 0 && three(d) >= std::max(5.0, share * all))
+        end = d;
+    }
+  };
+  grow(found.low, -1);
+  grow(found.high, +1);
+  for (int d = found.low; d <= found.high; ++d)
+    found.matches += histogram[static_cast<std::size_t>(d + width)];
   return found;
+}
+
+/// Keeps of a row's matches those that a neighbour along the row or in the rows beside it confirms within one
+/// pixel.
+bool confirmed(const Raster<int>& matches, int x, int y) {
+  const int d = matches(x, y);
+  int friends = 0;
+  for (int v = std::max(0, y - 1); v <= std::min(matches.height() - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 2); u <= std::min(matches.width() - 1, x + 2); ++u)
+      if (matches(u, v) != kNoMatch && std::abs(matches(u, v) - d) <= 1) ++friends;
+  return friends >= 5;  // itself among them
 }
 
 }  // namespace
@@ -133,35 +130,39 @@ std::optional<Standing> standing_out(const std::vector<int>& histogram, int widt
 DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
                                     const Work& work) {
   const int factor = std::max(1, (left.width() + kCoarseWidth / 2) / kCoarseWidth);
-  const Signatures l = signatures(shrunk(left, factor));
-  const Signatures r = signatures(shrunk(right, factor));
+  const Signatures l = signatures(shrunk(left, factor), work);
+  const Signatures r = signatures(shrunk(right, factor), work);
   const int width = l.bits.width();
   const int height = l.bits.height();
   DisparityRange range{0, std::max(1, left.width() / 8), 0.0, 0.0};
   if (width <= 2 * kHalfX + 2 || height <= 2 * kHalfY) return range;
 
-  Raster<int> histograms(2 * width + 1, height);  // a row of the picture each; the threads never share one
-  std::vector<int> textured(static_cast<std::size_t>(height));
-  parallel_for(work, height - 2 * kHalfY, 8, [&](int begin, int end) {
+  // About a hundred rows tell enough of a taller picture.
+  const int step = std::max(1, (height - 2 * kHalfY) / 100);
+  const int rows = (height - 2 * kHalfY + step - 1) / step;
+  Raster<int> matches(width, rows, kNoMatch);
+  std::vector<int> textured(static_cast<std::size_t>(rows));
+  parallel_for(work, rows, 8, [&](int begin, int end) {
     RowMatches forth;
     std::vector<int> back;
-    for (int y = begin + kHalfY; y < end + kHalfY; ++y) {
+    for (int i = begin; i < end; ++i) {
       if (work.cancelled()) return;
+      const int y = kHalfY + step * i;
       match_row(l, r, y, forth, back);
       for (int x = kHalfX; x < width - kHalfX; ++x) {
-        textured[static_cast<std::size_t>(y)] += l.textured(x, y);
+        textured[static_cast<std::size_t>(i)] += l.textured(x, y);
         const int to = forth.best[static_cast<std::size_t>(x)];
-        if (to >= 0 && std::abs(back[static_cast<std::size_t>(to)] - x) <= 1) ++histograms(x - to + width, y);
+        if (to >= 0 && std::abs(back[static_cast<std::size_t>(to)] - x) <= 1) matches(x, i) = x - to;
       }
     }
   });
   std::vector<int> histogram(static_cast<std::size_t>(2 * width + 1));
-  int all_textured = 0;
-  for (int y = 0; y < height; ++y) {
-    all_textured += textured[static_cast<std::size_t>(y)];
-    for (int i = 0; i <= 2 * width; ++i) histogram[static_cast<std::size_t>(i)] += histograms(i, y);
-  }
-  range.textured = static_cast<double>(all_textured) / (static_cast<double>(width) * height);
+  const int all_textured = std::accumulate(textured.begin(), textured.end(), 0);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < width; ++x)
+      if (matches(x, y) != kNoMatch && confirmed(matches, x, y))
+        ++histogram[static_cast<std::size_t>(matches(x, y) + width)];
+  range.textured = static_cast<double>(all_textured) / (static_cast<double>(width) * rows);
   const std::optional<Standing> standing = standing_out(histogram, width);
   if (!standing) return range;
   range.agreement = standing->matches / std::max(1, all_textured);

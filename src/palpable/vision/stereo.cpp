@@ -4,6 +4,7 @@
 
 #include "palpable/vision/disparity_range.hpp"
 #include "palpable/vision/match_input.hpp"
+#include "palpable/vision/pair_check.hpp"
 #include "palpable/vision/stereo_method.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ struct MethodEntry {
 };
 
 constexpr std::array kMethods{
-    MethodEntry{StereoMethod::scanline, "scanline", nullptr},
+    MethodEntry{StereoMethod::scanline, "scanline", match_scanline},
     MethodEntry{StereoMethod::graph_cut, "graph-cut", nullptr},
     MethodEntry{StereoMethod::segments, "segments", nullptr},
     MethodEntry{StereoMethod::pyramid, "pyramid", nullptr},
@@ -50,6 +51,57 @@ Result<void> check_sizes(const StereoPair& pair) {
   return {};
 }
 
+void mirror(MatchInput& input) {
+  const auto flip = [](auto& picture) {
+    for (int y = 0; y < picture.height(); ++y) std::reverse(picture.row(y).begin(), picture.row(y).end());
+  };
+  flip(input.left);
+  flip(input.right);
+  flip(input.left_grey);
+  flip(input.right_grey);
+}
+
+/// Where an exchanged pair's first picture stays the reference: mirrored, it is the left one of its pair.
+Result<MatchOutput> match_mirrored(MatchInput& input, MethodFunction function, const StereoOptions& options,
+                                   const Work& work) {
+  mirror(input);
+  Result<MatchOutput> output = function(input, options, work);
+  if (!output) return output;
+  for (Raster<float>* map : {&output->disparity_px, &output->confidence})
+    for (int y = 0; y < map->height(); ++y) std::reverse(map->row(y).begin(), map->row(y).end());
+  return output;
+}
+
+Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction function,
+                                   const StereoOptions& options, const Work& work) {
+  bool levelled = false;
+  MatchInput input = prepare_pictures(pair, &levelled);
+  work.report(0.0, "looking at the pair");
+  DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, work);
+  const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
+  std::vector<std::string> notes = pair_notes(range, offset);
+  if (levelled)
+    notes.emplace_back(
+        "the pictures were exposed differently; the right one's levels were matched to the left one's");
+  const bool exchanged = options.max_disparity_px == 0 && looks_swapped(range);
+  if (exchanged) range = {std::max(0, -range.max_px), -range.min_px, range.agreement, range.textured};
+  if (options.max_disparity_px > 0) range = {0, options.max_disparity_px, range.agreement, range.textured};
+  if (work.cancelled()) return Work::interrupted();
+
+  const int shift = exchanged ? -range.min_px : range.min_px;
+  if (shift != 0) {
+    input.right = shifted(input.right, shift);
+    input.right_grey = shifted(input.right_grey, shift);
+  }
+  input.disparities = range.max_px - range.min_px + 1;
+  Result<MatchOutput> output =
+      exchanged ? match_mirrored(input, function, options, work) : function(input, options, work);
+  if (!output) return output.error();
+  for (float& d : output->disparity_px.values()) d += static_cast<float>(range.min_px);
+  return StereoMatch{
+      {std::move(output->disparity_px), pair.rig}, std::move(output->confidence), std::move(notes)};
+}
+
 }  // namespace
 
 std::string_view name_of(StereoMethod method) { return entry_of(method).name; }
@@ -73,22 +125,7 @@ Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const Ste
                      std::to_string(pair.left.width - 1) + " pixels",
                  {}};
   try {
-    MatchInput input = prepare_pictures(pair);
-    DisparityRange range{0, options.max_disparity_px, 1.0, 1.0};
-    if (options.max_disparity_px == 0) {
-      work.report(0.0, "finding the range of disparities");
-      range = find_disparity_range(input.left_grey, input.right_grey, work);
-    }
-    if (work.cancelled()) return Work::interrupted();
-    if (range.min_px != 0) {
-      input.right = shifted(input.right, range.min_px);
-      input.right_grey = shifted(input.right_grey, range.min_px);
-    }
-    input.disparities = range.max_px - range.min_px + 1;
-    Result<MatchOutput> output = function(input, options, work);
-    if (!output) return output.error();
-    for (float& d : output->disparity_px.values()) d += static_cast<float>(range.min_px);
-    return StereoMatch{{std::move(output->disparity_px), pair.rig}, std::move(output->confidence), {}};
+    return match_prepared(pair, function, options, work);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::failed, "there is not enough memory to match pictures of this size", {}};
   }

@@ -31,4 +31,6 @@ struct MatchOutput {
 /// One method a file. Errors: interrupted (work.cancel was set); the same bytes for every thread count.
 using MethodFunction = Result<MatchOutput> (*)(const MatchInput&, const StereoOptions&, const Work&);
 
+Result<MatchOutput> match_scanline(const MatchInput& input, const StereoOptions& options, const Work& work);
+
 }  // namespace palpable::vision

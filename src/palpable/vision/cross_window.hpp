@@ -1,0 +1,58 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/matching_cost.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace palpable::vision {
+
+struct CrossOptions {
+  /// An arm along the row reaches at most so many pixels, one along the column so many (slopes mostly run
+  /// down a picture, and a window should see one disparity) …
+  int row_reach_px = 17;
+  int column_reach_px = 6;
+  /// … while every channel stays within this of the centre (levels of 255); beyond half the row's reach, a
+  /// third.
+  int colour_limit = 25;
+};
+
+/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour. The
+/// window's centre is wherever the pixel stands in its surface.
+struct CrossArms {
+  std::uint8_t left = 0, right = 0, up = 0, down = 0;
+};
+Raster<CrossArms> cross_arms(const Raster<Rgb8>& picture, const CrossOptions& options, const Work& work);
+
+/// Aggregates matching costs over cross-shaped windows (along the row's arms, then along the column's),
+/// streaming down the picture: one scanline's disparity-space image at a time. One object a thread.
+class CrossAggregator {
+ public:
+  /// Rows first_row … end will be asked for, in order.
+  CrossAggregator(const MatchingCost& cost, const Raster<CrossArms>& arms, int disparities,
+                  int column_reach_px, int first_row);
+
+  /// The next row's mean cost over its window, out[x * disparities + d].
+  void next_row(float* out);
+
+ private:
+  void add_row();
+  std::uint32_t* sums(int row);
+
+  const MatchingCost& cost_;
+  const Raster<CrossArms>& arms_;
+  int disparities_;
+  int reach_;
+  int row_;     // the next to hand out
+  int summed_;  // the next to sum
+  int ring_;    // rows kept
+  std::vector<std::uint8_t> raw_;
+  std::vector<std::uint32_t> prefix_;               // of one row, along x
+  std::vector<std::uint32_t> sums_;                 // ring of rows, summed down the columns
+  std::vector<std::vector<std::uint32_t>> pixels_;  // ring: window pixels summed down the columns
+};
+
+}  // namespace palpable::vision

@@ -1,0 +1,35 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/disparity_range.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::vision {
+
+/// How far one picture lies above the other, from a few hundred distinct pixels found again in the other
+/// picture.
+struct VerticalOffset {
+  /// Median of y_right - y_left in pixels; positive: the right picture's content lies lower.
+  double median_px = 0.0;
+  /// Three quarters of the pixels lie within this of the scanline they should be on, in pixels. Above
+  /// median_px where the offset rolls across the picture.
+  double spread_px = 0.0;
+  /// Pixels found again; below about 20 the figures mean nothing.
+  int found = 0;
+};
+
+/// Searches offsets up to an eighth of the height. Both pictures of the same size.
+VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
+                                       const Work& work);
+
+/// The disparities lie behind infinity as a whole: left and right were exchanged.
+bool looks_swapped(const DisparityRange& range);
+
+/// What the person should know about a pair before trusting its depth, one sentence each; empty for a good
+/// pair.
+std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset);
+
+}  // namespace palpable::vision

@@ -1,0 +1,62 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace palpable::vision {
+
+/// Costs of the moves of a scanline's path through its disparity-space image, in units of the matching cost.
+struct PathOptions {
+  /// A step of one disparity between neighbouring pixels, as slanted surfaces take it: down, and up, which
+  /// uses a pixel of the right picture twice.
+  float step_down = 24.0F;
+  float step_up = 80.0F;
+  /// A jump, where both pixels look alike; a step of edge_levels in brightness between them halves it.
+  float jump = 40.0F;
+  float edge_levels = 6.0F;
+  /// Each pixel that only the left camera sees, in place of a matching cost.
+  float occluded = 68.0F;
+  /// A ground control point's cost must be below this, and that of every other disparity this many times
+  /// higher …
+  float control_cost = 20.0F;
+  float control_ratio = 1.4F;
+  /// … then leaving it costs this much.
+  float control = 20.0F;
+};
+
+/// The least-cost path through one scanline's disparity-space image under ordering and occlusion constraints
+/// (Shi & Pai 1997, section 2.1; Intille & Bobick 1994). Moves from column to column: stay or step by one
+/// disparity; jump down (where the right camera sees more: right occlusion); climb the diagonal (pixels that
+/// only the left camera sees: left occlusion). Holds its scratch memory: one object a thread.
+class ScanlinePath {
+ public:
+  ScanlinePath(int width, int disparities, const PathOptions& options);
+
+  /// `costs`: costs[x * disparities + d]; `grey`: the left picture's row. Fills `disparity_px` with sub-pixel
+  /// disparities; occluded pixels take the disparity of the surface behind, at their left. `occluded` gets 1
+  /// there.
+  void find(std::span<const float> costs, std::span<const std::uint8_t> grey, std::span<float> disparity_px,
+            std::span<std::uint8_t> occluded);
+
+ private:
+  void find_control_points(const float* costs);
+  void step(const float* costs, float jump, int control, std::uint8_t* moves);
+  void walk_back(const float* costs, std::span<float> disparity_px, std::span<std::uint8_t> occluded);
+
+  int width_;
+  int disparities_;
+  PathOptions options_;
+  std::vector<int> control_;     // the disparity of a column's ground control point, or -1
+  std::vector<int> right_best_;  // the left column that fits a right column best
+  std::vector<float> right_cost_;
+  // Cost of the best path that ends in a match, or in an occlusion, at each disparity of the last and of this
+  // column.
+  std::vector<float> match_, match_next_, occlusion_, occlusion_next_;
+  std::vector<float> from_above_;  // the best match_ of all higher disparities
+  std::vector<std::uint8_t> moves_;
+};
+
+}  // namespace palpable::vision
