@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/laws.hpp"
 
+#include "palpable/core/allocations.hpp"
 #include "palpable/haptics/probe_path.hpp"
 #include "palpable/models/relief_shaping.hpp"
 
@@ -304,6 +305,29 @@ TEST(Laws, RefuseParametersOutOfTheirRange) {
   LawParameters p;
   p.radius_m = 0.5;
   EXPECT_FALSE(make_touchable(flat_ground(), p));
+}
+
+TEST(Laws, NeverAllocateInATick) {
+  ASSERT_TRUE(allocations_are_counted());
+  const models::Scene scene = scene_of(random_hills(100, 80, 23));
+  for (const Law kind : laws_for(scene)) {
+    LawParameters p;
+    p.law = kind;
+    p.radius_m = 0.0005;
+    const auto law = made(scene, p);
+    TouchState state;
+    std::uint64_t contacts = 0;
+    const AllocationScope scope;
+    for (int k = 0; k < 20000; ++k)
+      contacts +=
+          feel_at(*law, state,
+                  {0.013 * std::sin(0.003 * k), 0.01 * std::sin(0.005 * k), 0.002 * std::sin(0.02 * k)})
+                  .contact
+              ? 1U
+              : 0U;
+    EXPECT_EQ(scope.count(), 0U) << name_of(kind);
+    EXPECT_GT(contacts, 5000U);
+  }
 }
 
 TEST(Laws, HaveNamesThatLeadBack) {

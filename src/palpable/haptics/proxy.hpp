@@ -38,7 +38,7 @@ class ProxyLaw {
     Feel feel;
     feel.has_proxy = true;
     feel.proxy.v = state.proxy.place_m;
-    feel.contact = state.proxy.phase == SurfaceProxy::Phase::touching;
+    feel.contact = state.proxy.holds_the_hand();
     feel.label = state.label;
     if (feel.contact) feel.force_N.v = force(hand, contact, state.proxy);
     return feel;
@@ -68,12 +68,15 @@ class ProxyLaw {
   }
 
   static Vec3 force(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy) noexcept {
+    const Vec3 spring = contact.stiffness_N_per_m * (proxy.place_m - hand.position.v);
+    if (proxy.phase != SurfaceProxy::Phase::touching) return spring;
     const models::CurvedSample& s = proxy.surface;
     const Vec3 normal = Vec3{-s.dzdx, -s.dzdy, 1.0} / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
-    const Vec3 spring = contact.stiffness_N_per_m * (proxy.place_m - hand.position.v);
     const double spring_normal = dot(spring, normal);
     const double damper = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, normal);
-    const double pressing = std::max(0.0, spring_normal + damper);
+    // The damper may take the push away but never turns it into a pull. A proxy that the surface let go of in
+    // this very tick is followed by the spring alone.
+    const double pressing = spring_normal > 0.0 ? std::max(0.0, spring_normal + damper) : spring_normal;
     return spring + (pressing - spring_normal) * normal;
   }
 

@@ -16,17 +16,25 @@ namespace palpable::haptics {
 /// stands on the surface at the place nearest to the hand that it can reach by sliding (god-object, Zilles &
 /// Salisbury 1995; Ruspini 1997), held back by a friction cone. All zero = a new touch.
 struct SurfaceProxy {
-  enum class Phase : std::uint8_t { fresh, free, touching };
+  enum class Phase : std::uint8_t {
+    fresh,
+    /// Above the surface: at the hand, or, for a few ticks, on its way there.
+    free,
+    touching
+  };
 
-  /// On the surface (touching) or where the hand was last (free).
   Vec3 place_m;
+  /// Where the hand was in the last tick.
+  Vec3 hand_m;
   /// The surface at place_m; only when touching.
   models::CurvedSample surface;
-  /// A height above the surface that the hand has for sure; only when free.
+  /// A height above the surface that place_m has for sure; only when free.
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
   /// The last tick moved the proxy against friction: the dynamic coefficient holds.
   bool slipping = false;
+
+  bool holds_the_hand() const noexcept { return phase == Phase::touching || place_m != hand_m; }
 };
 
 /// Coulomb's coefficients, >= 0, the dynamic one at most the static one.
@@ -35,10 +43,10 @@ struct Friction {
   double sliding = 0.0;
 };
 
-/// Moves a SurfaceProxy over one height field. The solid lies below the surface. Every step of the proxy is
-/// at most one pixel long and must bring it nearer to the hand, so it climbs or rounds a wall and never
-/// passes through it; on the free way a wall cannot be missed below 16 pixels of hand movement a tick. At
-/// most about 60 looks at the surface a tick, 1 ... 3 as a rule.
+/// Moves a SurfaceProxy over one height field; the solid lies below the surface. Sliding, each step is at
+/// most a pixel (or half of the hand's own movement in the tick) and must bring the proxy nearer to the hand,
+/// so it climbs or rounds a wall and never passes through it. A tick looks at the surface once or twice as a
+/// rule, and 9 times at most: what is farther is reached in the next ticks.
 template <models::CurvedHeightField Surface>
 class ProxyFollower {
  public:
@@ -48,21 +56,21 @@ class ProxyFollower {
   /// One tick: the hand is at `hand_m`, finite.
   void follow(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
     if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand_m, proxy);
+    const double longest_m = std::max(surface_.pixel_m(), 0.5 * norm(hand_m - proxy.hand_m));
+    proxy.hand_m = hand_m;
+    int looks = kMostLooks;
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
-    for (int turn = 0; turn < kMostTurns; ++turn) {
-      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy)) return;
-      if (slide(hand_m, proxy)) return;
-      if (turn + 1 < kMostTurns) {
-        proxy.phase = SurfaceProxy::Phase::free;
-        proxy.clearance_m = 0.0;
-      }
+    while (looks > 0) {
+      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, looks)) return;
+      if (slide(hand_m, longest_m, proxy, looks)) return;
+      proxy.phase = SurfaceProxy::Phase::free;
+      proxy.clearance_m = 0.0;
     }
   }
 
  private:
-  static constexpr int kMostTurns = 3;
-  static constexpr int kMostSteps = 12;
-  static constexpr int kMostStretches = 32;
+  static constexpr int kMostLooks = 8;
+  static constexpr int kMostSteps = 4;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
@@ -70,6 +78,7 @@ class ProxyFollower {
   void begin(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
     const models::CurvedSample s = surface_.curved_sample(hand_m.x, hand_m.y);
     proxy.slipping = false;
+    proxy.hand_m = hand_m;
     if (hand_m.z < s.z_m) {
       rest(proxy, hand_m.x, hand_m.y, s);
     } else {
@@ -85,8 +94,9 @@ class ProxyFollower {
     proxy.phase = SurfaceProxy::Phase::touching;
   }
 
-  /// Straight towards the hand; true if the surface is in the way: then the proxy rests where it was met.
-  bool fly(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+  /// Straight towards the hand. True if the surface is in the way: then the proxy rests where it was met.
+  /// Otherwise it is at the hand, or as far on the way as `looks` reach.
+  bool fly(Vec3 hand_m, SurfaceProxy& proxy, int& looks) const noexcept {
     const Vec3 from = proxy.place_m;
     const Vec3 way = hand_m - from;
     const double across = std::hypot(way.x, way.y);
@@ -97,48 +107,41 @@ class ProxyFollower {
       proxy.place_m = hand_m;
       return false;
     }
-    const int stretches =
-        static_cast<int>(std::min<double>(kMostStretches, 1.0 + 2.0 * across / surface_.pixel_m()));
+    // The surface hides nothing within a pixel.
+    const double stretch = std::min(1.0, surface_.pixel_m() / std::max(across, 1e-12));
     double before = 0.0;
-    double clearance = proxy.clearance_m;
-    while (before < 1.0) {
-      const double safe = clearance > 0.0 && shrinks > 0.0 ? clearance / shrinks : 0.0;
-      const double next = std::min(1.0, before + std::max(1.0 / stretches, safe));
+    while (before < 1.0 && looks > 0) {
+      --looks;
+      const double safe = shrinks > 0.0 ? proxy.clearance_m / shrinks : 0.0;
+      // A branch, not a maximum: the processor goes on to the next stretch before this one is known.
+      const double next = std::min(1.0, safe > 2.0 * stretch ? before + safe : before + stretch);
       const Vec3 p = from + next * way;
       const models::CurvedSample s = surface_.curved_sample(p.x, p.y);
-      clearance = p.z - s.z_m;
+      const double clearance = p.z - s.z_m;
       if (clearance < 0.0) {
-        meet(from, way, before, next, proxy);
+        // By the secant; what is on either side of the crossing is less than a stretch away.
+        const double met = before + (next - before) * proxy.clearance_m / (proxy.clearance_m - clearance);
+        const Vec3 m = from + met * way;
+        --looks;
+        rest(proxy, m.x, m.y, surface_.curved_sample(m.x, m.y));
+        proxy.slipping = false;
         return true;
       }
       before = next;
+      proxy.clearance_m = clearance;
+      proxy.place_m = p;
     }
-    proxy.place_m = hand_m;
-    proxy.clearance_m = clearance;
+    if (before >= 1.0) proxy.place_m = hand_m;
     return false;
-  }
-
-  /// Between `above` and `under` (fractions of the way) the surface is crossed: halves down to it and rests
-  /// there.
-  void meet(Vec3 from, Vec3 way, double above, double under, SurfaceProxy& proxy) const noexcept {
-    constexpr int kHalvings = 6;
-    for (int k = 0; k < kHalvings; ++k) {
-      const double middle = 0.5 * (above + under);
-      const Vec3 p = from + middle * way;
-      (p.z < surface_.curved_sample(p.x, p.y).z_m ? under : above) = middle;
-    }
-    const Vec3 p = from + above * way;
-    rest(proxy, p.x, p.y, surface_.curved_sample(p.x, p.y));
-    proxy.slipping = false;
   }
 
   /// Along the surface towards the hand; false if the hand stands on the free side of the surface where it
   /// ends.
-  bool slide(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+  bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& looks) const noexcept {
     const double coefficient = proxy.slipping ? friction_.sliding : friction_.at_rest;
     bool moved = false;
     double shorter = 1.0;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostSteps && looks > 0; ++step) {
       const models::CurvedSample& s = proxy.surface;
       const Vec3 d = hand_m - proxy.place_m;
       const double lifted = d.z - s.dzdx * d.x - s.dzdy * d.y;
@@ -150,10 +153,11 @@ class ProxyFollower {
       const double mu = moved ? friction_.sliding : coefficient;
       const double held = mu * std::sqrt(normal2);
       if (along2 <= (held + kTolerance_m) * (held + kTolerance_m)) break;
-      const auto [dx, dy] = models::step_towards_nearest(d, s, shorter * (1.0 - held / std::sqrt(along2)),
-                                                         shorter * surface_.pixel_m());
+      const auto [dx, dy] =
+          models::step_towards_nearest(d, s, shorter * (1.0 - held / std::sqrt(along2)), shorter * longest_m);
       const double x = proxy.place_m.x + dx;
       const double y = proxy.place_m.y + dy;
+      --looks;
       const models::CurvedSample next = surface_.curved_sample(x, y);
       if (squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
         // Too far: the surface turned. A step that cannot be made shorter than the tolerance is none.

@@ -21,8 +21,8 @@ struct Double4 {
   Double2 last;
   double operator[](int k) const noexcept { return k < 2 ? first[k] : last[k - 2]; }
 };
-Double4 operator*(const Double4& a, double s) noexcept { return {a.first * s, a.last * s}; }
-Double4 operator+(const Double4& a, const Double4& b) noexcept {
+inline Double4 operator*(const Double4& a, double s) noexcept { return {a.first * s, a.last * s}; }
+inline Double4 operator+(const Double4& a, const Double4& b) noexcept {
   return {a.first + b.first, a.last + b.last};
 }
 
@@ -34,29 +34,35 @@ struct Cell {
   double fraction;
 };
 
-// Two pixels beyond the border all control values are the border's own, so the place may be held there. The
-// comparisons are written so that NaN is held too.
-Cell cell_at(double place_px, int count) noexcept {
+inline Cell cell_at(double place_px, int count) noexcept {
+  if (place_px >= 1.0 && place_px < count - 2.0) {
+    const int index = static_cast<int>(place_px);
+    return {index, place_px - index};
+  }
+  // Two pixels beyond the border all control values are the border's own, so the place may be held there. The
+  // comparisons are written so that NaN is held too.
   const double last = count + 2.0;
   const double held = place_px > -3.0 ? (place_px < last ? place_px : last) : -3.0;
-  const double floor = std::floor(held);
-  return {static_cast<int>(floor), held - floor};
+  const int index = static_cast<int>(held + 4.0) - 4;
+  return {index, held - index};
 }
 
 // Uniform cubic B-spline weights of the four control values round a cell, and their first and second
-// derivatives.
-Double4 weights(double t) noexcept {
-  const double s = 1.0 - t;
+// derivatives: as polynomials in Estrin's order, whose chain of operations is short. A law waits for each
+// look at the surface.
+inline Double4 weights(double t) noexcept {
   const double t2 = t * t;
-  return Double4{{s * s * s, 4.0 - 6.0 * t2 + 3.0 * t2 * t},
-                 {1.0 + 3.0 * t + 3.0 * t2 - 3.0 * t2 * t, t2 * t}} *
-         (1.0 / 6.0);
+  constexpr double k = 1.0 / 6.0;
+  return (Double4{{k, 4 * k}, {k, 0.0}} + Double4{{-3 * k, 0.0}, {3 * k, 0.0}} * t) +
+         (Double4{{3 * k, -6 * k}, {3 * k, 0.0}} + Double4{{-k, 3 * k}, {-3 * k, k}} * t) * t2;
 }
-Double4 slope_weights(double t) noexcept {
-  const double s = 1.0 - t;
-  return Double4{{-s * s, t * (3.0 * t - 4.0)}, {1.0 + t * (2.0 - 3.0 * t), t * t}} * 0.5;
+inline Double4 slope_weights(double t) noexcept {
+  return Double4{{-0.5, 0.0}, {0.5, 0.0}} +
+         (Double4{{1.0, -2.0}, {1.0, 0.0}} + Double4{{-0.5, 1.5}, {-1.5, 0.5}} * t) * t;
 }
-Double4 curvature_weights(double t) noexcept { return Double4{{1.0 - t, 3.0 * t - 2.0}, {1.0 - 3.0 * t, t}}; }
+inline Double4 curvature_weights(double t) noexcept {
+  return Double4{{1.0, -2.0}, {1.0, 0.0}} + Double4{{-1.0, 3.0}, {-3.0, 1.0}} * t;
+}
 
 double sum_of_products(const Double4& a, const Double4& b) noexcept {
   const Double2 p = a.first * b.first + a.last * b.last;
@@ -69,23 +75,26 @@ struct Block {
   std::size_t stride;
 };
 
-Block block_at(const Raster<float>& samples, int i, int j, std::array<float, 16>& copy) noexcept {
-  const int w = samples.width();
-  const int h = samples.height();
-  const auto stride = static_cast<std::size_t>(w);
-  if (i >= 1 && j >= 1 && i + 2 < w && j + 2 < h)
-    return {samples.data() + static_cast<std::size_t>(j - 1) * stride + static_cast<std::size_t>(i - 1),
-            stride};
+// Rare, and kept out of the way of the common case.
+[[gnu::noinline]] Block border_block(const Raster<float>& samples, int i, int j,
+                                     std::array<float, 16>& copy) noexcept {
   for (int y = 0; y < 4; ++y) {
-    const auto row = static_cast<std::size_t>(std::clamp(j - 1 + y, 0, h - 1)) * stride;
+    const int row = std::clamp(j - 1 + y, 0, samples.height() - 1);
     for (int x = 0; x < 4; ++x)
-      copy[static_cast<std::size_t>(4 * y + x)] =
-          samples.data()[row + static_cast<std::size_t>(std::clamp(i - 1 + x, 0, w - 1))];
+      copy[static_cast<std::size_t>(4 * y + x)] = samples(std::clamp(i - 1 + x, 0, samples.width() - 1), row);
   }
   return {copy.data(), 4};
 }
 
-std::array<Double4, 4> rows_of(const Block& block) noexcept {
+inline Block block_at(const Raster<float>& samples, int i, int j, std::array<float, 16>& copy) noexcept {
+  const auto stride = static_cast<std::size_t>(samples.width());
+  if (i >= 1 && j >= 1 && i + 2 < samples.width() && j + 2 < samples.height())
+    return {samples.data() + static_cast<std::size_t>(j - 1) * stride + static_cast<std::size_t>(i - 1),
+            stride};
+  return border_block(samples, i, j, copy);
+}
+
+inline std::array<Double4, 4> rows_of(const Block& block) noexcept {
   std::array<Double4, 4> rows;
   for (std::size_t k = 0; k < 4; ++k) {
     Float2 first;
@@ -97,7 +106,7 @@ std::array<Double4, 4> rows_of(const Block& block) noexcept {
   return rows;
 }
 
-Double4 combine(const std::array<Double4, 4>& rows, const Double4& w) noexcept {
+inline Double4 combine(const std::array<Double4, 4>& rows, const Double4& w) noexcept {
   return (rows[0] * w[0] + rows[1] * w[1]) + (rows[2] * w[2] + rows[3] * w[3]);
 }
 
