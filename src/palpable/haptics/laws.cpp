@@ -26,7 +26,8 @@ struct Name {
   std::string_view name;
 };
 constexpr std::array kNames{Name{Law::proxy, "proxy"}, Name{Law::rolling, "rolling"},
-                            Name{Law::sobel, "sobel"}};
+                            Name{Law::sobel, "sobel"}, Name{Law::penalty, "penalty"},
+                            Name{Law::averaged, "averaged"}};
 
 // What Shi & Pai's laws take where nothing is given: a slope of 1 pushes with 1 N.
 constexpr double kRollingWeight_N = 1.0;
@@ -95,6 +96,11 @@ Result<void> check(const LawParameters& p) {
   if (!within(p.static_friction, 0.0, 10.0) || !within(p.dynamic_friction, 0.0, 10.0))
     return usage("a friction coefficient must be 0 to 10");
   if (!within(p.radius_m, 0.0, 0.02)) return usage("the radius must be 0 to 20 mm");
+  const Averaging& a = p.averaging;
+  if (!within(a.offset_m, 0.0, 0.02)) return usage("the averaging's offset must be 0 to 20 mm");
+  if (!within(a.neighbour_weight, 0.0, 1e6) || !within(a.centre_weight, 0.0, 1e6) ||
+      a.neighbour_weight + a.centre_weight <= 0.0)
+    return usage("the averaging's weights must be 0 or more, and not both 0");
   return {};
 }
 
@@ -141,14 +147,22 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
       return touchable(SobelLaw(*relief, p.stiffness_N_per_m.value_or(kRollingWeight_N),
                                 p.damping_Ns_per_m.value_or(kRollingDamping_Ns_per_m)),
                        family);
-    case Law::proxy: {
-      auto surface = surface_for(relief, p.radius_m);
-      if (!surface) return surface.error();
-      family = mixed(family, std::bit_cast<std::uint64_t>(p.radius_m));
-      return touchable(ProxyLaw<Relief>(*std::move(surface), materials_of(scene, *relief, p)), family);
-    }
+    case Law::proxy:
+    case Law::penalty:
+    case Law::averaged:
+      break;
   }
-  return usage("this law does not exist for a relief");
+  auto surface = surface_for(relief, p.radius_m);
+  if (!surface) return surface.error();
+  family = mixed(family, std::bit_cast<std::uint64_t>(p.radius_m));
+  MaterialMap materials = materials_of(scene, *relief, p);
+  if (p.law == Law::proxy)
+    return touchable(ProxyLaw<Relief>(*std::move(surface), std::move(materials)), family);
+  if (p.law == Law::penalty)
+    return touchable(
+        PenaltyLaw<Relief>(*std::move(surface), std::move(materials), p.penalty == PenaltyDirection::normal),
+        family);
+  return touchable(AveragedLaw<Relief>(*std::move(surface), std::move(materials), p.averaging), family);
 }
 
 }  // namespace
@@ -167,7 +181,7 @@ std::optional<Law> law_from(std::string_view name) {
 
 std::vector<Law> laws_for(const models::Scene& scene) {
   if (std::holds_alternative<std::shared_ptr<const Relief>>(scene.model))
-    return {Law::proxy, Law::rolling, Law::sobel};
+    return {Law::proxy, Law::rolling, Law::penalty, Law::averaged, Law::sobel};
   return {};
 }
 

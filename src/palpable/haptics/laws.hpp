@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/haptics/penalty.hpp"
 #include "palpable/haptics/touchable.hpp"
 #include "palpable/models/scene.hpp"
 
@@ -22,7 +23,11 @@ enum class Law {
   /// comparison.
   sobel,
   /// A surface-bound proxy with friction cone, spring and damper: the default.
-  proxy
+  proxy,
+  /// Spring and damper at the place straight below the hand. Moustakas 2007, Gomez 2012, Park & Howard 2012.
+  penalty,
+  /// The same on the mean of the surface at five places. Gomez 2012, chapter 12.
+  averaged
 };
 
 /// The name on the command line; and back, nullopt for an unknown name.
@@ -30,6 +35,14 @@ std::string_view name_of(Law law);
 std::optional<Law> law_from(std::string_view name);
 /// Every law that exists for a scene of this kind, the default first.
 std::vector<Law> laws_for(const models::Scene& scene);
+
+/// Which way `penalty` pushes.
+enum class PenaltyDirection {
+  /// Along the exact gradient of its potential: makes no energy.
+  gradient,
+  /// Along the surface's normal (force shading): smoother, and not conservative.
+  normal
+};
 
 /// What can be set of a law. Where a value is not given, the scene's material decides.
 struct LawParameters {
@@ -43,6 +56,9 @@ struct LawParameters {
   std::optional<double> dynamic_friction;
   /// Radius of the ball that touches, 0 ... 0.02 m; its centre is the hand's position. 0 = a point.
   double radius_m = 0.0;
+  PenaltyDirection penalty = PenaltyDirection::gradient;
+  /// Of `averaged`: how far its four neighbours stand (0 ... 0.02 m), and the weights (>= 0, not both 0).
+  Averaging averaging;
 };
 
 /// Surface + law, ready for the servo loop. Work that a law needs once (dilating a relief by the ball)

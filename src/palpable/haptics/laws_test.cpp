@@ -256,6 +256,65 @@ TEST(ProxyLaw, DampsAlongTheNormalAndNeverPulls) {
   EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
 }
 
+TEST(PenaltyLaw, PushesFromFlatGroundAsASpringAndNeverPulls) {
+  for (const Law kind : {Law::penalty, Law::averaged})
+    for (const auto direction : {PenaltyDirection::gradient, PenaltyDirection::normal}) {
+      LawParameters p = frictionless();
+      p.law = kind;
+      p.damping_Ns_per_m = 2.0;
+      p.penalty = direction;
+      const auto law = made(flat_ground(), p);
+      TouchState state;
+      EXPECT_NEAR(feel_at(*law, state, {0.001, 0, 0.003}).force_N.v.z, 1.0, 1e-6);
+      EXPECT_FALSE(feel_at(*law, state, {0.001, 0, 0.0051}).contact);
+      Hand hand;
+      hand.position = {{0, 0, 0.004}};
+      hand.velocity_m_per_s = {{0, 0, 1.0}};
+      EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
+    }
+}
+
+TEST(PenaltyLaw, IsTheExactGradientOfItsPotential) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 29));
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
+  LawParameters p = frictionless();
+  p.law = Law::penalty;
+  const auto law = made(scene, p);
+  TouchState state;
+  const auto energy = [&](Vec3 at) {
+    const auto s = relief.sample(at.x, at.y);
+    const double d = (s.z_m - at.z) / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+    return 0.5 * 500.0 * d * d;
+  };
+  for (int k = 0; k < 500; ++k) {
+    const double x = 0.015 * std::sin(0.7 * k);
+    const double y = 0.011 * std::sin(1.1 * k);
+    const Vec3 at{x, y, relief.sample(x, y).z_m - 0.001};
+    const Vec3 f = feel_at(*law, state, at).force_N.v;
+    const double e = 1e-8;
+    ASSERT_NEAR(f.x, -(energy(at + Vec3{e, 0, 0}) - energy(at - Vec3{e, 0, 0})) / (2 * e), 1e-3);
+    ASSERT_NEAR(f.y, -(energy(at + Vec3{0, e, 0}) - energy(at - Vec3{0, e, 0})) / (2 * e), 1e-3);
+    ASSERT_NEAR(f.z, -(energy(at + Vec3{0, 0, e}) - energy(at - Vec3{0, 0, e})) / (2 * e), 1e-3);
+  }
+}
+
+TEST(AveragedLaw, WithAllWeightAtTheCentreIsTheShadedPenalty) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 31));
+  LawParameters p = frictionless();
+  p.law = Law::averaged;
+  p.averaging = {0.001, 0.0, 3.0};
+  const auto averaged = made(scene, p);
+  p.law = Law::penalty;
+  p.penalty = PenaltyDirection::normal;
+  const auto penalty = made(scene, p);
+  TouchState state;
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 at{0.015 * std::sin(0.7 * k), 0.011 * std::sin(1.1 * k), 0.0};
+    ASSERT_NEAR(norm(feel_at(*averaged, state, at).force_N - feel_at(*penalty, state, at).force_N), 0.0,
+                1e-12);
+  }
+}
+
 TEST(ProxyLaw, TakesEachRegionsMaterial) {
   models::Scene scene = flat_ground();
   models::Material soft;
@@ -331,7 +390,8 @@ TEST(Laws, NeverAllocateInATick) {
 }
 
 TEST(Laws, HaveNamesThatLeadBack) {
-  for (const Law law : {Law::rolling, Law::sobel, Law::proxy}) EXPECT_EQ(law_from(name_of(law)), law);
+  for (const Law law : {Law::rolling, Law::sobel, Law::proxy, Law::penalty, Law::averaged})
+    EXPECT_EQ(law_from(name_of(law)), law);
   EXPECT_FALSE(law_from("no such law"));
 }
 
