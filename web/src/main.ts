@@ -243,9 +243,9 @@ class Page implements KeyTarget {
     }
     this.showProbe();
     const millimetres = (metres: number) => (metres * 1000).toFixed(1);
-    element('read-position').textContent = `${millimetres(state.x_m)}, ${millimetres(state.y_m)} mm`;
-    element('read-height').textContent = `${millimetres(state.surface_m)} mm`;
-    element('read-force').textContent = `${force.toFixed(2)} N`;
+    element('read-position').textContent = `${millimetres(state.x_m)}, ${millimetres(state.y_m)}`;
+    element('read-height').textContent = millimetres(state.surface_m);
+    element('read-force').textContent = force.toFixed(2);
   }
 
   // The probe and the picture.
@@ -311,7 +311,7 @@ class Page implements KeyTarget {
     if (!second) return;
     const rate = Math.round((this.frames * 1000) / (now - this.framesSince));
     const device = this.hello ? ` · ${this.hello.device}` : '';
-    element('rates').textContent = `${rate} pictures a second · force ${Math.round(this.state?.rate_hz ?? 0)} times a second${device}`;
+    element('rates').textContent = `${rate} frames a second · force ${Math.round(this.state?.rate_hz ?? 0)} times a second${device}`;
     element('rates').dataset.frames = String(rate);
     if (this.state)
       element('plot-words').textContent = `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`;

@@ -35,6 +35,8 @@ const fieldOfView = 32;
 /** Metres of arrow a newton. */
 const arrowScale = 0.008;
 const arrowMost = 0.04;
+/** How much larger than the block the picture is. */
+const margin = 1.07;
 const baseThickness = 0.002;
 
 export class View3d implements View {
@@ -128,20 +130,28 @@ export class View3d implements View {
     this.canvas.remove();
   }
 
-  /** Far enough back that the whole block is seen, looking down at it by the tilt. */
+  /** Just far enough back that all corners of the block are seen, looking down at it by the tilt. */
   private aim(): void {
     if (this.surface === null) return;
     const tilt = (this.look.tilt * Math.PI) / 180;
-    const middle = new Vector3(0, 0, (this.surface.range().highest * this.exaggeration) / 2);
+    const { lowest, highest } = this.surface.range();
+    const top = Math.max(0, lowest * this.exaggeration, highest * this.exaggeration);
+    const middle = new Vector3(0, 0, top / 2);
     const outwards = new Vector3(0, -Math.sin(tilt), Math.cos(tilt));
-    const half = Math.tan((fieldOfView * Math.PI) / 360);
-    const up = this.surface.depth * Math.cos(tilt) + Math.abs(middle.z) * 2 * Math.sin(tilt);
-    const across = this.surface.width / this.camera.aspect;
-    const nearest = (this.surface.depth / 2) * Math.sin(tilt) + Math.abs(middle.z);
-    const distance = (1.12 * Math.max(up, across)) / (2 * half) + nearest;
+    const upwards = new Vector3(0, Math.cos(tilt), Math.sin(tilt));
+    const half = Math.tan((fieldOfView * Math.PI) / 360) / margin;
+    let distance = 0;
+    for (const x of [-0.5, 0.5])
+      for (const y of [-0.5, 0.5])
+        for (const z of [-0.5, 0.5]) {
+          const corner = new Vector3(x * this.surface.width, y * this.surface.depth, z * (top + 2 * baseThickness));
+          const needed = Math.max(Math.abs(corner.x) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
+          distance = Math.max(distance, corner.dot(outwards) + needed);
+        }
     this.camera.position.copy(middle).addScaledVector(outwards, distance);
     this.camera.up.set(0, 1, 0);
     this.camera.lookAt(middle);
+    this.camera.updateProjectionMatrix();
     this.sun.position.set(-0.5, 0.55, 0.75);
     this.stale = true;
   }

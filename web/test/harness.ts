@@ -77,7 +77,7 @@ export async function openPage(browser: Browser, address: string, options: Brows
   page.on('pageerror', (error) => complaints.push(String(error)));
   await page.goto(address);
   await page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
-  await page.waitForFunction(() => document.getElementById('read-height')?.textContent?.includes('mm'));
+  await page.waitForFunction(() => document.getElementById('read-height')?.textContent !== '–');
   return { page, context, complaints };
 }
 
