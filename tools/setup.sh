@@ -70,16 +70,6 @@ install_packages() {
   stat -c '%n %s %Y' packages/*.txt /var/lib/dpkg/status >"$stamp"
 }
 
-# The page's npm packages, exactly as its lock file names them.
-install_npm_packages() {
-  local stamp=web/node_modules/.palpable-lock
-  [ -f web/package-lock.json ] || return 0
-  if [ -f "$stamp" ] && cmp -s web/package-lock.json "$stamp"; then return; fi
-  say "installing the page's npm packages"
-  (cd web && npm ci --no-audit --no-fund >&2) || give_up "npm cannot install the page's packages (see above)"
-  cp web/package-lock.json "$stamp"
-}
-
 # build PRESET [TARGET…]: configures where that was never done, then builds what changed; silent where nothing did.
 build() {
   local preset=$1 folder=build/$1
