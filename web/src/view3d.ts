@@ -27,9 +27,10 @@ import {
   WebGLRenderer,
 } from 'three';
 import type { PictureFrame } from './codec';
+import { Pace } from './pace';
 import type { Preferences } from './preferences';
 import { Surface, type Place } from './surface';
-import { themeColours, type Probe, type View } from './view';
+import { looksAlike, themeColours, type Probe, type View } from './view';
 
 const fieldOfView = 32;
 /** Metres of arrow a newton. */
@@ -38,6 +39,8 @@ const arrowMost = 0.04;
 /** How much larger than the block the picture is. */
 const margin = 1.07;
 const baseThickness = 0.002;
+/** Pixels of the picture to a CSS pixel, at the least. */
+const coarsest = 0.5;
 
 export class View3d implements View {
   readonly canvas = document.createElement('canvas');
@@ -56,12 +59,15 @@ export class View3d implements View {
   private surface: Surface | null = null;
   private exaggeration = 1;
   private look: Pick<Preferences, 'surface' | 'tilt'> = { surface: 'picture', tilt: 25 };
+  private shown: Probe | null = null;
   private stale = true;
+  private pixelRatio = Math.min(2, window.devicePixelRatio);
+  private readonly pace = new Pace();
 
   /** Throws where the browser has no WebGL. */
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(this.pixelRatio);
     this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.marble, this.arrow);
     this.arrow.add(this.shaft, this.tip);
     this.marble.visible = this.arrow.visible = false;
@@ -85,6 +91,8 @@ export class View3d implements View {
   }
 
   probe(probe: Probe): void {
+    if (this.shown !== null && looksAlike(this.shown, probe)) return;
+    this.shown = probe;
     this.marble.visible = true;
     this.marble.position.set(probe.x, probe.y, probe.z + 0.0022);
     const force = new Vector3(...probe.force);
@@ -118,9 +126,14 @@ export class View3d implements View {
   }
 
   draw(): void {
-    if (!this.stale) return;
+    if (!this.stale) return this.pace.rested();
     this.stale = false;
     this.renderer.render(this.scene, this.camera);
+    if (!this.pace.drawn(performance.now()) || this.pixelRatio <= coarsest) return;
+    // Too slow for this machine (often one without a graphics processor): fewer pixels are better than fewer frames.
+    this.pixelRatio = Math.max(coarsest, 0.7 * this.pixelRatio);
+    this.renderer.setPixelRatio(this.pixelRatio);
+    this.resize();
   }
 
   dispose(): void {
