@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/best.hpp"
 
+#include "palpable/vision/census.hpp"
 #include "palpable/vision/left_right.hpp"
 #include "palpable/vision/median.hpp"
 #include "palpable/vision/plane_search.hpp"
@@ -30,9 +31,11 @@ struct View {
   PlaneMap map;
 };
 
-void start_view(View& view, const View& other, CostVolume& scratch, const Work& work) {
-  // The other view is kept mirrored: turned back it is this one's right-hand picture.
-  const MatchView there = mirrored(other.picture);
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
+  return {colour_planes(picture), census_9x7(luma, work)};
+}
+
+void start_view(View& view, const MatchView& there, CostVolume& scratch, const Work& work) {
   pixel_costs(view.picture, there, view.costs, work);
   average_over_crosses(view.picture.colour, view.costs, scratch, work);
   aggregate_paths(view.costs, view.picture.colour, there.colour, scratch, work);
@@ -72,17 +75,17 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   const int h = input.left.height();
   View left;
   View right;
-  left.picture = {colour_planes(input.left), census_9x7(input.left_grey, work)};
-  right.picture = {mirrored(colour_planes(input.right)), census_9x7(mirrored(input.right_grey), work)};
+  left.picture = match_view(input.left, input.left_grey, work);
+  right.picture = match_view(mirrored(input.right), mirrored(input.right_grey), work);
   left.costs = right.costs = CostVolume(w, h, input.disparities);
   const Raster<float> everything(w, h, 1.0F);
   {
     CostVolume scratch(w, h, input.disparities);
-    for (auto [view, other] : {std::pair{&left, &right}, std::pair{&right, &left}}) {
-      if (work.cancelled()) return Work::interrupted();
-      work.report(view == &left ? 0.02 : 0.1, "matching");
-      start_view(*view, *other, scratch, work);
-    }
+    start_view(left, match_view(input.right, input.right_grey, work), scratch, work);
+    if (work.cancelled()) return Work::interrupted();
+    work.report(0.1, "matching");
+    start_view(right, match_view(mirrored(input.left), mirrored(input.left_grey), work), scratch, work);
+    work.report(0.2, "matching");
   }
 
   PlaneCandidates candidates(w, h);

@@ -94,13 +94,6 @@ void divide(const std::uint32_t* __restrict sum, float pixels, std::uint16_t* __
         static_cast<int>(static_cast<float>(static_cast<int>(sum[i])) * scale + 0.5F));
 }
 
-PALPABLE_VECTORIZE
-void census_step(const std::uint8_t* __restrict neighbour, const std::uint8_t* __restrict centre,
-                 std::uint64_t* __restrict signature, int count) {
-  for (int x = 0; x < count; ++x)
-    signature[x] = signature[x] * 2 + static_cast<std::uint64_t>(neighbour[x] < centre[x]);
-}
-
 struct Arms {
   std::uint8_t left = 0, right = 0, up = 0, down = 0;
 };
@@ -139,31 +132,6 @@ CostVolume::CostVolume(int width_, int height_, int disparities_)
       stride((disparities_ + kLanes - 1) / kLanes * kLanes),
       cost(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
            static_cast<std::size_t>(stride)) {}
-
-Raster<std::uint64_t> census_9x7(const Raster<std::uint8_t>& luma, const Work& work) {
-  constexpr int kHalfWidth = 4;
-  constexpr int kHalfHeight = 3;
-  const int w = luma.width();
-  const int h = luma.height();
-  Raster<std::uint64_t> out(w, h);
-  parallel_for(work, h, 8, [&](int begin, int end) {
-    std::vector<std::uint8_t> padded(static_cast<std::size_t>(w + 2 * kHalfWidth));
-    for (int y = begin; y < end; ++y) {
-      for (int dy = -kHalfHeight; dy <= kHalfHeight; ++dy) {
-        const auto row = luma.row(std::clamp(y + dy, 0, h - 1));
-        std::fill_n(padded.begin(), kHalfWidth, row.front());
-        std::copy(row.begin(), row.end(), padded.begin() + kHalfWidth);
-        std::fill_n(padded.end() - kHalfWidth, kHalfWidth, row.back());
-        for (int dx = -kHalfWidth; dx <= kHalfWidth; ++dx)
-          if (dx != 0 || dy != 0)
-            census_step(padded.data() + kHalfWidth + dx, luma.row(y).data(), out.row(y).data(), w);
-      }
-    }
-  });
-  return out;
-}
-
-MatchView mirrored(const MatchView& view) { return {mirrored(view.colour), mirrored(view.census)}; }
 
 void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume& out, const Work& work) {
   const CostTables tables;

@@ -42,12 +42,6 @@ struct MatchView {
   Raster<std::uint64_t> census;
 };
 
-/// Signature of the 9 x 7 neighbourhood: one bit for each of the 62 neighbours, set where it is darker than
-/// the centre. Unmoved by any change of exposure that keeps the order of levels. Zabih & Woodfill 1994.
-Raster<std::uint64_t> census_9x7(const Raster<std::uint8_t>& luma, const Work& work);
-
-MatchView mirrored(const MatchView& view);
-
 /// AD-Census cost of Mei et al. 2011, eqs 1-3: 1 - exp(-colour difference/10) + 1 - exp(-Hamming
 /// distance/30), 0…2 units. Where x - d lies outside the other picture, a value between the pixel's least and
 /// its mean cost, so that being out of view neither attracts nor repels. The result is written into `out`,
