@@ -43,6 +43,8 @@ apt_install() {
       local answer
       read -r -p "palpable: may sudo install these Debian packages? $* [Y/n] " answer >&2
       case $answer in [nN]*) give_up "nothing was installed, so nothing can be built" ;; esac
+    elif ! sudo -n true 2>/dev/null; then
+      give_up "sudo wants a password, and there is no terminal to ask for it. Install these first: sudo apt-get install $*"
     fi
   fi
   root+=(env DEBIAN_FRONTEND=noninteractive)
