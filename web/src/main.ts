@@ -142,6 +142,7 @@ class TouchPage implements KeyTarget {
 
   private closed(sentence: string, final: boolean): void {
     this.state = null;
+    this.readouts.blank();
     this.alert(sentence);
     this.readouts.status('fault', final ? 'Ended' : 'Not connected');
   }

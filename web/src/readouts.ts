@@ -28,6 +28,12 @@ export class Readouts {
     element('read-force').textContent = force.toFixed(2);
   }
 
+  /** Nothing is known any more. */
+  blank(): void {
+    this.rate = 0;
+    for (const id of ['read-position', 'read-height', 'read-force']) element(id).textContent = '–';
+  }
+
   /** Once a frame. The plot creeps, so where motion is unwelcome it is drawn once a second. */
   frame(now: number): void {
     this.frames += 1;
