@@ -5,8 +5,8 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/zip.hpp"
-#include "palpable/sources/exif.hpp"
 #include "palpable/sources/picture.hpp"
+#include "palpable/sources/stereo_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -101,15 +101,6 @@ Result<InputKind> archive_kind(const fs::path& path) {
   return invalid_input("is a zip archive, but neither a scene nor a NumPy file", path.string());
 }
 
-bool is_stereo_jpeg(Bytes file) {
-  bool found = false;
-  visit_jpeg_segments(file, [&found](int marker, Bytes content) {
-    found = found || (marker == 0xE3 && has_magic(content, "_JPSJPS_")) ||
-            (marker == 0xE2 && has_magic(content, std::string_view("MPF\0", 4)));
-  });
-  return found;
-}
-
 /// Compares names as people count: frame-2 before frame-10.
 bool counted_before(const std::string& a, const std::string& b) {
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
@@ -200,12 +191,12 @@ Result<InputKind> kind_of_file(const fs::path& path) {
   std::error_code unknown;
   const std::uintmax_t size = fs::file_size(path, unknown);
   if (has_magic(file, "PK\x03\x04")) return archive_kind(path);
-  if (has_magic(file, "\x93NUMPY") || has_magic(file, "\x76\x2F\x31\x01")) return InputKind::depth;
+  if (has_magic(file, "\x93NUMPY")) return InputKind::depth;
   if (is_map(file)) return InputKind::map;
   if (is_video(file)) return InputKind::video;
   if (const auto solid = solid_kind(file, unknown ? 0 : size)) return *solid;
   const auto picture = picture_format_of(file);
-  if (picture == PictureFormat::pfm) return InputKind::depth;
+  if (picture == PictureFormat::pfm || picture == PictureFormat::exr) return InputKind::depth;
   if (picture == PictureFormat::jpeg && is_stereo_jpeg(file)) return InputKind::stereo;
   if (picture) return InputKind::picture;
   auto reason = decode_picture(file);
