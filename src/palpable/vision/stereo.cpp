@@ -24,7 +24,7 @@ struct MethodEntry {
 
 constexpr std::array kMethods{
     MethodEntry{StereoMethod::scanline, "scanline", match_scanline},
-    MethodEntry{StereoMethod::graph_cut, "graph-cut", nullptr},
+    MethodEntry{StereoMethod::graph_cut, "graph-cut", match_graph_cut},
     MethodEntry{StereoMethod::segments, "segments", nullptr},
     MethodEntry{StereoMethod::pyramid, "pyramid", nullptr},
     MethodEntry{StereoMethod::fast, "fast", nullptr},
