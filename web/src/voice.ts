@@ -11,22 +11,12 @@ export class Voice {
   private readonly announcer = new Announcer((text) => this.utter(text));
 
   set(aloud: boolean): void {
-    const can = 'speechSynthesis' in window;
-    if (can && !aloud && this.aloud) speechSynthesis.cancel();
-    this.aloud = aloud && can;
+    if (!aloud && this.aloud) speechSynthesis?.cancel();
+    this.aloud = aloud && 'speechSynthesis' in window;
   }
 
   say(words: Words | string, importance: Importance): void {
     this.announcer.say(words, importance, performance.now());
-  }
-
-  /** For words that a screen reader gets in another way. */
-  aloudOnly(text: string): void {
-    if (!this.aloud) return;
-    speechSynthesis.cancel();
-    const utterance = new SpeechSynthesisUtterance(text);
-    utterance.lang = document.documentElement.lang;
-    speechSynthesis.speak(utterance);
   }
 
   tick(): void {
@@ -38,6 +28,10 @@ export class Voice {
     const line = document.createElement('span');
     line.textContent = text;
     this.region.replaceChildren(line);
-    this.aloudOnly(text);
+    if (!this.aloud) return;
+    speechSynthesis.cancel();
+    const utterance = new SpeechSynthesisUtterance(text);
+    utterance.lang = document.documentElement.lang;
+    speechSynthesis.speak(utterance);
   }
 }

@@ -43,7 +43,8 @@ class Explorer {
 
  private:
   enum class Phase : std::uint8_t { approach, stroke, lift };
-  void stroke_along(double dt_s) noexcept;
+  void stroke_along(double dt_s, Vec3 force_N) noexcept;
+  void scan() noexcept;
   void begin(Phase phase) noexcept;
   double uniform(double least, double most) noexcept;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/passivity.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -89,10 +90,19 @@ TEST(PassivityController, TakesOutExactlyWhatWasMadeWhereItMay) {
 }
 
 TEST(PassivityController, NeverTurnsTheHandRound) {
-  // m/T = 50: the greatest damping takes all of a 50 g hand's speed in one tick.
-  const Vec3 velocity{0.1, 0.0, 0.0};
-  const Vec3 braked = control_passivity({}, velocity, 1.0, kT_s, 50.0);
-  EXPECT_NEAR(braked.x, -5.0, 1e-12);
+  // A free 50 g hand under the greatest braking that is ever allowed, its speed known late.
+  for (const int delay : {0, 1, 2, 8}) {
+    const double damping = most_damping_Ns_per_m(0.05, kT_s, delay);
+    std::array<double, 10> speeds{};
+    speeds.fill(1.0);
+    for (int n = 0; n < 1000; ++n) {
+      const auto at = [&](int tick) { return static_cast<std::size_t>((tick + 100) % 10); };
+      const Vec3 braked = control_passivity({}, {speeds[at(n - delay - 1)], 0.0, 0.0}, 1.0, kT_s, damping);
+      speeds[at(n + 1)] = speeds[at(n)] + braked.x * kT_s / 0.05;
+      ASSERT_GE(speeds[at(n + 1)], 0.0) << "delay " << delay;
+    }
+    EXPECT_LT(speeds[0], 1e-6);
+  }
 }
 
 TEST(PassivityController, OnlyTakesEnergyOut) {

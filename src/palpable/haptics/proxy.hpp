@@ -34,13 +34,18 @@ class ProxyLaw {
   Feel feel(const Hand& hand, State& state) const noexcept {
     const Contact contact = contact_here(hand.dt_s, state);
     const ProxyFollower<Surface> follower(*surface_, {contact.static_friction, contact.dynamic_friction});
+    const SurfaceProxy before = state.proxy;
     follower.follow(hand.position.v, state.proxy);
     Feel feel;
     feel.has_proxy = true;
     feel.proxy.v = state.proxy.place_m;
     feel.contact = state.proxy.holds_the_hand();
     feel.label = state.label;
-    if (feel.contact) feel.force_N.v = force(hand, contact, state.proxy);
+    feel.stored_J = 0.0;
+    if (feel.contact) {
+      feel.force_N.v = force(hand, contact, state.proxy, before);
+      feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(state.proxy.place_m - hand.position.v);
+    }
     return feel;
   }
 
@@ -67,7 +72,8 @@ class ProxyLaw {
     return state.contact;
   }
 
-  static Vec3 force(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy) noexcept {
+  static Vec3 force(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy,
+                    const SurfaceProxy& before) noexcept {
     const Vec3 spring = contact.stiffness_N_per_m * (proxy.place_m - hand.position.v);
     if (proxy.phase != SurfaceProxy::Phase::touching) return spring;
     const models::CurvedSample& s = proxy.surface;
@@ -77,7 +83,23 @@ class ProxyLaw {
     // The damper may take the push away but never turns it into a pull. A proxy that the surface let go of in
     // this very tick is followed by the spring alone.
     const double pressing = spring_normal > 0.0 ? std::max(0.0, spring_normal + damper) : spring_normal;
-    return spring + (pressing - spring_normal) * normal;
+    return spring + (pressing - spring_normal) * normal +
+           grip(hand, contact, proxy, before, normal, pressing);
+  }
+
+  /// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it
+  /// needs a damper, or it makes energy. Where the proxy slides along with the hand nothing stretches and
+  /// nothing is damped. Friction carries it: at most as much as the cone allows.
+  static Vec3 grip(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy,
+                   const SurfaceProxy& before, Vec3 normal, double pressing_N) noexcept {
+    if (before.phase != SurfaceProxy::Phase::touching) return {};
+    const Vec3 v = hand.velocity_m_per_s.v;
+    const Vec3 along = v - dot(v, normal) * normal;
+    const double speed = norm(along);
+    const double held = speed - norm(proxy.place_m - before.place_m) / hand.dt_s;
+    if (held <= 0.0) return {};
+    const double drag_N = std::min(contact.damping_Ns_per_m * held, contact.static_friction * pressing_N);
+    return (-drag_N / speed) * along;
   }
 
   std::shared_ptr<const Surface> surface_;

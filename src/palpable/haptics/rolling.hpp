@@ -26,6 +26,7 @@ class RollingLaw {
     const Vec3 v = hand.velocity_m_per_s.v;
     Feel feel;
     feel.contact = true;
+    feel.stored_J = weight_N_ * s.z_m;
     feel.force_N.v = {-weight_N_ * s.dzdx - damping_Ns_per_m_ * v.x,
                       -weight_N_ * s.dzdy - damping_Ns_per_m_ * v.y, 0.0};
     return feel;

@@ -31,6 +31,10 @@ struct SurfaceProxy {
   /// A height above the surface that place_m has for sure; only when free.
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
+  /// The share of the longest step that last brought the proxy nearer; 0 = all of it. Kept from tick to tick:
+  /// at a sharp kink a tick's few looks may not find a step that is short enough, and the proxy must not stay
+  /// there.
+  double step_share = 0.0;
   /// The last tick moved the proxy against friction: the dynamic coefficient holds.
   bool slipping = false;
 
@@ -119,8 +123,13 @@ class ProxyFollower {
       const models::CurvedSample s = surface_.curved_sample(p.x, p.y);
       const double clearance = p.z - s.z_m;
       if (clearance < 0.0) {
-        // By the secant; what is on either side of the crossing is less than a stretch away.
-        const double met = before + (next - before) * proxy.clearance_m / (proxy.clearance_m - clearance);
+        // By the secant; what is on either side of the crossing is less than a stretch away. A way that
+        // begins on the surface rises from it at first: there the rise takes the place of the clearance, or
+        // the proxy would meet the surface again where it stands, for ever.
+        const double rise = way.z - proxy.surface.dzdx * way.x - proxy.surface.dzdy * way.y;
+        const double clear =
+            proxy.clearance_m > 0.0 ? proxy.clearance_m : std::max(0.0, rise * (next - before));
+        const double met = before + (next - before) * clear / (clear - clearance);
         const Vec3 m = from + met * way;
         --looks;
         rest(proxy, m.x, m.y, surface_.curved_sample(m.x, m.y));
@@ -140,7 +149,7 @@ class ProxyFollower {
   bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& looks) const noexcept {
     const double coefficient = proxy.slipping ? friction_.sliding : friction_.at_rest;
     bool moved = false;
-    double shorter = 1.0;
+    double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     for (int step = 0; step < kMostSteps && looks > 0; ++step) {
       const models::CurvedSample& s = proxy.surface;
       const Vec3 d = hand_m - proxy.place_m;
@@ -161,14 +170,18 @@ class ProxyFollower {
       const models::CurvedSample next = surface_.curved_sample(x, y);
       if (squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
         // Too far: the surface turned. A step that cannot be made shorter than the tolerance is none.
-        shorter *= 0.5;
-        if (std::hypot(dx, dy) < kTolerance_m) break;
+        shorter *= 0.25;
+        if (std::hypot(dx, dy) < kTolerance_m) {
+          shorter = 1.0;
+          break;
+        }
         continue;
       }
-      shorter = 1.0;
+      shorter = std::min(1.0, 4.0 * shorter);
       moved = true;
       rest(proxy, x, y, next);
     }
+    proxy.step_share = shorter;
     proxy.slipping = moved;
     return true;
   }

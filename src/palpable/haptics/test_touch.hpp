@@ -39,6 +39,7 @@ class SpringSurface final : public Touchable {
     const Vec3 normal = unit({-h.dzdx, -h.dzdy, 1.0});
     const double depth_m = (h.z_m - p.z) * normal.z;
     Feel feel;
+    feel.stored_J = 0.0;
     if (depth_m <= 0.0) return feel;
     feel.contact = true;
     feel.stored_J = 0.5 * stiffness_ * depth_m * depth_m;

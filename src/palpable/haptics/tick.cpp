@@ -30,7 +30,9 @@ Tick::Tick(device::Device& device, const Program& program, const TickOptions& op
       mass_kg_(known_or(device.traits().mass_kg, kLightest_kg)),
       planar_(device.traits().degrees_of_freedom < 3),
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
-      ramp_(options.ramp_down_s, options.ramp_up_s) {
+      fine_(known_or(device.traits().position_resolution_m, 0.0)),
+      ramp_(options.ramp_down_s, options.ramp_up_s),
+      delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMostDelay))) {
   now_.program = &program;
 }
 
@@ -66,13 +68,12 @@ bool Tick::accept(const device::Reading& reading, double dt_s) noexcept {
     flags_ |= flag::kImplausible;
     return false;
   }
-  if (first) {
-    velocity_.begin();
-  } else {
-    moved_m_ = place - position_m_;
-  }
   position_m_ = place;
-  velocity_m_per_s_ = velocity_.see(place, first ? dt_s : since_good_s_);
+  const double passed_s = first ? dt_s : since_good_s_;
+  velocity_m_per_s_ = velocity_.see(place, passed_s);
+  const Vec3 before = fine_.place_m();
+  const Vec3 now = fine_.see(place, velocity_m_per_s_, passed_s);
+  if (!first) moved_m_ = now - before;
   since_good_s_ = 0.0;
   return true;
 }
@@ -82,7 +83,7 @@ bool Tick::ask_law(Side& side, double dt_s) noexcept {
   const Hand hand{scene_from_device * Point<DeviceFrame>{position_m_},
                   scene_from_device * Vector<DeviceFrame>{velocity_m_per_s_}, dt_s};
   const Feel felt = side.program->touchable->feel(hand, side.state);
-  if (!is_finite(felt.force_N) || !std::isfinite(felt.stored_J)) return false;
+  if (!is_finite(felt.force_N)) return false;
   side.feel = felt;
   return true;
 }
@@ -96,7 +97,10 @@ Vec3 Tick::device_force_N(const Side& side) const noexcept {
 }
 
 double Tick::device_stored_J() const noexcept {
-  return now_.feel.stored_J / now_.program->scene_from_device.scale;
+  // The law knows the reading; within the sensor's step the hand is elsewhere, and the force is the slope
+  // between.
+  return now_.feel.stored_J / now_.program->scene_from_device.scale -
+         dot(device_force_N(now_), fine_.place_m() - position_m_);
 }
 
 bool Tick::feel(double dt_s) noexcept {
@@ -144,23 +148,26 @@ const Program* Tick::take_retired() noexcept { return std::exchange(retired_, nu
 
 void Tick::observe(double dt_s) noexcept {
   const bool contact = now_.feel.contact;
+  // What the motors held since the last reading was written a tick ago, or as much longer as the device is
+  // late.
+  const Sent& held = sent_[(newest_ + sent_.size() - delay_) % sent_.size()];
   PassivityObserver::Tick seen;
-  seen.held_force_N = written_N_;
+  seen.held_force_N = held.written_N;
   seen.moved_m = moved_m_;
   seen.dt_s = dt_s;
   seen.stored_J = device_stored_J();
   seen.damping_Ns_per_m = contact ? now_.program->touchable->damping_Ns_per_m() : 0.0;
   seen.shortened = shortened_;
   // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
-  const bool changing = (flags_ & (flag::kFading | flag::kNewTouch)) != 0;
-  if (changing) {
-    counts_.scene_change_J += dot(seen.held_force_N, seen.moved_m);
+  if ((flags_ & flag::kFading) != 0) counts_.scene_change_J += dot(seen.held_force_N, seen.moved_m);
+  const bool new_account = (flags_ & (flag::kFading | flag::kNewTouch)) != 0;
+  if (new_account || !std::isfinite(seen.stored_J)) {
     observer_.begin(seen.stored_J);
     without_controller_.begin(seen.stored_J);
     return;
   }
   observer_.see(seen);
-  seen.held_force_N = uncontrolled_N_;
+  seen.held_force_N = held.uncontrolled_N;
   without_controller_.see(seen);
 }
 
@@ -171,12 +178,15 @@ void Tick::make_force(double dt_s, bool wanted) noexcept {
       cap_rise(gain * capped.force_N, uncontrolled_N_, options_.max_force_rate_N_per_s * dt_s);
   uncontrolled_N_ = risen.force_N;
   written_N_ = risen.force_N;
-  const double made_J = observer_.balance_J();
+  const double made_J = observer_.made_J();
   if (options_.passivity == Passivity::control && made_J > 0.0 && gain > 0.0) {
-    const Vec3 braked = control_passivity(written_N_, velocity_m_per_s_, made_J, dt_s, mass_kg_ / dt_s);
+    const Vec3 braked = control_passivity(written_N_, velocity_m_per_s_, made_J, dt_s,
+                                          most_damping_Ns_per_m(mass_kg_, dt_s, static_cast<int>(delay_)));
     if (braked != written_N_) flags_ |= flag::kPassivityActed;
     written_N_ = cap_force(planar_ ? Vec3{braked.x, braked.y, 0.0} : braked, max_force_N_).force_N;
   }
+  newest_ = (newest_ + 1) % sent_.size();
+  sent_[newest_] = {written_N_, uncontrolled_N_};
   if (capped.limited) flags_ |= flag::kForceCapped;
   if (risen.limited) flags_ |= flag::kRateCapped;
   if (gain < 1.0) flags_ |= flag::kRamping;

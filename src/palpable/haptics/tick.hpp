@@ -9,6 +9,8 @@
 #include "palpable/haptics/servo_types.hpp"
 #include "palpable/haptics/velocity.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -90,6 +92,7 @@ class Tick {
   const Program* retired_ = nullptr;
 
   VelocityEstimator velocity_;
+  FinePosition fine_;
   Vec3 velocity_m_per_s_;
   Vec3 position_m_;
   Vec3 moved_m_;
@@ -101,6 +104,15 @@ class Tick {
   Vec3 law_force_N_;
   Vec3 uncontrolled_N_;
   Vec3 written_N_;
+  /// The last forces, for a device whose motors get them some ticks late; newest at newest_.
+  struct Sent {
+    Vec3 written_N;
+    Vec3 uncontrolled_N;
+  };
+  static constexpr int kMostDelay = 15;
+  std::array<Sent, kMostDelay + 1> sent_{};
+  std::size_t newest_ = 0;
+  std::size_t delay_;
   /// The held force was shortened by the cap, a ramp or a fade.
   bool shortened_ = true;
   bool paused_ = false;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace palpable::haptics {
@@ -25,10 +26,10 @@ struct Feel {
   Vector<SceneFrame> force_N;
   /// Where the law keeps a proxy on the surface: its place. Meaningful only if has_proxy.
   Point<SceneFrame> proxy;
-  /// Energy that the law's springs store now and may give back: ½K·d² of a spring, k_g·z of a weight on a
-  /// slope. 0 for a law that stores none. Its zero is free (only differences count), and it is what lets the
-  /// observer (passivity.hpp) tell energy given back from energy made.
-  double stored_J = 0.0;
+  /// Energy that the law stores now and may give back: ½K·d² of a spring (0 out of contact), k_g·z of a
+  /// weight on a slope. Only differences count. It lets the observer (passivity.hpp) tell energy given back
+  /// from energy made; a law without a potential leaves it NaN, and is not watched.
+  double stored_J = std::numeric_limits<double>::quiet_NaN();
   bool contact = false;
   bool has_proxy = false;
   /// Index of the material or region touched.
