@@ -31,8 +31,18 @@ function(palpable_web)
     COMMENT "Making the page's messages for C++"
     VERBATIM)
 
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${web}/src/*.ts ${web}/src/*.css ${web}/public/*)
-  list(FILTER sources EXCLUDE REGEX "/generated/")
+  # A new file changes its folder, and a changed folder configures anew: unlike CONFIGURE_DEPENDS, this costs nothing when
+  # nothing has changed.
+  file(GLOB_RECURSE sources LIST_DIRECTORIES true ${web}/src/* ${web}/public/*)
+  list(FILTER sources EXCLUDE REGEX "/generated|\\.test\\.ts$")
+  set(folders ${web}/src ${web}/public)
+  foreach(source ${sources})
+    if(IS_DIRECTORY ${source})
+      list(APPEND folders ${source})
+      list(REMOVE_ITEM sources ${source})
+    endif()
+  endforeach()
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folders})
   set(assets ${out}/assets.gen.cpp)
   add_custom_command(
     OUTPUT ${assets}

@@ -43,6 +43,8 @@ apt_install() {
       local answer
       read -r -p "palpable: may sudo install these Debian packages? $* [Y/n] " answer >&2
       case $answer in [nN]*) give_up "nothing was installed, so nothing can be built" ;; esac
+    elif ! sudo -n true 2>/dev/null; then
+      give_up "sudo wants a password, and there is no terminal to ask for it. Install these first: sudo apt-get install $*"
     fi
   fi
   root+=(env DEBIAN_FRONTEND=noninteractive)
@@ -68,16 +70,6 @@ install_packages() {
   mapfile -t missing < <(missing_of $(packages_of "$@"))
   if [ ${#missing[@]} -gt 0 ]; then apt_install "${missing[@]}"; fi
   stat -c '%n %s %Y' packages/*.txt /var/lib/dpkg/status >"$stamp"
-}
-
-# The page's npm packages, exactly as its lock file names them.
-install_npm_packages() {
-  local stamp=web/node_modules/.palpable-lock
-  [ -f web/package-lock.json ] || return 0
-  if [ -f "$stamp" ] && cmp -s web/package-lock.json "$stamp"; then return; fi
-  say "installing the page's npm packages"
-  (cd web && npm ci --no-audit --no-fund >&2) || give_up "npm cannot install the page's packages (see above)"
-  cp web/package-lock.json "$stamp"
 }
 
 # build PRESET [TARGET…]: configures where that was never done, then builds what changed; silent where nothing did.

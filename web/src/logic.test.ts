@@ -7,6 +7,7 @@ import { coarseStep, fineStep, keyRows, press, type KeyTarget } from './keys';
 import { follow, pointerGain } from './marble';
 import { niceTop } from './plot';
 import { defaults, preferencesCookie, readPreferences } from './preferences';
+import { Pace } from './pace';
 import { ProbeHand } from './probe';
 import { EdgeDetector, octaves, panOf, pitchOf, RisingEdge } from './sonify';
 import { Surface } from './surface';
@@ -203,4 +204,18 @@ describe('keys', () => {
 
 it('the plot ends at a round number above its greatest force', () => {
   expect([0, 0.3, 1, 1.2, 3, 7, 55, 5000].map(niceTop)).toEqual([1, 1, 1, 2, 4, 10, 60, 1000]);
+});
+
+it('the pace is too slow after a dozen late frames in a row, not after pauses', () => {
+  const pace = new Pace();
+  let now = 0;
+  const frames = (count: number, gap: number) => Array.from({ length: count }, () => pace.drawn((now += gap))).includes(true);
+  expect(frames(100, 16)).toBe(false);
+  expect(frames(11, 60)).toBe(false);
+  expect(frames(1, 16)).toBe(false);
+  expect(frames(12, 60)).toBe(true);
+  for (let i = 0; i < 50; ++i) {
+    pace.rested();
+    expect(pace.drawn((now += 500))).toBe(false);
+  }
 });

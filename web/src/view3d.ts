@@ -27,15 +27,20 @@ import {
   WebGLRenderer,
 } from 'three';
 import type { PictureFrame } from './codec';
+import { Pace } from './pace';
 import type { Preferences } from './preferences';
 import { Surface, type Place } from './surface';
-import { themeColours, type Probe, type View } from './view';
+import { looksAlike, themeColours, type Probe, type View } from './view';
 
 const fieldOfView = 32;
 /** Metres of arrow a newton. */
 const arrowScale = 0.008;
 const arrowMost = 0.04;
+/** How much larger than the block the picture is. */
+const margin = 1.07;
 const baseThickness = 0.002;
+/** Pixels of the picture to a CSS pixel, at the least. */
+const coarsest = 0.5;
 
 export class View3d implements View {
   readonly canvas = document.createElement('canvas');
@@ -54,12 +59,15 @@ export class View3d implements View {
   private surface: Surface | null = null;
   private exaggeration = 1;
   private look: Pick<Preferences, 'surface' | 'tilt'> = { surface: 'picture', tilt: 25 };
+  private shown: Probe | null = null;
   private stale = true;
+  private pixelRatio = Math.min(2, window.devicePixelRatio);
+  private readonly pace = new Pace();
 
   /** Throws where the browser has no WebGL. */
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(this.pixelRatio);
     this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.marble, this.arrow);
     this.arrow.add(this.shaft, this.tip);
     this.marble.visible = this.arrow.visible = false;
@@ -83,6 +91,8 @@ export class View3d implements View {
   }
 
   probe(probe: Probe): void {
+    if (this.shown !== null && looksAlike(this.shown, probe)) return;
+    this.shown = probe;
     this.marble.visible = true;
     this.marble.position.set(probe.x, probe.y, probe.z + 0.0022);
     const force = new Vector3(...probe.force);
@@ -116,9 +126,14 @@ export class View3d implements View {
   }
 
   draw(): void {
-    if (!this.stale) return;
+    if (!this.stale) return this.pace.rested();
     this.stale = false;
     this.renderer.render(this.scene, this.camera);
+    if (!this.pace.drawn(performance.now()) || this.pixelRatio <= coarsest) return;
+    // Too slow for this machine (often one without a graphics processor): fewer pixels are better than fewer frames.
+    this.pixelRatio = Math.max(coarsest, 0.7 * this.pixelRatio);
+    this.renderer.setPixelRatio(this.pixelRatio);
+    this.resize();
   }
 
   dispose(): void {
@@ -128,20 +143,28 @@ export class View3d implements View {
     this.canvas.remove();
   }
 
-  /** Far enough back that the whole block is seen, looking down at it by the tilt. */
+  /** Just far enough back that all corners of the block are seen, looking down at it by the tilt. */
   private aim(): void {
     if (this.surface === null) return;
     const tilt = (this.look.tilt * Math.PI) / 180;
-    const middle = new Vector3(0, 0, (this.surface.range().highest * this.exaggeration) / 2);
+    const { lowest, highest } = this.surface.range();
+    const top = Math.max(0, lowest * this.exaggeration, highest * this.exaggeration);
+    const middle = new Vector3(0, 0, top / 2);
     const outwards = new Vector3(0, -Math.sin(tilt), Math.cos(tilt));
-    const half = Math.tan((fieldOfView * Math.PI) / 360);
-    const up = this.surface.depth * Math.cos(tilt) + Math.abs(middle.z) * 2 * Math.sin(tilt);
-    const across = this.surface.width / this.camera.aspect;
-    const nearest = (this.surface.depth / 2) * Math.sin(tilt) + Math.abs(middle.z);
-    const distance = (1.12 * Math.max(up, across)) / (2 * half) + nearest;
+    const upwards = new Vector3(0, Math.cos(tilt), Math.sin(tilt));
+    const half = Math.tan((fieldOfView * Math.PI) / 360) / margin;
+    let distance = 0;
+    for (const x of [-0.5, 0.5])
+      for (const y of [-0.5, 0.5])
+        for (const z of [-0.5, 0.5]) {
+          const corner = new Vector3(x * this.surface.width, y * this.surface.depth, z * (top + 2 * baseThickness));
+          const needed = Math.max(Math.abs(corner.x) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
+          distance = Math.max(distance, corner.dot(outwards) + needed);
+        }
     this.camera.position.copy(middle).addScaledVector(outwards, distance);
     this.camera.up.set(0, 1, 0);
     this.camera.lookAt(middle);
+    this.camera.updateProjectionMatrix();
     this.sun.position.set(-0.5, 0.55, 0.75);
     this.stale = true;
   }

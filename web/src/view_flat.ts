@@ -4,7 +4,7 @@
 import type { PictureFrame } from './codec';
 import type { Preferences } from './preferences';
 import { Surface, type Place } from './surface';
-import { themeColours, type Probe, type View } from './view';
+import { looksAlike, themeColours, type Probe, type View } from './view';
 
 const lightFrom = { x: -0.5, y: 0.6, z: 0.62 };
 const newtonPixels = 30;
@@ -34,6 +34,7 @@ export class FlatView implements View {
   }
 
   probe(probe: Probe): void {
+    if (this.here !== null && looksAlike(this.here, probe)) return;
     this.here = probe;
     this.stale = true;
   }

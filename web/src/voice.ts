@@ -11,12 +11,22 @@ export class Voice {
   private readonly announcer = new Announcer((text) => this.utter(text));
 
   set(aloud: boolean): void {
-    if (!aloud && this.aloud) speechSynthesis?.cancel();
-    this.aloud = aloud && 'speechSynthesis' in window;
+    const can = 'speechSynthesis' in window;
+    if (can && !aloud && this.aloud) speechSynthesis.cancel();
+    this.aloud = aloud && can;
   }
 
   say(words: Words | string, importance: Importance): void {
     this.announcer.say(words, importance, performance.now());
+  }
+
+  /** For words that a screen reader gets in another way. */
+  aloudOnly(text: string): void {
+    if (!this.aloud) return;
+    speechSynthesis.cancel();
+    const utterance = new SpeechSynthesisUtterance(text);
+    utterance.lang = document.documentElement.lang;
+    speechSynthesis.speak(utterance);
   }
 
   tick(): void {
@@ -28,10 +38,6 @@ export class Voice {
     const line = document.createElement('span');
     line.textContent = text;
     this.region.replaceChildren(line);
-    if (!this.aloud) return;
-    speechSynthesis.cancel();
-    const utterance = new SpeechSynthesisUtterance(text);
-    utterance.lang = document.documentElement.lang;
-    speechSynthesis.speak(utterance);
+    this.aloudOnly(text);
   }
 }

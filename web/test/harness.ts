@@ -67,7 +67,12 @@ export interface Opened {
 }
 
 /** Opens the page and waits until the scene is there. `cookies` of an earlier context let a further one in. */
-export async function openPage(browser: Browser, address: string, options: BrowserContextOptions = {}): Promise<Opened> {
+export async function openPage(
+  browser: Browser,
+  address: string,
+  options: BrowserContextOptions = {},
+  onBinaryFrame: (payload: ArrayBuffer) => void = () => undefined,
+): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
   const complaints: string[] = [];
@@ -75,9 +80,14 @@ export async function openPage(browser: Browser, address: string, options: Brows
     if (message.type() === 'error') complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('websocket', (socket) =>
+    socket.on('framereceived', ({ payload }) => {
+      if (typeof payload !== 'string') onBinaryFrame(new Uint8Array(payload).buffer);
+    }),
+  );
   await page.goto(address);
   await page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
-  await page.waitForFunction(() => document.getElementById('read-height')?.textContent?.includes('mm'));
+  await page.waitForFunction(() => document.getElementById('read-height')?.textContent !== '–');
   return { page, context, complaints };
 }
 

@@ -126,6 +126,16 @@ constexpr Transform<To, From> operator*(const Transform<To, Mid>& a, const Trans
   return c;
 }
 
+/// The transform as a 4 x 4 matrix, row-major: what `palpable info` prints as scene_from_input.
+template <class To, class From>
+constexpr std::array<double, 16> matrix_of(const Transform<To, From>& t) {
+  const auto& r = t.rotation;
+  const auto& m = t.translation_m;
+  const double s = t.scale;
+  return {s * r[0], s * r[1], s * r[2], m.x, s * r[3], s * r[4], s * r[5], m.y,
+          s * r[6], s * r[7], s * r[8], m.z, 0.0,      0.0,      0.0,      1.0};
+}
+
 /// A force in newtons keeps its size when a scene is shown larger or smaller: only its direction turns.
 template <class To, class From>
 constexpr Vector<To> rotate_force(const Transform<To, From>& to_from, Vector<From> force_N) {

@@ -60,26 +60,44 @@ Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, const zip_stat_t& state
   return bytes;
 }
 
-}  // namespace
-
-Result<ZipMembers> unzip(std::span<const std::byte> file) {
+Result<Archive> open(std::span<const std::byte> file) {
   if (file.empty()) return invalid_input("is empty");
   ZipError error;
   Source source(zip_source_buffer_create(file.data(), file.size(), 0, error.get()));
   if (!source) return damaged(error.text());
-  const Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, error.get()));
+  Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, error.get()));
   if (!archive) return damaged(error.text());
   static_cast<void>(source.release());  // the archive owns it now
+  if (zip_get_num_entries(archive.get(), 0) > kMaxMembers)
+    return invalid_input("holds more members than any file of ours");
+  return archive;
+}
 
-  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
-  if (count > kMaxMembers) return invalid_input("holds more members than any file of ours");
+}  // namespace
+
+Result<std::vector<std::string>> member_names(std::span<const std::byte> file) {
+  const auto archive = open(file);
+  if (!archive) return archive.error();
+  std::vector<std::string> names;
+  const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i)
+    if (const char* name = zip_get_name(archive->get(), static_cast<zip_uint64_t>(i), 0))
+      names.emplace_back(name);
+  return names;
+}
+
+Result<ZipMembers> unzip(std::span<const std::byte> file) {
+  const auto opened = open(file);
+  if (!opened) return opened.error();
+  zip_t* archive = opened->get();
+  const zip_int64_t count = zip_get_num_entries(archive, 0);
   std::uint64_t total = 0;
   ZipMembers members;
   for (zip_int64_t i = 0; i < count; ++i) {
     const auto index = static_cast<zip_uint64_t>(i);
     zip_stat_t stated;
     constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
-    if (zip_stat_index(archive.get(), index, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
+    if (zip_stat_index(archive, index, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
       return damaged("a member without name or size");
     // Deflate packs at most 1032 : 1, so a larger claim is a lie even before it is unpacked.
     constexpr zip_uint64_t kMaxRatio = 1040;
@@ -87,7 +105,7 @@ Result<ZipMembers> unzip(std::span<const std::byte> file) {
         stated.size / kMaxRatio > stated.comp_size)
       return invalid_input("unpacks to more than a file of ours may");
     total += stated.size;
-    auto bytes = unpack(archive.get(), index, stated);
+    auto bytes = unpack(archive, index, stated);
     if (!bytes) return std::move(bytes).error();
     if (!members.emplace(stated.name, *std::move(bytes)).second)
       return damaged(std::string("member ") + stated.name + " is there twice");

@@ -26,6 +26,9 @@ using ZipMembers = std::map<std::string, Bytes>;
 /// invalid_input for damage, encryption, doubled names or more than the limits above.
 Result<ZipMembers> unzip(std::span<const std::byte> file);
 
+/// The members' names, without unpacking them. Errors as unzip().
+Result<std::vector<std::string>> member_names(std::span<const std::byte> file);
+
 /// Packs members: deflated, or stored as they are where they are compressed already (their name ends in one
 /// of .zst .png .jpg). The same members give the same bytes. Errors: failed.
 Result<Bytes> zip(const ZipMembers& members);

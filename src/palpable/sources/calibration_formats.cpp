@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/calibration_formats.hpp"
 
+#include "palpable/sources/json_camera.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -134,12 +136,6 @@ Result<Calibration> opencv_content(const cv::FileStorage& file) {
   return out;
 }
 
-double number_in(const nlohmann::json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>()
-                                                   : std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace
 
 Result<Calibration> calibration_from_middlebury(std::string_view text) {
@@ -170,25 +166,17 @@ Result<Calibration> calibration_from_middlebury(std::string_view text) {
 Result<Calibration> calibration_from_json(std::string_view text) {
   const auto json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) return invalid_input("is not valid JSON");
-  for (const char* key : {"fx", "fy", "cx", "cy", "width", "height"})
-    if (!std::isfinite(number_in(json, key))) return invalid_input(std::string("lacks the number ") + key);
+  const auto camera = pinhole_from(json);
+  if (!camera) return camera.error();
   Calibration c;
-  c.left.matrix = {number_in(json, "fx"),
-                   0,
-                   number_in(json, "cx"),
-                   0,
-                   number_in(json, "fy"),
-                   number_in(json, "cy"),
-                   0,
-                   0,
-                   1};
-  c.left.width = side_of(number_in(json, "width"));
-  c.left.height = side_of(number_in(json, "height"));
+  c.left.matrix = {camera->fx, 0, camera->cx, 0, camera->fy, camera->cy, 0, 0, 1};
+  c.left.width = camera->width;
+  c.left.height = camera->height;
   if (!json.contains("baseline_m")) return c;
-  const double doffs = json.contains("doffs") ? number_in(json, "doffs") : 0.0;
+  const double doffs = number_in(json, "doffs").value_or(0.0);
   c.right = c.left;
   c.right->matrix[2] += doffs;
-  set_rectified(c, number_in(json, "baseline_m"), doffs);
+  set_rectified(c, number_in(json, "baseline_m").value_or(0.0), doffs);
   return c;
 }
 

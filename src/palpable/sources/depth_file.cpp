@@ -5,6 +5,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/npz.hpp"
+#include "palpable/sources/exr.hpp"
 #include "palpable/sources/picture.hpp"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ Result<Raster<float>> decode_raster(std::span<const std::byte> file) {
     const auto array = formats::decode_npy(file);
     return array ? formats::raster_of(*array) : array.error();
   }
+  if (is_exr(file)) return decode_exr_depth(file);
   const auto image = decode_picture(file);
   return image ? values_of(*image) : image.error();
 }

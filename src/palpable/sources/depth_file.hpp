@@ -13,10 +13,10 @@
 namespace palpable::sources {
 
 /// The numbers in a one-channel file, exactly as they stand there: 8 and 16-bit integers (PNG, TIFF, PGM …),
-/// floats (PFM, TIFF), NumPy arrays (NPY, or NPZ that holds one two-dimensional array or one named `depth`,
-/// `depth_m`, `disparity` or `arr_0`). An orientation that a camera noted is applied. A colour picture is
-/// taken where its channels are equal. Errors: invalid_input, with the file's name, as read_picture() gives
-/// them; a coloured picture.
+/// floats (PFM, TIFF, OpenEXR's Z), NumPy arrays (NPY, or NPZ that holds one two-dimensional array or one
+/// named `depth`, `depth_m`, `disparity` or `arr_0`). An orientation that a camera noted is applied. A colour
+/// picture is taken where its channels are equal. Errors: invalid_input, with the file's name, as
+/// read_picture() gives them; a coloured picture.
 Result<Raster<float>> read_raster(const std::filesystem::path& path);
 /// The same from memory; errors without a place.
 Result<Raster<float>> decode_raster(std::span<const std::byte> file);

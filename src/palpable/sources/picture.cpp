@@ -9,6 +9,8 @@
 #include "palpable/formats/png.hpp"
 #include "palpable/sources/decoders.hpp"
 #include "palpable/sources/exif.hpp"
+#include "palpable/sources/exr.hpp"
+#include "palpable/sources/photo_depth.hpp"
 
 #include <algorithm>
 #include <string>
@@ -32,13 +34,12 @@ bool looks_like_text(std::span<const std::byte> file) {
 
 Error unknown_format(std::span<const std::byte> file) {
   if (file.empty()) return invalid_input("is empty");
-  const bool heif = has_magic(file, "ftyp", 4);
-  if (heif && has_magic(file, "avif", 8)) return invalid_input("is an AVIF picture, which is not supported");
   if (has_magic(file, "GIF8"))
     return invalid_input("is a GIF picture, which is not supported; save it as PNG");
   if (looks_like_text(file)) return invalid_input("is a text file, not a picture");
   return invalid_input(
-      "is not a picture of a kind that is understood (PNG, JPEG, TIFF, WebP, BMP, PGM/PPM, PFM, TGA)");
+      "is not a picture of a kind that is understood (PNG, JPEG, TIFF, WebP, HEIC, OpenEXR, BMP, PGM/PPM, "
+      "PFM, TGA)");
 }
 
 Result<Image> decode_as(PictureFormat format, std::span<const std::byte> file) {
@@ -59,6 +60,10 @@ Result<Image> decode_as(PictureFormat format, std::span<const std::byte> file) {
       return decode_pnm(file);
     case PictureFormat::tga:
       return decode_tga(file);
+    case PictureFormat::exr:
+      return decode_exr(file);
+    case PictureFormat::heif:
+      return decode_heif(file);
   }
   return unknown_format(file);
 }
@@ -81,6 +86,8 @@ std::optional<PictureFormat> picture_format_of(std::span<const std::byte> file) 
       has_magic(file, std::string_view("II+\0", 4)) || has_magic(file, std::string_view("MM\0+", 4)))
     return PictureFormat::tiff;
   if (has_magic(file, "RIFF") && has_magic(file, "WEBP", 8)) return PictureFormat::webp;
+  if (is_exr(file)) return PictureFormat::exr;
+  if (is_heif(file)) return PictureFormat::heif;
   if (has_magic(file, "BM")) return PictureFormat::bmp;
   if (has_magic(file, "Pf") || has_magic(file, "PF")) return PictureFormat::pfm;
   if (looks_like_pnm(file)) return PictureFormat::pnm;

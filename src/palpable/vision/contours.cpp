@@ -37,7 +37,8 @@ Result<Contours> find_contours(const Image& image, const ContourOptions& options
       options.method == ContourMethod::paper ? paper_edges(image, work) : standard_edges(image, work);
   if (work.cancelled()) return Work::interrupted();
   Contours out;
-  out.threshold = options.threshold >= 0.0 ? options.threshold : std::max(kFaintest, otsu_threshold(edges.strength));
+  out.threshold =
+      options.threshold >= 0.0 ? options.threshold : std::max(kFaintest, otsu_threshold(edges.strength));
   std::size_t boundary = 0;
   for (const float s : edges.strength.values())
     boundary += s > 0.0F && s >= static_cast<float>(out.threshold) ? 1U : 0U;

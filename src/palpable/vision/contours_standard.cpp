@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -135,31 +138,60 @@ void take_off_texture(Raster<float>& strength) {
   less.copyTo(s);
 }
 
-/// Scales' energies together: the weighted geometric mean, so that a boundary has to show at every scale; the
-/// finest one weighs most, which keeps corners in their place. Sums of logarithms until strength_of.
-void multiply_in(Raster<float>& logarithms, const Raster<float>& energy, float share, const Work& work) {
-  each_pixel(work, energy.count(), [&](std::size_t i) {
-    logarithms.values()[i] += share * std::log2(energy.values()[i] + kFloor);
-  });
+/// How much a scale tells of this picture, 0.05 ... 1: where its energy is everywhere (speckle, film grain,
+/// texture), its median is near its highest, and it tells little; where it is at few places (clean contours),
+/// the median is near zero.
+float weight_of(const Raster<float>& energy) {
+  const std::size_t step = std::max<std::size_t>(1, energy.count() / 20000);
+  std::vector<float> sample;
+  for (std::size_t i = 0; i < energy.count(); i += step) sample.push_back(energy.values()[i]);
+  const auto at = [&](std::size_t k) {
+    std::nth_element(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(k), sample.end());
+    return sample[k];
+  };
+  const float middle = at(sample.size() / 2);
+  const float high = at(sample.size() * 95 / 100);
+  return high > 0.0F ? std::max(0.05F, 1.0F - 2.0F * middle / high) : 1.0F;
 }
 
-/// Strength over scales 1, 2 and 4 px (the last on the halved picture) and, into `direction`, the gradients'
-/// tensor of scale 2.
-Raster<float> strength_of(const std::vector<WeightedChannel>& channels, TensorMap& direction,
-                          const Work& work) {
+/// The weighted geometric mean of the scales' energies, so that a boundary has to show at every scale that
+/// counts.
+Raster<float> mean_of(const std::vector<Raster<float>>& energies, const std::vector<float>& shares,
+                      const Work& work) {
+  Raster<float> out(energies[0].width(), energies[0].height());
+  const float total = std::accumulate(shares.begin(), shares.end(), 0.0F);
+  for (std::size_t k = 0; k < energies.size(); ++k)
+    each_pixel(work, out.count(), [&](std::size_t i) {
+      out.values()[i] += shares[k] / total * std::log2(energies[k].values()[i] + kFloor);
+    });
+  each_pixel(work, out.count(),
+             [&](std::size_t i) { out.values()[i] = std::max(0.0F, std::exp2(out.values()[i]) - kFloor); });
+  return out;
+}
+
+Raster<float> enlarged(Raster<float> small, int width, int height) {
+  Raster<float> out(width, height);
+  cv::Mat target = as_mat(out);
+  cv::resize(as_mat(small), target, target.size(), 0, 0, cv::INTER_LINEAR);
+  return out;
+}
+
+/// Strength over scales 1, 2, 4 and 8 px (the last two on the picture halved once and twice) and, into
+/// `direction`, the gradients' tensor of scale 2. The finest scale weighs most, which keeps corners in their
+/// place.
+Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& direction, const Work& work) {
   const int w = channels[0].values.width();
   const int h = channels[0].values.height();
-  Raster<float> sum(w, h);
-  multiply_in(sum, energy_at(channels, 1.0, work), 0.5F, work);
-  multiply_in(sum, energy_at(channels, kDirectionScale_px, work, &direction), 0.25F, work);
-  Raster<float> coarse = energy_at(halved(channels), 2.0, work);
-  Raster<float> whole(w, h);
-  cv::Mat target = as_mat(whole);
-  cv::resize(as_mat(coarse), target, target.size(), 0, 0, cv::INTER_LINEAR);
-  multiply_in(sum, whole, 0.25F, work);
-  each_pixel(work, sum.count(),
-             [&](std::size_t i) { sum.values()[i] = std::max(0.0F, std::exp2(sum.values()[i]) - kFloor); });
-  return sum;
+  std::vector<Raster<float>> energies;
+  std::vector<float> shares{0.4F, 0.2F, 0.2F, 0.2F};
+  energies.push_back(energy_at(channels, 1.0, work));
+  energies.push_back(energy_at(channels, kDirectionScale_px, work, &direction));
+  for (int times = 0; times < 2; ++times) {
+    channels = halved(channels);
+    energies.push_back(enlarged(energy_at(channels, 2.0, work), w, h));
+  }
+  for (std::size_t k = 0; k < shares.size(); ++k) shares[k] *= weight_of(energies[k]);
+  return mean_of(energies, shares, work);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "palpable/vision/scanline_path.hpp"
 
 #include "palpable/core/vectorize.hpp"
+#include "palpable/vision/sub_pixel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,15 +55,6 @@ PALPABLE_VECTORIZE void advance(const float* match, const float* occlusion, cons
     occlusion_next[d + 1] = std::min(begins, goes_on) + occluded;
     moves[d] = static_cast<std::uint8_t>(move);
   }
-}
-
-float sub_pixel(const float* costs, int d, int count) {
-  if (d == 0 || d + 1 >= count) return 0.0F;
-  const float below = costs[d - 1];
-  const float above = costs[d + 1];
-  const float curvature = below + above - 2.0F * costs[d];
-  if (curvature <= 0.0F) return 0.0F;
-  return std::clamp(0.5F * (below - above) / curvature, -0.5F, 0.5F);
 }
 
 }  // namespace
@@ -129,7 +121,7 @@ void ScanlinePath::walk_back(const float* costs, std::span<float> disparity_px,
   for (int x = width_ - 1; x >= 0; --x) {
     const auto column = static_cast<std::size_t>(x);
     occluded[column] = hidden ? 1 : 0;
-    disparity_px[column] = static_cast<float>(d) + sub_pixel(costs + column * count, d, disparities_);
+    disparity_px[column] = static_cast<float>(d) + sub_pixel_offset(costs + column * count, d, disparities_);
     if (x == 0) break;
     const std::uint8_t* moves = moves_.data() + column * count;
     if (hidden) {

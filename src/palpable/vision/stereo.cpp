@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo.hpp"
 
+#include "palpable/vision/best.hpp"
 #include "palpable/vision/disparity_range.hpp"
 #include "palpable/vision/match_input.hpp"
 #include "palpable/vision/pair_check.hpp"
@@ -23,11 +24,11 @@ struct MethodEntry {
 
 constexpr std::array kMethods{
     MethodEntry{StereoMethod::scanline, "scanline", match_scanline},
-    MethodEntry{StereoMethod::graph_cut, "graph-cut", nullptr},
+    MethodEntry{StereoMethod::graph_cut, "graph-cut", match_graph_cut},
     MethodEntry{StereoMethod::segments, "segments", nullptr},
     MethodEntry{StereoMethod::pyramid, "pyramid", nullptr},
     MethodEntry{StereoMethod::fast, "fast", nullptr},
-    MethodEntry{StereoMethod::best, "best", nullptr},
+    MethodEntry{StereoMethod::best, "best", match_best},
 };
 
 const MethodEntry& entry_of(StereoMethod method) {

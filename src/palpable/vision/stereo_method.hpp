@@ -32,5 +32,6 @@ struct MatchOutput {
 using MethodFunction = Result<MatchOutput> (*)(const MatchInput&, const StereoOptions&, const Work&);
 
 Result<MatchOutput> match_scanline(const MatchInput& input, const StereoOptions& options, const Work& work);
+Result<MatchOutput> match_graph_cut(const MatchInput& input, const StereoOptions& options, const Work& work);
 
 }  // namespace palpable::vision

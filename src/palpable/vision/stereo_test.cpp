@@ -82,7 +82,8 @@ std::string test_name(const testing::TestParamInfo<StereoMethod>& method) {
   return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Stereo, EveryMethod, testing::Values(StereoMethod::scanline), test_name);
+INSTANTIATE_TEST_SUITE_P(Stereo, EveryMethod,
+                         testing::Values(StereoMethod::scanline, StereoMethod::graph_cut), test_name);
 
 TEST(Stereo, LevelsPicturesOfDifferentExposure) {
   SyntheticScene scene;

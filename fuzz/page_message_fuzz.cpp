@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/access.hpp"
+#include "palpable/page/protocol.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <variant>
+
+// What any program on this machine may send: a message within its stated limits, or a sentence; headers are
+// judged.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  namespace page = palpable::page;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const auto message = page::protocol::parse_from_page(text);
+  if (!message && message.error().message.empty()) std::abort();
+  if (message) {
+    if (const auto* pointer = std::get_if<page::protocol::Pointer>(&*message);
+        pointer != nullptr && !(std::abs(pointer->x_m) <= 10.0 && std::abs(pointer->y_m) <= 10.0))
+      std::abort();
+  }
+  const auto value = page::cookie_value(text, "palpable");
+  if (value.size() > text.size()) std::abort();
+  const bool own = page::is_own_host(text, 8080) || page::is_own_origin(text, 8080);
+  if (own && text.find("8080") == std::string_view::npos) std::abort();
+  return 0;
+}

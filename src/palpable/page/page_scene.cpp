@@ -1,0 +1,109 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/page_scene.hpp"
+
+#include "palpable/haptics/laws.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace palpable::page {
+namespace {
+
+constexpr int kLongestSide = 640;
+
+const models::Relief* relief_of(const models::Scene& scene) {
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
+  return relief == nullptr ? nullptr : relief->get();
+}
+
+// "aloeL.jpg and aloeR.jpg": folders say nothing to the person who touches.
+std::string name_of(const models::Scene& scene) {
+  std::string name;
+  for (const auto& input : scene.source.inputs)
+    name += (name.empty() ? "" : " and ") + std::filesystem::path(input).filename().string();
+  return name.empty() ? models::kind_of(scene.model) : name;
+}
+
+// Sampled where the page's points stand: the same surface that is felt, not its control values.
+Raster<float> sampled(const models::Relief& relief) {
+  const int longest = std::max(relief.samples_m().width(), relief.samples_m().height());
+  const double shrink = std::min(1.0, static_cast<double>(kLongestSide) / longest);
+  const auto side = [&](int n) { return std::max(2, static_cast<int>(n * shrink + 0.5)); };
+  Raster<float> heights(side(relief.samples_m().width()), side(relief.samples_m().height()));
+  for (int j = 0; j < heights.height(); ++j) {
+    const double y_m = (0.5 - (j + 0.5) / heights.height()) * relief.depth_m();
+    for (int i = 0; i < heights.width(); ++i) {
+      const double x_m = ((i + 0.5) / heights.width() - 0.5) * relief.width_m();
+      heights(i, j) = static_cast<float>(relief.sample(x_m, y_m).z_m);
+    }
+  }
+  return heights;
+}
+
+struct LawWords {
+  std::string_view name;
+  std::string_view title;
+  bool has_friction;
+  /// Shi & Pai's laws take their stiffness in newtons: how hard a slope of 1 pushes.
+  bool in_newtons;
+};
+constexpr LawWords kLawWords[] = {
+    {"proxy", "Surface with friction", true, false},      {"penalty", "Spring surface", false, false},
+    {"averaged", "Averaged surface", false, false},       {"rolling", "Rolling ball", false, true},
+    {"sobel", "Rolling ball, as published", false, true}, {"grid", "Grid of cells", false, false},
+    {"tracing", "Tracing contours", false, false},        {"groove", "Grooves", false, false},
+};
+
+}  // namespace
+
+std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
+                                            const std::string& name) {
+  auto page = std::make_shared<PageScene>();
+  const Vec3 size = models::size_m(scene);
+  if (const auto* relief = relief_of(scene)) {
+    page->height_m = sampled(*relief);
+  } else {
+    page->height_m = Raster<float>(2, 2, 0.0F);
+  }
+  const auto [lowest, highest] =
+      std::minmax_element(page->height_m.values().begin(), page->height_m.values().end());
+  page->picture = scene.texture;
+  auto& about = page->about;
+  about.scene = number;
+  about.name = name.empty() ? name_of(scene) : name;
+  about.kind = models::kind_of(scene.model);
+  about.width_m = size.x;
+  about.depth_m = size.y;
+  about.lowest_m = static_cast<double>(*lowest);
+  about.highest_m = static_cast<double>(*highest);
+  about.has_picture = !scene.texture.empty();
+  for (const auto& material : scene.materials)
+    about.labels.push_back(material.name == models::Material{}.name ? std::string() : material.name);
+  return page;
+}
+
+double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
+  const auto* relief = relief_of(scene);
+  return relief == nullptr ? 0.0 : relief->sample(x_m, y_m).z_m;
+}
+
+std::vector<protocol::Law> page_laws(const models::Scene& scene) {
+  std::vector<protocol::Law> laws;
+  for (const auto law : haptics::laws_for(scene)) {
+    const std::string_view name = haptics::name_of(law);
+    const auto* words = std::find_if(std::begin(kLawWords), std::end(kLawWords),
+                                     [&](const auto& w) { return w.name == name; });
+    const bool known = words != std::end(kLawWords);
+    const bool in_newtons = known && words->in_newtons;
+    laws.push_back({std::string(name), std::string(known ? words->title : name), in_newtons ? "N" : "N/m",
+                    in_newtons ? 0.1 : 20.0, in_newtons ? 5.0 : 2000.0,
+                    in_newtons ? 1.0 : scene.materials.front().stiffness_N_per_m,
+                    !known || words->has_friction});
+  }
+  return laws;
+}
+
+}  // namespace palpable::page

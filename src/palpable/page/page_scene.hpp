@@ -1,0 +1,26 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/scene.hpp"
+#include "palpable/page/host.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpable::page {
+
+/// A scene as the page shows it: heights as they are felt, at most 640 on the longer side. Kinds of models
+/// that have no height over each place show a level surface at their base.
+std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
+                                            const std::string& name);
+
+/// Height of the surface at a place at exaggeration 1; 0 for kinds that have none.
+double surface_height_m(const models::Scene& scene, double x_m, double y_m);
+
+/// The laws that the scene can be felt by, the default first, each with what its stiffness means.
+std::vector<protocol::Law> page_laws(const models::Scene& scene);
+
+}  // namespace palpable::page

@@ -1,0 +1,85 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/page/host.hpp"
+#include "palpable/session/touch_session.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace palpable::page {
+
+/// A TouchSession as the page's server sees it. Changes that may take long (a new law, another depth) run on
+/// a thread of its own, so that the page goes on at its rate; of several changes that wait, the last one
+/// counts.
+class TouchHost final : public PageHost {
+ public:
+  struct Options {
+    /// Shown to the person: "palpable 0.1.0".
+    std::string program;
+    /// What the scene is called; empty: by the files that it was made of.
+    std::string name;
+    /// Asked once a frame, on the server's thread: a better scene if one is ready, else null. May be empty.
+    std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
+  };
+  /// `session`, and what the options refer to, must outlive the host.
+  TouchHost(session::TouchSession& session, Options options);
+  ~TouchHost() override;
+
+  protocol::Hello hello() const override;
+  std::vector<protocol::Law> laws() const override;
+  std::shared_ptr<const PageScene> scene() override;
+  protocol::Settings settings() override;
+  protocol::State state() override;
+  void beat() override;
+  void move(const protocol::Pointer& pointer) override;
+  void change(const protocol::Change& wishes) override;
+  void pause(bool paused) override;
+  void recentre() override;
+  std::optional<protocol::Notice> next_notice() override;
+
+  /// Something for the person to hear of; levels as in protocol.json. Any thread.
+  void say(std::string level, std::string text);
+
+ private:
+  void work();
+  void carry_out(const protocol::Change& wishes);
+  Result<void> attempt(const protocol::Change& wishes);
+  void take_notices();
+  bool pointer_moves() const { return !session_.device_traits().pushes_back; }
+  void place_pointer();
+
+  session::TouchSession& session_;
+  Options options_;
+
+  // The server's thread alone.
+  std::shared_ptr<const models::Scene> shown_;
+  std::shared_ptr<const PageScene> page_scene_;
+  protocol::Pointer pointer_{0.0, 0.0, -0.02};
+  std::chrono::steady_clock::time_point rate_time_;
+  double rate_hz_ = 0.0;
+
+  // Both threads, under mutex_.
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::optional<protocol::Change> wishes_;
+  std::shared_ptr<const models::Scene> better_;
+  bool recentre_ = false;
+  bool ending_ = false;
+  std::deque<protocol::Notice> notices_;
+  std::int64_t answered_ = 0;
+
+  std::thread worker_;
+};
+
+}  // namespace palpable::page

@@ -1,0 +1,140 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/touch_host.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace palpable::page {
+namespace {
+
+// A cone of 10 mm in the middle of 40 x 30 mm.
+std::shared_ptr<const models::Scene> cone_scene() {
+  Raster<float> height_m(80, 60);
+  for (int j = 0; j < 60; ++j)
+    for (int i = 0; i < 80; ++i)
+      height_m(i, j) = static_cast<float>(std::max(0.0, 0.010 - 0.0005 * std::hypot(i - 39.5, j - 29.5)));
+  auto scene = std::make_shared<models::Scene>();
+  scene->model =
+      std::make_shared<const models::Relief>(models::Relief::from_samples(height_m, 0.0005).value());
+  scene->texture = Raster<Rgb8>(80, 60, Rgb8{90, 120, 150});
+  scene->source.inputs = {"/somewhere/cone left.png", "/somewhere/cone right.png"};
+  return scene;
+}
+
+class HostOnATouch : public ::testing::Test {
+ protected:
+  HostOnATouch() {
+    session::SessionOptions options;
+    options.servo.realtime_priority = 0;
+    auto opened = session::TouchSession::open(cone_scene(), {}, "pointer:", options);
+    EXPECT_TRUE(opened);
+    session = std::move(opened).value();
+    host = std::make_unique<TouchHost>(*session, options_for_host());
+  }
+
+  TouchHost::Options options_for_host() {
+    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }};
+  }
+
+  // Beats as the server does until it holds, for ten seconds at most.
+  bool comes_true(const std::function<bool()>& condition) const {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (std::chrono::steady_clock::now() < end) {
+      host->beat();
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  }
+
+  std::shared_ptr<const models::Scene> better;
+  std::unique_ptr<session::TouchSession> session;
+  std::unique_ptr<TouchHost> host;
+};
+
+protocol::Change wishes(int serial) { return {serial, "proxy", 400.0, 0.5, 0.3, 1.0}; }
+
+TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
+  const auto scene = host->scene();
+  EXPECT_EQ(scene->about.name, "cone left.png and cone right.png");
+  EXPECT_EQ(scene->about.kind, "relief");
+  EXPECT_NEAR(scene->about.width_m, 0.040, 1e-9);
+  EXPECT_NEAR(scene->about.depth_m, 0.030, 1e-9);
+  EXPECT_TRUE(scene->about.has_picture);
+  ASSERT_EQ(scene->height_m.width(), 80);
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(session->scene()->model);
+  EXPECT_NEAR(scene->height_m(40, 30), relief.sample(0.00025, -0.00025).z_m, 1e-7);
+  EXPECT_EQ(host->scene(), scene);
+  EXPECT_TRUE(host->hello().pointer_moves);
+  EXPECT_EQ(host->laws().front().name, host->settings().law);
+}
+
+TEST_F(HostOnATouch, FeelsWhereThePagePressesAndNothingWhereItLifts) {
+  host->move({0.0, 0.0, 0.002});
+  EXPECT_TRUE(comes_true([&] { return host->state().contact && host->state().fz_N > 0.3; }));
+  EXPECT_NEAR(host->state().surface_m, 0.010, 0.001);
+  host->move({0.0, 0.0, -0.010});
+  EXPECT_TRUE(comes_true([&] { return !host->state().contact && host->state().fz_N == 0.0; }));
+}
+
+TEST_F(HostOnATouch, ChangesSettingsAndSaysWhichChangeHolds) {
+  auto change = wishes(7);
+  change.exaggeration = 2.0;
+  host->change(change);
+  EXPECT_TRUE(comes_true([&] { return host->settings().answers == 7; }));
+  EXPECT_EQ(host->settings().exaggeration, 2.0);
+  EXPECT_EQ(host->settings().stiffness, 400.0);
+  EXPECT_NEAR(host->scene()->about.highest_m, 0.010, 0.001) << "heights are sent at exaggeration 1";
+}
+
+TEST_F(HostOnATouch, RefusesALawThatDoesNotExistAndKeepsTheOneThere) {
+  auto change = wishes(8);
+  change.law = "fly";
+  host->change(change);
+  EXPECT_TRUE(comes_true([&] { return host->settings().answers == 8; }));
+  EXPECT_EQ(host->settings().law, "proxy");
+  const auto notice = host->next_notice();
+  ASSERT_TRUE(notice);
+  EXPECT_EQ(notice->level, "warning");
+  EXPECT_EQ(notice->text, "fly: there is no such law");
+}
+
+TEST_F(HostOnATouch, OfManyChangesTheLastOneHolds) {
+  for (int i = 1; i <= 50; ++i) {
+    auto change = wishes(i);
+    change.stiffness = 100.0 + i;
+    host->change(change);
+  }
+  EXPECT_TRUE(comes_true([&] { return host->settings().answers == 50; }));
+  EXPECT_EQ(host->settings().stiffness, 150.0);
+}
+
+TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
+  host->move({0.0, 0.0, 0.002});
+  ASSERT_TRUE(comes_true([&] { return host->state().fz_N > 0.3; }));
+  host->pause(true);
+  EXPECT_TRUE(host->settings().paused);
+  EXPECT_TRUE(comes_true([&] { return host->state().fz_N == 0.0; }));
+  host->pause(false);
+  EXPECT_TRUE(comes_true([&] { return host->state().fz_N > 0.3; }));
+}
+
+TEST_F(HostOnATouch, TellsOfABetterSceneOnceItIsThere) {
+  ASSERT_EQ(host->scene()->about.scene, 0);
+  better = cone_scene();
+  EXPECT_TRUE(comes_true([&] { return host->scene()->about.scene == 1; }));
+  const auto notice = host->next_notice();
+  ASSERT_TRUE(notice);
+  EXPECT_EQ(notice->text, "A finer version of the scene is in place");
+}
+
+}  // namespace
+}  // namespace palpable::page

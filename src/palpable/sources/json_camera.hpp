@@ -1,0 +1,21 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/result.hpp"
+
+#include <optional>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace palpable::sources {
+
+/// The number under `key`; nullopt where there is none. For an object only.
+std::optional<double> number_in(const nlohmann::json& object, const char* key);
+
+/// A camera stated as fx, fy, cx, cy, width, height. Errors: invalid_input naming what is missing or
+/// impossible.
+Result<Pinhole> pinhole_from(const nlohmann::json& object);
+
+}  // namespace palpable::sources

@@ -1,0 +1,48 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/core/result.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+namespace palpable::sources {
+
+/// Depth that a phone keeps inside its photograph.
+struct PhotoDepth {
+  enum class Coding : std::uint8_t {
+    /// 0 at the near plane, 1 at the far one, even in 1/Z (GDepth and Dynamic Depth "RangeInverse").
+    range_inverse,
+    /// 0 at the near plane, 1 at the far one, even in Z ("RangeLinear").
+    range_linear,
+    /// 1 is nearest, even in 1/Z: from far_m to near_m where both are known (HEIF's inverse Z and
+    /// disparities).
+    nearness
+  };
+  /// 0 … 1, in the stored picture's own orientation.
+  Raster<float> values;
+  Coding coding = Coding::nearness;
+  /// Metres; absent where the phone does not know them.
+  std::optional<double> near_m;
+  std::optional<double> far_m;
+};
+
+/// Depth in a JPEG: Google's GDepth (XMP, extended over segments) or Dynamic Depth (a container behind the
+/// picture). nullopt: the picture holds none. Errors: invalid_input for depth that is announced but damaged.
+Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file);
+
+/// Whether the bytes begin a HEIF picture (HEIC or AVIF brands are told apart by libheif itself).
+bool is_heif(std::span<const std::byte> file);
+
+/// The primary picture of a HEIF file, upright. Errors: invalid_input.
+Result<Image> decode_heif(std::span<const std::byte> file);
+
+/// The auxiliary depth of a HEIF file's primary picture. Otherwise as depth_in_jpeg().
+Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file);
+
+}  // namespace palpable::sources

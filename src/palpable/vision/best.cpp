@@ -1,0 +1,127 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/best.hpp"
+
+#include "palpable/vision/census.hpp"
+#include "palpable/vision/left_right.hpp"
+#include "palpable/vision/median.hpp"
+#include "palpable/vision/plane_search.hpp"
+#include "palpable/vision/sgm.hpp"
+
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace palpable::vision {
+namespace {
+
+/// Rounds of the plane search: each view alone, both with what the other sees, and the left one at last.
+constexpr int kAloneRounds = 3;
+constexpr int kTogetherRounds = 3;
+constexpr int kLastRounds = 2;
+/// The nearest of the far end that a hidden surface may lie at: this fraction of what is seen lies further.
+constexpr double kFurthestSeen = 0.005;
+constexpr float kFurthestMargin_px = 1.0F;
+
+/// All that is known of one view; the right one is kept mirrored, so that both are matched alike.
+struct View {
+  MatchView picture;
+  CostVolume costs;
+  PlaneMap start;
+  PlaneMap map;
+};
+
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
+  return {colour_planes(picture), census_9x7(luma, work)};
+}
+
+void start_view(View& view, const MatchView& there, CostVolume& scratch, const Work& work) {
+  pixel_costs(view.picture, there, view.costs, work);
+  average_over_crosses(view.picture.colour, view.costs, scratch, work);
+  aggregate_paths(view.costs, view.picture.colour, there.colour, scratch, work);
+  view.start = PlaneMap(view.costs.width, view.costs.height);
+  view.start.disparity = least_cost_disparity(scratch, work);
+  view.map = view.start;
+}
+
+/// Confidence of a pixel: how well its colours agree at the match, and how closely the two views do.
+Raster<float> confidence(const View& view, const Raster<float>& other, const Work& work) {
+  constexpr float kHalfCost = 0.5F;
+  constexpr float kHalfGap_px = 0.5F;
+  constexpr float kUnseen = 0.1F;
+  Raster<float> out(other.width(), other.height());
+  parallel_for(work, out.height(), 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < out.width(); ++x) {
+        const float d = view.map.disparity(x, y);
+        const int there = static_cast<int>(std::floor(static_cast<float>(x) - d + 0.5F));
+        if (there < 0 || there >= out.width()) {
+          out(x, y) = kUnseen;
+          continue;
+        }
+        const float gap = (other(there, y) - d) / kHalfGap_px;
+        const int nearest = std::clamp(static_cast<int>(d + 0.5F), 0, view.costs.disparities - 1);
+        const float cost = static_cast<float>(view.costs.at(x, y)[nearest]) / (kHalfCost * kCostUnit);
+        out(x, y) = std::max(kUnseen, 1.0F / ((1.0F + gap * gap) * (1.0F + cost * cost)));
+      }
+  });
+  return out;
+}
+
+}  // namespace
+
+Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, const Work& work) {
+  const int w = input.left.width();
+  const int h = input.left.height();
+  View left;
+  View right;
+  left.picture = match_view(input.left, input.left_grey, work);
+  right.picture = match_view(mirrored(input.right), mirrored(input.right_grey), work);
+  left.costs = right.costs = CostVolume(w, h, input.disparities);
+  const Raster<float> everything(w, h, 1.0F);
+  {
+    CostVolume scratch(w, h, input.disparities);
+    start_view(left, match_view(input.right, input.right_grey, work), scratch, work);
+    if (work.cancelled()) return Work::interrupted();
+    work.report(0.1, "matching");
+    start_view(right, match_view(mirrored(input.left), mirrored(input.left_grey), work), scratch, work);
+    work.report(0.2, "matching");
+  }
+
+  PlaneCandidates candidates(w, h);
+  int round = 0;
+  const auto search = [&](View& view, const OtherView& other, const Raster<float>& trust) {
+    propose_planes(view.picture.colour, view.map, view.start, trust, round, candidates, work);
+    plane_costs(view.costs, other, candidates, work);
+    choose_planes(view.picture.colour, candidates, view.map, work);
+  };
+  constexpr int kRounds = kAloneRounds + kTogetherRounds + kLastRounds;
+  for (; round < kAloneRounds; ++round) {
+    for (View* view : {&left, &right}) {
+      if (work.cancelled()) return Work::interrupted();
+      search(*view, {}, everything);
+    }
+    work.report(0.2 + 0.8 * (round + 1) / kRounds, "finding surfaces");
+  }
+  float furthest = 0.0F;
+  for (; round < kRounds; ++round) {
+    const Raster<float> seen_right = mirrored(right.map.disparity);
+    const Raster<float> seen_left = mirrored(left.map.disparity);
+    const Raster<float> agreed = agreement(left.map.disparity, seen_right);
+    if (round == kAloneRounds)
+      furthest = quantile_where(left.map.disparity, agreed, kFurthestSeen) - kFurthestMargin_px;
+    if (work.cancelled()) return Work::interrupted();
+    const Raster<float> agreed_right = agreement(right.map.disparity, seen_left);
+    search(left, {&seen_right, furthest}, agreed);
+    if (work.cancelled()) return Work::interrupted();
+    if (round < kAloneRounds + kTogetherRounds) search(right, {&seen_left, furthest}, agreed_right);
+    work.report(0.2 + 0.8 * (round + 1) / kRounds, "finding what is hidden");
+  }
+
+  MatchOutput out;
+  out.confidence = confidence(left, mirrored(right.map.disparity), work);
+  out.disparity_px = median_3x3(left.map.disparity, work);
+  return out;
+}
+
+}  // namespace palpable::vision

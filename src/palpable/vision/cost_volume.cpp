@@ -1,0 +1,192 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/cost_volume.hpp"
+
+#include "palpable/core/vectorize.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace palpable::vision {
+namespace {
+
+constexpr int kLanes = 32;
+constexpr float kColourScale = 10.0F;
+constexpr float kCensusScale = 30.0F;
+/// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view.
+constexpr float kOutOfView = 0.6F;
+constexpr int kLongArm = 5;
+constexpr int kSureArm = 3;
+constexpr int kLikeColour = 20;
+constexpr int kSameColour = 6;
+
+/// A row of the other picture from right to left, so that x - d runs forward with d.
+struct ReversedRow {
+  std::vector<std::uint8_t> r, g, b;
+  std::vector<std::uint64_t> census;
+
+  ReversedRow(const MatchView& view, int y) {
+    const auto reverse = [](auto row, auto& out) { out.assign(row.rbegin(), row.rend()); };
+    reverse(view.colour.r.row(y), r);
+    reverse(view.colour.g.row(y), g);
+    reverse(view.colour.b.row(y), b);
+    reverse(view.census.row(y), census);
+  }
+};
+
+struct CostTables {
+  std::array<std::uint16_t, 766> colour{};
+  std::array<std::uint16_t, 65> census{};
+
+  CostTables() {
+    const auto cost = [](float ratio) {
+      return static_cast<std::uint16_t>(std::lround(kCostUnit * (1.0F - std::exp(-ratio))));
+    };
+    for (std::size_t i = 0; i < colour.size(); ++i)
+      colour[i] = cost(static_cast<float>(i) / (3.0F * kColourScale));
+    for (std::size_t i = 0; i < census.size(); ++i) census[i] = cost(static_cast<float>(i) / kCensusScale);
+  }
+};
+
+PALPABLE_VECTORIZE
+void compare(const std::uint8_t* __restrict r, const std::uint8_t* __restrict g,
+             const std::uint8_t* __restrict b, const std::uint64_t* __restrict census, Rgb8 centre,
+             std::uint64_t signature, int count, std::uint16_t* __restrict colour_difference,
+             std::uint16_t* __restrict distance) {
+  const int cr = centre.r;
+  const int cg = centre.g;
+  const int cb = centre.b;
+  for (int d = 0; d < count; ++d)
+    colour_difference[d] =
+        static_cast<std::uint16_t>(std::abs(cr - r[d]) + std::abs(cg - g[d]) + std::abs(cb - b[d]));
+  for (int d = 0; d < count; ++d)
+    distance[d] = static_cast<std::uint16_t>(__builtin_popcountll(signature ^ census[d]));
+}
+
+void fill_out_of_view(std::uint16_t* cost, int known, int stride) {
+  if (known >= stride) return;
+  std::uint64_t sum = 0;
+  std::uint16_t least = cost[0];
+  for (int d = 0; d < known; ++d) {
+    sum += cost[d];
+    least = std::min(least, cost[d]);
+  }
+  const float mean = static_cast<float>(sum) / static_cast<float>(known);
+  const auto low = static_cast<float>(least);
+  std::fill(cost + known, cost + stride, static_cast<std::uint16_t>(low + kOutOfView * (mean - low)));
+}
+
+PALPABLE_VECTORIZE
+void add_row(const std::uint16_t* __restrict from, std::uint16_t* __restrict sum, int count) {
+  for (int i = 0; i < count; ++i) sum[i] = static_cast<std::uint16_t>(sum[i] + from[i]);
+}
+
+PALPABLE_VECTORIZE
+void add_wide(const std::uint16_t* __restrict from, std::uint32_t* __restrict sum, int count) {
+  for (int i = 0; i < count; ++i) sum[i] += from[i];
+}
+
+PALPABLE_VECTORIZE
+void divide(const std::uint32_t* __restrict sum, float pixels, std::uint16_t* __restrict out, int count) {
+  const float scale = 1.0F / pixels;
+  for (int i = 0; i < count; ++i)
+    out[i] = static_cast<std::uint16_t>(
+        static_cast<int>(static_cast<float>(static_cast<int>(sum[i])) * scale + 0.5F));
+}
+
+struct Arms {
+  std::uint8_t left = 0, right = 0, up = 0, down = 0;
+};
+
+/// How far like colour reaches from (x, y) along (dx, dy): Mei et al. 2011, rules of section 3.2.
+std::uint8_t arm(const ColourPlanes& colour, int x, int y, int dx, int dy) {
+  int reach = 0;
+  for (int s = 1; s <= kLongArm; ++s) {
+    const int px = x + dx * s;
+    const int py = y + dy * s;
+    if (!colour.r.contains(px, py)) break;
+    if (colour.difference(x, y, px, py) >= (s > kSureArm ? kSameColour : kLikeColour)) break;
+    if (colour.difference(px, py, px - dx, py - dy) >= kLikeColour) break;
+    reach = s;
+  }
+  return static_cast<std::uint8_t>(reach);
+}
+
+Raster<Arms> arms(const ColourPlanes& colour, const Work& work) {
+  Raster<Arms> out(colour.width(), colour.height());
+  parallel_for(work, out.height(), 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < out.width(); ++x)
+        out(x, y) = {arm(colour, x, y, -1, 0), arm(colour, x, y, 1, 0), arm(colour, x, y, 0, -1),
+                     arm(colour, x, y, 0, 1)};
+  });
+  return out;
+}
+
+}  // namespace
+
+CostVolume::CostVolume(int width_, int height_, int disparities_)
+    : width(width_),
+      height(height_),
+      disparities(disparities_),
+      stride((disparities_ + kLanes - 1) / kLanes * kLanes),
+      cost(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
+           static_cast<std::size_t>(stride)) {}
+
+void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume& out, const Work& work) {
+  const CostTables tables;
+  const auto& [r, g, b] = reference.colour;
+  parallel_for(work, out.height, 4, [&](int begin, int end) {
+    std::vector<std::uint16_t> difference(static_cast<std::size_t>(out.stride));
+    std::vector<std::uint16_t> distance(static_cast<std::size_t>(out.stride));
+    for (int y = begin; y < end; ++y) {
+      const ReversedRow row(other, y);
+      for (int x = 0; x < out.width; ++x) {
+        const int known = std::min(out.disparities, x + 1);
+        const int first = out.width - 1 - x;
+        compare(row.r.data() + first, row.g.data() + first, row.b.data() + first, row.census.data() + first,
+                {r(x, y), g(x, y), b(x, y)}, reference.census(x, y), known, difference.data(),
+                distance.data());
+        std::uint16_t* cost = out.at(x, y);
+        for (int d = 0; d < known; ++d) {
+          const auto i = static_cast<std::size_t>(d);
+          cost[d] = static_cast<std::uint16_t>(tables.colour[difference[i]] + tables.census[distance[i]]);
+        }
+        fill_out_of_view(cost, known, out.stride);
+      }
+    }
+  });
+}
+
+void average_over_crosses(const ColourPlanes& colour, CostVolume& volume, CostVolume& scratch,
+                          const Work& work) {
+  const Raster<Arms> arm_of = arms(colour, work);
+  const int stride = volume.stride;
+  // At most 11 costs of at most 2 units: the sum along a row fits 16 bits.
+  static_assert((2 * kLongArm + 1) * 2 * kCostUnit <= 65535);
+  parallel_for(work, volume.height, 4, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < volume.width; ++x) {
+        const Arms a = arm_of(x, y);
+        std::uint16_t* sum = scratch.at(x, y);
+        std::copy_n(volume.at(x - a.left, y), stride, sum);
+        for (int s = x - a.left + 1; s <= x + a.right; ++s) add_row(volume.at(s, y), sum, stride);
+      }
+  });
+  parallel_for(work, volume.height, 4, [&](int begin, int end) {
+    std::vector<std::uint32_t> sum(static_cast<std::size_t>(stride));
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < volume.width; ++x) {
+        const Arms a = arm_of(x, y);
+        std::fill(sum.begin(), sum.end(), 0U);
+        int pixels = 0;
+        for (int t = y - a.up; t <= y + a.down; ++t) {
+          add_wide(scratch.at(x, t), sum.data(), stride);
+          pixels += arm_of(x, t).left + 1 + arm_of(x, t).right;
+        }
+        divide(sum.data(), static_cast<float>(pixels), volume.at(x, y), stride);
+      }
+  });
+}
+
+}  // namespace palpable::vision

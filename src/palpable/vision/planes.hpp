@@ -1,0 +1,34 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/work.hpp"
+#include "palpable/vision/colour_planes.hpp"
+
+namespace palpable::vision {
+
+/// A plane of disparity at each pixel: its value there and its slopes in pixels of disparity per pixel.
+struct PlaneMap {
+  Raster<float> disparity;
+  Raster<float> slope_x;
+  Raster<float> slope_y;
+
+  PlaneMap() = default;
+  PlaneMap(int width, int height)
+      : disparity(width, height), slope_x(width, height), slope_y(width, height) {}
+};
+
+struct FitWindow {
+  /// The window reaches this many pixels to each side,
+  int radius_px = 3;
+  /// and takes every so-manieth.
+  int step_px = 1;
+};
+
+/// Fits a plane at each pixel to the disparities around it, each weighted by how alike its colour is, how
+/// little it departs from the plane that the pixel has now (none beyond about a pixel), and by `weight`, 0…1.
+/// Where too little supports it the plane stays as it is.
+PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
+                    FitWindow window, const Work& work);
+
+}  // namespace palpable::vision

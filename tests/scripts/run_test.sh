@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Copyright 2026 The Palpable authors
+# SPDX-License-Identifier: Apache-2.0
+# run_test.sh PROJECT: ./run in a copy of the project where apt, sudo, cmake, ninja and the program itself are stand-ins
+# that write down how they were called.
+set -uo pipefail
+project=$1
+room=$(mktemp -d)
+trap 'rm -rf "$room"' EXIT
+failures=0
+expect() { # expect WHAT CONDITION…
+  local what=$1
+  shift
+  if "$@"; then printf 'ok    %s\n' "$what"; else
+    printf 'FAILS %s\n' "$what"
+    failures=$((failures + 1))
+  fi
+}
+stand_in() { # stand_in NAME: a program made of standard input
+  printf '#!/bin/bash\n' >"$room/bin/$1"
+  cat >>"$room/bin/$1"
+  chmod +x "$room/bin/$1"
+}
+calls_of() { grep -c "^$1" "$room/calls"; }
+
+mkdir -p "$room/bin" "$room/project/tools" "$room/project/packages" "$room/project/build/run/bin"
+cp "$project/run" "$room/project/"
+cp "$project/tools/setup.sh" "$room/project/tools/"
+printf 'present\nabsent  # why\n\nnodejs\nnpm\n' >"$room/project/packages/build.txt"
+printf 'present\n' >"$room/project/packages/run.txt"
+: >"$room/project/packages/test.txt"
+: >"$room/project/build/run/build.ninja"
+stand_in dpkg-query <<<'[ "${*: -1}" = absent ] && [ ! -e '"$room"'/installed ] || printf installed'
+stand_in apt-get <<<'echo "apt-get $*" >>'"$room"'/calls; case "$*" in *install*) touch '"$room"'/installed ;; esac; echo "noise of apt"'
+stand_in sudo <<<'echo "sudo $*" >>'"$room"'/calls; [ ! -e '"$room"'/password ] || exit 1; [ "$1" = -n ] && shift; exec "$@"'
+stand_in id <<<'echo 1000'
+stand_in node <<<'echo 20'
+stand_in npm <<<''
+stand_in ninja <<<'[ -e '"$room"'/broken ] && { echo "error: broken"; exit 1; }; echo "ninja: no work to do."'
+stand_in ../project/build/run/bin/palpable <<<'printf "<%s>" "$PWD" "$@"'
+run() { (cd "$room" && PATH=$room/bin:$PATH project/run "$@" </dev/null >out 2>err); }
+
+: >"$room/calls"
+touch "$room/password"
+run info
+expect 'without a terminal a password is not asked for' [ $? -eq 1 ]
+expect 'the person is told what to install' grep -q 'sudo apt-get install absent' "$room/err"
+expect 'the program was not started' [ ! -s "$room/out" ]
+rm "$room/password"
+
+: >"$room/calls"
+run make 'two words' '' '*'
+expect 'arguments arrive as they were given, in the folder of the caller' [ "$(<"$room/out")" = "<$room><make><two words><><*>" ]
+expect 'only what is missing is installed' grep -q 'install -y --no-install-recommends absent$' "$room/calls"
+expect 'what apt prints stays off standard output' grep -q 'noise of apt' "$room/err"
+
+: >"$room/calls"
+run
+expect 'without arguments the sample is touched' [ "$(<"$room/out")" = "<$room><touch>" ]
+expect 'nothing is installed twice' [ "$(calls_of apt-get)" -eq 0 ]
+expect 'nothing is said when there is nothing to do' [ ! -s "$room/err" ]
+
+touch "$room/broken"
+run info
+expect 'a failed build is a failure' [ $? -eq 1 ]
+expect 'and starts nothing' [ ! -s "$room/out" ]
+expect 'and shows why' grep -q 'error: broken' "$room/err"
+rm "$room/broken"
+
+printf 'absent\n' >>"$room/project/packages/run.txt"
+rm "$room/installed"
+run
+expect 'a longer list is looked at again' [ "$(calls_of apt-get)" -ge 1 ]
+
+[ "$failures" -eq 0 ]

@@ -1,0 +1,187 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Touching in a real browser: by pointer, and by keyboard alone with nothing but what a screen reader gets.
+import type { Browser, CDPSession, Page } from 'playwright-core';
+import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { readRaster, type HeightsFrame } from '../src/codec';
+import { keepPicture, launch, openPage, startProgram, type Opened, type Running } from './harness';
+
+let browser: Browser;
+let running: Running;
+let opened: Opened;
+let heights: HeightsFrame;
+
+beforeAll(async () => {
+  [browser, running] = await Promise.all([launch(), startProgram()]);
+  opened = await openPage(browser, running.address, {}, (payload) => {
+    const raster = readRaster(payload);
+    if (typeof raster !== 'string' && raster.kind === 'heights') heights = raster;
+  });
+});
+afterAll(async () => {
+  await browser?.close();
+  await running?.stop();
+});
+beforeEach(async () => {
+  await opened.page.getByRole('button', { name: 'Re-centre' }).click();
+});
+
+const number = (page: Page, id: string) => page.locator(`#${id}`).textContent().then((text) => Number.parseFloat(text ?? ''));
+
+describe('by pointer', () => {
+  it('the force changes as the marble moves over the surface', async () => {
+    const { page, complaints } = opened;
+    const stage = (await page.locator('#stage').boundingBox())!;
+    const forces = new Set<string>();
+    const heightsMet = new Set<string>();
+    for (let k = 0; k <= 30; ++k) {
+      await page.mouse.move(stage.x + stage.width * (0.3 + 0.4 * (k / 30)), stage.y + stage.height * (0.3 + 0.3 * (k / 30)));
+      await page.waitForTimeout(60);
+      forces.add((await page.locator('#read-force').textContent())!);
+      heightsMet.add((await page.locator('#read-height').textContent())!);
+    }
+    await keepPicture(page, 'touching');
+    expect(forces.size).toBeGreaterThan(5);
+    expect(heightsMet.size).toBeGreaterThan(5);
+    await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
+    expect(complaints).toEqual([]);
+  });
+
+  it('a pause takes the force to zero, and going on brings it back', async () => {
+    const { page } = opened;
+    await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
+    await page.getByRole('button', { name: 'Pause' }).click();
+    await page.waitForFunction(() => document.getElementById('read-force')?.textContent === '0.00');
+    await page.getByRole('button', { name: 'Go on' }).click();
+    await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
+  });
+
+  it('a setting that is changed holds in the program, and is undone and made again by keys', async () => {
+    const { page } = opened;
+    const slider = page.getByRole('slider', { name: 'Depth' });
+    const height = await number(page, 'read-height');
+    await slider.focus();
+    for (let k = 0; k < 5; ++k) await page.keyboard.press('ArrowRight');
+    const doubled = (factor: number) =>
+      page.waitForFunction(
+        ([wanted]) => Math.abs(Number.parseFloat(document.getElementById('read-height')?.textContent ?? '') - wanted!) < 0.15,
+        [height * factor],
+      );
+    await doubled(1.5);
+    expect(await slider.getAttribute('aria-valuetext')).toBe('× 1.5');
+    await page.keyboard.press('Control+z');
+    await doubled(1);
+    await page.keyboard.press('Control+Shift+Z');
+    await doubled(1.5);
+    await page.keyboard.press('Control+z');
+    await doubled(1);
+  });
+});
+
+interface Node {
+  role: string;
+  name: string;
+  focused: boolean;
+}
+
+/** A person who hears: the accessibility tree is all that it gets, keys are all that it has. */
+class Listener {
+  private constructor(
+    private readonly page: Page,
+    private readonly session: CDPSession,
+  ) {}
+  static async at(page: Page): Promise<Listener> {
+    return new Listener(page, await page.context().newCDPSession(page));
+  }
+
+  private async tree(): Promise<{ nodes: Node[]; said: string }> {
+    const { nodes } = await this.session.send('Accessibility.getFullAXTree');
+    const byId = new Map(nodes.map((node) => [node.nodeId, node]));
+    const textUnder = (id: string): string => {
+      const node = byId.get(id);
+      if (node === undefined) return '';
+      if (node.role?.value === 'StaticText') return String(node.name?.value ?? '');
+      return (node.childIds ?? []).map(textUnder).join('');
+    };
+    const status = nodes.find((node) => node.role?.value === 'status');
+    return {
+      said: status ? textUnder(status.nodeId) : '',
+      nodes: nodes.map((node) => ({
+        role: String(node.role?.value ?? ''),
+        name: String(node.name?.value ?? ''),
+        focused: node.properties?.some(({ name, value }) => name === 'focused' && value.value === true) ?? false,
+      })),
+    };
+  }
+
+  async tabTo(role: string): Promise<Node> {
+    for (let k = 0; k < 60; ++k) {
+      await this.page.keyboard.press('Tab');
+      const found = (await this.tree()).nodes.find((node) => node.focused && node.role === role);
+      if (found) return found;
+    }
+    throw new Error(`Tab never came to anything with the role ${role}`);
+  }
+
+  /** Presses a key and waits for something to be said that fits. */
+  async ask(key: string, about: RegExp): Promise<RegExpExecArray> {
+    await this.page.waitForTimeout(1100);
+    await this.page.keyboard.press(key);
+    for (let k = 0; k < 100; ++k) {
+      const match = about.exec((await this.tree()).said);
+      if (match) return match;
+      await this.page.waitForTimeout(100);
+    }
+    throw new Error(`after ${key} nothing was said about ${about}; last: ${(await this.tree()).said}`);
+  }
+
+  async walk(millimetres: number, positive: string, negative: string): Promise<void> {
+    const key = millimetres > 0 ? positive : negative;
+    const whole = Math.abs(Math.round(millimetres));
+    for (let k = 0; k < Math.floor(whole / 5); ++k) await this.page.keyboard.press(`Shift+${key}`);
+    for (let k = 0; k < whole % 5; ++k) await this.page.keyboard.press(key);
+  }
+}
+
+describe('by keyboard, hearing only', () => {
+  it('finds the highest point, to 3 % of the relief or half a millimetre', async () => {
+    const { page } = opened;
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    const listener = await Listener.at(page);
+    expect((await listener.tabTo('application')).name).toMatch(/^Relief of .* to touch$/);
+
+    const [, way] = await listener.ask('d', /From the probe: ([^.]+)\./);
+    const millimetres = (direction: string) => Number(new RegExp(`(\\d+) millimetres? ${direction}`).exec(way!)?.[1] ?? 0);
+    await listener.walk(millimetres('right') - millimetres('left'), 'ArrowRight', 'ArrowLeft');
+    await listener.walk(millimetres('up') - millimetres('down'), 'ArrowUp', 'ArrowDown');
+    // The last millimetre by trying: a step that leads down is taken back.
+    const opposite = { ArrowRight: 'ArrowLeft', ArrowLeft: 'ArrowRight', ArrowUp: 'ArrowDown', ArrowDown: 'ArrowUp' };
+    let best = Number((await listener.ask('p', /Height (-?[\d.]+) millimetres?/))[1]);
+    for (const [key, back] of Object.entries(opposite)) {
+      const [, there] = await listener.ask(key, /^(?:Rim of the scene, )?(-?[\d.]+) millimetres?/);
+      if (Number(there) > best) best = Number(there);
+      else await page.keyboard.press(back);
+    }
+    const [, heard] = await listener.ask('p', /Height (-?[\d.]+) millimetres?/);
+
+    const highest = 1000 * heights.heights.reduce((most, z) => Math.max(most, z), -Infinity);
+    const lowest = 1000 * heights.heights.reduce((least, z) => Math.min(least, z), Infinity);
+    expect(Number(heard)).toBeGreaterThan(highest - Math.max(0.5, 0.03 * (highest - lowest)));
+    // What was heard is what the servo feels, not only what the page believes.
+    expect(Math.abs((await number(page, 'read-height')) - Number(heard))).toBeLessThan(0.3);
+    await keepPicture(page, 'highest-point');
+  });
+
+  it('every control has a name and can be reached by Tab', async () => {
+    const { page } = opened;
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    const wanted = await page.locator('button:visible:enabled, input:visible:enabled, select:visible:enabled').evaluateAll((all) => all.map(({ id }) => id));
+    const reached = new Set<string>();
+    for (let k = 0; k < wanted.length + 8; ++k) {
+      await page.keyboard.press('Tab');
+      reached.add(await page.evaluate(() => document.activeElement?.id ?? ''));
+    }
+    expect(wanted.filter((id) => !reached.has(id))).toEqual([]);
+    expect(wanted.length).toBeGreaterThan(15);
+  });
+});
