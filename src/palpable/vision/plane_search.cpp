@@ -16,13 +16,13 @@ constexpr int kPaths = 8;
 
 // Costs in the units of the matching cost (0…2).
 constexpr float kStep_per_px = 0.6F;
-constexpr float kLargestStep = 2.0F;
+constexpr float kLargestStep = 3.0F;
 constexpr float kLikeColour = 12.0F;
 constexpr float kLeastTie = 0.08F;
 constexpr float kDiagonalTie = 0.7F;
-constexpr float kSlopeCost = 0.05F;
+constexpr float kSlopeCost = 0.2F;
 constexpr float kHiddenCost = 1.2F;
-constexpr float kConflictCost = 0.6F;
+constexpr float kConflictCost = 1.0F;
 constexpr float kBelowLeast_per_px = 0.5F;
 /// Disparities of the two views agree up to this; from there the charges rise over half a pixel.
 constexpr float kAgreement_px = 1.0F;

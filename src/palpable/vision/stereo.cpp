@@ -4,6 +4,7 @@
 
 #include "palpable/vision/best.hpp"
 #include "palpable/vision/disparity_range.hpp"
+#include "palpable/vision/fast.hpp"
 #include "palpable/vision/match_input.hpp"
 #include "palpable/vision/pair_check.hpp"
 #include "palpable/vision/stereo_method.hpp"
@@ -27,7 +28,7 @@ constexpr std::array kMethods{
     MethodEntry{StereoMethod::graph_cut, "graph-cut", match_graph_cut},
     MethodEntry{StereoMethod::segments, "segments", nullptr},
     MethodEntry{StereoMethod::pyramid, "pyramid", nullptr},
-    MethodEntry{StereoMethod::fast, "fast", nullptr},
+    MethodEntry{StereoMethod::fast, "fast", match_fast},
     MethodEntry{StereoMethod::best, "best", match_best},
 };
 
