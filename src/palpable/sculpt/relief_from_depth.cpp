@@ -27,6 +27,8 @@ Result<void> check(const ReliefOptions& options) {
     return usage("exaggerate must be 0.1 to 10");
   if (!(options.steepest_slope >= 0.1 && options.steepest_slope <= 100.0))
     return usage("the steepest slope must be 0.1 to 100");
+  if (!(options.compression >= 1.5 && options.compression <= 100.0))
+    return usage("the compression must be 1.5 to 100");
   if (options.most_pixels_on_a_side < 2) return usage("a relief needs at least 2 pixels on a side");
   for (const auto& end : {options.near, options.far})
     if (end && !std::isfinite(*end)) return usage("the depth window's ends must be finite");
@@ -90,16 +92,21 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
   const double pixel_m = std::min(size.x / nearness.width(), size.y / nearness.height());
   double height_m = size.z * options.exaggerate;
   if (options.size_m) height_m = std::min(height_m, size.z);
-  const auto scale = static_cast<float>(options.sense == Sense::raise ? height_m : -height_m);
-  for (float& z : nearness.values()) z *= scale;
+  work.report(0.3, "mapping detail");
+  auto heights =
+      map_detail(nearness, options.detail, {pixel_m, height_m, options.steepest_slope, options.compression},
+                 Work{work.threads, work.seed, {}, work.cancel});
+  if (!heights) return heights.error();
+  if (options.sense == Sense::engrave)
+    for (float& z : heights->values()) z = -z;
 
-  work.report(0.5, "limiting slopes");
-  models::limit_slope(nearness, pixel_m, options.steepest_slope);
+  work.report(0.8, "limiting slopes");
+  models::limit_slope(*heights, pixel_m, options.steepest_slope);
   if (work.cancelled()) return Work::interrupted();
-  const float lowest = *std::min_element(nearness.values().begin(), nearness.values().end());
-  for (float& z : nearness.values()) z -= lowest;
+  const float lowest = *std::min_element(heights->values().begin(), heights->values().end());
+  for (float& z : heights->values()) z -= lowest;
   work.report(1.0, "relief");
-  return models::Relief::from_samples(std::move(nearness), pixel_m);
+  return models::Relief::from_samples(*std::move(heights), pixel_m);
 }
 
 Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<double> near,

@@ -6,6 +6,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/models/relief.hpp"
 #include "palpable/models/scene.hpp"
+#include "palpable/sculpt/detail.hpp"
 
 #include <optional>
 
@@ -31,6 +32,10 @@ struct ReliefOptions {
   /// Multiplies the relief's height, 0.1 ... 10, still bounded by the size's depth where that is given.
   double exaggerate = 1.0;
   Sense sense = Sense::raise;
+  DetailOperator detail = DetailOperator::relief;
+  /// How many times higher than the relief the scene would be in its own proportions (detail.hpp), 1.5 ...
+  /// 100.
+  double compression = 10.0;
   /// No place of the relief becomes steeper than this (rise over run), 0.1 ... 100.
   double steepest_slope = 3.0;
   /// Longer sides than this are averaged down first.

@@ -138,7 +138,9 @@ TEST(ReliefFromDisparity, UsesMetricDepthWithACamera) {
   rig.left = {500, 500, 30, 20, 61, 40};
   rig.baseline_m = 0.2;
   map.rig = rig;
-  const auto relief = relief_from_disparity(map, {}, {});
+  ReliefOptions options;
+  options.detail = DetailOperator::linear;
+  const auto relief = relief_from_disparity(map, options, {});
   ASSERT_TRUE(relief);
   // Depth rises evenly from left to right, so the relief is a plane, which disparity itself would not give.
   EXPECT_NEAR(relief->sample(0, 0).z_m, 0.5 * relief->highest_m(), 1e-5);
