@@ -114,6 +114,13 @@ std::optional<StereoMethod> stereo_method_from(std::string_view name) {
   return std::nullopt;
 }
 
+std::vector<StereoMethod> available_stereo_methods() {
+  std::vector<StereoMethod> methods;
+  for (const MethodEntry& entry : kMethods)
+    if (entry.function != nullptr) methods.push_back(entry.method);
+  return methods;
+}
+
 Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                           const Work& work) {
   if (const auto sizes = check_sizes(pair); !sizes) return sizes.error();

@@ -27,6 +27,8 @@ enum class StereoMethod { scanline, graph_cut, segments, pyramid, fast, best };
 /// The name on the command line ("graph-cut"); and back, nullopt for an unknown name.
 std::string_view name_of(StereoMethod method);
 std::optional<StereoMethod> stereo_method_from(std::string_view name);
+/// The methods that this program holds.
+std::vector<StereoMethod> available_stereo_methods();
 
 struct StereoOptions {
   /// Disparities 0 … max_disparity_px are searched; 0 = found automatically (find_disparity_range).
