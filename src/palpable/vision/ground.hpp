@@ -1,0 +1,58 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/frame.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/core/work.hpp"
+
+#include <cstdint>
+#include <optional>
+
+namespace palpable::vision {
+
+/// A plane of the world as a stereo camera sees it: disparity = a x + b y + c, pixels.
+struct DisparityPlane {
+  double a = 0.0;
+  double b = 0.0;
+  double c = 0.0;
+  double at(double x, double y) const { return a * x + b * y + c; }
+};
+
+/// The plane that things stand on (Park & Howard 2012, 4.1).
+struct Ground {
+  DisparityPlane plane;
+  /// 255 where the ground is seen, 0 elsewhere; as large as the picture.
+  Raster<std::uint8_t> mask;
+  /// Share of the picture, 0 … 1.
+  double share = 0.0;
+  /// Root mean square distance of the ground's pixels from the plane, pixels of disparity.
+  double rms_px = 0.0;
+};
+
+/// Finds the ground: a robust plane fit in disparity among planes that rise towards the bottom of the
+/// picture, then the picture's regions (merge_regions) decide which pixels belong to it. nullopt where no
+/// such plane holds at least a twentieth of the picture. `left` and `disparity_px` have the same size.
+/// Deterministic for a seed; polls work.cancel (gives nullopt then).
+std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
+                                  const Work& work);
+
+/// The plane's unit normal in the left camera's frame, from the plane towards the camera.
+Vector<CameraFrame> normal_of(const DisparityPlane& plane, const StereoRig& rig);
+
+/// What becomes of the ground in a disparity map.
+enum class GroundTreatment {
+  keep,
+  /// The ground becomes the level base plate: disparities are measured from its plane, the ground's own are
+  /// 0.
+  flatten,
+  /// The ground and what seems to lie under it become unknown: only what stands on it is left.
+  remove
+};
+
+/// The map with its ground treated. Flattened disparities belong to no rig (they are heights above the
+/// ground, as parallax), so the rig is dropped.
+DisparityMap treat_ground(const DisparityMap& disparity, const Ground& ground, GroundTreatment treatment);
+
+}  // namespace palpable::vision

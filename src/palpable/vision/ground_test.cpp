@@ -1,0 +1,136 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/ground.hpp"
+
+#include "palpable/vision/regions.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+/// What is seen at a pixel of a scene with known ground.
+enum class Seen : std::uint8_t { nothing, ground, object };
+
+struct Scene {
+  Raster<Rgb8> picture;
+  Raster<float> disparity_px;
+  Raster<Seen> seen;
+};
+
+constexpr DisparityPlane kFloor{0.01, 0.09, -4.0};
+
+/// A textured floor that rises to 20 px, a wall behind it and three boxes on it, with noise of `noise_px`.
+Scene room(double noise_px, double unknown_share) {
+  Scene scene{Raster<Rgb8>(320, 240), Raster<float>(320, 240), Raster<Seen>(320, 240)};
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, noise_px);
+  std::uniform_int_distribution<int> grain(-12, 12);
+  std::uniform_real_distribution<double> chance(0.0, 1.0);
+  struct Box {
+    int left, right, top, foot;
+  };
+  const Box boxes[] = {{40, 90, 90, 170}, {140, 200, 60, 130}, {230, 300, 150, 225}};
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      double d = std::max(kFloor.at(x, y), 3.0);
+      Seen seen = kFloor.at(x, y) > 3.0 ? Seen::ground : Seen::nothing;
+      Rgb8 colour = seen == Seen::ground ? Rgb8{120, 90, 60} : Rgb8{170, 180, 200};
+      for (const Box& box : boxes) {
+        if (x < box.left || x >= box.right || y < box.top || y >= box.foot) continue;
+        d = kFloor.at(x, box.foot);
+        seen = Seen::object;
+        colour = {60, 110, 140};
+      }
+      const int g = grain(random);
+      const auto shift = [g](std::uint8_t v) { return static_cast<std::uint8_t>(v + g); };
+      scene.picture(x, y) = {shift(colour.r), shift(colour.g), shift(colour.b)};
+      scene.seen(x, y) = seen;
+      scene.disparity_px(x, y) = chance(random) < unknown_share ? std::numeric_limits<float>::quiet_NaN()
+                                                                : static_cast<float>(d + noise(random));
+    }
+  }
+  return scene;
+}
+
+struct Shares {
+  double ground_found = 0.0;
+  double object_lost = 0.0;
+};
+
+Shares shares_of(const Raster<std::uint8_t>& mask, const Raster<Seen>& seen) {
+  double ground = 0, found = 0, object = 0, lost = 0;
+  for (std::size_t i = 0; i < seen.count(); ++i) {
+    const bool marked = mask.values()[i] != 0;
+    ground += seen.values()[i] == Seen::ground ? 1 : 0;
+    found += seen.values()[i] == Seen::ground && marked ? 1 : 0;
+    object += seen.values()[i] == Seen::object ? 1 : 0;
+    lost += seen.values()[i] == Seen::object && marked ? 1 : 0;
+  }
+  return {found / ground, lost / object};
+}
+
+double degrees_between(Vec3 a, Vec3 b) {
+  return 180.0 / std::numbers::pi * std::acos(std::min(1.0, dot(unit(a), unit(b))));
+}
+
+TEST(FindGround, FindsTheFloorOfARoomAndLeavesTheThingsOnIt) {
+  for (const double noise_px : {0.02, 0.15, 0.3}) {
+    const Scene scene = room(noise_px, 0.05);
+    const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
+    ASSERT_TRUE(ground) << noise_px;
+    const StereoRig rig{{300.0, 300.0, 159.5, 119.5, 320, 240}, 0.1, 0.0};
+    EXPECT_LT(degrees_between(normal_of(ground->plane, rig).v, normal_of(kFloor, rig).v), 1.0) << noise_px;
+    const Shares shares = shares_of(ground->mask, scene.seen);
+    EXPECT_GT(shares.ground_found, 0.98) << noise_px;
+    EXPECT_LT(shares.object_lost, 0.02) << noise_px;
+  }
+}
+
+TEST(FindGround, FindsNoneBeforeAWall) {
+  Scene scene = room(0.1, 0.0);
+  for (float& d : scene.disparity_px.values()) d = 7.0F;
+  EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
+  for (float& d : scene.disparity_px.values()) d = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
+}
+
+TEST(NormalOf, PointsUpFromALevelFloor) {
+  // A camera 1 m above a level floor that looks level: Z = fy h / (y - cy), so d = B (y - cy) / h.
+  const StereoRig rig{{500.0, 500.0, 320.0, 240.0, 640, 480}, 0.1, 0.0};
+  const Vec3 normal = normal_of({0.0, 0.1, -24.0}, rig).v;
+  EXPECT_NEAR(normal.x, 0.0, 1e-12);
+  EXPECT_NEAR(normal.y, -1.0, 1e-12);
+  EXPECT_NEAR(normal.z, 0.0, 1e-12);
+}
+
+TEST(TreatGround, FlattensTheGroundAndKeepsWhatStandsOnIt) {
+  const Scene scene = room(0.05, 0.0);
+  const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
+  ASSERT_TRUE(ground);
+  const DisparityMap flat = treat_ground({scene.disparity_px, {}}, *ground, GroundTreatment::flatten);
+  EXPECT_EQ(flat.disparity_px(10, 230), 0.0F);
+  EXPECT_NEAR(flat.disparity_px(260, 160), kFloor.at(260, 225) - kFloor.at(260, 160), 0.4);
+  const DisparityMap removed = treat_ground({scene.disparity_px, {}}, *ground, GroundTreatment::remove);
+  EXPECT_TRUE(std::isnan(removed.disparity_px(10, 230)));
+  EXPECT_EQ(removed.disparity_px(260, 160), scene.disparity_px(260, 160));
+  const DisparityMap kept = treat_ground({scene.disparity_px, {}}, *ground, GroundTreatment::keep);
+  EXPECT_EQ(kept.disparity_px, scene.disparity_px);
+}
+
+TEST(MergeRegions, SeparatesWhatDiffersAndJoinsWhatOnlyNoiseParts) {
+  const Scene scene = room(0.1, 0.0);
+  const Regions regions = merge_regions(scene.picture);
+  EXPECT_LT(regions.count(), 40);
+  EXPECT_NE(regions.of_pixel(60, 120), regions.of_pixel(10, 230));
+  EXPECT_NE(regions.of_pixel(10, 5), regions.of_pixel(10, 230));
+  EXPECT_EQ(regions.of_pixel(10, 230), regions.of_pixel(110, 235));
+}
+
+}  // namespace
+}  // namespace palpable::vision

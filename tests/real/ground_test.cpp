@@ -1,0 +1,109 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/ground.hpp"
+
+#include "palpable/sources/calibration.hpp"
+#include "palpable/sources/depth_file.hpp"
+#include "palpable/sources/picture.hpp"
+#include "palpable/vision/stereo.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+/// What is seen at a pixel of a scene with known ground.
+enum class Seen : std::uint8_t { nothing, ground, object };
+
+struct Shares {
+  double ground_found = 0.0;
+  double object_lost = 0.0;
+};
+
+Shares shares_of(const Raster<std::uint8_t>& mask, const Raster<Seen>& seen) {
+  double ground = 0, found = 0, object = 0, lost = 0;
+  for (std::size_t i = 0; i < seen.count(); ++i) {
+    const bool marked = mask.values()[i] != 0;
+    ground += seen.values()[i] == Seen::ground ? 1 : 0;
+    found += seen.values()[i] == Seen::ground && marked ? 1 : 0;
+    object += seen.values()[i] == Seen::object ? 1 : 0;
+    lost += seen.values()[i] == Seen::object && marked ? 1 : 0;
+  }
+  return {found / ground, lost / object};
+}
+
+double degrees_between(Vec3 a, Vec3 b) {
+  return 180.0 / std::numbers::pi * std::acos(std::min(1.0, dot(unit(a), unit(b))));
+}
+
+/// The rendered heads stand on a table before a wall; the table's truth follows from its exact disparity and
+/// its pose.
+class RenderedHeads : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* data = std::getenv("PALPABLE_DATA");
+    if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
+    const std::string folder = std::string(data) + "/stereo/rendered_heads/";
+    const auto left = sources::read_picture(folder + "left.png"),
+               right = sources::read_picture(folder + "right.png");
+    const auto truth =
+        sources::read_disparity(folder + "disp_left.pfm", 1.0, sources::UnknownDisparity::not_finite);
+    const auto segments = sources::read_raster(folder + "segments_left.png");
+    const auto calibration = sources::read_calibration(folder + "calib.txt");
+    ASSERT_TRUE(left && right && truth && segments && calibration && calibration->rig);
+    pair_ = {*left, *right, calibration->rig};
+    truth_px_ = truth->disparity.disparity_px;
+    seen_ = Raster<Seen>(truth_px_.width(), truth_px_.height());
+    const Pinhole& camera = pair_.rig->left;
+    for (int y = 0; y < seen_.height(); ++y) {
+      for (int x = 0; x < seen_.width(); ++x) {
+        const double z = pair_.rig->baseline_m * camera.fx / truth_px_(x, y),
+                     v = (y - camera.cy) / camera.fy * z;
+        const double above_table_m = kCameraHeight_m + dot(kUp, Vec3{0.0, v, z});
+        if ((*segments)(x, y) > 0.0F) {
+          seen_(x, y) = Seen::object;
+        } else if (std::abs(above_table_m) < 0.0005) {
+          seen_(x, y) = Seen::ground;
+        }
+      }
+    }
+  }
+
+  void expect_ground(const Raster<float>& disparity_px, const char* from) {
+    const auto ground = find_ground(rgb8(pair_.left), disparity_px, Work{});
+    ASSERT_TRUE(ground) << from;
+    const double angle = degrees_between(normal_of(ground->plane, *pair_.rig).v, kUp);
+    const Shares shares = shares_of(ground->mask, seen_);
+    RecordProperty(std::string(from) + "_angle_deg", std::to_string(angle));
+    std::printf("%s: normal off by %.3f degrees, %.2f %% of the ground found, %.2f %% of the objects lost\n",
+                from, angle, 100.0 * shares.ground_found, 100.0 * shares.object_lost);
+    EXPECT_LT(angle, 1.0) << from;
+    EXPECT_GT(shares.ground_found, 0.98) << from;
+    EXPECT_LT(shares.object_lost, 0.02) << from;
+  }
+
+  /// The world's up in the left camera's frame, and the camera's height over the table, from the data's
+  /// calib.json.
+  static constexpr Vec3 kUp{0.0, -0.9983283009524989, -0.05779795426567099};
+  static constexpr double kCameraHeight_m = 0.22;
+  StereoPair pair_;
+  Raster<float> truth_px_;
+  Raster<Seen> seen_;
+};
+
+TEST_F(RenderedHeads, StandOnATableThatIsFoundFromExactDisparity) { expect_ground(truth_px_, "exact"); }
+
+TEST_F(RenderedHeads, StandOnATableThatIsFoundFromMatchedDisparity) {
+  if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
+  const auto match = vision::match(pair_, available_stereo_methods().back(), {}, Work{});
+  ASSERT_TRUE(match);
+  expect_ground(match->disparity.disparity_px, "matched");
+}
+
+}  // namespace
+}  // namespace palpable::vision
