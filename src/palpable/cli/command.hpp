@@ -3,13 +3,14 @@
 #pragma once
 
 #include "palpable/cli/console.hpp"
+#include "palpable/cli/options.hpp"
 #include "palpable/core/result.hpp"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 namespace palpable::cli {
@@ -27,17 +28,27 @@ struct Answer {
 using Action = std::function<Result<Answer>(Console&)>;
 
 /// The program's command line while it is being put together: one add_…() function a subcommand fills it.
-struct Program {
-  CLI::App app;
-  CommonOptions common;
-  /// What the parsed arguments ask for.
-  Action action;
-};
+class Program;
 
-/// A new subcommand with the options that every command takes. `footer` shows examples, one a line.
-CLI::App& add_command(Program& program, const std::string& name, const std::string& description,
-                      const std::string& examples, Action action);
+/// A new subcommand; `examples` are shown below its help, one a line. Options that every command takes come
+/// by themselves.
+Options add_command(Program& program, const std::string& name, const std::string& description,
+                    const std::string& examples, Action action);
+/// The same below a command of commands: `parent` is "score", `name` "disparity".
+Options add_command_below(Program& program, const std::string& parent, const std::string& name,
+                          const std::string& description, const std::string& examples, Action action);
 
+void add_bench(Program& program);
+void add_depth(Program& program);
+void add_devices(Program& program);
 void add_doctor(Program& program);
+void add_export(Program& program);
+void add_info(Program& program);
+void add_make(Program& program);
+void add_probe(Program& program);
+void add_sample(Program& program);
+void add_score(Program& program);
+void add_show(Program& program);
+void add_touch(Program& program);
 
 }  // namespace palpable::cli

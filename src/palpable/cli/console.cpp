@@ -48,6 +48,13 @@ void Console::note(std::string_view sentence) {
   fmt::print(stderr, "{}\n", sentence);
 }
 
+void Console::say(std::string_view sentence) {
+  const std::lock_guard lock(mutex_);
+  std::FILE* const stream = options_.json ? stderr : stdout;
+  fmt::print(stream, "{}\n", sentence);
+  std::fflush(stream);
+}
+
 Work Console::work() {
   Work work;
   work.threads = options_.threads;

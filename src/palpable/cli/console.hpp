@@ -29,6 +29,8 @@ class Console {
 
   /// A note for the person on standard error, one line; silent with --quiet.
   void note(std::string_view sentence);
+  /// What the person must hear even with --quiet: on standard output, or on standard error with --json.
+  void say(std::string_view sentence);
   /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.
   Work work();
   const CommonOptions& options() const { return options_; }

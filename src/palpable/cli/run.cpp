@@ -9,9 +9,19 @@
 #include <exception>
 #include <new>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace palpable::cli {
+
+class Program {
+ public:
+  CLI::App app;
+  CommonOptions common;
+  /// What the parsed arguments ask for.
+  Action action;
+};
+
 namespace {
 
 void add_common(CLI::App& app, CommonOptions& common) {
@@ -52,19 +62,25 @@ std::string with_suggestion(std::string sentence, const std::string& typed,
   return sentence;
 }
 
+/// The innermost command that the arguments named.
+const CLI::App& chosen_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : chosen_command(*chosen.front());
+}
+
 /// CLI11's complaint as one sentence of ours.
 Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
-  const auto chosen = app.get_subcommands();
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  const CLI::App& command = chosen_command(app);
   const auto extras = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&complaint) != nullptr && !extras.empty()) {
     const std::string& typed = extras.front();
     if (typed.starts_with("-"))
       return usage(with_suggestion(fmt::format("unknown option {}", typed), typed.substr(0, typed.find('=')),
                                    option_names(command)));
-    if (chosen.empty())
-      return usage(with_suggestion(fmt::format("there is no command {}", typed), typed, command_names(app)) +
-                   (suggestion(typed, command_names(app)) ? "" : "; palpable --help lists them"));
+    const auto below = command_names(command);
+    if (!below.empty())
+      return usage(with_suggestion(fmt::format("there is no command {}", typed), typed, below) +
+                   (suggestion(typed, below) ? "" : "; --help lists them"));
     return usage(fmt::format("{} takes no argument {}", command.get_name(), typed));
   }
   std::string sentence = complaint.what();
@@ -80,6 +96,15 @@ int finish(const Result<Answer>& answer, const CommonOptions& common) {
   return answer->exit_code;
 }
 
+Options add_command_to(Program& program, CLI::App& parent, const std::string& name,
+                       const std::string& description, const std::string& examples, Action action) {
+  CLI::App& command = *parent.add_subcommand(name, description);
+  command.footer("Examples:\n" + examples);
+  command.callback([&program, action = std::move(action)] { program.action = action; });
+  add_common(command, program.common);
+  return Options(command);
+}
+
 void describe(Program& program) {
   CLI::App& app = program.app;
   app.name("palpable");
@@ -92,6 +117,18 @@ void describe(Program& program) {
       "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 unreadable or invalid input, 4 device, 130 "
       "interrupted.");
   add_common(app, program.common);
+  add_touch(program);
+  add_make(program);
+  add_depth(program);
+  add_probe(program);
+  add_sample(program);
+  add_bench(program);
+  add_show(program);
+  add_info(program);
+  add_export(program);
+  program.app.add_subcommand("score", "Compare a result with the truth")->require_subcommand(1);
+  add_score(program);
+  add_devices(program);
   add_doctor(program);
 }
 
@@ -115,13 +152,15 @@ int parse_and_run(int argc, char** argv) {
 
 }  // namespace
 
-CLI::App& add_command(Program& program, const std::string& name, const std::string& description,
-                      const std::string& examples, Action action) {
-  CLI::App& command = *program.app.add_subcommand(name, description);
-  command.footer("Examples:\n" + examples);
-  command.callback([&program, action = std::move(action)] { program.action = action; });
-  add_common(command, program.common);
-  return command;
+Options add_command(Program& program, const std::string& name, const std::string& description,
+                    const std::string& examples, Action action) {
+  return add_command_to(program, program.app, name, description, examples, std::move(action));
+}
+
+Options add_command_below(Program& program, const std::string& parent, const std::string& name,
+                          const std::string& description, const std::string& examples, Action action) {
+  return add_command_to(program, *program.app.get_subcommand(parent), name, description, examples,
+                        std::move(action));
 }
 
 int run(int argc, char** argv) {

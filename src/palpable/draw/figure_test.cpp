@@ -7,6 +7,7 @@
 #include "palpable/draw/force_view.hpp"
 #include "palpable/draw/height_view.hpp"
 #include "palpable/draw/section_view.hpp"
+#include "palpable/draw/sheet.hpp"
 
 #include <cmath>
 #include <filesystem>

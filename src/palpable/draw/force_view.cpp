@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/draw/force_view.hpp"
 
+#include "palpable/draw/sheet.hpp"
+
 #include <algorithm>
 #include <cmath>
 

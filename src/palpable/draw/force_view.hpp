@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/image.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/sheet.hpp"
+#include "palpable/draw/heading.hpp"
 #include "palpable/models/relief.hpp"
 
 #include <vector>

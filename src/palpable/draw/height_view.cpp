@@ -3,6 +3,7 @@
 #include "palpable/draw/height_view.hpp"
 
 #include "palpable/draw/colour_map.hpp"
+#include "palpable/draw/sheet.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 #include "palpable/draw/section_view.hpp"
 
 #include "palpable/draw/colour_map.hpp"
+#include "palpable/draw/plot.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/sheet.hpp"
+#include "palpable/draw/heading.hpp"
 #include "palpable/models/relief.hpp"
 
 namespace palpable::draw {

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/draw/heading.hpp"
 #include "palpable/draw/plot.hpp"
 
 #include <string>
 
 namespace palpable::draw {
-
-/// What stands above a picture, so that it explains itself when it is sent on without a letter.
-struct Heading {
-  std::string title;
-  std::string subtitle;
-};
 
 /// Where things stand on a page with one plot: heading above, legend on the right, a caption below.
 struct Sheet {

@@ -4,19 +4,14 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/session/maker_thread.hpp"
 #include "palpable/session/touch_session.hpp"
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 
 namespace palpable::session {
-
-/// Takes a scene as soon as it can be touched; called again when a better one is ready.
-using DeliverScene = std::function<void(std::shared_ptr<const models::Scene>)>;
-/// Makes scenes, the fastest first, and delivers each. Runs on a thread of its own; polls work.cancelled().
-using SceneMaker = std::function<Result<void>(const DeliverScene& deliver, const Work& work)>;
 
 struct HeadlessOptions {
   TouchSettings settings;

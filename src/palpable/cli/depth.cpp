@@ -1,0 +1,84 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/cli/stereo_options.hpp"
+#include "palpable/formats/picture.hpp"
+#include "palpable/session/make_scene.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string left, right, output;
+  StereoArguments stereo;
+};
+
+Result<void> write_disparity(const std::filesystem::path& output, const Raster<float>& disparity_px) {
+  if (output.extension() == ".pfm") return formats::write_disparity_pfm(output, disparity_px);
+  return formats::write_disparity_png(output, disparity_px);
+}
+
+double coverage_of(const Raster<float>& disparity_px) {
+  const auto known = std::count_if(disparity_px.values().begin(), disparity_px.values().end(),
+                                   [](float d) { return std::isfinite(d); });
+  return static_cast<double>(known) / static_cast<double>(disparity_px.count());
+}
+
+Result<Answer> depth(const Arguments& arguments, Console& console) {
+  const std::filesystem::path output(arguments.output);
+  if (output.extension() != ".pfm" && output.extension() != ".png")
+    return Error{ErrorCode::usage, "disparity is written as .pfm or .png", arguments.output};
+  const auto method = stereo_method(arguments.stereo);
+  if (!method) return method.error();
+  const auto pair =
+      session::read_stereo_pair({arguments.left, arguments.right}, arguments.stereo.calibration);
+  if (!pair) return pair.error();
+
+  const auto begin = std::chrono::steady_clock::now();
+  const auto match = vision::match(*pair, *method, {arguments.stereo.max_disparity_px}, console.work());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (!match) return Error{match.error().code, match.error().message, match.error().place};
+  for (const std::string& note : match->notes) console.note(note);
+  const Raster<float>& disparity_px = match->disparity.disparity_px;
+  if (const auto written = write_disparity(output, disparity_px); !written) return written.error();
+
+  Answer answer;
+  const double coverage = coverage_of(disparity_px);
+  answer.json = {{"method", vision::name_of(*method)},
+                 {"width", disparity_px.width()},
+                 {"height", disparity_px.height()},
+                 {"seconds", seconds.count()},
+                 {"coverage", coverage},
+                 {"notes", match->notes},
+                 {"output", arguments.output}};
+  answer.text = fmt::format("{} x {} disparities by {} in {:.2f} s, {:.1f} % known: {}\n",
+                            disparity_px.width(), disparity_px.height(), vision::name_of(*method),
+                            seconds.count(), 100.0 * coverage, arguments.output);
+  return answer;
+}
+
+}  // namespace
+
+void add_depth(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options =
+      add_command(program, "depth", "Disparity of a stereo pair, left picture as the reference",
+                  "  palpable depth left.png right.png -o depth.pfm\n"
+                  "  palpable depth left.png right.png -o depth.png --method scanline --max-disparity 64",
+                  [arguments](Console& console) { return depth(*arguments, console); });
+  options.argument("LEFT", arguments->left, "Left picture");
+  options.argument("RIGHT", arguments->right, "Right picture");
+  options.required_text(
+      "-o,--output", arguments->output,
+      "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");
+  add_stereo_options(options, arguments->stereo);
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,89 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/formats/npz.hpp"
+#include "palpable/formats/picture.hpp"
+#include "palpable/formats/scene_file.hpp"
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, output;
+};
+
+/// The surface's own height at the place of each sample (the samples are its control values).
+Raster<float> surface_heights(const models::Relief& relief) {
+  Raster<float> heights(relief.samples_m().width(), relief.samples_m().height());
+  for (int j = 0; j < heights.height(); ++j) {
+    for (int i = 0; i < heights.width(); ++i) {
+      const double x = (i - 0.5 * (heights.width() - 1)) * relief.pixel_m();
+      const double y = -(j - 0.5 * (heights.height() - 1)) * relief.pixel_m();
+      heights(i, j) = static_cast<float>(relief.sample(x, y).z_m);
+    }
+  }
+  return heights;
+}
+
+/// Heights as 16-bit grey, 0 = the base, 65535 = the highest place; the answer says how many metres a step
+/// is.
+Result<void> write_heights(const models::Relief& relief, const std::filesystem::path& output,
+                           double metres_per_step) {
+  const Raster<float> heights = surface_heights(relief);
+  Raster<std::uint16_t> grey(heights.width(), heights.height());
+  for (std::size_t i = 0; i < heights.count(); ++i) {
+    const double step = std::round(static_cast<double>(heights.values()[i]) / metres_per_step);
+    grey.values()[i] = static_cast<std::uint16_t>(std::clamp(step, 0.0, 65535.0));
+  }
+  return formats::write_png(output, grey);
+}
+
+Result<Answer> export_relief(const models::Relief& relief, const Arguments& arguments) {
+  Answer answer;
+  answer.json["output"] = arguments.output;
+  answer.text = fmt::format("{}\n", arguments.output);
+  const std::filesystem::path output(arguments.output);
+  const std::string ending = output.extension().string();
+  if (ending == ".npz") {
+    const formats::Npz arrays{{"height_m", formats::npy_array(surface_heights(relief))},
+                              {"pixel_m", formats::npy_array(relief.pixel_m())}};
+    if (const auto written = formats::write_npz(output, arrays); !written) return written.error();
+    return answer;
+  }
+  if (ending == ".png") {
+    const double metres_per_step = std::max(relief.highest_m(), 1e-9) / 65535.0;
+    if (const auto written = write_heights(relief, output, metres_per_step); !written) return written.error();
+    answer.json["metres_per_step"] = metres_per_step;
+    answer.text = fmt::format("{}: heights as 16-bit grey, {:.6g} mm a step\n", arguments.output,
+                              1000.0 * metres_per_step);
+    return answer;
+  }
+  return Error{ErrorCode::usage, "a relief is exported as .npz or .png", arguments.output};
+}
+
+Result<Answer> run_export(const Arguments& arguments) {
+  const auto file = formats::read_scene(arguments.scene);
+  if (!file) return file.error();
+  const models::Scene& scene = file->scene;
+  return std::visit([&](const auto& model) { return export_relief(*model, arguments); }, scene.model);
+}
+
+}  // namespace
+
+void add_export(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options = add_command(program, "export", "Write a scene's model for other programs: .npz or .png",
+                                "  palpable export aloe.palp -o aloe.npz\n"
+                                "  palpable export aloe.palp -o heights.png",
+                                [arguments](Console& /*console*/) { return run_export(*arguments); });
+  options.argument("SCENE", arguments->scene, "A .palp scene");
+  options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
+}
+
+}  // namespace palpable::cli

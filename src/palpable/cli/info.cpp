@@ -1,0 +1,95 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/formats/scene_file.hpp"
+#include "palpable/haptics/laws.hpp"
+
+#include <variant>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+Json matrix_of(const Transform<SceneFrame, models::InputFrame>& transform) {
+  const auto& r = transform.rotation;
+  const double s = transform.scale;
+  const Vec3 t = transform.translation_m;
+  return {{s * r[0], s * r[1], s * r[2], t.x},
+          {s * r[3], s * r[4], s * r[5], t.y},
+          {s * r[6], s * r[7], s * r[8], t.z},
+          {0.0, 0.0, 0.0, 1.0}};
+}
+
+Json json_of(const models::Material& material) {
+  return {{"name", material.name},
+          {"stiffness_N_per_m", material.stiffness_N_per_m},
+          {"damping_Ns_per_m", material.damping_Ns_per_m},
+          {"static_friction", material.static_friction},
+          {"dynamic_friction", material.dynamic_friction}};
+}
+
+Json laws_of(const models::Scene& scene) {
+  Json laws = Json::array();
+  for (const haptics::Law law : haptics::laws_for(scene)) laws.push_back(haptics::name_of(law));
+  return laws;
+}
+
+void add_model(Answer& answer, const models::Relief& relief) {
+  const auto& samples = relief.samples_m();
+  answer.json["samples"] = {samples.width(), samples.height()};
+  answer.json["pixel_m"] = relief.pixel_m();
+  answer.json["lowest_m"] = relief.lowest_m();
+  answer.json["highest_m"] = relief.highest_m();
+  answer.text += fmt::format("  {} x {} samples of {:.3f} mm, heights {:.2f} to {:.2f} mm\n", samples.width(),
+                             samples.height(), 1000.0 * relief.pixel_m(), 1000.0 * relief.lowest_m(),
+                             1000.0 * relief.highest_m());
+}
+
+Result<Answer> info(const std::string& path) {
+  const auto file = formats::read_scene(path);
+  if (!file) return file.error();
+  const models::Scene& scene = file->scene;
+  const Vec3 size = models::size_m(scene);
+  const std::size_t memory = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);
+  const std::string kind = models::kind_of(scene.model);
+
+  Answer answer;
+  answer.json = {
+      {"format", file->version},
+      {"kind", kind},
+      {"size_m", {size.x, size.y, size.z}},
+      {"scene_from_input", matrix_of(scene.scene_from_input)},
+      {"memory_bytes", memory},
+      {"file_bytes", file->file_bytes},
+      {"source",
+       {{"inputs", scene.source.inputs}, {"method", scene.source.method}, {"made_by", scene.source.made_by}}},
+      {"materials", Json::array()},
+      {"laws", laws_of(scene)}};
+  for (const models::Material& material : scene.materials)
+    answer.json["materials"].push_back(json_of(material));
+  answer.text = fmt::format("{}: {}, {:.1f} x {:.1f} x {:.1f} mm\n", path, kind, 1000.0 * size.x,
+                            1000.0 * size.y, 1000.0 * size.z);
+  std::visit([&](const auto& model) { add_model(answer, *model); }, scene.model);
+  answer.text += fmt::format("  {:.1f} MB in memory, {:.1f} MB on disk\n", static_cast<double>(memory) / 1e6,
+                             static_cast<double>(file->file_bytes) / 1e6);
+  if (!scene.source.inputs.empty())
+    answer.text +=
+        fmt::format("  from {} ({})\n", fmt::join(scene.source.inputs, " and "), scene.source.method);
+  for (const models::Material& material : scene.materials)
+    answer.text += fmt::format("  material {}: {:g} N/m, {:g} N·s/m, friction {:g} (sliding {:g})\n",
+                               material.name, material.stiffness_N_per_m, material.damping_Ns_per_m,
+                               material.static_friction, material.dynamic_friction);
+  return answer;
+}
+
+}  // namespace
+
+void add_info(Program& program) {
+  const auto path = std::make_shared<std::string>();
+  Options options = add_command(program, "info", "Say what a scene file holds", "  palpable info aloe.palp",
+                                [path](Console& /*console*/) { return info(*path); });
+  options.argument("SCENE", *path, "A .palp scene");
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,98 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/make_options.hpp"
+
+#include "palpable/cli/suggest.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+constexpr const char* kMadeBy = "palpable " PALPABLE_VERSION;
+
+}  // namespace
+
+void add_make_options(Options& options, MakeArguments& arguments) {
+  constexpr int kMostInputs = 4096;
+  constexpr Range kDepthUnits{-1e6, 1e6};
+  options.arguments("INPUT", arguments.inputs, kMostInputs, "A pair (left first), a depth map, or a scene");
+  options.under("What is made of it");
+  options.text("--kind", arguments.kind, "picture, stereo, depth or scene; else recognised by content");
+  options.text("--size", arguments.size, "WxHxD in mm that bound the scene; else 100x100 and 15 high");
+  options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
+                 "Metres for one step of a depth map; else 1");
+  options.number("--near", arguments.near, kDepthUnits,
+                 "Nothing counts as nearer (m; px of disparity without calibration)");
+  options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
+  options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
+  add_stereo_options(options, arguments.stereo);
+}
+
+Result<Vec3> size_from(const std::string& text) {
+  const Error wrong{ErrorCode::usage,
+                    fmt::format("'{}' is not a size: write WxHxD in mm, each 1 to 1000, as 100x75x20", text),
+                    "--size"};
+  std::array<double, 3> sides_mm{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t i = 0; i < sides_mm.size(); ++i) {
+    const auto [next, fault] = std::from_chars(at, end, sides_mm[i]);
+    const bool last = i + 1 == sides_mm.size();
+    if (fault != std::errc{} || !(sides_mm[i] >= 1.0 && sides_mm[i] <= 1000.0)) return wrong;
+    if (last ? next != end : next == end || *next != 'x') return wrong;
+    at = last ? next : next + 1;
+  }
+  return Vec3{sides_mm[0] / 1000.0, sides_mm[1] / 1000.0, sides_mm[2] / 1000.0};
+}
+
+Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
+  session::MakeOptions options;
+  options.made_by = kMadeBy;
+  options.inputs.assign(arguments.inputs.begin(), arguments.inputs.end());
+  options.calibration = arguments.stereo.calibration;
+  options.max_disparity_px = arguments.stereo.max_disparity_px;
+  options.depth_scale = arguments.depth_scale;
+  options.relief.near = arguments.near;
+  options.relief.far = arguments.far;
+  options.relief.exaggerate = arguments.exaggerate;
+  if (!arguments.kind.empty()) {
+    options.kind = sources::input_kind_from(arguments.kind);
+    if (!options.kind)
+      return Error{ErrorCode::usage, fmt::format("there is no kind of input called {}", arguments.kind),
+                   "--kind"};
+  }
+  if (!arguments.size.empty()) {
+    const auto size = size_from(arguments.size);
+    if (!size) return size.error();
+    options.relief.size_m = *size;
+  }
+  if (!arguments.stereo.method.empty()) {
+    const auto method = stereo_method(arguments.stereo);
+    if (!method) return method.error();
+    options.method = *method;
+  }
+  return options;
+}
+
+Result<session::MakeOptions> sample_options() {
+  std::error_code ignored;
+  const auto beside =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
+  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)}) {
+    if (!std::filesystem::exists(folder / "sculpture_left.png", ignored)) continue;
+    session::MakeOptions options;
+    options.made_by = kMadeBy;
+    options.inputs = {folder / "sculpture_left.png", folder / "sculpture_right.png"};
+    if (std::filesystem::exists(folder / "sculpture_calib.txt", ignored))
+      options.calibration = folder / "sculpture_calib.txt";
+    return options;
+  }
+  return Error{ErrorCode::failed, "the sample that comes with palpable is not installed", PALPABLE_SAMPLES};
+}
+
+}  // namespace palpable::cli

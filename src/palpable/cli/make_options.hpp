@@ -1,0 +1,37 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/cli/stereo_options.hpp"
+#include "palpable/session/make_scene.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpable::cli {
+
+/// What a scene is made from, and how, as given on the command line; shared by make and touch.
+struct MakeArguments {
+  std::vector<std::string> inputs;
+  std::string kind, size;
+  StereoArguments stereo;
+  std::optional<double> depth_scale, near, far;
+  double exaggerate = 1.0;
+};
+
+/// Adds INPUT… and the options. `arguments` must outlive the parsing.
+void add_make_options(Options& options, MakeArguments& arguments);
+
+/// What the session takes. Errors: usage, for a kind, size or method that there is not.
+Result<session::MakeOptions> make_options(const MakeArguments& arguments);
+
+/// "WxHxD" in millimetres as metres; each 1 to 1000 mm. Errors: usage.
+Result<Vec3> size_from(const std::string& text);
+
+/// The sample that comes with the program: its left and right picture and its calibration. Looked for beside
+/// an installed program, then where it was built. Errors: failed, where it is not there.
+Result<session::MakeOptions> sample_options();
+
+}  // namespace palpable::cli

@@ -1,0 +1,51 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace palpable::cli {
+
+/// From least to most, both taken.
+struct Range {
+  double least = 0.0;
+  double most = 0.0;
+};
+
+/// The arguments and options of one command while they are declared. CLI11 stays behind it: its header costs
+/// every file that includes it many seconds. What is declared is filled while the command line is parsed and
+/// must outlive that.
+class Options {
+ public:
+  explicit Options(CLI::App& app) : app_(app) {}
+
+  /// The heading in the help under which the options declared from now on stand.
+  void under(const std::string& heading) { heading_ = heading; }
+
+  /// A word without a name, required; and several of them.
+  void argument(const std::string& name, std::string& value, const std::string& help);
+  void arguments(const std::string& name, std::vector<std::string>& values, int most,
+                 const std::string& help);
+
+  void flag(const std::string& name, bool& value, const std::string& help);
+  void text(const std::string& name, std::string& value, const std::string& help);
+  void required_text(const std::string& name, std::string& value, const std::string& help);
+  /// One of `words`; the help shows the value that holds if nothing is said.
+  void choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
+              const std::string& help);
+  void number(const std::string& name, double& value, Range range, const std::string& help);
+  void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
+  void integer(const std::string& name, int& value, Range range, const std::string& help);
+
+ private:
+  CLI::App& app_;
+  std::string heading_ = "Options";
+};
+
+}  // namespace palpable::cli

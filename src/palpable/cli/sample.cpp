@@ -1,0 +1,98 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/cli/path_file.hpp"
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/number_table.hpp"
+#include "palpable/formats/scene_file.hpp"
+#include "palpable/models/relief_distance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, points, output;
+};
+
+/// One row's answer; empty where the point stands outside the model's domain.
+using Value = std::optional<models::ClosestPoint>;
+
+std::vector<Value> ask(const models::Relief& relief, const NumberTable& points, const Work& work) {
+  std::vector<Value> values(points.rows());
+  parallel_for(work, static_cast<int>(points.rows()), 256, [&](int begin, int end) {
+    for (int i = begin; i < end && !work.cancelled(); ++i) {
+      const auto row = points.row(static_cast<std::size_t>(i));
+      values[static_cast<std::size_t>(i)] = models::closest_point(relief, {{row[0], row[1], row[2]}});
+    }
+  });
+  return values;
+}
+
+std::string csv_of(const models::Scene& scene, const NumberTable& points, const std::vector<Value>& values) {
+  std::string csv = "x_m,y_m,z_m,distance_m,nx,ny,nz,stiffness_N_per_m,static_friction,label\n";
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto row = points.row(i);
+    for (const double coordinate : row) {
+      append_number(csv, coordinate);
+      csv += ',';
+    }
+    if (!values[i]) {
+      csv += ",,,,,,\n";
+      continue;
+    }
+    const Vec3 n = values[i]->normal.v;
+    const std::size_t label = models::label_at(scene, values[i]->surface);
+    const models::Material& material = scene.materials[label];
+    for (const double value :
+         {values[i]->distance_m, n.x, n.y, n.z, material.stiffness_N_per_m, material.static_friction}) {
+      append_number(csv, value);
+      csv += ',';
+    }
+    csv += fmt::format("{}\n", label);
+  }
+  return csv;
+}
+
+Result<Answer> sample(const Arguments& arguments, Console& console) {
+  const auto file = formats::read_scene(arguments.scene);
+  if (!file) return file.error();
+  const models::Scene& scene = file->scene;
+  constexpr std::array<std::string_view, 3> kColumns{"x_m", "y_m", "z_m"};
+  const auto points = read_number_table(arguments.points, kColumns);
+  if (!points) return points.error();
+  const Work work = console.work();
+  const auto values = std::visit([&](const auto& model) { return ask(*model, *points, work); }, scene.model);
+  if (work.cancelled()) return Work::interrupted();
+  const std::string csv = csv_of(scene, *points, values);
+  if (const auto written = write_file_atomically(arguments.output, std::as_bytes(std::span(csv))); !written)
+    return written.error();
+  const auto inside =
+      std::count_if(values.begin(), values.end(), [](const Value& v) { return v.has_value(); });
+  Answer answer;
+  answer.json = {{"points", values.size()}, {"in_domain", inside}, {"output", arguments.output}};
+  answer.text = fmt::format("{} points, {} of them in the scene's domain: {}\n", values.size(), inside,
+                            arguments.output);
+  return answer;
+}
+
+}  // namespace
+
+void add_sample(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options =
+      add_command(program, "sample", "Ask the model itself: distance, normal and material at points",
+                  "  palpable sample aloe.palp --points points.csv -o values.csv",
+                  [arguments](Console& console) { return sample(*arguments, console); });
+  options.argument("SCENE", arguments->scene, "A .palp scene");
+  options.required_text("--points", arguments->points,
+                        "CSV with the columns x_m,y_m,z_m (scene frame, metres)");
+  options.required_text("-o,--output", arguments->output, "CSV to write");
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,129 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/cli/law_options.hpp"
+#include "palpable/draw/force_view.hpp"
+#include "palpable/draw/height_view.hpp"
+#include "palpable/draw/section_view.hpp"
+#include "palpable/formats/scene_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, output;
+  std::string view = "relief";
+  LawArguments law;
+  std::optional<double> cut_mm;
+};
+
+draw::Heading heading_of(const Arguments& arguments, const models::Scene& scene, const std::string& what) {
+  const Vec3 size = models::size_m(scene);
+  std::string from;
+  for (const std::string& input : scene.source.inputs)
+    from += (from.empty() ? ", made from " : " and ") + std::filesystem::path(input).filename().string();
+  return {fmt::format("{}: {}", std::filesystem::path(arguments.scene).stem().string(), what),
+          fmt::format("{:.0f} × {:.0f} mm, {:.1f} mm high{}", 1000.0 * size.x, 1000.0 * size.y,
+                      1000.0 * size.z, from)};
+}
+
+/// What a hand feels that rests on the surface at each place of a grid, pressed in by half a millimetre where
+/// the law needs a press; a new touch at every place.
+std::vector<draw::ForceArrow> forces_on(const models::Relief& relief, const haptics::Touchable& touchable,
+                                        double spacing_m) {
+  constexpr double kPress_m = 0.0005;
+  std::vector<draw::ForceArrow> arrows;
+  const int columns = static_cast<int>(relief.width_m() / spacing_m),
+            rows = static_cast<int>(relief.depth_m() / spacing_m);
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      const double x = (i - 0.5 * (columns - 1)) * spacing_m, y = (j - 0.5 * (rows - 1)) * spacing_m;
+      haptics::TouchState state;
+      haptics::Hand hand;
+      hand.position = {{x, y, relief.sample(x, y).z_m}};
+      touchable.feel(hand, state);
+      hand.position.v.z -= kPress_m;
+      const haptics::Feel feel = touchable.feel(hand, state);
+      arrows.push_back({x, y, feel.force_N.v.x, feel.force_N.v.y});
+    }
+  }
+  return arrows;
+}
+
+Result<draw::Figure> force_picture(const Arguments& arguments, const models::Scene& scene,
+                                   const models::Relief& relief) {
+  constexpr double kArrowsAcross = 28.0;
+  LawArguments chosen = arguments.law;
+  if (chosen.law.empty()) chosen.law = "rolling";
+  const auto parameters = law_parameters(chosen, scene);
+  if (!parameters) return parameters.error();
+  const auto touchable = haptics::make_touchable(scene, *parameters);
+  if (!touchable) return touchable.error();
+  const double spacing_m = std::max(relief.width_m(), relief.depth_m()) / kArrowsAcross;
+  return draw::force_figure(
+      relief, scene.texture, forces_on(relief, **touchable, spacing_m), spacing_m,
+      heading_of(arguments, scene, fmt::format("force of the law {}", haptics::name_of(parameters->law))));
+}
+
+/// Through the highest place, so that a cut shows something.
+double cut_through_the_top_m(const models::Relief& relief) {
+  const auto& heights = relief.samples_m();
+  const auto top = std::max_element(heights.values().begin(), heights.values().end());
+  const auto row = static_cast<double>((top - heights.values().begin()) / heights.width());
+  return -(row - 0.5 * (heights.height() - 1)) * relief.pixel_m();
+}
+
+Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene& scene,
+                                const models::Relief& relief) {
+  if (arguments.view == "relief") return draw::relief_figure(relief, heading_of(arguments, scene, "relief"));
+  if (arguments.view == "depth") return draw::height_figure(relief, heading_of(arguments, scene, "heights"));
+  if (arguments.view == "force") return force_picture(arguments, scene, relief);
+  const double cut_m = arguments.cut_mm ? *arguments.cut_mm / 1000.0 : cut_through_the_top_m(relief);
+  if (std::abs(cut_m) > 0.5 * relief.depth_m())
+    return Error{ErrorCode::usage,
+                 fmt::format("the relief reaches from {0:.1f} to -{0:.1f} mm", 500.0 * relief.depth_m()),
+                 "--at"};
+  return draw::section_figure(relief, cut_m, heading_of(arguments, scene, "cut from left to right"));
+}
+
+Result<Answer> show(const Arguments& arguments) {
+  const auto file = formats::read_scene(arguments.scene);
+  if (!file) return file.error();
+  const models::Scene& scene = file->scene;
+  const auto figure =
+      std::visit([&](const auto& model) { return picture_of(arguments, scene, *model); }, scene.model);
+  if (!figure) return figure.error();
+  if (const auto written = draw::write_figure(*figure, arguments.output); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output},
+                 {"view", arguments.view},
+                 {"width", figure->width_px},
+                 {"height", figure->height_px}};
+  answer.text = fmt::format("{}\n", arguments.output);
+  return answer;
+}
+
+}  // namespace
+
+void add_show(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options =
+      add_command(program, "show", "Draw a scene for the eye: PNG, SVG or PDF with axes, scale and legend",
+                  "  palpable show aloe.palp -o aloe.png\n"
+                  "  palpable show aloe.palp -o force.png --view force --law rolling\n"
+                  "  palpable show aloe.palp -o cut.pdf --view section --at 10",
+                  [arguments](Console& /*console*/) { return show(*arguments); });
+  options.argument("SCENE", arguments->scene, "A .palp scene");
+  options.required_text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
+  options.choice("--view", arguments->view, {"relief", "depth", "force", "section"}, "What is drawn");
+  options.number("--at", arguments->cut_mm, {-500.0, 500.0},
+                 "Section: where to cut, mm above the middle (else through the top)");
+  add_law_options(options, arguments->law);
+}
+
+}  // namespace palpable::cli

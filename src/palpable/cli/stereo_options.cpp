@@ -1,0 +1,36 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/stereo_options.hpp"
+
+#include "palpable/cli/suggest.hpp"
+#include "palpable/session/make_scene.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+
+void add_stereo_options(Options& options, StereoArguments& arguments) {
+  options.under("Stereo pairs");
+  options.text("--method", arguments.method,
+               "How the pair is matched (docs/stereo.md); else the best there is");
+  options.integer("--max-disparity", arguments.max_disparity_px, {0, 4096},
+                  "Greatest disparity searched, px; 0 = found");
+  options.text("--calibration", arguments.calibration,
+               "The cameras: OpenCV yml or xml, Middlebury calib.txt, or JSON");
+}
+
+Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments) {
+  if (arguments.method.empty()) return session::default_method();
+  if (const auto method = vision::stereo_method_from(arguments.method)) return *method;
+  std::vector<std::string> names;
+  for (const auto method : vision::available_stereo_methods()) names.emplace_back(vision::name_of(method));
+  const auto meant = suggestion(arguments.method, names);
+  return Error{ErrorCode::usage,
+               fmt::format("there is no method {}{}; there are {}", arguments.method,
+                           meant ? ", did you mean " + *meant + "?" : "", fmt::join(names, ", ")),
+               "--method"};
+}
+
+}  // namespace palpable::cli

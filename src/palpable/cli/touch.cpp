@@ -1,0 +1,241 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/cli/law_options.hpp"
+#include "palpable/cli/make_options.hpp"
+#include "palpable/haptics/pacing.hpp"
+#include "palpable/page/server.hpp"
+#include "palpable/page/touch_host.hpp"
+#include "palpable/session/headless.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace palpable::cli {
+namespace {
+
+constexpr double kDefaultRadius_mm = 1.0;
+
+struct Arguments {
+  MakeArguments make;
+  LawArguments law;
+  std::string device;
+  std::string recording;
+  int port = 0;
+  bool headless = false;
+  bool no_browser = false;
+  double seconds = 10.0;
+  double rate_hz = 1000.0;
+};
+
+Result<session::TouchSettings> settings_of(const Arguments& arguments) {
+  const auto law = law_parameters(arguments.law, session::default_law().law);
+  if (!law) return law.error();
+  session::TouchSettings settings;
+  settings.law = *law;
+  return settings;
+}
+
+/// Hears what the person should know of the input.
+using Notes = std::function<void(const std::string&)>;
+
+/// Makes the scenes of a touch, the fastest first; each note is said once.
+session::SceneMaker maker_of(const session::MakeOptions& options, Notes notes) {
+  return [options, notes = std::move(notes)](const session::DeliverScene& deliver,
+                                             const Work& work) -> Result<void> {
+    std::set<std::string> said;
+    return session::make_scenes(
+        options,
+        [&](const session::MadeScene& made) {
+          for (const std::string& note : made.notes)
+            if (said.insert(note).second) notes(note);
+          deliver(made.scene);
+        },
+        work);
+  };
+}
+
+/// A missed deadline and why, for the log.
+std::string sentence_of(const haptics::MissedDeadline& missed) {
+  constexpr std::array kCauses{"the system woke the servo late", "the servo was held up while it waited",
+                               "the servo was held up during a tick", "the tick itself was slow"};
+  return fmt::format("Tick {}: {} missed, {:.0f} microseconds late; {}.", missed.tick,
+                     missed.periods == 1 ? "a deadline" : fmt::format("{} deadlines", missed.periods),
+                     missed.late_us, kCauses[static_cast<std::size_t>(missed.cause)]);
+}
+
+Answer answer_of(const session::TouchStatistics& statistics) {
+  const auto& servo = statistics.servo;
+  Answer answer;
+  answer.json = Json::parse(session::to_json(statistics));
+  answer.text = fmt::format(
+      "{}: {} ticks at {:.1f} Hz, {} missed, {} in contact, at most {:.2f} N; real-time priority: {}\n",
+      statistics.device, servo.touch.ticks, servo.rate_hz, servo.missed, servo.touch.contact_ticks,
+      servo.touch.max_force_N, statistics.realtime_priority);
+  answer.exit_code = interrupted() ? static_cast<int>(ErrorCode::interrupted) : 0;
+  return answer;
+}
+
+/// What a touch needs, with page or without.
+struct Plan {
+  session::MakeOptions make;
+  session::TouchSettings settings;
+  session::SessionOptions options;
+  std::int64_t begin_ns = 0;
+};
+
+Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, Console& console) {
+  session::HeadlessOptions headless;
+  headless.settings = plan.settings;
+  headless.session = plan.options;
+  headless.seconds = arguments.seconds;
+  headless.recording = arguments.recording;
+  headless.begin_ns = plan.begin_ns;
+  if (!arguments.device.empty()) headless.device_url = arguments.device;
+  headless.on_missed = [&console](const haptics::MissedDeadline& missed) {
+    console.note(sentence_of(missed));
+  };
+  const auto notes = [&console](const std::string& sentence) { console.note(sentence); };
+  const auto statistics = session::touch_headless(maker_of(plan.make, notes), headless, console.work());
+  if (!statistics) return statistics.error();
+  return answer_of(*statistics);
+}
+
+/// Opens the page in the person's browser where there is a screen for it; the address stands on the console
+/// anyway.
+void open_browser(const std::string& address) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  std::string program = "xdg-open", place = address;
+  std::array<char*, 3> words{program.data(), place.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+  pid_t pid = 0;
+  // Where it cannot be started, the person opens the address.
+  if (posix_spawnp(&pid, program.c_str(), &actions, nullptr, words.data(), environ) == 0)
+    std::thread([pid] { waitpid(pid, nullptr, 0); }).detach();
+  posix_spawn_file_actions_destroy(&actions);
+}
+
+/// Keeps what was noted until there is a page to hear it. Any thread.
+class NoteBox {
+ public:
+  void put(const std::string& sentence) {
+    const std::lock_guard lock(mutex_);
+    if (hear_) {
+      hear_(sentence);
+    } else {
+      kept_.push_back(sentence);
+    }
+  }
+  /// Hands over what was kept and all that comes; an empty listener closes the box again.
+  void open(Notes hear) {
+    const std::lock_guard lock(mutex_);
+    hear_ = std::move(hear);
+    if (!hear_) return;
+    for (const std::string& sentence : std::exchange(kept_, {})) hear_(sentence);
+  }
+
+ private:
+  std::mutex mutex_;
+  Notes hear_;
+  std::vector<std::string> kept_;
+};
+
+/// Serves the page of a touch under way until the person ends it.
+Result<void> serve_page(const Arguments& arguments, session::TouchSession& session,
+                        session::MakerThread& maker, NoteBox& notes, Console& console) {
+  page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION, {}, [&maker] {
+                                   return maker.take(std::chrono::milliseconds(0));
+                                 }});
+  notes.open([&host](const std::string& sentence) { host.say("info", sentence); });
+  page::ServeOptions options;
+  options.port = static_cast<std::uint16_t>(arguments.port);
+  options.on_ready = [&](const std::string& address) {
+    console.say(fmt::format("Touch the scene at {}\nEnd with Ctrl-C.", address));
+    if (!arguments.no_browser) open_browser(address);
+  };
+  auto served = page::serve(host, options, interrupted());
+  notes.open({});
+  return served;
+}
+
+Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Console& console) {
+  NoteBox notes;
+  session::MakerThread maker(maker_of(plan.make,
+                                      [&](const std::string& sentence) {
+                                        console.note(sentence);
+                                        notes.put(sentence);
+                                      }),
+                             console.work());
+  auto scene = maker.first_scene(console.work());
+  if (!scene) return scene.error();
+  auto opened = session::TouchSession::open(std::move(*scene), plan.settings,
+                                            arguments.device.empty() ? "pointer:" : arguments.device,
+                                            plan.options, plan.begin_ns);
+  if (!opened) return opened.error();
+  session::TouchSession& session = **opened;
+  if (!arguments.recording.empty())
+    if (auto started = session.start_recording(arguments.recording); !started) return started.error();
+  const auto served = serve_page(arguments, session, maker, notes, console);
+  const auto recorded = session.stop_recording();
+  session.stop();
+  if (!served) return served.error();
+  if (!recorded) return recorded.error();
+  return answer_of(session.statistics());
+}
+
+Result<Answer> touch(const Arguments& arguments, Console& console) {
+  Plan plan;
+  plan.begin_ns = haptics::monotonic_ns();
+  const auto make = arguments.make.inputs.empty() ? sample_options() : make_options(arguments.make);
+  if (!make) return make.error();
+  plan.make = *make;
+  const auto settings = settings_of(arguments);
+  if (!settings) return settings.error();
+  plan.settings = *settings;
+  plan.options.seed = console.options().seed;
+  plan.options.servo.rate_hz = arguments.rate_hz;
+  return arguments.headless ? touch_without_page(arguments, plan, console)
+                            : touch_with_page(arguments, plan, console);
+}
+
+}  // namespace
+
+void add_touch(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  arguments->law.radius_mm = kDefaultRadius_mm;
+  Options options = add_command(
+      program, "touch",
+      "Touch a scene: with a device, or with the pointer in the browser; without INPUT the sample",
+      "  palpable touch\n"
+      "  palpable touch left.png right.png\n"
+      "  palpable touch room.palp --law rolling\n"
+      "  palpable touch left.png right.png --headless --seconds 10 --json",
+      [arguments](Console& console) { return touch(*arguments, console); });
+  add_make_options(options, arguments->make);
+  add_law_options(options, arguments->law);
+  options.under("The touch");
+  options.text("--device", arguments->device,
+               "Device (palpable devices lists them); else the page's pointer");
+  options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
+  options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
+  options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
+  options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
+  options.number("--rate", arguments->rate_hz, {100.0, 4000.0}, "Servo rate in Hz");
+  options.text("--record", arguments->recording, "Write everything at servo rate into this file");
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,182 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/make_scene.hpp"
+
+#include "palpable/formats/scene_file.hpp"
+#include "palpable/sources/calibration.hpp"
+#include "palpable/sources/depth_file.hpp"
+#include "palpable/sources/picture.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace palpable::session {
+namespace {
+
+Error at_place(Error error, const std::filesystem::path& place) {
+  if (error.place.empty()) error.place = place.string();
+  return error;
+}
+
+/// The names of a pair in one error's place.
+std::string names_of(const std::vector<std::filesystem::path>& files) {
+  std::string names;
+  for (const auto& file : files) names += (names.empty() ? "" : " and ") + file.string();
+  return names;
+}
+
+Result<std::pair<Image, Image>> read_two_pictures(const std::vector<std::filesystem::path>& files) {
+  auto left = sources::read_picture(files.front());
+  if (!left) return left.error();
+  if (files.size() == 1) {
+    auto halves = sources::split_side_by_side(*left);
+    if (!halves) return at_place(halves.error(), files.front());
+    return halves;
+  }
+  auto right = sources::read_picture(files[1]);
+  if (!right) return right.error();
+  return std::pair{std::move(*left), std::move(*right)};
+}
+
+Result<sources::Calibration> read_calibration_for(const std::filesystem::path& file, int width, int height) {
+  auto calibration = sources::read_calibration(file);
+  if (!calibration) return calibration.error();
+  auto fitted = sources::calibration_for(std::move(*calibration), width, height);
+  if (!fitted) return at_place(fitted.error(), file);
+  return fitted;
+}
+
+models::Scene scene_of(models::Relief relief, const MakeOptions& options, int width, int height,
+                       std::string method) {
+  models::Scene scene;
+  scene.scene_from_input = sculpt::scene_from_picture(relief, width, height);
+  scene.model = std::make_shared<const models::Relief>(std::move(relief));
+  for (const auto& input : options.inputs) scene.source.inputs.push_back(input.string());
+  scene.source.method = std::move(method);
+  scene.source.made_by = options.made_by;
+  return scene;
+}
+
+Result<vision::StereoPair> read_pair(const MakeOptions& options) {
+  if (options.inputs.size() > 2)
+    return Error{ErrorCode::usage, "a stereo pair is two pictures, or one that holds both side by side", {}};
+  return read_stereo_pair(options.inputs, options.calibration);
+}
+
+Result<MadeScene> from_pair(const vision::StereoPair& pair, vision::StereoMethod method,
+                            const MakeOptions& options, const Work& work) {
+  auto match = vision::match(pair, method, {options.max_disparity_px}, work);
+  if (!match) return at_place(match.error(), names_of(options.inputs));
+  auto relief = sculpt::relief_from_disparity(match->disparity, options.relief, work);
+  if (!relief) return at_place(relief.error(), names_of(options.inputs));
+  models::Scene scene = scene_of(std::move(*relief), options, pair.left.width, pair.left.height,
+                                 "stereo, " + std::string(vision::name_of(method)));
+  scene.texture = rgb8(pair.left);
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(match->notes)};
+}
+
+Result<MadeScene> from_depth(const MakeOptions& options, const Work& work) {
+  if (options.inputs.size() != 1) return Error{ErrorCode::usage, "a depth map is one file", {}};
+  const auto& file = options.inputs.front();
+  auto read = sources::read_depth(file, options.depth_scale.value_or(1.0));
+  if (!read) return read.error();
+  const int width = read->depth.depth_m.width(), height = read->depth.depth_m.height();
+  if (!options.calibration.empty()) {
+    const auto calibration = read_calibration_for(options.calibration, width, height);
+    if (!calibration) return calibration.error();
+    read->depth.camera = sources::pinhole_of(calibration->left);
+  }
+  auto relief = sculpt::relief_from_depth(read->depth, options.relief, work);
+  if (!relief) return at_place(relief.error(), file);
+  MadeScene made;
+  made.scene = std::make_shared<const models::Scene>(
+      scene_of(std::move(*relief), options, width, height, "depth map"));
+  return made;
+}
+
+Result<MadeScene> from_scene_file(const MakeOptions& options) {
+  if (options.inputs.size() != 1) return Error{ErrorCode::usage, "a scene is one file", {}};
+  auto file = formats::read_scene(options.inputs.front());
+  if (!file) return file.error();
+  return MadeScene{std::make_shared<const models::Scene>(std::move(file->scene)), {}};
+}
+
+Error not_yet(const sources::Input& input) {
+  return {ErrorCode::usage,
+          "a " + std::string(sources::name_of(input.kind)) +
+              " cannot be made into a relief: give a stereo pair, a depth map or a scene (or say --kind)",
+          names_of(input.files)};
+}
+
+bool is_available(vision::StereoMethod method) {
+  const auto methods = vision::available_stereo_methods();
+  return std::find(methods.begin(), methods.end(), method) != methods.end();
+}
+
+/// What a touch of a pair begins with, and what it goes on with.
+std::vector<vision::StereoMethod> methods_of_a_touch(const MakeOptions& options) {
+  if (options.method) return {*options.method};
+  const vision::StereoMethod last = default_method();
+  const vision::StereoMethod first =
+      is_available(vision::StereoMethod::fast) ? vision::StereoMethod::fast : vision::StereoMethod::scanline;
+  return first == last ? std::vector{last} : std::vector{first, last};
+}
+
+}  // namespace
+
+vision::StereoMethod default_method() {
+  return is_available(vision::StereoMethod::best) ? vision::StereoMethod::best
+                                                  : vision::StereoMethod::scanline;
+}
+
+Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
+  const auto input = sources::recognise_input(options.inputs, options.kind);
+  if (!input) return input.error();
+  switch (input->kind) {
+    case sources::InputKind::scene:
+      return from_scene_file(options);
+    case sources::InputKind::depth:
+      return from_depth(options, work);
+    case sources::InputKind::stereo: {
+      const auto pair = read_pair(options);
+      if (!pair) return pair.error();
+      return from_pair(*pair, options.method.value_or(default_method()), options, work);
+    }
+    default:
+      return not_yet(*input);
+  }
+}
+
+Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
+  const auto input = sources::recognise_input(options.inputs, options.kind);
+  if (!input) return input.error();
+  if (input->kind != sources::InputKind::stereo) {
+    auto made = make_scene(options, work);
+    if (!made) return made.error();
+    take(std::move(*made));
+    return {};
+  }
+  const auto pair = read_pair(options);
+  if (!pair) return pair.error();
+  for (const vision::StereoMethod method : methods_of_a_touch(options)) {
+    auto made = from_pair(*pair, method, options, work);
+    if (!made) return made.error();
+    take(std::move(*made));
+  }
+  return {};
+}
+
+Result<vision::StereoPair> read_stereo_pair(const std::vector<std::filesystem::path>& pictures,
+                                            const std::filesystem::path& calibration) {
+  auto two = read_two_pictures(pictures);
+  if (!two) return two.error();
+  vision::StereoPair pair{std::move(two->first), std::move(two->second), {}};
+  if (!calibration.empty()) {
+    const auto read = read_calibration_for(calibration, pair.left.width, pair.left.height);
+    if (!read) return read.error();
+    pair.rig = read->rig;
+  }
+  return pair;
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,64 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/work.hpp"
+#include "palpable/models/scene.hpp"
+#include "palpable/sculpt/relief_from_depth.hpp"
+#include "palpable/sources/input.hpp"
+#include "palpable/vision/stereo.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace palpable::session {
+
+/// What a scene is made from, and how.
+struct MakeOptions {
+  /// One or more files: a scene, a picture pair (left first), one picture that holds a pair, a depth map.
+  std::vector<std::filesystem::path> inputs;
+  /// Not given: recognised by content.
+  std::optional<sources::InputKind> kind;
+  /// OpenCV yml/xml, Middlebury calib.txt or JSON; empty = none.
+  std::filesystem::path calibration;
+  /// For a pair; not given: default_method().
+  std::optional<vision::StereoMethod> method;
+  /// 0 = found automatically.
+  int max_disparity_px = 0;
+  /// For depth maps of integers: metres a step (1 = metres); not given: as the file or its sidecar says.
+  std::optional<double> depth_scale;
+  sculpt::ReliefOptions relief;
+  /// Written into the scene's provenance: "palpable 0.1.0".
+  std::string made_by;
+};
+
+struct MadeScene {
+  std::shared_ptr<const models::Scene> scene;
+  /// What the person should know of the input, a sentence each.
+  std::vector<std::string> notes;
+};
+
+/// The method for files: the best there is.
+vision::StereoMethod default_method();
+
+/// From input files to a touchable scene, through one method. Long work: reports progress, polls cancel.
+/// Errors: invalid_input naming the file, usage for options that do not fit the input, interrupted.
+Result<MadeScene> make_scene(const MakeOptions& options, const Work& work);
+
+/// Takes a scene as soon as it is made.
+using TakeScene = std::function<void(MadeScene)>;
+
+/// The same for a touch that is to begin at once: where no method is fixed, a pair's scene comes first by the
+/// fastest method there is, then by the best one. Errors: as make_scene(); what was made before an error has
+/// been taken.
+Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work);
+
+/// The two pictures and the rig of a pair, read and checked as make_scene() does. Errors: as make_scene().
+Result<vision::StereoPair> read_stereo_pair(const std::vector<std::filesystem::path>& pictures,
+                                            const std::filesystem::path& calibration);
+
+}  // namespace palpable::session

@@ -1,0 +1,190 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/picture.hpp"
+
+#include <csignal>
+#include <cstdint>
+#include <limits>
+
+#include "program.hpp"
+#include "test_pictures.hpp"
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class BadInput : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    write_pair(folder_.string(), textured_pair());
+  }
+  Outcome make_pair(const std::string& left, const std::string& right) {
+    return palpable({"make", path(left), path(right), "-o", path("out.palp")});
+  }
+  /// Refused with 3, one sentence that names the file, and nothing written.
+  void expect_refused(const Outcome& outcome, const std::string& file, const std::string& reason = "") {
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_THAT(outcome.err, HasSubstr(file));
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("bug")));
+    EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
+  }
+};
+
+/// A PNG that states a size it does not hold: only its header is there.
+std::string png_of_size(std::uint32_t width, std::uint32_t height) {
+  std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
+  for (const std::uint32_t side : {width, height})
+    for (int shift = 24; shift >= 0; shift -= 8)
+      png += static_cast<char>(side >> static_cast<unsigned>(shift));
+  return png + std::string("\x08\x02\0\0\0\0\0\0\0", 9);
+}
+
+TEST_F(BadInput, AMissingFileIsNamed) {
+  expect_refused(make_pair("left.png", "none.png"), "none.png", "No such file");
+  expect_refused(palpable({"info", path("none.palp")}), "none.palp");
+  expect_refused(palpable({"probe", path("none.palp"), "--path", path("p.csv"), "-o", path("f.csv")}),
+                 "none.palp");
+}
+
+TEST_F(BadInput, ATextNamedPngIsNoPicture) {
+  write_text(path("text.png"), "I am not a picture, whatever my name says.\n");
+  expect_refused(make_pair("text.png", "right.png"), "text.png");
+  expect_refused(palpable({"depth", path("left.png"), path("text.png"), "-o", path("d.pfm")}), "text.png");
+}
+
+TEST_F(BadInput, APictureThatIsCutOffIsNotTakenHalf) {
+  const std::string whole = read_text(path("left.png"));
+  write_text(path("cut.png"), whole.substr(0, whole.size() / 2));
+  expect_refused(make_pair("cut.png", "right.png"), "cut.png");
+}
+
+TEST_F(BadInput, APictureOfOnePixelIsTooSmall) {
+  ASSERT_TRUE(formats::write_png(path("one.png"), Raster<Rgb8>(1, 1, {9, 9, 9})));
+  expect_refused(make_pair("one.png", "one.png"), "one.png");
+  expect_refused(palpable({"make", path("one.png"), "--kind", "depth", "-o", path("out.palp")}), "one.png");
+}
+
+TEST_F(BadInput, AHugePictureIsRefusedBeforeMemoryIsTaken) {
+  write_text(path("huge.png"), png_of_size(20000, 20000));
+  expect_refused(make_pair("huge.png", "huge.png"), "huge.png");
+}
+
+TEST_F(BadInput, PicturesOfDifferentSizeAreNoPair) {
+  ASSERT_TRUE(formats::write_png(path("small.png"), unrelated_picture(100, 80, 3)));
+  expect_refused(make_pair("left.png", "small.png"), "small.png", "160x120");
+}
+
+TEST_F(BadInput, UnrelatedPicturesAreMatchedWithAWarningAndItsFigure) {
+  ASSERT_TRUE(formats::write_png(path("other.png"), unrelated_picture(160, 120, 99)));
+  const Outcome outcome =
+      palpable({"make", path("left.png"), path("other.png"), "-o", path("out.palp"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  ASSERT_FALSE(outcome.json()["notes"].empty());
+  EXPECT_THAT(outcome.err, HasSubstr("%"));
+  EXPECT_THAT(outcome.err, HasSubstr(outcome.json()["notes"][0].get<std::string>()));
+}
+
+TEST_F(BadInput, AnAllBlackPairEndsWithASentence) {
+  ASSERT_TRUE(formats::write_png(path("black.png"), Raster<Rgb8>(160, 120)));
+  const Outcome outcome = make_pair("black.png", "black.png");
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
+  EXPECT_THAT(outcome.err, Not(HasSubstr("bug")));
+  EXPECT_NE(outcome.err, "") << "nothing was said about a pair without any texture";
+}
+
+TEST_F(BadInput, DepthThatIsNotANumberOrNegativeIsUnknown) {
+  Raster<float> depth(40, 30, 1.0F);
+  for (int x = 0; x < 40; ++x) depth(x, 3) = std::numeric_limits<float>::quiet_NaN();
+  for (int x = 0; x < 40; ++x) depth(x, 4) = -2.0F;
+  for (int x = 0; x < 20; ++x) depth(x, 20) = 0.8F;
+  ASSERT_TRUE(formats::write_pfm(path("depth.pfm"), depth));
+  EXPECT_EQ(palpable({"make", path("depth.pfm"), "--kind", "depth", "-o", path("good.palp")}).exit_code, 0);
+  for (float& d : depth.values()) d = std::numeric_limits<float>::quiet_NaN();
+  ASSERT_TRUE(formats::write_pfm(path("nan.pfm"), depth));
+  expect_refused(palpable({"make", path("nan.pfm"), "--kind", "depth", "-o", path("out.palp")}), "nan.pfm");
+}
+
+TEST_F(BadInput, ADamagedSceneIsRefusedWhateverIsDamaged) {
+  ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("good.palp")}).exit_code, 0);
+  const std::string whole = read_text(path("good.palp"));
+  for (const double part : {0.0, 0.1, 0.5, 0.9, 0.999}) {
+    write_text(path("cut.palp"),
+               whole.substr(0, static_cast<std::size_t>(part * static_cast<double>(whole.size()))));
+    expect_refused(palpable({"info", path("cut.palp")}), "cut.palp");
+  }
+  std::string flipped = whole;
+  for (std::size_t i = 200; i < flipped.size(); i += 997) flipped[i] = static_cast<char>(flipped[i] ^ 0x55);
+  write_text(path("flipped.palp"), flipped);
+  expect_refused(palpable({"info", path("flipped.palp")}), "flipped.palp");
+}
+
+TEST_F(BadInput, APlaceThatCannotBeWrittenIsNamed) {
+  const Outcome outcome =
+      palpable({"make", path("left.png"), path("right.png"), "-o", path("no/folder/out.palp")});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(is_one_sentence(outcome.err));
+  EXPECT_THAT(outcome.err, HasSubstr("no/folder"));
+}
+
+TEST_F(BadInput, KillingTheProgramAtAnyTimeLeavesTheOldFileWhole) {
+  ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("scene.palp")}).exit_code, 0);
+  const std::string before = read_text(path("scene.palp"));
+  for (int delay_ms = 0; delay_ms < 200; delay_ms += 12) {
+    Running running(
+        {"make", path("left.png"), path("right.png"), "-o", path("scene.palp"), "--size", "90x90x20"});
+    usleep(static_cast<unsigned>(delay_ms) * 1000U);
+    running.send(SIGKILL);
+    static_cast<void>(running.wait());
+    const std::string after = read_text(path("scene.palp"));
+    if (after != before) {
+      EXPECT_EQ(palpable({"info", path("scene.palp")}).exit_code, 0) << "killed after " << delay_ms << " ms";
+    }
+  }
+}
+
+TEST_F(BadInput, CtrlCEndsWith130AndLeavesNoHalfWrittenFile) {
+  const auto big = textured_pair(900, 700);
+  write_pair(folder_.string(), big);
+  Running running({"depth", path("left.png"), path("right.png"), "-o", path("d.pfm")});
+  usleep(150000);
+  running.send(SIGINT);
+  const Outcome outcome = running.wait();
+  EXPECT_TRUE(outcome.exit_code == 130 || outcome.exit_code == 0) << outcome.exit_code << outcome.err;
+  if (outcome.exit_code == 130) {
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_FALSE(std::filesystem::exists(path("d.pfm")));
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("d.pfm."))) << "left behind";
+}
+
+TEST_F(BadInput, APortInUseIsSaid) {
+  const int taken = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ASSERT_EQ(bind(taken, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  ASSERT_EQ(listen(taken, 1), 0);
+  socklen_t size = sizeof address;
+  getsockname(taken, reinterpret_cast<sockaddr*>(&address), &size);
+  const std::string port = std::to_string(ntohs(address.sin_port));
+  const Outcome outcome =
+      palpable({"touch", path("left.png"), path("right.png"), "--port", port, "--no-browser", "--quiet"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(is_one_sentence(outcome.err));
+  EXPECT_THAT(outcome.err, HasSubstr(port));
+  close(taken);
+}
+
+}  // namespace
+}  // namespace palpable::test

@@ -1,0 +1,109 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace palpable::test {
+namespace {
+
+std::filesystem::path new_folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "palpable-e2e-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for a test");
+  return name;
+}
+
+int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status); }
+
+}  // namespace
+
+Running::Running(const std::vector<std::string>& arguments) : folder_(new_folder()) {
+  std::vector<std::string> words{PALPABLE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder_ / "out").c_str(), kWrite, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_ / "err").c_str(), kWrite, 0600);
+  const int fault = posix_spawn(&pid_, PALPABLE_PROGRAM, &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (fault != 0) throw std::runtime_error("the program cannot be started");
+}
+
+Running::~Running() {
+  if (pid_ > 0) {
+    kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  std::filesystem::remove_all(folder_);
+}
+
+void Running::send(int signal) const { kill(pid_, signal); }
+std::string Running::out() const { return read_text(folder_ / "out"); }
+std::string Running::err() const { return read_text(folder_ / "err"); }
+
+bool Running::says(const std::string& text, std::chrono::seconds patience) const {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < end) {
+    if ((out() + err()).find(text) != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return false;
+}
+
+Outcome Running::wait(std::chrono::seconds patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  int status = 0;
+  while (waitpid(pid_, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > end) {
+      ADD_FAILURE() << "the program did not end; it said: " << err();
+      kill(pid_, SIGKILL);
+      waitpid(pid_, &status, 0);
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  pid_ = -1;
+  return {exit_code_of(status), out(), err()};
+}
+
+Outcome palpable(const std::vector<std::string>& arguments) { return Running(arguments).wait(); }
+
+void InFolder::SetUp() { folder_ = new_folder(); }
+void InFolder::TearDown() { std::filesystem::remove_all(folder_); }
+
+void write_text(const std::string& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string read_text(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+testing::AssertionResult is_one_sentence(const std::string& err) {
+  if (!err.starts_with("palpable: "))
+    return testing::AssertionFailure() << "does not begin with the name: " << err;
+  if (std::count(err.begin(), err.end(), '\n') != 1 || err.back() != '\n')
+    return testing::AssertionFailure() << "is not one line: " << err;
+  return testing::AssertionSuccess();
+}
+
+}  // namespace palpable::test

@@ -1,0 +1,198 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <sstream>
+
+#include "program.hpp"
+#include "test_pictures.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+/// One scene for all tests of this file.
+class SceneCommands : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string name = (std::filesystem::temp_directory_path() / "palpable-scene-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+    write_pair(folder, textured_pair());
+    made = palpable({"make", in("left.png"), in("right.png"), "-o", in("a.palp"), "--json"});
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder); }
+  void SetUp() override { ASSERT_EQ(made.exit_code, 0) << made.err; }
+  static std::string in(const std::string& name) { return folder + "/" + name; }
+
+  static inline std::string folder;
+  static inline Outcome made;
+};
+
+std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> fields;
+    std::istringstream cells(line + ",");
+    for (std::string cell; std::getline(cells, cell, ',');) fields.push_back(cell);
+    rows.push_back(fields);
+  }
+  return rows;
+}
+
+TEST_F(SceneCommands, MakeTellsWhatItMade) {
+  const auto json = made.json();
+  EXPECT_EQ(json["kind"], "relief");
+  EXPECT_NEAR(json["size_m"][0], 0.1, 1e-9);
+  EXPECT_NEAR(json["size_m"][1], 0.075, 1e-9);
+  EXPECT_TRUE(std::filesystem::exists(in("a.palp")));
+}
+
+TEST_F(SceneCommands, InfoStatesWhatTheContractNames) {
+  const auto json = palpable({"info", in("a.palp"), "--json"}).json();
+  for (const char* field :
+       {"format", "kind", "size_m", "scene_from_input", "memory_bytes", "file_bytes", "source", "materials"})
+    EXPECT_TRUE(json.contains(field)) << field;
+  EXPECT_EQ(json["file_bytes"], std::filesystem::file_size(in("a.palp")));
+  EXPECT_THAT(json["scene_from_input"], SizeIs(4));
+  EXPECT_THAT(json["scene_from_input"][3], ElementsAre(0.0, 0.0, 0.0, 1.0));
+  // The picture's middle lies at the scene's origin, and its rows run downwards.
+  const auto& m = json["scene_from_input"];
+  EXPECT_NEAR(m[0][0].get<double>() * 79.5 + m[0][3].get<double>(), 0.0, 1e-9);
+  EXPECT_LT(m[1][1], 0.0);
+}
+
+TEST_F(SceneCommands, SizeBoundsTheSceneAndKeepsTheAspectRatio) {
+  ASSERT_EQ(
+      palpable({"make", in("left.png"), in("right.png"), "-o", in("s.palp"), "--size", "80x30x5"}).exit_code,
+      0);
+  const auto size = palpable({"info", in("s.palp"), "--json"}).json()["size_m"];
+  EXPECT_NEAR(size[0], 0.04, 1e-9);
+  EXPECT_NEAR(size[1], 0.03, 1e-9);
+  EXPECT_LE(size[2].get<double>(), 0.005 + 1e-9);
+}
+
+TEST_F(SceneCommands, ProbeWritesTheForceOfEverySample) {
+  write_text(in("path.csv"), "z_m,t_s,x_m,y_m\r\n0.05,0,0,0\r\n0.0,0.001,0,0\r\n-0.001,0.002,0.001,0\r\n");
+  const Outcome outcome =
+      palpable({"probe", in("a.palp"), "--path", in("path.csv"), "-o", in("f.csv"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = rows_of(read_text(in("f.csv")));
+  ASSERT_THAT(rows, SizeIs(4));
+  EXPECT_THAT(rows[0], ElementsAre("t_s", "x_m", "y_m", "z_m", "fx_N", "fy_N", "fz_N", "contact", "proxy_x_m",
+                                   "proxy_y_m", "proxy_z_m", "label"));
+  EXPECT_EQ(rows[1][7], "0");
+  EXPECT_EQ(rows[3][7], "1");
+  EXPECT_GT(std::stod(rows[3][6]), 0.0);
+  EXPECT_EQ(rows[1][0], "0");
+  EXPECT_EQ(rows[2][0], "0.001");
+  ASSERT_EQ(palpable({"probe", in("a.palp"), "--path", in("path.csv"), "-o", in("g.csv")}).exit_code, 0);
+  EXPECT_EQ(read_text(in("f.csv")), read_text(in("g.csv")));
+}
+
+TEST_F(SceneCommands, LawsWithoutAProxyLeaveItsFieldsEmpty) {
+  write_text(in("path.csv"), "t_s,x_m,y_m,z_m\n0,0.01,0.01,9\n0.001,0.011,0.01,9\n");
+  ASSERT_EQ(palpable({"probe", in("a.palp"), "--path", in("path.csv"), "-o", in("f.csv"), "--law", "rolling"})
+                .exit_code,
+            0);
+  for (const auto& row : rows_of(read_text(in("f.csv")))) ASSERT_THAT(row, SizeIs(12));
+  const auto rows = rows_of(read_text(in("f.csv")));
+  EXPECT_EQ(rows[1][7], "1");
+  EXPECT_EQ(rows[1][8], "");
+  EXPECT_EQ(rows[1][6], "0");
+}
+
+TEST_F(SceneCommands, SampleAsksTheModel) {
+  write_text(in("points.csv"), "x_m,y_m,z_m\n0,0,0.05\n0,0,-0.001\n0.5,0,0\n");
+  const Outcome outcome =
+      palpable({"sample", in("a.palp"), "--points", in("points.csv"), "-o", in("v.csv"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.json()["in_domain"], 2);
+  const auto rows = rows_of(read_text(in("v.csv")));
+  EXPECT_THAT(rows[0], ElementsAre("x_m", "y_m", "z_m", "distance_m", "nx", "ny", "nz", "stiffness_N_per_m",
+                                   "static_friction", "label"));
+  EXPECT_GT(std::stod(rows[1][3]), 0.0);
+  EXPECT_LT(std::stod(rows[2][3]), 0.0);
+  EXPECT_NEAR(std::hypot(std::stod(rows[1][4]), std::stod(rows[1][5]), std::stod(rows[1][6])), 1.0, 1e-9);
+  EXPECT_EQ(rows[3][3], "");
+}
+
+TEST_F(SceneCommands, APathThatIsNotSoundIsNamedWithItsLine) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,nan,0,0\n", "line 3"},
+      {"t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,0,0\n", "line 3"},
+      {"t_s,x_m,y_m\n0,0,0\n", "z_m"},
+      {"", "missing"},
+      {"t_s,x_m,y_m,z_m\n0.1,0,0,0\n0.05,0,0,0\n", ""}};
+  for (const auto& [csv, sentence] : cases) {
+    write_text(in("bad.csv"), csv);
+    const Outcome outcome = palpable({"probe", in("a.palp"), "--path", in("bad.csv"), "-o", in("none.csv")});
+    EXPECT_EQ(outcome.exit_code, 3) << csv;
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_THAT(outcome.err, HasSubstr("bad.csv"));
+    EXPECT_THAT(outcome.err, HasSubstr(sentence));
+    EXPECT_FALSE(std::filesystem::exists(in("none.csv")));
+  }
+}
+
+TEST_F(SceneCommands, BenchTimesOnePathTickByTick) {
+  std::string csv = "t_s,x_m,y_m,z_m\n";
+  for (int i = 0; i < 2000; ++i)
+    csv += std::to_string(0.001 * i) + "," + std::to_string(1e-5 * i - 0.01) + ",0,0\n";
+  write_text(in("long.csv"), csv);
+  const auto json = palpable({"bench", "--scene", in("a.palp"), "--path", in("long.csv"), "--law", "proxy",
+                              "--radius", "1", "--friction", "0.4", "--json"})
+                        .json();
+  ASSERT_THAT(json["benchmarks"], SizeIs(1));
+  const auto& b = json["benchmarks"][0];
+  EXPECT_EQ(b["name"], "relief/proxy-friction/160x120");
+  EXPECT_EQ(b["ticks"], 2000);
+  EXPECT_GT(b["contact_fraction"], 0.9);
+  EXPECT_LE(b["median_ns"], b["p99_ns"]);
+  EXPECT_LE(b["p99_ns"], b["p99_9_ns"]);
+  EXPECT_LE(b["p99_9_ns"], b["max_ns"]);
+  EXPECT_GT(b["memory_bytes"], 0);
+}
+
+TEST_F(SceneCommands, ShowDrawsEveryView) {
+  for (const char* view : {"relief", "depth", "force", "section"}) {
+    const std::string picture = in(std::string(view) + ".png");
+    const Outcome outcome = palpable({"show", in("a.palp"), "-o", picture, "--view", view});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(read_text(picture), StartsWith("\x89PNG"));
+  }
+  EXPECT_EQ(palpable({"show", in("a.palp"), "-o", in("a.svg")}).exit_code, 0);
+  EXPECT_EQ(palpable({"show", in("a.palp"), "-o", in("a.gif")}).exit_code, 2);
+  EXPECT_EQ(palpable({"show", in("a.palp"), "-o", in("x.png"), "--view", "section", "--at", "900"}).exit_code,
+            2);
+}
+
+TEST_F(SceneCommands, ExportWritesNpzAndPng) {
+  ASSERT_EQ(palpable({"export", in("a.palp"), "-o", in("a.npz")}).exit_code, 0);
+  const std::string npz = read_text(in("a.npz"));
+  EXPECT_THAT(npz, StartsWith("PK"));
+  EXPECT_THAT(npz, HasSubstr("height_m.npy"));
+  EXPECT_THAT(npz, HasSubstr("pixel_m.npy"));
+  const Outcome png = palpable({"export", in("a.palp"), "-o", in("h.png"), "--json"});
+  EXPECT_EQ(png.exit_code, 0);
+  EXPECT_GT(png.json()["metres_per_step"], 0.0);
+  EXPECT_EQ(palpable({"export", in("a.palp"), "-o", in("a.xyz")}).exit_code, 2);
+}
+
+TEST_F(SceneCommands, MakeAgainGivesTheSameBytes) {
+  ASSERT_EQ(palpable({"make", in("left.png"), in("right.png"), "-o", in("b.palp")}).exit_code, 0);
+  EXPECT_EQ(read_text(in("a.palp")), read_text(in("b.palp")));
+}
+
+TEST_F(SceneCommands, AHeightMapOfOurOwnIsADepthMapAgain) {
+  ASSERT_EQ(palpable({"export", in("a.palp"), "-o", in("h.png")}).exit_code, 0);
+  EXPECT_EQ(palpable({"make", in("h.png"), "--kind", "depth", "-o", in("h.palp")}).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace palpable::test

@@ -1,0 +1,27 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/raster.hpp"
+
+#include <string>
+
+namespace palpable::test {
+
+/// A textured pair with exact disparity: a far wall (3 px), a slanted floor and a near box (12 px).
+struct Pair {
+  Raster<Rgb8> left;
+  Raster<Rgb8> right;
+  /// Of the left picture, in pixels.
+  Raster<float> disparity_px;
+};
+Pair textured_pair(int width = 160, int height = 120);
+
+/// Another texture with no relation to the pair's.
+Raster<Rgb8> unrelated_picture(int width, int height, unsigned seed);
+
+/// Writes left.png, right.png and truth.pfm into `folder`.
+void write_pair(const std::string& folder, const Pair& pair);
+
+}  // namespace palpable::test

@@ -1,0 +1,81 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include <csignal>
+
+#include "program.hpp"
+#include "test_pictures.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Touch : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    write_pair(folder_.string(), textured_pair());
+  }
+};
+
+TEST_F(Touch, WithoutAPageMeasuresItself) {
+  const Outcome outcome =
+      palpable({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "2", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = outcome.json();
+  for (const char* field : {"ticks", "rate_hz", "missed", "period_us", "compute_us"})
+    EXPECT_TRUE(json["servo"].contains(field)) << field;
+  EXPECT_TRUE(json["force"].contains("max_N"));
+  EXPECT_TRUE(json["force"].contains("clamped_ticks"));
+  EXPECT_TRUE(json["energy"].contains("made_max_J"));
+  EXPECT_GT(json["contact_ticks"], 0);
+  EXPECT_EQ(json["allocations_in_ticks"], 0);
+  EXPECT_TRUE(json["seconds_to_first_force"].is_number());
+  EXPECT_TRUE(json.contains("realtime_priority"));
+  EXPECT_THAT(json["device"].get<std::string>(), HasSubstr("sim"));
+}
+
+TEST_F(Touch, WithoutInputTakesTheSample) {
+  const Outcome outcome = palpable({"touch", "--headless", "--seconds", "0.5", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(outcome.json()["servo"]["ticks"], 0);
+}
+
+TEST_F(Touch, RecordsWhatItFelt) {
+  const Outcome outcome = palpable({"touch", path("left.png"), path("right.png"), "--headless", "--seconds",
+                                    "1", "--record", path("touch.rec"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_GT(std::filesystem::file_size(path("touch.rec")), 1000U);
+}
+
+TEST_F(Touch, EndsWhenItIsInterruptedAndStillTellsWhatItMeasured) {
+  Running running({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "60", "--json"});
+  usleep(1500000);
+  running.send(SIGINT);
+  const Outcome outcome = running.wait(std::chrono::seconds(20));
+  EXPECT_EQ(outcome.exit_code, 130);
+}
+
+TEST_F(Touch, ServesThePageAndSaysWhere) {
+  Running running({"touch", path("left.png"), path("right.png"), "--no-browser"});
+  EXPECT_TRUE(running.says("http://127.0.0.1:", std::chrono::seconds(20))) << running.err();
+  running.send(SIGTERM);
+  const Outcome outcome = running.wait(std::chrono::seconds(20));
+  EXPECT_EQ(outcome.exit_code, 130);
+}
+
+TEST_F(Touch, ADeviceThatThereIsNotIsSaid) {
+  const Outcome unknown =
+      palpable({"touch", path("left.png"), path("right.png"), "--headless", "--device", "teapot:"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(unknown.err));
+  EXPECT_THAT(unknown.err, HasSubstr("teapot"));
+  const Outcome law =
+      palpable({"touch", path("left.png"), path("right.png"), "--headless", "--law", "gravity"});
+  EXPECT_EQ(law.exit_code, 2);
+  EXPECT_THAT(law.err, HasSubstr("gravity"));
+}
+
+}  // namespace
+}  // namespace palpable::test
