@@ -35,13 +35,12 @@ struct Reader {
   Result<models::Model> (*read)(const json& description, const ZipMembers& members);
 };
 /// A kind that joins models::Model is entered here and in write_model().
-constexpr std::array<Reader, 1> kReaders{{{"relief", read_relief}}};
+constexpr std::array<Reader, 2> kReaders{{{"relief", read_relief}, {"contours", read_contours}}};
 
 Result<void> write_model(const models::Model& model, json& description, ZipMembers& members) {
-  const auto write = [&](const std::shared_ptr<const models::Relief>& relief) {
-    return write_relief(*relief, description, members);
-  };
-  return std::visit(write, model);
+  if (const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&model))
+    return write_relief(**relief, description, members);
+  return write_contours(*std::get<std::shared_ptr<const models::Contours>>(model), description, members);
 }
 
 json to_json(const models::Material& m) {

@@ -73,6 +73,26 @@ TEST(SceneFile, GivesBackEveryValueExactly) {
   EXPECT_TRUE(back->others.empty());
 }
 
+TEST(SceneFile, GivesBackContoursAndTheirGroovesExactly) {
+  Raster<models::BoundaryPixel> edges(12, 9);
+  for (int x = 0; x < 12; ++x) edges(x, 4) = {0.5F, 0.01F * static_cast<float>(x)};
+  auto map = models::BoundaryMap::from_edges(edges, 0.001, 2.5, {0.3, 0.125}, Work{});
+  ASSERT_TRUE(map);
+  models::Scene scene = sample();
+  scene.model = std::make_shared<const models::Contours>(models::Contours{
+      std::move(*map),
+      std::make_shared<const models::Relief>(*models::Relief::from_samples(hills(24, 18), 0.0005))});
+  const auto back = decode_scene(*encode_scene(scene));
+  ASSERT_TRUE(back) << back.error().sentence();
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&back->scene.model);
+  ASSERT_NE(contours, nullptr);
+  EXPECT_EQ((*contours)->boundaries.edges(), edges);
+  EXPECT_EQ((*contours)->boundaries.radius_px(), 2.5);
+  EXPECT_EQ((*contours)->boundaries.origin().threshold, 0.3);
+  EXPECT_EQ((*contours)->boundaries.origin().boundary_fraction, 0.125);
+  EXPECT_EQ((*contours)->grooves->samples_m(), hills(24, 18));
+}
+
 TEST(SceneFile, GivesTheSameBytesForTheSameScene) {
   EXPECT_EQ(*encode_scene(sample()), *encode_scene(sample()));
 }

@@ -5,6 +5,7 @@
 #include "palpable/haptics/proxy.hpp"
 #include "palpable/haptics/rolling.hpp"
 #include "palpable/haptics/sobel.hpp"
+#include "palpable/haptics/tracing.hpp"
 #include "palpable/models/relief_shaping.hpp"
 
 #include <algorithm>
@@ -25,9 +26,10 @@ struct Name {
   Law law;
   std::string_view name;
 };
-constexpr std::array kNames{Name{Law::proxy, "proxy"}, Name{Law::rolling, "rolling"},
-                            Name{Law::sobel, "sobel"}, Name{Law::penalty, "penalty"},
-                            Name{Law::averaged, "averaged"}};
+constexpr std::array kNames{Name{Law::proxy, "proxy"},       Name{Law::rolling, "rolling"},
+                            Name{Law::sobel, "sobel"},       Name{Law::penalty, "penalty"},
+                            Name{Law::averaged, "averaged"}, Name{Law::tracing, "tracing"},
+                            Name{Law::groove, "groove"}};
 
 // What Shi & Pai's laws take where nothing is given: a slope of 1 pushes with 1 N.
 constexpr double kRollingWeight_N = 1.0;
@@ -59,6 +61,7 @@ void read_pages(const Raster<T>& raster) noexcept {
   for (std::size_t at = 0; at < raster.count() * sizeof(T); at += kPage) static_cast<void>(bytes[at]);
 }
 void read_pages(const Relief& relief) noexcept { read_pages(relief.samples_m()); }
+void read_pages(const models::BoundaryMap& map) noexcept { read_pages(map.averaged()); }
 void read_pages(const SobelSlopes& slopes) noexcept { read_pages(slopes.slopes()); }
 
 /// Gives one law the contract's outside. A Law has a State, feel(), surface(), damping_Ns_per_m(),
@@ -95,6 +98,9 @@ Result<void> check(const LawParameters& p) {
   if (!within(p.damping_Ns_per_m, 0.0, 1e4)) return usage("the damping must be 0 to 10000");
   if (!within(p.static_friction, 0.0, 10.0) || !within(p.dynamic_friction, 0.0, 10.0))
     return usage("a friction coefficient must be 0 to 10");
+  if (p.law == Law::tracing && !within(p.stiffness_N_per_m, 0.0, 5.0))
+    return usage("the force of tracing must be 0 to 5 newtons");
+  if (!within(p.neighbourhood_px, 1.0, 32.0)) return usage("the neighbourhood must be 1 to 32 pixels");
   if (!within(p.radius_m, 0.0, 0.02)) return usage("the radius must be 0 to 20 mm");
   const Averaging& a = p.averaging;
   if (!within(a.offset_m, 0.0, 0.02)) return usage("the averaging's offset must be 0 to 20 mm");
@@ -150,19 +156,44 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
     case Law::proxy:
     case Law::penalty:
     case Law::averaged:
+    case Law::tracing:
+    case Law::groove:
       break;
   }
   auto surface = surface_for(relief, p.radius_m);
   if (!surface) return surface.error();
   family = mixed(family, std::bit_cast<std::uint64_t>(p.radius_m));
   MaterialMap materials = materials_of(scene, *relief, p);
-  if (p.law == Law::proxy)
+  if (p.law == Law::proxy || p.law == Law::groove)
     return touchable(ProxyLaw<Relief>(*std::move(surface), std::move(materials)), family);
   if (p.law == Law::penalty)
     return touchable(
         PenaltyLaw<Relief>(*std::move(surface), std::move(materials), p.penalty == PenaltyDirection::normal),
         family);
   return touchable(AveragedLaw<Relief>(*std::move(surface), std::move(materials), p.averaging), family);
+}
+
+/// The map as made, or averaged anew over another neighbourhood.
+Result<std::shared_ptr<const models::BoundaryMap>> boundaries_for(
+    const std::shared_ptr<const models::Contours>& contours, const std::optional<double>& radius_px) {
+  const models::BoundaryMap& map = contours->boundaries;
+  if (!radius_px || *radius_px == map.radius_px())
+    return std::shared_ptr<const models::BoundaryMap>(contours, &map);
+  auto again = models::BoundaryMap::from_edges(map.edges(), map.pixel_m(), *radius_px, map.origin(), Work{});
+  if (!again) return again.error();
+  return std::make_shared<const models::BoundaryMap>(std::move(*again));
+}
+
+Result<std::shared_ptr<const Touchable>> on_boundaries(
+    const std::shared_ptr<const models::Contours>& contours, const LawParameters& p) {
+  auto map = boundaries_for(contours, p.neighbourhood_px);
+  if (!map) return map.error();
+  TracingParameters tracing;
+  tracing.force_N = p.stiffness_N_per_m.value_or(tracing.force_N);
+  tracing.damping_Ns_per_m = p.damping_Ns_per_m.value_or(tracing.damping_Ns_per_m);
+  const std::uint64_t family =
+      mixed(static_cast<std::uint64_t>(Law::tracing), content_hash(*contours->grooves));
+  return touchable(TracingLaw(*std::move(map), tracing), family);
 }
 
 }  // namespace
@@ -182,7 +213,7 @@ std::optional<Law> law_from(std::string_view name) {
 std::vector<Law> laws_for(const models::Scene& scene) {
   if (std::holds_alternative<std::shared_ptr<const Relief>>(scene.model))
     return {Law::proxy, Law::rolling, Law::penalty, Law::averaged, Law::sobel};
-  return {};
+  return {Law::tracing, Law::groove, Law::rolling};
 }
 
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
@@ -192,9 +223,11 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
   if (std::find(laws.begin(), laws.end(), parameters.law) == laws.end())
     return usage("the law " + std::string(name_of(parameters.law)) + " does not exist for a " +
                  models::kind_of(scene.model));
-  const auto& relief = std::get<std::shared_ptr<const Relief>>(scene.model);
-  PALPABLE_CHECK(relief != nullptr);
-  return on_relief(scene, relief, parameters);
+  if (const auto* relief = std::get_if<std::shared_ptr<const Relief>>(&scene.model))
+    return on_relief(scene, *relief, parameters);
+  const auto& contours = std::get<std::shared_ptr<const models::Contours>>(scene.model);
+  if (parameters.law == Law::tracing) return on_boundaries(contours, parameters);
+  return on_relief(scene, contours->grooves, parameters);
 }
 
 }  // namespace palpable::haptics

@@ -27,7 +27,11 @@ enum class Law {
   /// Spring and damper at the place straight below the hand. Moustakas 2007, Gomez 2012, Park & Howard 2012.
   penalty,
   /// The same on the mean of the surface at five places. Gomez 2012, chapter 12.
-  averaged
+  averaged,
+  /// A push along the boundary for a hand that moves along it. Graphic-haptic display 2006, eq. 8, corrected.
+  tracing,
+  /// The boundaries as grooves in a plate, felt by `proxy`: passive, for exploring by touch alone.
+  groove
 };
 
 /// The name on the command line; and back, nullopt for an unknown name.
@@ -47,7 +51,8 @@ enum class PenaltyDirection {
 /// What can be set of a law. Where a value is not given, the scene's material decides.
 struct LawParameters {
   Law law = Law::proxy;
-  /// Of the contact spring, 0 < k <= 1e6. `rolling` and `sobel` take k_g here, in newtons (default 1).
+  /// Of the contact spring, 0 < k <= 1e6. `rolling`, `sobel` and `tracing` take newtons
+  /// here: k_g, and F_m of eq. 8 (default 1).
   std::optional<double> stiffness_N_per_m;
   /// Of the contact damper along the normal (of all motion in `rolling` and `sobel`), >= 0.
   std::optional<double> damping_Ns_per_m;
@@ -56,6 +61,8 @@ struct LawParameters {
   std::optional<double> dynamic_friction;
   /// Radius of the ball that touches, 0 ... 0.02 m; its centre is the hand's position. 0 = a point.
   double radius_m = 0.0;
+  /// Of `tracing`: the neighbourhood m of eq. 7, 1 ... 32 px; not given: as the scene was made.
+  std::optional<double> neighbourhood_px;
   PenaltyDirection penalty = PenaltyDirection::gradient;
   /// Of `averaged`: how far its four neighbours stand (0 ... 0.02 m), and the weights (>= 0, not both 0).
   Averaging averaging;

@@ -3,6 +3,7 @@
 #include "palpable/haptics/tracing.hpp"
 
 #include "palpable/core/allocations.hpp"
+#include "palpable/haptics/laws.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0)
       200, 200,
       {static_cast<float>(0.8 * std::cos(2 * angle)), static_cast<float>(0.8 * std::sin(2 * angle))});
   return std::make_shared<const models::BoundaryMap>(
-      *models::BoundaryMap::from_pixels(std::move(pixels), 0.0005));
+      *models::BoundaryMap::from_edges(std::move(pixels), 0.0005, 1.0, {}, Work{}));
 }
 
 /// Moves the hand in steps and returns the feel of every tick.
@@ -121,6 +122,47 @@ TEST(Tracing, HoldsAHandOfThreeAxesInFrontOfThePicture) {
   TracingLaw::State state{};
   EXPECT_NEAR(law.feel({{{0, 0, -0.002}}, {}, kTick_s}, state).force_N.v.z, 0.3, 1e-12);
   EXPECT_EQ(law.feel({{{0, 0, 0.002}}, {}, kTick_s}, state).force_N.v.z, 0.0);
+}
+
+models::Scene contours_scene() {
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Contours>(models::Contours{
+      *straight_boundary(), std::make_shared<const models::Relief>(
+                                *models::Relief::from_samples(Raster<float>(50, 50, 0.001F), 0.002))});
+  return scene;
+}
+
+TEST(Tracing, IsTheDefaultLawOfContours) {
+  const auto laws = laws_for(contours_scene());
+  ASSERT_EQ(laws, (std::vector{Law::tracing, Law::groove, Law::rolling}));
+  for (const Law law : laws) {
+    LawParameters parameters;
+    parameters.law = law;
+    EXPECT_TRUE(make_touchable(contours_scene(), parameters)) << name_of(law);
+  }
+  LawParameters proxy;
+  EXPECT_EQ(make_touchable(contours_scene(), proxy).error().code, ErrorCode::usage);
+}
+
+TEST(Tracing, TakesItsForceAndNeighbourhoodLive) {
+  const auto pushed = [](double force_N) {
+    LawParameters p;
+    p.law = Law::tracing;
+    p.stiffness_N_per_m = force_N;
+    p.damping_Ns_per_m = 0.0;
+    p.neighbourhood_px = 5.0;
+    const auto touchable = make_touchable(contours_scene(), p);
+    TouchState state;
+    Feel feel;
+    for (int k = 0; k < 200; ++k)
+      feel = (*touchable)->feel({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
+    return feel.force_N.v.x;
+  };
+  EXPECT_NEAR(pushed(2.0), 2.0 * pushed(1.0), 1e-9);
+  LawParameters wide;
+  wide.law = Law::tracing;
+  wide.neighbourhood_px = 100.0;
+  EXPECT_FALSE(make_touchable(contours_scene(), wide));
 }
 
 TEST(Tracing, AllocatesNothingInATick) {

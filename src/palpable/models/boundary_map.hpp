@@ -5,6 +5,7 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/raster.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
 
 #include <concepts>
 #include <cstddef>
@@ -34,26 +35,44 @@ struct BoundaryPixel {
   bool operator==(const BoundaryPixel&) const = default;
 };
 
-/// A picture's boundaries as a density of directions (graphic-haptic display 2006, eq. 7), over a rectangle
-/// centred on the scene's origin in the plane z = 0. Pixel (i, j) stands where Relief's sample (i, j) does.
-/// Continuous between pixels (bilinear in the doubled angle); zero outside. Immutable; any thread.
+/// Where a boundary map's edges came from, for `palpable info`.
+struct BoundaryOrigin {
+  /// Strength from which a pixel counts as boundary, and the share of pixels that do.
+  double threshold = 0.0;
+  double boundary_fraction = 0.0;
+};
+
+/// A picture's boundaries (graphic-haptic display 2006), over a rectangle centred on the scene's origin in
+/// the plane z = 0: the edge vectors e, and their neighbourhood average b (eq. 7) that is felt. Pixel (i, j)
+/// stands where Relief's sample (i, j) does. b is continuous between pixels (bilinear in the doubled angle),
+/// zero outside. Immutable; any thread.
 class BoundaryMap {
  public:
-  /// Errors: under 2 x 2 pixels or over 64 M, a value not finite or longer than 1, pixel_m not in (0, 1].
-  static Result<BoundaryMap> from_pixels(Raster<BoundaryPixel> pixels, double pixel_m);
+  /// b = sum n(r) e / sum n(r), n falling linearly from 1 at r = 0 to 0 at r = radius_px (m of the paper, 1
+  /// ... 32 px), over doubled angles: the two sides of a thin line add up where vectors would cancel. Errors:
+  /// under 2 x 2 or over 64 M pixels, a value not finite or longer than 1, pixel_m not in (0, 1], radius out
+  /// of range.
+  static Result<BoundaryMap> from_edges(Raster<BoundaryPixel> edges, double pixel_m, double radius_px,
+                                        const BoundaryOrigin& origin, const Work& work);
 
-  /// Any finite place. Tick path.
+  /// b at any finite place. Tick path.
   BoundarySample sample(double x_m, double y_m) const noexcept;
 
-  const Raster<BoundaryPixel>& pixels() const { return pixels_; }
+  const Raster<BoundaryPixel>& edges() const { return edges_; }
+  const Raster<BoundaryPixel>& averaged() const { return averaged_; }
+  const BoundaryOrigin& origin() const { return origin_; }
+  double radius_px() const { return radius_px_; }
   double pixel_m() const { return pixel_m_; }
-  double width_m() const { return pixel_m_ * pixels_.width(); }
-  double depth_m() const { return pixel_m_ * pixels_.height(); }
-  std::size_t memory_bytes() const { return pixels_.count() * sizeof(BoundaryPixel); }
+  double width_m() const { return pixel_m_ * edges_.width(); }
+  double depth_m() const { return pixel_m_ * edges_.height(); }
+  std::size_t memory_bytes() const { return 2 * edges_.count() * sizeof(BoundaryPixel); }
 
  private:
   BoundaryMap() = default;
-  Raster<BoundaryPixel> pixels_;
+  Raster<BoundaryPixel> edges_;
+  Raster<BoundaryPixel> averaged_;
+  BoundaryOrigin origin_;
+  double radius_px_ = 0.0;
   double pixel_m_ = 0.0;
 };
 

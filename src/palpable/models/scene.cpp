@@ -18,8 +18,10 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 std::string kind_of(const Model& model) {
-  return std::visit(Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); }},
-                    model);
+  return std::visit(
+      Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); },
+                 [](const std::shared_ptr<const Contours>&) { return std::string("contours"); }},
+      model);
 }
 
 std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
@@ -34,10 +36,14 @@ std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
 }
 
 Vec3 size_m(const Scene& scene) {
-  return std::visit(Overloaded{[](const std::shared_ptr<const Relief>& relief) {
-                      return Vec3{relief->width_m(), relief->depth_m(), relief->highest_m()};
-                    }},
-                    scene.model);
+  return std::visit(
+      Overloaded{[](const std::shared_ptr<const Relief>& relief) {
+                   return Vec3{relief->width_m(), relief->depth_m(), relief->highest_m()};
+                 },
+                 [](const std::shared_ptr<const Contours>& contours) {
+                   return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(), 0.0};
+                 }},
+      scene.model);
 }
 
 }  // namespace palpable::models

@@ -4,6 +4,7 @@
 
 #include "palpable/core/frame.hpp"
 #include "palpable/core/image.hpp"
+#include "palpable/models/contours.hpp"
 #include "palpable/models/material.hpp"
 #include "palpable/models/relief.hpp"
 
@@ -18,8 +19,8 @@ namespace palpable::models {
 /// mesh's own metres.
 struct InputFrame;
 
-/// What can be touched. Later kinds join here (field, grid, contours, map).
-using Model = std::variant<std::shared_ptr<const Relief>>;
+/// What can be touched. Later kinds join here (field, grid, map).
+using Model = std::variant<std::shared_ptr<const Relief>, std::shared_ptr<const Contours>>;
 
 /// "relief", "field", … as `palpable info` prints it.
 std::string kind_of(const Model& model);

@@ -15,8 +15,9 @@ namespace {
 constexpr int kLongestSide = 640;
 
 const models::Relief* relief_of(const models::Scene& scene) {
-  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
-  return relief == nullptr ? nullptr : relief->get();
+  if (const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model))
+    return relief->get();
+  return std::get<std::shared_ptr<const models::Contours>>(scene.model)->grooves.get();
 }
 
 // "aloeL.jpg and aloeR.jpg": folders say nothing to the person who touches.

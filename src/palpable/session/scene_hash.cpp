@@ -41,6 +41,16 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Relief>& relief)
   hash.add(relief->samples_m());
 }
 
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Contours>& contours) {
+  hash.add(contours->boundaries.pixel_m());
+  hash.add(contours->boundaries.radius_px());
+  for (const models::BoundaryPixel& p : contours->boundaries.edges().values()) {
+    hash.add(p.c2);
+    hash.add(p.s2);
+  }
+  add_model(hash, contours->grooves);
+}
+
 }  // namespace
 
 std::string scene_hash(const models::Scene& scene) {

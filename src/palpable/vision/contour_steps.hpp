@@ -11,6 +11,9 @@
 
 namespace palpable::vision {
 
+/// A boundary, once begun, is followed down to this share of the threshold.
+inline constexpr double kFollowedShare = 0.5;
+
 /// A symmetric 2 x 2 tensor per pixel: sums of n n^T over edge vectors n, image axes.
 struct TensorMap {
   Raster<float> xx;

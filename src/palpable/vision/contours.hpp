@@ -20,16 +20,14 @@ enum class ContourMethod {
 
 struct ContourOptions {
   ContourMethod method = ContourMethod::standard;
-  /// Radius m of the neighbourhood that eq. 7 averages over, 1 ... 32 px. Adjustable live on the page.
-  double neighbourhood_px = 3.0;
   /// Strength (0 ... 1) from which a pixel is boundary; below 0 = by Otsu's method.
   double threshold = -1.0;
 };
 
-/// The boundaries of a picture as a density of edge vectors, in image axes (x right, y down). Directions have
-/// no sign.
+/// The boundaries of a picture as a density of edge vectors e, in image axes (x right, y down). Directions
+/// have no sign.
 struct Contours {
-  /// Unit tangent (zero where there is no structure at all) and strength 0 ... 1 of the edge vectors e.
+  /// Unit tangent (zero where there is no structure at all) and strength 0 ... 1; 0 below half the threshold.
   Raster<float> tangent_x;
   Raster<float> tangent_y;
   Raster<float> strength;
@@ -45,11 +43,5 @@ struct Contours {
 /// Extracts the boundaries of a picture with the same settings for every picture. Errors: invalid_input for
 /// pictures under 8 x 8 or with a sample that is not finite, usage for options out of range, interrupted.
 Result<Contours> find_contours(const Image& image, const ContourOptions& options, const Work& work);
-
-/// Eq. 7: b = sum n(r) e / sum n(r), with n falling linearly from 1 at r = 0 to 0 at r = m = radius_px, over
-/// doubled angles, so that the two sides of a thin line add up where vectors would cancel. Replaces tangents
-/// and strength.
-void average_neighbourhood(Raster<float>& tangent_x, Raster<float>& tangent_y, Raster<float>& strength,
-                           double radius_px, const Work& work);
 
 }  // namespace palpable::vision

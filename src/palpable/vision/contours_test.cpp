@@ -172,7 +172,6 @@ TEST(Contours, OfThePaperAnswerCentredEdgesAsMeasured) {
     const Image image = step(9, k, 0.0);
     ContourOptions options;
     options.method = ContourMethod::paper;
-    options.neighbourhood_px = 1.0;  // the pixel itself only
     options.threshold = 0.0;
     const auto c = find_contours(image, options, Work{});
     ASSERT_TRUE(c);
@@ -231,7 +230,7 @@ TEST(Contours, RefuseWhatCannotBeFollowed) {
   holed.samples[20] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(find_contours(holed, {}, Work{}).error().code, ErrorCode::invalid_input);
   ContourOptions options;
-  options.neighbourhood_px = 0.0;
+  options.threshold = 1.5;
   EXPECT_EQ(find_contours(step(16, 0.0, 0.0), options, Work{}).error().code, ErrorCode::usage);
 }
 
