@@ -5,6 +5,10 @@ import { element } from './controls';
 import type { State } from './generated/protocol';
 import { ForcePlot } from './plot';
 
+/** Figures and plot are for reading: ten and twenty times a second are enough, and leave the machine to the servo. */
+const figuresEvery = 100;
+const plotEvery = 50;
+
 const millimetres = (metres: number) => (metres * 1000).toFixed(1);
 
 export class Readouts {
@@ -14,6 +18,9 @@ export class Readouts {
   private since = performance.now();
   private device = '';
   private rate = 0;
+  private shown: State | null = null;
+  private figuresAt = -Infinity;
+  private plottedAt = -Infinity;
 
   setDevice(device: string): void {
     this.device = device;
@@ -23,23 +30,28 @@ export class Readouts {
     const force = Math.hypot(state.fx_N, state.fy_N, state.fz_N);
     this.plot.add(state.t_s, force);
     this.rate = state.rate_hz;
-    element('read-position').textContent = `${millimetres(state.x_m)}, ${millimetres(state.y_m)}`;
-    element('read-height').textContent = millimetres(state.surface_m);
-    element('read-force').textContent = force.toFixed(2);
+    this.shown = state;
   }
 
   /** Nothing is known any more. */
   blank(): void {
     this.rate = 0;
+    this.shown = null;
     for (const id of ['read-position', 'read-height', 'read-force']) element(id).textContent = '–';
   }
 
   /** Once a frame. The plot creeps, so where motion is unwelcome it is drawn once a second. */
   frame(now: number): void {
     this.frames += 1;
-    const second = now - this.since >= 1000;
-    if (second || !this.calm.matches) this.plot.draw();
-    if (!second) return;
+    if (now - this.figuresAt >= figuresEvery) {
+      this.figuresAt = now;
+      this.figures();
+    }
+    if (now - this.plottedAt >= (this.calm.matches ? 1000 : plotEvery)) {
+      this.plottedAt = now;
+      this.plot.draw();
+    }
+    if (now - this.since < 1000) return;
     const shown = Math.round((this.frames * 1000) / (now - this.since));
     const parts = [`${shown} frames a second`, `force ${Math.round(this.rate)} times a second`, this.device];
     element('rates').textContent = parts.filter((part) => part !== '').join(' · ');
@@ -47,6 +59,14 @@ export class Readouts {
     element('plot-words').textContent = `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`;
     this.frames = 0;
     this.since = now;
+  }
+
+  private figures(): void {
+    if (this.shown === null) return;
+    const { x_m, y_m, surface_m, fx_N, fy_N, fz_N } = this.shown;
+    element('read-position').textContent = `${millimetres(x_m)}, ${millimetres(y_m)}`;
+    element('read-height').textContent = millimetres(surface_m);
+    element('read-force').textContent = Math.hypot(fx_N, fy_N, fz_N).toFixed(2);
   }
 
   status(state: 'running' | 'paused' | 'fault', words: string): void {

@@ -78,6 +78,9 @@ describe('the page in every state', () => {
     }
   });
 
+});
+
+describe('the page where something is amiss', () => {
   it('without WebGL is shown from above, says so, and can still be touched', async () => {
     const opened = await openPage(flatBrowser, home(), { storageState: key });
     const { page } = opened;
