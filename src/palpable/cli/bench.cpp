@@ -25,12 +25,9 @@ struct Benchmark {
   std::size_t memory_bytes = 0;
 };
 
-std::string size_text(const models::Model& model) {
-  return std::visit(
-      [](const auto& relief) {
-        return fmt::format("{}x{}", relief->samples_m().width(), relief->samples_m().height());
-      },
-      model);
+std::string size_text(const models::Scene& scene) {
+  const auto& samples = models::relief_of(scene)->samples_m();
+  return fmt::format("{}x{}", samples.width(), samples.height());
 }
 
 Result<Benchmark> time_one(const models::Scene& scene, const haptics::LawParameters& parameters,
@@ -38,8 +35,8 @@ Result<Benchmark> time_one(const models::Scene& scene, const haptics::LawParamet
   const auto touchable = haptics::make_touchable(scene, parameters);
   if (!touchable) return touchable.error();
   Benchmark benchmark;
-  benchmark.name = fmt::format("{}/{}/{}", models::kind_of(scene.model), bench_name(parameters, scene),
-                               size_text(scene.model));
+  benchmark.name =
+      fmt::format("{}/{}/{}", models::kind_of(scene.model), bench_name(parameters, scene), size_text(scene));
   benchmark.ticks = path.size();
   benchmark.times = haptics::time_path(**touchable, path);
   benchmark.memory_bytes = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);

@@ -4,7 +4,9 @@
 #include "palpable/formats/npz.hpp"
 #include "palpable/formats/picture.hpp"
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/sculpt/boundary_map_from_picture.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -44,7 +46,7 @@ Result<void> write_heights(const models::Relief& relief, const std::filesystem::
   return formats::write_png(output, grey);
 }
 
-Result<Answer> export_relief(const models::Relief& relief, const Arguments& arguments) {
+Result<Answer> export_model(const models::Relief& relief, const Arguments& arguments) {
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
@@ -67,11 +69,37 @@ Result<Answer> export_relief(const models::Relief& relief, const Arguments& argu
   return Error{ErrorCode::usage, "a relief is exported as .npz or .png", arguments.output};
 }
 
+/// Unit tangents in image axes (x right, y down; their sign is free) and strength of the averaged map (eq.
+/// 7), and the one-pixel-wide lines.
+Result<Answer> export_model(const models::Contours& contours, const Arguments& arguments) {
+  const std::filesystem::path output(arguments.output);
+  if (output.extension() != ".npz" && output.extension() != ".png")
+    return Error{ErrorCode::usage, "contours are exported as .npz or .png", arguments.output};
+  const Raster<float> lines = sculpt::boundary_lines(contours.boundaries);
+  Answer answer;
+  answer.json["output"] = arguments.output;
+  answer.text = fmt::format("{}\n", arguments.output);
+  if (output.extension() == ".png") {
+    Raster<std::uint16_t> grey(lines.width(), lines.height());
+    std::transform(lines.values().begin(), lines.values().end(), grey.values().begin(),
+                   [](float s) { return static_cast<std::uint16_t>(std::lround(65535.0F * s)); });
+    if (const auto written = formats::write_png(output, grey); !written) return written.error();
+    return answer;
+  }
+  const sculpt::TangentMap b = sculpt::tangents_of(contours.boundaries.averaged());
+  const formats::Npz arrays{{"tangent_x", formats::npy_array(b.x)},
+                            {"tangent_y", formats::npy_array(b.y)},
+                            {"strength", formats::npy_array(b.strength)},
+                            {"line", formats::npy_array(lines)}};
+  if (const auto written = formats::write_npz(output, arrays); !written) return written.error();
+  return answer;
+}
+
 Result<Answer> run_export(const Arguments& arguments) {
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  return std::visit([&](const auto& model) { return export_relief(*model, arguments); }, scene.model);
+  return std::visit([&](const auto& model) { return export_model(*model, arguments); }, scene.model);
 }
 
 }  // namespace

@@ -46,6 +46,19 @@ void add_model(Answer& answer, const models::Relief& relief) {
                              1000.0 * relief.highest_m());
 }
 
+/// In pixels of the input picture.
+void add_model(Answer& answer, const models::Contours& contours) {
+  const models::BoundaryMap& map = contours.boundaries;
+  answer.json["width_px"] = map.edges().width();
+  answer.json["height_px"] = map.edges().height();
+  answer.json["boundary_fraction"] = map.origin().boundary_fraction;
+  answer.json["threshold"] = map.origin().threshold;
+  answer.json["neighbourhood_px"] = map.radius_px();
+  answer.text +=
+      fmt::format("  {} x {} pixels, {:.1f} % of them boundary (from strength {:.2f})\n", map.edges().width(),
+                  map.edges().height(), 100.0 * map.origin().boundary_fraction, map.origin().threshold);
+}
+
 Result<Answer> info(const std::string& path) {
   const auto file = formats::read_scene(path);
   if (!file) return file.error();

@@ -14,12 +14,14 @@ namespace {
 struct Arguments {
   MakeArguments make;
   std::string output;
-  std::string as = "relief";
+  std::string as;
 };
 
 Result<Answer> make(const Arguments& arguments, Console& console) {
-  const auto options = make_options(arguments.make);
+  auto options = make_options(arguments.make);
   if (!options) return options.error();
+  if (arguments.as == "relief") options->as = session::MakeAs::relief;
+  if (arguments.as == "contours") options->as = session::MakeAs::contours;
   if (options->inputs.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
   const auto begin = std::chrono::steady_clock::now();
   const auto made = session::make_scene(*options, console.work());
@@ -49,10 +51,12 @@ void add_make(Program& program) {
       program, "make", "Make a touchable scene and save it",
       "  palpable make left.png right.png -o room.palp\n"
       "  palpable make left.png right.png -o room.palp --calibration calib.txt --size 150x100x30\n"
-      "  palpable make depth.png -o room.palp --kind depth",
+      "  palpable make depth.png -o room.palp --kind depth\n"
+      "  palpable make scan.png -o scan.palp --as contours",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
-  options.choice("--as", arguments->as, {"relief"}, "What it becomes");
+  options.choice("--as", arguments->as, {"relief", "contours"},
+                 "What it becomes; else contours of one picture, a relief of all else");
   add_make_options(options, arguments->make);
 }
 

@@ -30,6 +30,14 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Nothing counts as nearer (m; px of disparity without calibration)");
   options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
   options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
+  options.under("Contours of one picture");
+  options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
+                 "How boundaries are found; paper = graphic-haptic display 2006");
+  options.number("--threshold", arguments.threshold, {0.0, 1.0},
+                 "Strength that is boundary; else by Otsu's method");
+  options.number("--neighbourhood", arguments.neighbourhood_px, {1.0, 32.0},
+                 "Radius that directions are averaged over, px");
+  options.number("--groove", arguments.groove_mm, {0.5, 20.0}, "Width of the grooves of the law groove, mm");
   add_stereo_options(options, arguments.stereo);
 }
 
@@ -60,6 +68,10 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.relief.near = arguments.near;
   options.relief.far = arguments.far;
   options.relief.exaggerate = arguments.exaggerate;
+  if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
+  if (arguments.threshold) options.contours.threshold = *arguments.threshold;
+  options.neighbourhood_px = arguments.neighbourhood_px;
+  options.grooves.width_m = arguments.groove_mm / 1000.0;
   if (!arguments.kind.empty()) {
     options.kind = sources::input_kind_from(arguments.kind);
     if (!options.kind)

@@ -19,6 +19,10 @@ struct MakeArguments {
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
   double exaggerate = 1.0;
+  std::string contour_method;
+  std::optional<double> threshold;
+  double neighbourhood_px = 3.0;
+  double groove_mm = 4.0;
 };
 
 /// Adds INPUT… and the options. `arguments` must outlive the parsing.

@@ -67,7 +67,7 @@ Result<Answer> sample(const Arguments& arguments, Console& console) {
   const auto points = read_number_table(arguments.points, kColumns);
   if (!points) return points.error();
   const Work work = console.work();
-  const auto values = std::visit([&](const auto& model) { return ask(*model, *points, work); }, scene.model);
+  const auto values = ask(*models::relief_of(scene), *points, work);
   if (work.cancelled()) return Work::interrupted();
   const std::string csv = csv_of(scene, *points, values);
   if (const auto written = write_file_atomically(arguments.output, std::as_bytes(std::span(csv))); !written)

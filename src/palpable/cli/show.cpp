@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
+#include "palpable/draw/contours_view.hpp"
 #include "palpable/draw/force_view.hpp"
 #include "palpable/draw/height_view.hpp"
 #include "palpable/draw/section_view.hpp"
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/sculpt/boundary_map_from_picture.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -17,7 +19,7 @@ namespace {
 
 struct Arguments {
   std::string scene, output;
-  std::string view = "relief";
+  std::string view;
   LawArguments law;
   std::optional<double> cut_mm;
 };
@@ -78,8 +80,18 @@ double cut_through_the_top_m(const models::Relief& relief) {
   return -(row - 0.5 * (heights.height() - 1)) * relief.pixel_m();
 }
 
+Result<draw::Figure> contours_picture(const Arguments& arguments, const models::Scene& scene) {
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
+  if (contours == nullptr) return Error{ErrorCode::usage, "only a scene of contours has this view", "--view"};
+  const models::BoundaryMap& map = (*contours)->boundaries;
+  return draw::contours_figure(
+      sculpt::boundary_lines(map), scene.texture, map.pixel_m(),
+      heading_of(arguments, scene, fmt::format("contours from strength {:.2f}", map.origin().threshold)));
+}
+
 Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene& scene,
                                 const models::Relief& relief) {
+  if (arguments.view == "contours") return contours_picture(arguments, scene);
   if (arguments.view == "relief") return draw::relief_figure(relief, heading_of(arguments, scene, "relief"));
   if (arguments.view == "depth") return draw::height_figure(relief, heading_of(arguments, scene, "heights"));
   if (arguments.view == "force") return force_picture(arguments, scene, relief);
@@ -91,12 +103,12 @@ Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene&
   return draw::section_figure(relief, cut_m, heading_of(arguments, scene, "cut from left to right"));
 }
 
-Result<Answer> show(const Arguments& arguments) {
+Result<Answer> show(Arguments arguments) {
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  const auto figure =
-      std::visit([&](const auto& model) { return picture_of(arguments, scene, *model); }, scene.model);
+  if (arguments.view.empty()) arguments.view = models::kind_of(scene.model);
+  const auto figure = picture_of(arguments, scene, *models::relief_of(scene));
   if (!figure) return figure.error();
   if (const auto written = draw::write_figure(*figure, arguments.output); !written) return written.error();
   Answer answer;
@@ -120,7 +132,8 @@ void add_show(Program& program) {
                   [arguments](Console& /*console*/) { return show(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
-  options.choice("--view", arguments->view, {"relief", "depth", "force", "section"}, "What is drawn");
+  options.choice("--view", arguments->view, {"relief", "depth", "force", "section", "contours"},
+                 "What is drawn");
   options.number("--at", arguments->cut_mm, {-500.0, 500.0},
                  "Section: where to cut, mm above the middle (else through the top)");
   add_law_options(options, arguments->law);

@@ -15,6 +15,8 @@ struct Contours {
   BoundaryMap boundaries;
   /// Never null.
   std::shared_ptr<const Relief> grooves;
+
+  std::size_t memory_bytes() const { return boundaries.memory_bytes() + grooves->memory_bytes(); }
 };
 
 }  // namespace palpable::models

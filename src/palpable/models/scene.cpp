@@ -35,6 +35,12 @@ std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
   return std::min<std::size_t>(label, scene.materials.size() - 1);
 }
 
+const std::shared_ptr<const Relief>& relief_of(const Scene& scene) {
+  if (const auto* contours = std::get_if<std::shared_ptr<const Contours>>(&scene.model))
+    return (*contours)->grooves;
+  return std::get<std::shared_ptr<const Relief>>(scene.model);
+}
+
 Vec3 size_m(const Scene& scene) {
   return std::visit(
       Overloaded{[](const std::shared_ptr<const Relief>& relief) {

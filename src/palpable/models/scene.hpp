@@ -51,6 +51,9 @@ struct Scene {
 /// scene the nearest place's. Any thread; never allocates.
 std::size_t label_at(const Scene& scene, Point<SceneFrame> place);
 
+/// The surface of a scene: a relief itself, or the grooves of contours. Never null.
+const std::shared_ptr<const Relief>& relief_of(const Scene& scene);
+
 /// Width, height and depth in metres of the box that the scene fills.
 Vec3 size_m(const Scene& scene);
 

@@ -14,12 +14,6 @@ namespace {
 
 constexpr int kLongestSide = 640;
 
-const models::Relief* relief_of(const models::Scene& scene) {
-  if (const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model))
-    return relief->get();
-  return std::get<std::shared_ptr<const models::Contours>>(scene.model)->grooves.get();
-}
-
 // "aloeL.jpg and aloeR.jpg": folders say nothing to the person who touches.
 std::string name_of(const models::Scene& scene) {
   std::string name;
@@ -55,7 +49,7 @@ constexpr LawWords kLawWords[] = {
     {"proxy", "Surface with friction", true, false},      {"penalty", "Spring surface", false, false},
     {"averaged", "Averaged surface", false, false},       {"rolling", "Rolling ball", false, true},
     {"sobel", "Rolling ball, as published", false, true}, {"grid", "Grid of cells", false, false},
-    {"tracing", "Tracing contours", false, false},        {"groove", "Grooves", false, false},
+    {"tracing", "Tracing contours", false, true},         {"groove", "Grooves", false, false},
 };
 
 }  // namespace
@@ -64,11 +58,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
                                             const std::string& name) {
   auto page = std::make_shared<PageScene>();
   const Vec3 size = models::size_m(scene);
-  if (const auto* relief = relief_of(scene)) {
-    page->height_m = sampled(*relief);
-  } else {
-    page->height_m = Raster<float>(2, 2, 0.0F);
-  }
+  page->height_m = sampled(*models::relief_of(scene));
   const auto [lowest, highest] =
       std::minmax_element(page->height_m.values().begin(), page->height_m.values().end());
   page->picture = scene.texture;
@@ -87,8 +77,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
 }
 
 double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
-  const auto* relief = relief_of(scene);
-  return relief == nullptr ? 0.0 : relief->sample(x_m, y_m).z_m;
+  return models::relief_of(scene)->sample(x_m, y_m).z_m;
 }
 
 std::vector<protocol::Law> page_laws(const models::Scene& scene) {

@@ -27,19 +27,22 @@ Result<models::BoundaryMap> boundary_map_from_contours(const vision::Contours& c
                                          {contours.threshold, contours.boundary_fraction}, work);
 }
 
-Raster<float> boundary_lines(const models::BoundaryMap& map) {
-  const auto& edges = map.edges();
-  Raster<float> tangent_x(edges.width(), edges.height());
-  Raster<float> tangent_y(edges.width(), edges.height());
-  Raster<float> strength(edges.width(), edges.height());
-  for (std::size_t i = 0; i < edges.count(); ++i) {
-    const models::BoundaryPixel p = edges.values()[i];
-    strength.values()[i] = std::sqrt(p.c2 * p.c2 + p.s2 * p.s2);
+TangentMap tangents_of(const Raster<models::BoundaryPixel>& pixels) {
+  const Raster<float> zero(pixels.width(), pixels.height());
+  TangentMap out{zero, zero, zero};
+  for (std::size_t i = 0; i < pixels.count(); ++i) {
+    const models::BoundaryPixel p = pixels.values()[i];
     const auto [tx, ty] = vision::halve_angle(p.c2, p.s2);
-    tangent_x.values()[i] = tx;
-    tangent_y.values()[i] = -ty;  // to image axes
+    out.x.values()[i] = tx;
+    out.y.values()[i] = -ty;
+    out.strength.values()[i] = std::sqrt(p.c2 * p.c2 + p.s2 * p.s2);
   }
-  return vision::ridge_lines(strength, tangent_x, tangent_y, vision::kFollowedShare * map.origin().threshold,
+  return out;
+}
+
+Raster<float> boundary_lines(const models::BoundaryMap& map) {
+  const TangentMap e = tangents_of(map.edges());
+  return vision::ridge_lines(e.strength, e.x, e.y, vision::kFollowedShare * map.origin().threshold,
                              map.origin().threshold);
 }
 

@@ -21,6 +21,14 @@ struct BoundaryMapOptions {
 Result<models::BoundaryMap> boundary_map_from_contours(const vision::Contours& contours,
                                                        const BoundaryMapOptions& options, const Work& work);
 
+/// Unit tangents in image axes (y down) and strengths of a boundary map's pixels.
+struct TangentMap {
+  Raster<float> x;
+  Raster<float> y;
+  Raster<float> strength;
+};
+TangentMap tangents_of(const Raster<models::BoundaryPixel>& pixels);
+
 /// One-pixel-wide lines of a map's edges: their strength on ridges of lines that reach the map's threshold, 0
 /// elsewhere.
 Raster<float> boundary_lines(const models::BoundaryMap& map);

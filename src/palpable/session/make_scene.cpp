@@ -3,6 +3,7 @@
 #include "palpable/session/make_scene.hpp"
 
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/sculpt/boundary_map_from_picture.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/depth_file.hpp"
 #include "palpable/sources/picture.hpp"
@@ -101,6 +102,35 @@ Result<MadeScene> from_scene_file(const MakeOptions& options) {
   return MadeScene{std::make_shared<const models::Scene>(std::move(file->scene)), {}};
 }
 
+Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
+  if (options.inputs.size() != 1) return Error{ErrorCode::usage, "contours are made of one picture", {}};
+  const auto& file = options.inputs.front();
+  const auto picture = sources::read_picture(file);
+  if (!picture) return picture.error();
+  auto found = vision::find_contours(*picture, options.contours, work);
+  if (!found) return at_place(found.error(), file);
+  sculpt::BoundaryMapOptions size;
+  size.radius_px = options.neighbourhood_px;
+  if (options.relief.size_m)
+    size.width_m = options.relief.size_m->x, size.height_m = options.relief.size_m->y;
+  auto map = sculpt::boundary_map_from_contours(*found, size, work);
+  if (!map) return at_place(map.error(), file);
+  auto grooves = sculpt::grooves_from_boundary_map(*map, options.grooves);
+  if (!grooves) return at_place(grooves.error(), file);
+  models::Scene scene =
+      scene_of(std::move(*grooves), options, picture->width, picture->height,
+               options.contours.method == vision::ContourMethod::paper ? "contours, paper" : "contours");
+  scene.model = std::make_shared<const models::Contours>(
+      models::Contours{std::move(*map), std::get<std::shared_ptr<const models::Relief>>(scene.model)});
+  scene.texture = rgb8(*picture);
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(found->notes)};
+}
+
+bool as_contours(const MakeOptions& options, const sources::Input& input) {
+  return options.as == MakeAs::contours ||
+         (options.as == MakeAs::by_input && input.kind == sources::InputKind::picture);
+}
+
 Error not_yet(const sources::Input& input) {
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
@@ -132,6 +162,7 @@ vision::StereoMethod default_method() {
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
+  if (as_contours(options, *input)) return from_picture(options, work);
   switch (input->kind) {
     case sources::InputKind::scene:
       return from_scene_file(options);
@@ -150,7 +181,7 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
-  if (input->kind != sources::InputKind::stereo) {
+  if (input->kind != sources::InputKind::stereo || as_contours(options, *input)) {
     auto made = make_scene(options, work);
     if (!made) return made.error();
     take(std::move(*made));

@@ -4,8 +4,10 @@
 
 #include "palpable/core/work.hpp"
 #include "palpable/models/scene.hpp"
+#include "palpable/sculpt/grooves.hpp"
 #include "palpable/sculpt/relief_from_depth.hpp"
 #include "palpable/sources/input.hpp"
+#include "palpable/vision/contours.hpp"
 #include "palpable/vision/stereo.hpp"
 
 #include <filesystem>
@@ -17,8 +19,12 @@
 
 namespace palpable::session {
 
+/// What the input becomes: one picture contours, all else a relief, unless it is said.
+enum class MakeAs { by_input, relief, contours };
+
 /// What a scene is made from, and how.
 struct MakeOptions {
+  MakeAs as = MakeAs::by_input;
   /// One or more files: a scene, a picture pair (left first), one picture that holds a pair, a depth map.
   std::vector<std::filesystem::path> inputs;
   /// Not given: recognised by content.
@@ -32,6 +38,11 @@ struct MakeOptions {
   /// For depth maps of integers: metres a step (1 = metres); not given: as the file or its sidecar says.
   std::optional<double> depth_scale;
   sculpt::ReliefOptions relief;
+  /// Of one picture: its contours.
+  vision::ContourOptions contours;
+  /// Radius of the contours' neighbourhood (eq. 7), 1 ... 32 px.
+  double neighbourhood_px = 3.0;
+  sculpt::GrooveOptions grooves;
   /// Written into the scene's provenance: "palpable 0.1.0".
   std::string made_by;
 };

@@ -42,8 +42,18 @@ Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchS
                                         const Transform<SceneFrame, DeviceFrame>& scene_from_device) {
   PreparedProgram prepared;
   prepared.law = settings.law;
-  if (device.degrees_of_freedom < 3 && prepared.law.law != haptics::Law::rolling &&
-      prepared.law.law != haptics::Law::sobel) {
+  const auto laws = haptics::laws_for(scene);
+  if (std::find(laws.begin(), laws.end(), prepared.law.law) == laws.end()) {
+    prepared.notices.push_back("There is no law " + std::string(haptics::name_of(prepared.law.law)) +
+                               " for " + models::kind_of(scene.model) + ", so the law is " +
+                               std::string(haptics::name_of(laws.front())) + ".");
+    prepared.law.law = laws.front();
+    // A stiffness in N/m means nothing to a law that takes newtons.
+    prepared.law.stiffness_N_per_m.reset();
+    prepared.law.damping_Ns_per_m.reset();
+  }
+  if (device.degrees_of_freedom < 3 && prepared.law.law != haptics::Law::tracing &&
+      prepared.law.law != haptics::Law::rolling && prepared.law.law != haptics::Law::sobel) {
     prepared.notices.push_back("The device moves in the plane only, so the law is rolling instead of " +
                                std::string(haptics::name_of(prepared.law.law)) + ".");
     prepared.law.law = haptics::Law::rolling;

@@ -1,0 +1,17 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/draw/figure.hpp"
+#include "palpable/draw/heading.hpp"
+
+namespace palpable::draw {
+
+/// One-pixel-wide boundaries (`lines`: strength 0 … 1, 0 = none) over the pale picture they were found in:
+/// the stronger, the darker. Axes in millimetres, pixels of pixel_m. The picture may be empty or of another
+/// size.
+Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m, const Heading& heading);
+
+}  // namespace palpable::draw
