@@ -133,8 +133,9 @@ Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file)
   const heif_error error = heif_image_handle_get_depth_image_handle(opened->primary.get(), id, &raw);
   if (error.code != heif_error_Ok) return damaged(error);
   const Owned<heif_image_handle> handle(raw);
-  // As it is stored, grey or with idle colour planes: its luma is the depth.
-  const auto pixels = pixels_of(handle.get(), heif_colorspace_undefined, heif_chroma_undefined);
+  // Its luma is the depth, whether idle colour planes are stored beside it or not.
+  auto pixels = pixels_of(handle.get(), heif_colorspace_YCbCr, heif_chroma_420);
+  if (!pixels) pixels = pixels_of(handle.get(), heif_colorspace_monochrome, heif_chroma_monochrome);
   if (!pixels) return pixels.error();
   const heif_image* image = pixels->get();
   const int width = heif_image_get_width(image, heif_channel_Y);
