@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/program.hpp"
 
+#include "palpable/haptics/stability.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace palpable::session {
 
@@ -37,8 +42,40 @@ Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
   return result;
 }
 
+namespace {
+
+/// Whether the law is a spring against the materials of a surface.
+bool is_wall(haptics::Law law) {
+  return law == haptics::Law::proxy || law == haptics::Law::penalty || law == haptics::Law::averaged;
+}
+
+/// Lowers what the person or the materials ask for to what the device can render without making energy.
+void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
+               PreparedProgram& prepared) {
+  auto& law = prepared.law;
+  if (!is_wall(law.law)) return;
+  std::string lowered;
+  for (auto& material : scene.materials) {
+    const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
+    const double damping = law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
+    // What is out of range is the law's to refuse.
+    if (!(stiffness > 0.0) || !(damping >= 0.0)) return;
+    const auto safe = haptics::safe_contact(device, rate_hz, scale, stiffness, damping);
+    material.stiffness_N_per_m = safe.stiffness_N_per_m;
+    material.damping_Ns_per_m = safe.damping_Ns_per_m;
+    if (safe.bound != haptics::StiffnessBound::none && lowered.empty())
+      lowered = fmt::format("Stiffness {:.0f} N/m was lowered to {:.0f} N/m: {}.", stiffness,
+                            safe.stiffness_N_per_m, haptics::reason(safe.bound));
+  }
+  law.stiffness_N_per_m.reset();
+  law.damping_Ns_per_m.reset();
+  if (!lowered.empty()) prepared.notices.push_back(std::move(lowered));
+}
+
+}  // namespace
+
 Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
-                                        const device::Traits& device,
+                                        const device::Traits& device, double rate_hz,
                                         const Transform<SceneFrame, DeviceFrame>& scene_from_device) {
   PreparedProgram prepared;
   prepared.law = settings.law;
@@ -63,6 +100,8 @@ Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchS
   }
   auto deep = with_depth(scene, settings.depth);
   if (!deep) return std::move(deep).error();
+  make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
+  prepared.materials = deep->materials;
   auto touchable = haptics::make_touchable(*deep, prepared.law);
   if (!touchable) return std::move(touchable).error();
   prepared.program.touchable = std::move(*touchable);

@@ -17,8 +17,10 @@ namespace palpable::session {
 /// What the servo renders, and how it came to differ from what was asked for.
 struct PreparedProgram {
   haptics::Program program;
-  /// The law and parameters that are really in use.
+  /// The law that is really in use. Its stiffness and damping are in the materials below.
   haptics::LawParameters law;
+  /// As the law feels them: what was asked for, lowered to what the device can render.
+  std::vector<models::Material> materials;
   /// One sentence for each value that the device's limits changed.
   std::vector<std::string> notices;
 };
@@ -31,9 +33,10 @@ Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, con
 /// -4…4, or not 1 for a scene that is no relief.
 Result<models::Scene> with_depth(const models::Scene& scene, double depth);
 
-/// Law on scene for a device. Errors: as make_touchable() and with_depth().
+/// Law on scene for a device, its walls no stiffer than the device can render at that rate
+/// (haptics/stability.hpp). Errors: as make_touchable() and with_depth().
 Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
-                                        const device::Traits& device,
+                                        const device::Traits& device, double rate_hz,
                                         const Transform<SceneFrame, DeviceFrame>& scene_from_device);
 
 }  // namespace palpable::session

@@ -61,6 +61,13 @@ device::RecordedProgram TouchSession::Inside::described(const PreparedProgram& p
   Json json = law_json(prepared.law);
   const auto& place = prepared.program.scene_from_device;
   json["depth"] = depth;
+  json["materials"] = Json::array();
+  for (const auto& material : prepared.materials)
+    json["materials"].push_back({{"name", material.name},
+                                 {"stiffness_N_per_m", material.stiffness_N_per_m},
+                                 {"damping_Ns_per_m", material.damping_Ns_per_m},
+                                 {"static_friction", material.static_friction},
+                                 {"dynamic_friction", material.dynamic_friction}});
   json["scene_hash"] = scene_hash(touched);
   json["scene_inputs"] = touched.source.inputs;
   json["scene_method"] = touched.source.method;
@@ -74,7 +81,8 @@ device::RecordedProgram TouchSession::Inside::described(const PreparedProgram& p
 Result<void> TouchSession::Inside::change(std::shared_ptr<const models::Scene> to_scene,
                                           const TouchSettings& to_settings,
                                           const Transform<SceneFrame, DeviceFrame>& to_place) {
-  auto prepared = prepare_program(*to_scene, to_settings, loop->device_traits(), to_place);
+  auto prepared =
+      prepare_program(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place);
   if (!prepared) return std::move(prepared).error();
   const std::lock_guard lock(state);
   prepared->program.id = ++programs;
@@ -104,7 +112,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   auto device = device::open_device(device_url, {options.seed, options.servo.rate_hz, inside->pointer});
   if (!device) return std::move(device).error();
   const auto place = fit_workspace(*scene, (*device)->traits());
-  auto prepared = prepare_program(*scene, settings, (*device)->traits(), place);
+  auto prepared = prepare_program(*scene, settings, (*device)->traits(), options.servo.rate_hz, place);
   if (!prepared) return std::move(prepared).error();
   prepared->program.id = ++inside->programs;
   inside->described_now = inside->described(*prepared, *scene, settings.depth);
