@@ -74,7 +74,7 @@ class RenderedHeads : public testing::Test {
     }
   }
 
-  void expect_ground(const Raster<float>& disparity_px, const char* from) {
+  void expect_ground(const Raster<float>& disparity_px, const char* from, double least_found) {
     const auto ground = find_ground(rgb8(pair_.left), disparity_px, Work{});
     ASSERT_TRUE(ground) << from;
     const double angle = degrees_between(normal_of(ground->plane, *pair_.rig).v, kUp);
@@ -83,7 +83,7 @@ class RenderedHeads : public testing::Test {
     std::printf("%s: normal off by %.3f degrees, %.2f %% of the ground found, %.2f %% of the objects lost\n",
                 from, angle, 100.0 * shares.ground_found, 100.0 * shares.object_lost);
     EXPECT_LT(angle, 1.0) << from;
-    EXPECT_GT(shares.ground_found, 0.98) << from;
+    EXPECT_GT(shares.ground_found, least_found) << from;
     EXPECT_LT(shares.object_lost, 0.02) << from;
   }
 
@@ -96,13 +96,15 @@ class RenderedHeads : public testing::Test {
   Raster<Seen> seen_;
 };
 
-TEST_F(RenderedHeads, StandOnATableThatIsFoundFromExactDisparity) { expect_ground(truth_px_, "exact"); }
+TEST_F(RenderedHeads, StandOnATableThatIsFoundFromExactDisparity) { expect_ground(truth_px_, "exact", 0.98); }
 
 TEST_F(RenderedHeads, StandOnATableThatIsFoundFromMatchedDisparity) {
   if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
   const auto match = vision::match(pair_, available_stereo_methods().back(), {}, Work{});
   ASSERT_TRUE(match);
-  expect_ground(match->disparity.disparity_px, "matched");
+  // Matching bends the table beside the heads: less of it lies in its plane (docs/measurements.md says how
+  // much).
+  expect_ground(match->disparity.disparity_px, "matched", 0.95);
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ namespace palpable::haptics {
 /// cannot rise in a passive world: a held spring lags, which makes ½K·dx² a tick, and the virtual damper has
 /// to take out more than that, b·v²·T. What it took out in the last kReserve_s, R, is the reserve of the
 /// virtual damper: W is not allowed to fall below -R, because energy that friction took out long ago pays for
-/// nothing that is made now. W > 0 in a tick in which the hand receives energy (f·dx > 0) is energy made beyond
-/// the reserve; while the hand still gives, a positive W only stands in a spring (the first tick inside a wall
-/// stores ½K·dx² unpaid) and the damper may yet take it. Units: J, of the device's own frame.
+/// nothing that is made now. W > 0 in a tick in which the hand receives energy (f·dx > 0) is energy made
+/// beyond the reserve; while the hand still gives, a positive W only stands in a spring (the first tick
+/// inside a wall stores ½K·dx² unpaid) and the damper may yet take it. Units: J, of the device's own frame.
 /// Under the force cap, a ramp or a change of scene the springs store more than the hand gave and will get
 /// back: W may then fall but not rise. (The rate cap is no such excuse: what it holds back comes later, and
 /// is energy made.) Tick path; no allocation.

@@ -16,6 +16,7 @@
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -272,7 +273,13 @@ TEST(PageServer, ShowsJunkOutWithAReason) {
   EXPECT_EQ(binary.read_to_the_end().code, websocket::close_code::unknown_data);
   Visitor big(page, cookie);
   big.send(std::string(100000, ' '));
-  EXPECT_EQ(big.read_to_the_end().code, websocket::close_code::too_big);
+  // The server refuses it by its length alone and closes with the rest unread: where the kernel answers that
+  // with a reset, the reason does not arrive, but the end does.
+  EXPECT_THAT(big.read_to_the_end().code,
+              testing::AnyOf(websocket::close_code::too_big, websocket::close_code::none));
+  Visitor after(page, cookie);
+  after.send("not json");
+  EXPECT_EQ(after.read_to_the_end().code, websocket::close_code::policy_error);
 }
 
 TEST(PageServer, DropsAFloodThenShowsItOut) {
