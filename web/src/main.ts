@@ -16,6 +16,7 @@ import { Readouts } from './readouts';
 import { SettingsKeeper } from './settings_keeper';
 import { Stage } from './stage';
 import { Surface, type Place } from './surface';
+import { TracePanel } from './trace_panel';
 import { Voice } from './voice';
 
 const initial: Settings = {
@@ -38,6 +39,11 @@ class TouchPage implements KeyTarget {
   private readonly feedback = new Feedback();
   private readonly readouts = new Readouts();
   private readonly hand = new ProbeHand();
+  private readonly trace = new TracePanel({
+    place: () => this.probePlace(),
+    say: (words) => this.voice.say(words, Importance.answer),
+    overlay: (points) => this.stage.line(points),
+  });
   private hello: Hello | null = null;
   private laws: Law[] = [];
   private scene: Scene | null = null;
@@ -157,6 +163,7 @@ class TouchPage implements KeyTarget {
       case 'scene':
         this.scene = message;
         element('scene-name').textContent = message.name;
+        this.trace.scene(message.kind, message.width_m, message.depth_m);
         document.title = `${message.name} – Palpable`;
         return;
       case 'settings':
@@ -253,6 +260,7 @@ class TouchPage implements KeyTarget {
       this.showProbe();
     }
     this.voice.tick();
+    this.trace.frame(now);
     this.stage.draw();
     this.readouts.frame(now);
   }

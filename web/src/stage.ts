@@ -43,6 +43,9 @@ export class Stage {
   probe(probe: Probe): void {
     this.view?.probe(probe);
   }
+  line(points: readonly Place[]): void {
+    this.view?.line(points);
+  }
   placeAt(left: number, top: number): Place | null {
     return this.view?.placeAt(left, top) ?? null;
   }

@@ -16,6 +16,8 @@ export interface View {
   /** Height factor, and how the surface and the view are to look. */
   set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
   probe(probe: Probe): void;
+  /** A line drawn on the surface; empty for none. */
+  line(points: readonly Place[]): void;
   /** The place on the surface under a point of the canvas in CSS pixels from its upper left corner; null if none. */
   placeAt(left: number, top: number): Place | null;
   resize(): void;

@@ -12,6 +12,8 @@ import {
   DirectionalLight,
   DoubleSide,
   Group,
+  Line,
+  LineBasicMaterial,
   LinearFilter,
   LinearMipmapLinearFilter,
   Mesh,
@@ -53,6 +55,7 @@ export class View3d implements View {
   private readonly arrowMaterial = new MeshBasicMaterial();
   private readonly shaft = new Mesh(new CylinderGeometry(0.0006, 0.0006, 1, 12), this.arrowMaterial);
   private readonly tip = new Mesh(new ConeGeometry(0.0018, 0.0045, 16), this.arrowMaterial);
+  private readonly traced = new Line(new BufferGeometry(), new LineBasicMaterial());
   private ground: Mesh | null = null;
   private walls: Mesh | null = null;
   private texture: DataTexture | null = null;
@@ -68,7 +71,9 @@ export class View3d implements View {
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.renderer.setPixelRatio(this.pixelRatio);
-    this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.marble, this.arrow);
+    this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.marble, this.arrow, this.traced);
+    this.traced.visible = false;
+    this.traced.frustumCulled = false;
     this.arrow.add(this.shaft, this.tip);
     this.marble.visible = this.arrow.visible = false;
     container.append(this.canvas);
@@ -108,6 +113,17 @@ export class View3d implements View {
     this.stale = true;
   }
 
+  line(points: readonly Place[]): void {
+    const { surface } = this;
+    if (surface === null) return;
+    const above = 0.0004;
+    const places = points.map((place) => new Vector3(place.x, place.y, surface.heightAt(place) * this.exaggeration + above));
+    this.traced.geometry.dispose();
+    this.traced.geometry = new BufferGeometry().setFromPoints(places);
+    this.traced.visible = places.length > 1;
+    this.stale = true;
+  }
+
   placeAt(left: number, top: number): Place | null {
     if (this.surface === null) return null;
     const { clientWidth, clientHeight } = this.canvas;
@@ -139,6 +155,8 @@ export class View3d implements View {
   dispose(): void {
     this.texture?.dispose();
     for (const mesh of [this.ground, this.walls, this.marble, this.shaft, this.tip]) discard(mesh);
+    this.traced.geometry.dispose();
+    this.traced.material.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -174,6 +192,7 @@ export class View3d implements View {
     this.scene.background = new Color(colours.stage);
     this.marble.material.color.set(colours.marble);
     this.arrowMaterial.color.set(colours.force);
+    this.traced.material.color.set(colours.force);
     for (const mesh of [this.ground, this.walls]) {
       const material = mesh?.material as MeshStandardMaterial | undefined;
       if (material && material.map === null) material.color.set(colours.clay);

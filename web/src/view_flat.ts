@@ -16,6 +16,7 @@ export class FlatView implements View {
   private exaggeration = 1;
   private look: Preferences['surface'] = 'picture';
   private ground: HTMLCanvasElement | null = null;
+  private drawn: readonly Place[] = [];
   private here: Probe | null = null;
   private stale = true;
 
@@ -36,6 +37,11 @@ export class FlatView implements View {
   probe(probe: Probe): void {
     if (this.here !== null && looksAlike(this.here, probe)) return;
     this.here = probe;
+    this.stale = true;
+  }
+
+  line(points: readonly Place[]): void {
+    this.drawn = points;
     this.stale = true;
   }
 
@@ -65,6 +71,11 @@ export class FlatView implements View {
     const [width, height] = [this.surface.width * frame.scale, this.surface.depth * frame.scale];
     pen.imageSmoothingQuality = 'high';
     pen.drawImage(this.ground, frame.middleX - width / 2, frame.middleY - height / 2, width, height);
+    pen.beginPath();
+    this.drawn.forEach(({ x, y }, k) => pen[k === 0 ? 'moveTo' : 'lineTo'](frame.middleX + x * frame.scale, frame.middleY - y * frame.scale));
+    pen.lineWidth = 3;
+    pen.strokeStyle = colours.force;
+    pen.stroke();
     if (this.here) this.drawProbe(pen, this.here, frame, colours);
   }
 

@@ -108,8 +108,7 @@ describe('the page where something is amiss', () => {
 
   it('the end of the session is said', async () => {
     const own = await startProgram();
-    const opened = await openPage(browser, own.address);
-    await own.stop();
+    const opened = await openPage(browser, own.address).finally(() => own.stop());
     await opened.page.getByRole('alert').filter({ hasText: 'The session has ended' }).waitFor();
     await keepPicture(opened.page, 'ended');
     expect(await violations(opened.page)).toEqual([]);
