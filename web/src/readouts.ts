@@ -9,7 +9,7 @@ import { ForcePlot } from './plot';
 const figuresEvery = 100;
 const plotEvery = 50;
 
-const millimetres = (metres: number) => (metres * 1000).toFixed(1);
+const millimetres = (metres: number) => (metres * 1000).toFixed(1).replace(/^-0\.0$/, '0.0');
 
 export class Readouts {
   private readonly plot = new ForcePlot(element<HTMLCanvasElement>('plot'));

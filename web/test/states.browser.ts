@@ -80,6 +80,23 @@ describe('the page in every state', () => {
 
 });
 
+describe('the page in 3D', () => {
+  it('feels another force where the pointer goes', async () => {
+    const opened = await openPage(browser, home(), { storageState: key });
+    const { page } = opened;
+    const stage = (await page.locator('#stage').boundingBox())!;
+    const felt = new Set<string>();
+    for (const part of [0.35, 0.42, 0.5, 0.58, 0.65]) {
+      await page.mouse.move(stage.x + stage.width * part, stage.y + stage.height * part);
+      await page.waitForTimeout(400);
+      felt.add((await page.locator('.readout').textContent())!);
+    }
+    expect(felt.size).toBeGreaterThan(3);
+    expect(opened.complaints).toEqual([]);
+    await opened.context.close();
+  });
+});
+
 describe('the page where something is amiss', () => {
   it('without WebGL is shown from above, says so, and can still be touched', async () => {
     const opened = await openPage(flatBrowser, home(), { storageState: key });

@@ -42,14 +42,14 @@ struct LawWords {
   std::string_view name;
   std::string_view title;
   bool has_friction;
-  /// Shi & Pai's laws take their stiffness in newtons: how hard a slope of 1 pushes.
+  /// Laws that push by slope or boundary take their stiffness in newtons.
   bool in_newtons;
 };
 constexpr LawWords kLawWords[] = {
     {"proxy", "Surface with friction", true, false},      {"penalty", "Spring surface", false, false},
     {"averaged", "Averaged surface", false, false},       {"rolling", "Rolling ball", false, true},
     {"sobel", "Rolling ball, as published", false, true}, {"grid", "Grid of cells", false, false},
-    {"tracing", "Tracing contours", false, true},         {"groove", "Grooves", false, false},
+    {"tracing", "Tracing contours", false, true},         {"groove", "Grooves", true, false},
 };
 
 }  // namespace
