@@ -7,6 +7,7 @@
 #include "palpable/page/server.hpp"
 #include "palpable/page/touch_host.hpp"
 #include "palpable/session/headless.hpp"
+#include "palpable/voice/voice.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -35,6 +36,7 @@ struct Arguments {
   int port = 0;
   bool headless = false;
   bool no_browser = false;
+  bool speak = false;
   double seconds = 10.0;
   double rate_hz = 1000.0;
 };
@@ -95,6 +97,24 @@ struct Plan {
   std::int64_t begin_ns = 0;
 };
 
+/// Says faults and the names of what is touched, where somebody wants to hear them.
+void let_speak(session::HeadlessOptions& headless, Console& console) {
+  auto speaker = voice::open_speaker();
+  if (!speaker) return console.note(speaker.error().sentence());
+  const auto speech = std::make_shared<voice::Voice>(std::move(*speaker));
+  headless.on_event = [speech](const haptics::TouchEvent& event, const models::Scene& scene) {
+    using Kind = haptics::TouchEvent::Kind;
+    if (event.kind == Kind::fault)
+      speech->say(voice::Importance::fault, "The device does not answer. Its force is off.");
+    if (event.kind == Kind::not_finite)
+      speech->say(voice::Importance::fault, "The force is off: the law gave no number.");
+    if (event.kind == Kind::recovered) speech->say(voice::Importance::news, "The device answers again.");
+    const bool named = event.kind == Kind::label_entered && event.value < scene.materials.size() &&
+                       scene.materials[event.value].name != models::Material{}.name;
+    if (named) speech->say(voice::Importance::label, scene.materials[event.value].name);
+  };
+}
+
 Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, Console& console) {
   session::HeadlessOptions headless;
   headless.settings = plan.settings;
@@ -106,6 +126,7 @@ Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, 
   headless.on_missed = [&console](const haptics::MissedDeadline& missed) {
     console.note(sentence_of(missed));
   };
+  if (arguments.speak) let_speak(headless, console);
   const auto notes = [&console](const std::string& sentence) { console.note(sentence); };
   const auto statistics = session::touch_headless(maker_of(plan.make, notes), headless, console.work());
   if (!statistics) return statistics.error();
@@ -233,6 +254,7 @@ void add_touch(Program& program) {
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
   options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
+  options.flag("--speak", arguments->speak, "Say faults and labels aloud in a headless touch");
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0}, "Servo rate in Hz");
   options.text("--record", arguments->recording, "Write everything at servo rate into this file");

@@ -38,7 +38,8 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     }
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);
-    session.take_events();
+    for (const auto& event : session.take_events())
+      if (options.on_event) options.on_event(event, *session.scene());
     std::this_thread::sleep_until(before + kLook);
   }
   maker.cancel();

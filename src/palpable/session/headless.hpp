@@ -25,6 +25,8 @@ struct HeadlessOptions {
   std::int64_t begin_ns = 0;
   /// For each missed deadline, as it is found; may be empty.
   std::function<void(const haptics::MissedDeadline&)> on_missed;
+  /// For each event, with the scene that was touched; a look later than it happened; may be empty.
+  std::function<void(const haptics::TouchEvent&, const models::Scene&)> on_event;
 };
 
 /// A touch without page: waits for the first scene, touches it for the time given, takes better scenes in as
