@@ -1,15 +1,21 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/formats/contour_lines.hpp"
+#include "palpable/formats/glb.hpp"
 #include "palpable/formats/npz.hpp"
 #include "palpable/formats/picture.hpp"
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/stl.hpp"
+#include "palpable/models/relief_solid.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -18,6 +24,7 @@ namespace {
 
 struct Arguments {
   std::string scene, output;
+  double interval_mm = 2.0;
 };
 
 /// The surface's own height at the place of each sample (the samples are its control values).
@@ -46,7 +53,26 @@ Result<void> write_heights(const models::Relief& relief, const std::filesystem::
   return formats::write_png(output, grey);
 }
 
-Result<Answer> export_model(const models::Relief& relief, const Arguments& arguments) {
+Result<void> write_body(const models::Relief& relief, const models::Scene& scene,
+                        const std::filesystem::path& output) {
+  const Mesh body = models::solid_of(relief);
+  auto bytes =
+      output.extension() == ".stl" ? formats::encode_stl(body) : formats::encode_glb(body, scene.texture);
+  if (!bytes) return bytes.error();
+  return write_file_atomically(output, *bytes);
+}
+
+Result<void> write_lines(const models::Relief& relief, double interval_mm,
+                         const std::filesystem::path& output) {
+  formats::ContourLineOptions options;
+  options.interval_m = interval_mm / 1000.0;
+  const auto svg = formats::encode_contour_lines(relief, options);
+  if (!svg) return svg.error();
+  return write_file_atomically(output, std::as_bytes(std::span(*svg)));
+}
+
+Result<Answer> export_model(const models::Relief& relief, const models::Scene& scene,
+                            const Arguments& arguments) {
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
@@ -66,12 +92,22 @@ Result<Answer> export_model(const models::Relief& relief, const Arguments& argum
                               1000.0 * metres_per_step);
     return answer;
   }
-  return Error{ErrorCode::usage, "a relief is exported as .npz or .png", arguments.output};
+  if (ending == ".stl" || ending == ".glb") {
+    if (const auto written = write_body(relief, scene, output); !written) return written.error();
+    return answer;
+  }
+  if (ending == ".svg") {
+    if (const auto written = write_lines(relief, arguments.interval_mm, output); !written)
+      return written.error();
+    return answer;
+  }
+  return Error{ErrorCode::usage, "a relief is exported as .stl, .glb, .svg, .npz or .png", arguments.output};
 }
 
 /// Unit tangents in image axes (x right, y down; their sign is free) and strength of the averaged map (eq.
 /// 7), and the one-pixel-wide lines.
-Result<Answer> export_model(const models::Contours& contours, const Arguments& arguments) {
+Result<Answer> export_model(const models::Contours& contours, const models::Scene& /*scene*/,
+                            const Arguments& arguments) {
   const std::filesystem::path output(arguments.output);
   if (output.extension() != ".npz" && output.extension() != ".png")
     return Error{ErrorCode::usage, "contours are exported as .npz or .png", arguments.output};
@@ -99,19 +135,24 @@ Result<Answer> run_export(const Arguments& arguments) {
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  return std::visit([&](const auto& model) { return export_model(*model, arguments); }, scene.model);
+  return std::visit([&](const auto& model) { return export_model(*model, scene, arguments); }, scene.model);
 }
 
 }  // namespace
 
 void add_export(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options = add_command(program, "export", "Write a scene's model for other programs: .npz or .png",
-                                "  palpable export aloe.palp -o aloe.npz\n"
-                                "  palpable export aloe.palp -o heights.png",
-                                [arguments](Console& /*console*/) { return run_export(*arguments); });
+  Options options =
+      add_command(program, "export", "Write a scene for printers and other programs",
+                  "  palpable export aloe.palp -o aloe.npz\n"
+                  "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
+                  "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
+                  "  palpable export aloe.palp -o heights.png",
+                  [arguments](Console& /*console*/) { return run_export(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
+  options.number("--interval", arguments->interval_mm, {0.1, 100.0},
+                 "Height from line to line in an .svg, mm");
 }
 
 }  // namespace palpable::cli

@@ -19,6 +19,9 @@ struct MakeArguments {
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
   double exaggerate = 1.0;
+  double compression = 10.0;
+  std::string detail = "relief";
+  bool engrave = false;
   std::string contour_method;
   std::optional<double> threshold;
   double neighbourhood_px = 3.0;

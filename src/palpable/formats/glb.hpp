@@ -1,0 +1,19 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/result.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpable::formats {
+
+/// glTF 2.0 binary in metres, y up and z towards the person, which is glTF's own frame. With smooth normals,
+/// and with the picture on it where `picture` is not empty and the mesh knows its places. Errors: failed for
+/// a mesh without triangles.
+Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture = {});
+
+}  // namespace palpable::formats
