@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/disparity_file.hpp"
+#include "palpable/formats/scene_file.hpp"
 #include "palpable/measure/disparity_score.hpp"
+#include "palpable/measure/relief_score.hpp"
+#include "palpable/sources/depth_file.hpp"
+
+#include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -50,9 +56,67 @@ Result<Answer> score_disparity(const Arguments& arguments) {
   return answer_of(*score);
 }
 
+struct ReliefArguments {
+  std::string scene, truth, kind = "depth";
+  double compression = 10.0;
+};
+
+/// Greater is nearer, in the truth's own unit.
+Result<Raster<float>> read_nearness(const ReliefArguments& arguments) {
+  if (arguments.kind == "disparity") return read_disparity(arguments.truth, std::nullopt);
+  auto read = sources::read_depth(arguments.truth, 1.0);
+  if (!read) return read.error();
+  for (float& z : read->depth.depth_m.values()) z = -z;
+  return std::move(read->depth.depth_m);
+}
+
+Result<Answer> score_relief(const ReliefArguments& arguments) {
+  const auto file = formats::read_scene(arguments.scene);
+  if (!file) return file.error();
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&file->scene.model);
+  if (relief == nullptr) return Error{ErrorCode::invalid_input, "this scene is no relief", arguments.scene};
+  const auto truth = read_nearness(arguments);
+  if (!truth) return truth.error();
+  measure::ReliefScoreOptions options;
+  options.compression = arguments.compression;
+  const auto score = measure::score_relief((*relief)->samples_m(), (*relief)->pixel_m(), *truth, options);
+  if (!score) return Error{score.error().code, score.error().message, arguments.scene};
+  const auto or_null = [](double value) { return std::isnan(value) ? Json(nullptr) : Json(value); };
+  Answer answer;
+  answer.json = {{"reversed_slopes_percent", score->reversed_slopes_percent},
+                 {"detail_correlation", or_null(score->detail_correlation)},
+                 {"wrong_order_percent", or_null(score->wrong_order_percent)},
+                 {"greatest_slope", score->greatest_slope},
+                 {"details_kept_percent", or_null(score->details_kept_percent)},
+                 {"details", score->details},
+                 {"depth_steps", score->depth_steps},
+                 {"sum", score->sum()}};
+  answer.text = fmt::format(
+      "reversed slopes {:.3f} %, detail correlation {:.3f}, wrong order {:.2f} %, greatest slope {:.2f}, "
+      "details kept {:.1f} % of {}\n",
+      score->reversed_slopes_percent, score->detail_correlation, score->wrong_order_percent,
+      score->greatest_slope, score->details_kept_percent, score->details);
+  return answer;
+}
+
+void add_score_relief(Program& program) {
+  const auto arguments = std::make_shared<ReliefArguments>();
+  Options options =
+      add_command_below(program, "score", "relief", "What a hand would miss on a relief (docs/relief.md)",
+                        "  palpable score relief room.palp depth.png\n"
+                        "  palpable score relief cones.palp groundtruth.png --truth disparity",
+                        [arguments](Console& /*console*/) { return score_relief(*arguments); });
+  options.argument("RESULT", arguments->scene, "A .palp scene with a relief");
+  options.argument("TRUTH", arguments->truth, "The depth or disparity of the same size");
+  options.choice("--truth", arguments->kind, {"depth", "disparity"}, "What the truth's values are");
+  options.number("--compression", arguments->compression, {1.0, 1000.0},
+                 "How many times higher the scene is in its own proportions");
+}
+
 }  // namespace
 
 void add_score(Program& program) {
+  add_score_relief(program);
   const auto arguments = std::make_shared<Arguments>();
   Options options = add_command_below(
       program, "score", "disparity", "Bad pixels, coverage and RMS of a disparity map",
