@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,28 @@ namespace palpable::cli {
 namespace {
 
 constexpr const char* kMadeBy = "palpable " PALPABLE_VERSION;
+
+sources::DepthSettings depth_settings(const MakeArguments& arguments) {
+  sources::DepthSettings settings;
+  settings.meaning = sources::depth_meaning_from(arguments.depth_as);
+  settings.metres_per_unit = arguments.depth_scale;
+  if (arguments.near_plane) {
+    sources::ZBuffer buffer;
+    buffer.near_m = *arguments.near_plane;
+    buffer.far_m = arguments.far_plane.value_or(std::numeric_limits<double>::infinity());
+    settings.zbuffer = buffer;
+  }
+  return settings;
+}
+
+sources::StereoLayout layout_from(const std::string& name) {
+  using Layout = sources::StereoLayout;
+  if (name == "side-by-side") return Layout::side_by_side;
+  if (name == "side-by-side-crossed") return Layout::side_by_side_crossed;
+  if (name == "over-under") return Layout::over_under;
+  if (name == "over-under-crossed") return Layout::over_under_crossed;
+  return Layout::automatic;
+}
 
 }  // namespace
 
@@ -25,7 +48,14 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.text("--kind", arguments.kind, "picture, stereo, depth or scene; else recognised by content");
   options.text("--size", arguments.size, "WxHxD in mm that bound the scene; else 100x100 and 15 high");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
-                 "Metres for one step of a depth map; else 1");
+                 "Metres for one step of a depth map; else as its sidecar or kind says");
+  options.choice("--depth-as", arguments.depth_as, {"depth", "distance", "disparity", "nearness", "zbuffer"},
+                 "What the numbers of a depth map mean (docs/formats.md)");
+  options.number("--near-plane", arguments.near_plane, {1e-6, 1e6}, "Of the depth buffer, m");
+  options.number("--far-plane", arguments.far_plane, {1e-6, 1e9}, "Of the depth buffer, m; else infinite");
+  options.choice("--layout", arguments.layout,
+                 {"side-by-side", "side-by-side-crossed", "over-under", "over-under-crossed"},
+                 "How one picture holds a pair; crossed = the right eye's first");
   options.number("--near", arguments.near, kDepthUnits,
                  "Nothing counts as nearer (m; px of disparity without calibration)");
   options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
@@ -70,7 +100,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.inputs.assign(arguments.inputs.begin(), arguments.inputs.end());
   options.calibration = arguments.stereo.calibration;
   options.max_disparity_px = arguments.stereo.max_disparity_px;
-  options.depth_scale = arguments.depth_scale;
+  options.depth = depth_settings(arguments);
+  options.layout = layout_from(arguments.layout);
   options.relief.near = arguments.near;
   options.relief.far = arguments.far;
   options.relief.exaggerate = arguments.exaggerate;

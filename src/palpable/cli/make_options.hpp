@@ -18,6 +18,10 @@ struct MakeArguments {
   std::string kind, size;
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
+  std::string depth_as;
+  /// A renderer's planes, metres.
+  std::optional<double> near_plane, far_plane;
+  std::string layout;
   double exaggerate = 1.0;
   double compression = 10.0;
   std::string detail = "relief";

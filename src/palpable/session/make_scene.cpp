@@ -5,7 +5,6 @@
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
 #include "palpable/sources/calibration.hpp"
-#include "palpable/sources/depth_file.hpp"
 #include "palpable/sources/picture.hpp"
 
 #include <algorithm>
@@ -24,19 +23,6 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
   std::string names;
   for (const auto& file : files) names += (names.empty() ? "" : " and ") + file.string();
   return names;
-}
-
-Result<std::pair<Image, Image>> read_two_pictures(const std::vector<std::filesystem::path>& files) {
-  auto left = sources::read_picture(files.front());
-  if (!left) return left.error();
-  if (files.size() == 1) {
-    auto halves = sources::split_side_by_side(*left);
-    if (!halves) return at_place(halves.error(), files.front());
-    return halves;
-  }
-  auto right = sources::read_picture(files[1]);
-  if (!right) return right.error();
-  return std::pair{std::move(*left), std::move(*right)};
 }
 
 Result<sources::Calibration> read_calibration_for(const std::filesystem::path& file, int width, int height) {
@@ -61,7 +47,7 @@ models::Scene scene_of(models::Relief relief, const MakeOptions& options, int wi
 Result<vision::StereoPair> read_pair(const MakeOptions& options) {
   if (options.inputs.size() > 2)
     return Error{ErrorCode::usage, "a stereo pair is two pictures, or one that holds both side by side", {}};
-  return read_stereo_pair(options.inputs, options.calibration);
+  return read_stereo_pair(options.inputs, options.calibration, options.layout);
 }
 
 Result<MadeScene> from_pair(const vision::StereoPair& pair, vision::StereoMethod method,
@@ -76,23 +62,34 @@ Result<MadeScene> from_pair(const vision::StereoPair& pair, vision::StereoMethod
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(match->notes)};
 }
 
-Result<MadeScene> from_depth(const MakeOptions& options, const Work& work) {
-  if (options.inputs.size() != 1) return Error{ErrorCode::usage, "a depth map is one file", {}};
-  const auto& file = options.inputs.front();
-  auto read = sources::read_depth(file, options.depth_scale.value_or(1.0));
-  if (!read) return read.error();
-  const int width = read->depth.depth_m.width(), height = read->depth.depth_m.height();
+Result<models::Relief> relief_of(const std::variant<DepthMap, DisparityMap>& depth,
+                                 const MakeOptions& options, const Work& work) {
+  const auto* metres = std::get_if<DepthMap>(&depth);
+  return metres != nullptr
+             ? sculpt::relief_from_depth(*metres, options.relief, work)
+             : sculpt::relief_from_disparity(std::get<DisparityMap>(depth), options.relief, work);
+}
+
+/// `files` as they were recognised: the depth alone, or its colour picture first.
+Result<MadeScene> from_depth(const MakeOptions& options, const std::vector<std::filesystem::path>& files,
+                             const Work& work) {
+  sources::DepthSettings settings = options.depth;
   if (!options.calibration.empty()) {
-    const auto calibration = read_calibration_for(options.calibration, width, height);
+    const auto calibration = sources::read_calibration(options.calibration);
     if (!calibration) return calibration.error();
-    read->depth.camera = sources::pinhole_of(calibration->left);
+    settings.camera = sources::pinhole_of(calibration->left);
   }
-  auto relief = sculpt::relief_from_depth(read->depth, options.relief, work);
-  if (!relief) return at_place(relief.error(), file);
-  MadeScene made;
-  made.scene = std::make_shared<const models::Scene>(
-      scene_of(std::move(*relief), options, width, height, "depth map"));
-  return made;
+  auto read = sources::read_depth_picture(files, settings);
+  if (!read) return read.error();
+  auto relief = relief_of(read->depth, options, work);
+  if (!relief) return at_place(relief.error(), files.back());
+  const auto* metres = std::get_if<DepthMap>(&read->depth);
+  const Raster<float>& values =
+      metres != nullptr ? metres->depth_m : std::get<DisparityMap>(read->depth).disparity_px;
+  const int width = values.width(), height = values.height();
+  models::Scene scene = scene_of(std::move(*relief), options, width, height, "depth map");
+  if (read->colour) scene.texture = rgb8(*read->colour);
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(read->notes)};
 }
 
 Result<MadeScene> from_scene_file(const MakeOptions& options) {
@@ -167,7 +164,7 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
     case sources::InputKind::scene:
       return from_scene_file(options);
     case sources::InputKind::depth:
-      return from_depth(options, work);
+      return from_depth(options, input->files, work);
     case sources::InputKind::stereo: {
       const auto pair = read_pair(options);
       if (!pair) return pair.error();
@@ -198,10 +195,11 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
 }
 
 Result<vision::StereoPair> read_stereo_pair(const std::vector<std::filesystem::path>& pictures,
-                                            const std::filesystem::path& calibration) {
-  auto two = read_two_pictures(pictures);
+                                            const std::filesystem::path& calibration,
+                                            sources::StereoLayout layout) {
+  auto two = sources::read_stereo(pictures, layout);
   if (!two) return two.error();
-  vision::StereoPair pair{std::move(two->first), std::move(two->second), {}};
+  vision::StereoPair pair{std::move(two->left), std::move(two->right), {}};
   if (!calibration.empty()) {
     const auto read = read_calibration_for(calibration, pair.left.width, pair.left.height);
     if (!read) return read.error();

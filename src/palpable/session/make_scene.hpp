@@ -6,7 +6,9 @@
 #include "palpable/models/scene.hpp"
 #include "palpable/sculpt/grooves.hpp"
 #include "palpable/sculpt/relief_from_depth.hpp"
+#include "palpable/sources/depth_picture.hpp"
 #include "palpable/sources/input.hpp"
+#include "palpable/sources/stereo_file.hpp"
 #include "palpable/vision/contours.hpp"
 #include "palpable/vision/stereo.hpp"
 
@@ -25,7 +27,8 @@ enum class MakeAs { by_input, relief, contours };
 /// What a scene is made from, and how.
 struct MakeOptions {
   MakeAs as = MakeAs::by_input;
-  /// One or more files: a scene, a picture pair (left first), one picture that holds a pair, a depth map.
+  /// One or more files: a scene, a picture pair (left first), one file that holds a pair, a depth map, a
+  /// picture and its depth map.
   std::vector<std::filesystem::path> inputs;
   /// Not given: recognised by content.
   std::optional<sources::InputKind> kind;
@@ -35,8 +38,10 @@ struct MakeOptions {
   std::optional<vision::StereoMethod> method;
   /// 0 = found automatically.
   int max_disparity_px = 0;
-  /// For depth maps of integers: metres a step (1 = metres); not given: as the file or its sidecar says.
-  std::optional<double> depth_scale;
+  /// What is known of a depth file; what is not given is as its sidecar or the file itself says.
+  sources::DepthSettings depth;
+  /// How one picture holds a pair.
+  sources::StereoLayout layout = sources::StereoLayout::automatic;
   sculpt::ReliefOptions relief;
   /// Of one picture: its contours.
   vision::ContourOptions contours;
@@ -70,6 +75,7 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
 
 /// The two pictures and the rig of a pair, read and checked as make_scene() does. Errors: as make_scene().
 Result<vision::StereoPair> read_stereo_pair(const std::vector<std::filesystem::path>& pictures,
-                                            const std::filesystem::path& calibration);
+                                            const std::filesystem::path& calibration,
+                                            sources::StereoLayout layout = sources::StereoLayout::automatic);
 
 }  // namespace palpable::session

@@ -159,7 +159,8 @@ Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const 
   }
   if (meaning == DepthMeaning::zbuffer) {
     if (!s.zbuffer)
-      return Error{ErrorCode::usage, "a depth buffer needs its near and far planes (--near, --far)", {}};
+      return Error{
+          ErrorCode::usage, "a depth buffer needs its near and far planes (--near-plane, --far-plane)", {}};
     for (float& v : values.values()) v /= numbers.most;
     auto depth = linearise_zbuffer(values, *s.zbuffer);
     if (!depth) return std::move(depth).error();
