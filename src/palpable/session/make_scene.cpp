@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace palpable::session {
 namespace {
 
@@ -50,11 +52,28 @@ Result<vision::StereoPair> read_pair(const MakeOptions& options) {
   return read_stereo_pair(options.inputs, options.calibration, options.layout);
 }
 
+/// Says in a note what the ground is, or that there is none.
+DisparityMap with_ground_treated(const DisparityMap& disparity, const vision::StereoPair& pair,
+                                 const MakeOptions& options, const Work& work,
+                                 std::vector<std::string>& notes) {
+  if (options.ground == vision::GroundTreatment::keep) return disparity;
+  work.report(0.9, "finding the ground");
+  const auto ground = vision::find_ground(rgb8(pair.left), disparity.disparity_px, work);
+  if (!ground) {
+    notes.emplace_back("No ground was found in this picture: the relief is as it would be without --ground.");
+    return disparity;
+  }
+  notes.push_back(fmt::format("The ground covers {:.0f} % of the picture, {:.2f} px from a plane.",
+                              100.0 * ground->share, ground->rms_px));
+  return vision::treat_ground(disparity, *ground, options.ground);
+}
+
 Result<MadeScene> from_pair(const vision::StereoPair& pair, vision::StereoMethod method,
                             const MakeOptions& options, const Work& work) {
   auto match = vision::match(pair, method, {options.max_disparity_px}, work);
   if (!match) return at_place(match.error(), names_of(options.inputs));
-  auto relief = sculpt::relief_from_disparity(match->disparity, options.relief, work);
+  const auto shaped = with_ground_treated(match->disparity, pair, options, work, match->notes);
+  auto relief = sculpt::relief_from_disparity(shaped, options.relief, work);
   if (!relief) return at_place(relief.error(), names_of(options.inputs));
   models::Scene scene = scene_of(std::move(*relief), options, pair.left.width, pair.left.height,
                                  "stereo, " + std::string(vision::name_of(method)));

@@ -10,6 +10,7 @@
 #include "palpable/sources/input.hpp"
 #include "palpable/sources/stereo_file.hpp"
 #include "palpable/vision/contours.hpp"
+#include "palpable/vision/ground.hpp"
 #include "palpable/vision/stereo.hpp"
 
 #include <filesystem>
@@ -42,6 +43,10 @@ struct MakeOptions {
   sources::DepthSettings depth;
   /// How one picture holds a pair.
   sources::StereoLayout layout = sources::StereoLayout::automatic;
+  /// For depth maps of integers: metres a step (1 = metres); not given: as the file or its sidecar says.
+  std::optional<double> depth_scale;
+  /// For a pair: what becomes of the plane that things stand on.
+  vision::GroundTreatment ground = vision::GroundTreatment::keep;
   sculpt::ReliefOptions relief;
   /// Of one picture: its contours.
   vision::ContourOptions contours;

@@ -289,21 +289,43 @@ Vector<CameraFrame> normal_of(const DisparityPlane& plane, const StereoRig& rig)
   return {-unit(away)};
 }
 
+std::string_view name_of(GroundTreatment treatment) {
+  switch (treatment) {
+    case GroundTreatment::keep:
+      return "keep";
+    case GroundTreatment::flatten:
+      return "flatten";
+    case GroundTreatment::remove:
+      return "remove";
+  }
+  return "keep";
+}
+
+std::optional<GroundTreatment> ground_treatment_from(std::string_view name) {
+  for (const GroundTreatment t : {GroundTreatment::keep, GroundTreatment::flatten, GroundTreatment::remove})
+    if (name_of(t) == name) return t;
+  return std::nullopt;
+}
+
 DisparityMap treat_ground(const DisparityMap& disparity, const Ground& ground, GroundTreatment treatment) {
   if (treatment == GroundTreatment::keep) return disparity;
   DisparityMap out = disparity;
   if (treatment == GroundTreatment::flatten) out.rig.reset();
+  float farthest_left = std::numeric_limits<float>::infinity();
+  Raster<std::uint8_t> goes(ground.mask.width(), ground.mask.height());
   for (int y = 0; y < out.disparity_px.height(); ++y) {
     for (int x = 0; x < out.disparity_px.width(); ++x) {
-      const double above_px = disparity.disparity_px(x, y) - ground.plane.at(x, y);
-      float& d = out.disparity_px(x, y);
-      if (treatment == GroundTreatment::flatten) {
-        d = ground.mask(x, y) != 0 ? 0.0F : static_cast<float>(std::max(0.0, above_px));
-      } else if (ground.mask(x, y) != 0 || above_px < 0.0) {
-        d = std::numeric_limits<float>::quiet_NaN();
-      }
+      const float d = disparity.disparity_px(x, y);
+      const double above_px = d - ground.plane.at(x, y);
+      goes(x, y) = ground.mask(x, y) != 0 || above_px < 0.0 ? 1 : 0;
+      if (treatment == GroundTreatment::flatten)
+        out.disparity_px(x, y) = goes(x, y) != 0 ? 0.0F : static_cast<float>(above_px);
+      if (goes(x, y) == 0 && d < farthest_left) farthest_left = d;
     }
   }
+  if (treatment == GroundTreatment::remove && std::isfinite(farthest_left))
+    for (std::size_t i = 0; i < goes.count(); ++i)
+      if (goes.values()[i] != 0) out.disparity_px.values()[i] = farthest_left;
   return out;
 }
 

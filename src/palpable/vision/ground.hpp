@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace palpable::vision {
 
@@ -47,9 +48,13 @@ enum class GroundTreatment {
   /// The ground becomes the level base plate: disparities are measured from its plane, the ground's own are
   /// 0.
   flatten,
-  /// The ground and what seems to lie under it become unknown: only what stands on it is left.
+  /// The ground and what seems to lie under it fall to the level of the farthest thing that is left.
   remove
 };
+
+/// The name on the command line; and back, nullopt for an unknown name.
+std::string_view name_of(GroundTreatment treatment);
+std::optional<GroundTreatment> ground_treatment_from(std::string_view name);
 
 /// The map with its ground treated. Flattened disparities belong to no rig (they are heights above the
 /// ground, as parallax), so the rig is dropped.
