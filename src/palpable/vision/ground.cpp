@@ -177,17 +177,17 @@ struct Lie {
   double slope = 0.0;
 };
 
-/// Over the 11 x 11 neighbours of the same region, so that matching noise shrinks.
+/// Over the 11 x 11 neighbours of the same region that lie within `near_px` of the plane: matching noise
+/// shrinks, and what stands beside the ground does not spoil the mean.
 Lie lie_at(int x, int y, const Regions& regions, const Raster<float>& disparity_px,
-           const DisparityPlane& plane) {
+           const DisparityPlane& plane, double near_px) {
   constexpr int kReach = 5;
-  constexpr double kWild_px = 2.0;
   double n = 0.0, sv = 0.0, sr = 0.0, svv = 0.0, svr = 0.0;
   for (int v = std::max(0, y - kReach); v <= std::min(disparity_px.height() - 1, y + kReach); ++v) {
     for (int u = std::max(0, x - kReach); u <= std::min(disparity_px.width() - 1, x + kReach); ++u) {
       const double distance = disparity_px(u, v) - plane.at(u, v);
-      if (!std::isfinite(distance) || regions.of_pixel(u, v) != regions.of_pixel(x, y)) continue;
-      const double r = std::clamp(distance, -kWild_px, kWild_px), row = v - y;
+      if (!(std::abs(distance) <= near_px) || regions.of_pixel(u, v) != regions.of_pixel(x, y)) continue;
+      const double r = distance, row = v - y;
       n += 1.0;
       sv += row;
       sr += r;
@@ -207,7 +207,7 @@ Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& dispar
                              const Work& work) {
   constexpr double kMostly = 0.8, kLeast_px = 0.12;
   const double tolerance_px = std::max(2.0 * fit.sigma_px, kLeast_px);
-  const double rises = -0.5 * fit.plane.b;
+  const double near_px = std::max(4.0 * tolerance_px, 0.5), rises = -0.5 * fit.plane.b;
   const auto shares =
       shares_on_plane(regions, disparity_px, fit.plane, std::max(3.0 * fit.sigma_px, kLeast_px));
   Raster<std::uint8_t> mask(disparity_px.width(), disparity_px.height());
@@ -215,9 +215,10 @@ Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& dispar
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       for (int x = 0; x < mask.width(); ++x) {
         const bool mostly = shares[static_cast<std::size_t>(regions.of_pixel(x, y))] > kMostly;
-        const Lie lie = lie_at(x, y, regions, disparity_px, fit.plane);
+        const Lie lie = lie_at(x, y, regions, disparity_px, fit.plane, near_px);
+        const double own = std::abs(disparity_px(x, y) - fit.plane.at(x, y));
         const double distance = std::abs(lie.distance_px);
-        const bool along = distance <= tolerance_px && lie.slope > rises;
+        const bool along = distance <= tolerance_px && lie.slope > rises && !(own > near_px);
         mask(x, y) =
             along || (mostly && !(std::isfinite(distance) && distance > 2.0 * tolerance_px)) ? 255 : 0;
       }
