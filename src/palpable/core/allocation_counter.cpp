@@ -15,7 +15,10 @@ const bool kDeclared = (palpable::allocation_counter::declare_linked(), true);
 
 #ifdef PALPABLE_SANITIZED
 
-#include <sanitizer/allocator_interface.h>
+// Declared here, because the compiler that has the runtime does not always come with its header.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
+                                                                             std::size_t),
+                                                         void (*free_hook)(const volatile void*));
 
 namespace {
 const int hooked = __sanitizer_install_malloc_and_free_hooks(
