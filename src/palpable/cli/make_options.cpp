@@ -36,12 +36,7 @@ sources::StereoLayout layout_from(const std::string& name) {
   if (name == "over-under") return Layout::over_under;
   if (name == "over-under-crossed") return Layout::over_under_crossed;
   return Layout::automatic;
-  std::string names_of_detail() {
-    std::vector<std::string_view> names;
-    for (const sculpt::DetailOperator detail : sculpt::kDetailOperators)
-      names.push_back(sculpt::name_of(detail));
-    return fmt::format("{}", fmt::join(names, ", "));
-  }
+}
 
 }  // namespace
 
@@ -71,7 +66,6 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--compression", arguments.compression, {1.5, 100.0},
                  "How many times higher the scene would be in its own proportions");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
-  options.text("--detail", arguments.detail, "How depth becomes height: " + names_of_detail());
   options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
@@ -124,14 +118,6 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
     if (!options.kind)
       return Error{ErrorCode::usage, fmt::format("there is no kind of input called {}", arguments.kind),
                    "--kind"};
-  }
-  if (!arguments.detail.empty()) {
-    const auto detail = sculpt::detail_operator_from(arguments.detail);
-    if (!detail)
-      return Error{ErrorCode::usage,
-                   fmt::format("there is no operator {}; there are {}", arguments.detail, names_of_detail()),
-                   "--detail"};
-    options.relief.detail = *detail;
   }
   if (!arguments.ground.empty()) {
     const auto ground = vision::ground_treatment_from(arguments.ground);

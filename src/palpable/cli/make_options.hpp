@@ -30,7 +30,7 @@ struct MakeArguments {
   std::optional<double> threshold;
   double neighbourhood_px = 3.0;
   double groove_mm = 4.0;
-  std::string detail, ground;
+  std::string ground;
 };
 
 /// Adds INPUT… and the options. `arguments` must outlive the parsing.

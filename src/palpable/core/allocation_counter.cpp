@@ -10,15 +10,14 @@
 
 namespace {
 // Runs while the program starts, before any thread of ours.
-const bool kDeclared = (palpable::allocation_counter::declare_linked(), true);
+const bool declared = (palpable::allocation_counter::declare_linked(), true);
 }  // namespace
 
 #ifdef PALPABLE_SANITIZED
 
-// Declared here, because the compiler that has the runtime does not always come with its header.
-extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
-                                                                             std::size_t),
-                                                         void (*free_hook)(const volatile void*));
+// Every sanitizer's run-time library has it; g++'s package comes without the header that declares it.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 namespace {
 const int hooked = __sanitizer_install_malloc_and_free_hooks(

@@ -43,8 +43,6 @@ struct MakeOptions {
   sources::DepthSettings depth;
   /// How one picture holds a pair.
   sources::StereoLayout layout = sources::StereoLayout::automatic;
-  /// For depth maps of integers: metres a step (1 = metres); not given: as the file or its sidecar says.
-  std::optional<double> depth_scale;
   /// For a pair: what becomes of the plane that things stand on.
   vision::GroundTreatment ground = vision::GroundTreatment::keep;
   sculpt::ReliefOptions relief;
