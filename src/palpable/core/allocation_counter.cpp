@@ -10,12 +10,14 @@
 
 namespace {
 // Runs while the program starts, before any thread of ours.
-const bool kDeclared = (palpable::allocation_counter::declare_linked(), true);
+const bool declared = (palpable::allocation_counter::declare_linked(), true);
 }  // namespace
 
 #ifdef PALPABLE_SANITIZED
 
-#include <sanitizer/allocator_interface.h>
+// Every sanitizer's run-time library has it; g++'s package comes without the header that declares it.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
+                                                         void (*on_free)(const volatile void*));
 
 namespace {
 const int hooked = __sanitizer_install_malloc_and_free_hooks(
