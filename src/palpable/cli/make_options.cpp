@@ -30,6 +30,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Nothing counts as nearer (m; px of disparity without calibration)");
   options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
   options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
+  std::vector<std::string> details;
+  for (const auto detail : sculpt::kDetailOperators) details.emplace_back(sculpt::name_of(detail));
+  options.choice("--detail", arguments.detail, details, "How depth becomes height");
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
@@ -68,6 +71,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.relief.near = arguments.near;
   options.relief.far = arguments.far;
   options.relief.exaggerate = arguments.exaggerate;
+  options.relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(options.relief.detail);
   if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
   if (arguments.threshold) options.contours.threshold = *arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;

@@ -19,6 +19,7 @@ struct MakeArguments {
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
   double exaggerate = 1.0;
+  std::string detail = "relief";
   std::string contour_method;
   std::optional<double> threshold;
   double neighbourhood_px = 3.0;
