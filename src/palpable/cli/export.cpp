@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/core/atomic_file.hpp"
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
+#include "palpable/device/recording.hpp"
 #include "palpable/formats/contour_lines.hpp"
 #include "palpable/formats/glb.hpp"
 #include "palpable/formats/npz.hpp"
@@ -10,6 +13,7 @@
 #include "palpable/formats/stl.hpp"
 #include "palpable/models/relief_solid.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
+#include "palpable/session/export_recording.hpp"
 
 #include <algorithm>
 #include <array>
@@ -131,7 +135,25 @@ Result<Answer> export_model(const models::Contours& contours, const models::Scen
   return answer;
 }
 
+Result<Answer> run_export_recording(const Arguments& arguments) {
+  const auto recording = device::read_recording(arguments.scene);
+  if (!recording) return recording.error();
+  if (const auto written = session::export_recording(*recording, arguments.output); !written)
+    return written.error();
+  Answer answer;
+  answer.json["output"] = arguments.output;
+  answer.json["ticks"] = recording->ticks.size();
+  answer.json["lost"] = recording->lost;
+  answer.json["complete"] = recording->complete;
+  answer.text = fmt::format("{}: {} ticks{}\n", arguments.output, recording->ticks.size(),
+                            recording->complete ? "" : "; the recording was interrupted");
+  return answer;
+}
+
 Result<Answer> run_export(const Arguments& arguments) {
+  const auto start = read_file_start(arguments.scene, 8);
+  if (!start) return start.error();
+  if (has_magic(*start, "PALPREC")) return run_export_recording(arguments);
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -142,14 +164,14 @@ Result<Answer> run_export(const Arguments& arguments) {
 
 void add_export(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options =
-      add_command(program, "export", "Write a scene for printers and other programs",
-                  "  palpable export aloe.palp -o aloe.npz\n"
-                  "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
-                  "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
-                  "  palpable export aloe.palp -o heights.png",
-                  [arguments](Console& /*console*/) { return run_export(*arguments); });
-  options.argument("SCENE", arguments->scene, "A .palp scene");
+  Options options = add_command(
+      program, "export", "Write a scene for printers and other programs; a recording as .csv or .npz",
+      "  palpable export aloe.palp -o aloe.npz\n"
+      "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
+      "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
+      "  palpable export aloe.palp -o heights.png",
+      [arguments](Console& /*console*/) { return run_export(*arguments); });
+  options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
   options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
   options.number("--interval", arguments->interval_mm, {0.1, 100.0},
                  "Height from line to line in an .svg, mm");

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/headless.hpp"
 
+#include "palpable/device/open.hpp"
 #include "palpable/device/recording.hpp"
+#include "palpable/haptics/tick.hpp"
+#include "palpable/session/program.hpp"
+#include "palpable/session/recorder.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -59,6 +63,36 @@ TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
   const auto json = nlohmann::json::parse(to_json(*statistics));
   EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
   EXPECT_EQ(json["allocations_in_ticks"], 0);
+}
+
+TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
+  const auto scene = hills(0.010);
+  const auto device = device::open_device("sim:", {});
+  ASSERT_TRUE(device);
+  const auto& traits = (*device)->traits();
+  const auto prepared = prepare_program(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits));
+  ASSERT_TRUE(prepared) << prepared.error().sentence();
+  Ring<haptics::TouchEvent> events(4096);
+  haptics::Tick tick(**device, prepared->program, {}, events);
+  std::vector<device::RecordedTick> ticks;
+  for (int n = 0; n < 3000; ++n) ticks.push_back(recorded_tick(tick.step(0.001 * n, 0.001)));
+  const auto file = std::filesystem::path(testing::TempDir()) / "again.rec";
+  auto writer = device::RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE((*writer)->write(ticks));
+  ASSERT_TRUE((*writer)->finish(0));
+  const auto recording = device::read_recording(file);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  ASSERT_EQ(recording->ticks, ticks);
+  haptics::TouchState state;
+  int in_contact = 0;
+  for (const auto& recorded : recording->ticks) {
+    const haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
+    const auto feel = prepared->program.touchable->feel(hand, state);
+    ASSERT_EQ(feel.force_N, recorded.raw_force_N) << "tick " << recorded.tick;
+    in_contact += feel.contact ? 1 : 0;
+  }
+  EXPECT_GT(in_contact, 1000);
 }
 
 TEST(TouchHeadless, SaysWhyNoSceneCame) {

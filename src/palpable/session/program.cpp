@@ -46,7 +46,8 @@ namespace {
 
 /// Whether the law is a spring against the materials of a surface.
 bool is_wall(haptics::Law law) {
-  return law == haptics::Law::proxy || law == haptics::Law::penalty || law == haptics::Law::averaged;
+  return law == haptics::Law::proxy || law == haptics::Law::penalty || law == haptics::Law::averaged ||
+         law == haptics::Law::groove;
 }
 
 /// Lowers what the person or the materials ask for to what the device can render without making energy.
