@@ -118,4 +118,24 @@ void CrossAggregator::next_row(float* out) {
   }
 }
 
+std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossOptions& window, float limit,
+                                           const Work& work) {
+  const int height = input.left.height();
+  const auto row = static_cast<std::size_t>(input.left.width()) * static_cast<std::size_t>(input.disparities);
+  std::vector<std::uint8_t> out(row * static_cast<std::size_t>(height));
+  const MatchingCost cost(input, CostOptions{}, work);
+  const Raster<CrossArms> arms = cross_arms(input.left, window, work);
+  parallel_for(work, height, 16, [&](int begin, int end) {
+    CrossAggregator aggregator(cost, arms, input.disparities, window.column_reach_px, begin);
+    std::vector<float> costs(row);
+    for (int y = begin; y < end && !work.cancelled(); ++y) {
+      aggregator.next_row(costs.data());
+      std::uint8_t* to = out.data() + row * static_cast<std::size_t>(y);
+      for (std::size_t i = 0; i < row; ++i)
+        to[i] = static_cast<std::uint8_t>(std::min(costs[i], limit) + 0.5F);
+    }
+  });
+  return out;
+}
+
 }  // namespace palpable::vision

@@ -55,4 +55,9 @@ class CrossAggregator {
   std::vector<std::vector<std::uint32_t>> pixels_;  // ring: window pixels summed down the columns
 };
 
+/// The whole pair's costs over cross-shaped windows, cut off at `limit` (at most 255) and rounded:
+/// [(y * width + x) * disparities + d].
+std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossOptions& window, float limit,
+                                           const Work& work);
+
 }  // namespace palpable::vision

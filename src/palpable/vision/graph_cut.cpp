@@ -58,21 +58,8 @@ GridEnergy make_energy(const MatchInput& input, const Work& work) {
   energy.height = input.left.height();
   energy.labels = input.disparities;
   energy.truncation = kTruncation_px;
-  const auto row = static_cast<std::size_t>(energy.width) * static_cast<std::size_t>(energy.labels);
-  energy.data.resize(row * static_cast<std::size_t>(energy.height));
   fill_smoothness(input.left, energy, work);
-  const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(input.left, kWindow, work);
-  parallel_for(work, energy.height, 16, [&](int begin, int end) {
-    CrossAggregator aggregator(cost, arms, input.disparities, kWindow.column_reach_px, begin);
-    std::vector<float> costs(row);
-    for (int y = begin; y < end && !work.cancelled(); ++y) {
-      aggregator.next_row(costs.data());
-      std::uint8_t* out = energy.data.data() + row * static_cast<std::size_t>(y);
-      for (std::size_t i = 0; i < row; ++i)
-        out[i] = static_cast<std::uint8_t>(std::min(costs[i], kDataLimit) + 0.5F);
-    }
-  });
+  energy.data = aggregated_costs(input, kWindow, kDataLimit, work);
   return energy;
 }
 

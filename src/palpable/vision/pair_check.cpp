@@ -15,8 +15,8 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kWidth = 448;   // pictures are shrunk to about this
-constexpr int kSamples = 24;  // along each axis
+constexpr int kWidth = 320;   // pictures are shrunk to this or less
+constexpr int kSamples = 14;  // along each axis
 
 struct Place {
   int x = 0;
@@ -58,7 +58,7 @@ double quantile(std::vector<double>& values, double q) {
 
 VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
                                        const Work& work) {
-  const int factor = std::max(1, (left.width() + kWidth / 2) / kWidth);
+  const int factor = (left.width() + kWidth - 1) / kWidth;
   const Raster<std::uint8_t> small = shrunk(left, factor);
   const Raster<std::uint64_t> l = census_9x7(small, work);
   const Raster<std::uint64_t> r = census_9x7(shrunk(right, factor), work);
@@ -105,7 +105,7 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
         100.0 * range.textured));
     return notes;
   }
-  if (offset.found >= 20 && offset.spread_px >= 2.0)
+  if (offset.found >= 15 && offset.spread_px >= 2.0)
     notes.push_back(fmt::format(
         "the pictures are not aligned: the right one's content lies {:.0f} pixels {} at the median, "
         "and three quarters of it within {:.0f} pixels of the left one's scanlines",

@@ -9,15 +9,16 @@
 
 namespace palpable::vision {
 
-/// How far one picture lies above the other, from a few hundred distinct pixels found again in the other
+/// How far one picture lies above the other, from up to two hundred distinct pixels found again in the other
 /// picture.
 struct VerticalOffset {
-  /// Median of y_right - y_left in pixels; positive: the right picture's content lies lower.
+  /// Median of y_right - y_left, in steps of one pixel up to a width of 320, two up to 640 …; positive: the
+  /// right picture's content lies lower.
   double median_px = 0.0;
   /// Three quarters of the pixels lie within this of the scanline they should be on, in pixels. Above
   /// median_px where the offset rolls across the picture.
   double spread_px = 0.0;
-  /// Pixels found again; below about 20 the figures mean nothing.
+  /// Pixels found again; below about 15 the figures mean nothing.
   int found = 0;
 };
 

@@ -1,5 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/scanline.hpp"
+
 #include "palpable/vision/column_smoothing.hpp"
 #include "palpable/vision/consistency.hpp"
 #include "palpable/vision/cross_window.hpp"
@@ -8,6 +10,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 // Shi & Pai 1997, section 2 (after Intille & Bobick 1994 and Cox 1992) and section 3.3; docs/stereo.md says
@@ -69,26 +72,30 @@ class ScanlineMatcher {
 
 }  // namespace
 
-Result<MatchOutput> match_scanline(const MatchInput& input, const StereoOptions&, const Work& work) {
+ScanlineMap scanline_map(const MatchInput& input, const Work& work) {
   const int width = input.left.width();
   const int height = input.left.height();
   const CrossOptions cross;
   const MatchingCost cost(input, CostOptions{}, work);
   const Raster<CrossArms> arms = cross_arms(input.left, cross, work);
-  MatchOutput output{Raster<float>(width, height), {}};
-  Raster<std::uint8_t> trusted(width, height);
+  ScanlineMap out{Raster<float>(width, height), Raster<std::uint8_t>(width, height)};
   // Each part begins with the rows above it that its windows reach into: parts must not be too small.
   parallel_for(work, height, 4 * cross.column_reach_px, [&](int begin, int end) {
     ScanlineMatcher matcher(input, cost, arms, begin);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
-      matcher.next_row(y, output.disparity_px.row(y), trusted.row(y));
+      matcher.next_row(y, out.disparity_px.row(y), out.trusted.row(y));
       if (begin == 0 && y % 16 == 0) work.report(static_cast<double>(y) / end, "matching scanlines");
     }
   });
+  return out;
+}
+
+Result<MatchOutput> match_scanline(const MatchInput& input, const StereoOptions&, const Work& work) {
+  ScanlineMap map = scanline_map(input, work);
   if (work.cancelled()) return Work::interrupted();
-  fill_from_behind(trusted, output.disparity_px);
-  smooth_columns(input.left, trusted, ColumnOptions{}, output.disparity_px, work);
-  return output;
+  fill_from_behind(map.trusted, map.disparity_px);
+  smooth_columns(input.left, map.trusted, ColumnOptions{}, map.disparity_px, work);
+  return MatchOutput{std::move(map.disparity_px), {}};
 }
 
 }  // namespace palpable::vision

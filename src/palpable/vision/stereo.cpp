@@ -7,6 +7,8 @@
 #include "palpable/vision/fast.hpp"
 #include "palpable/vision/match_input.hpp"
 #include "palpable/vision/pair_check.hpp"
+#include "palpable/vision/pyramid.hpp"
+#include "palpable/vision/segments.hpp"
 #include "palpable/vision/stereo_method.hpp"
 
 #include <algorithm>
@@ -19,27 +21,20 @@ namespace {
 struct MethodEntry {
   StereoMethod method;
   std::string_view name;
-  /// Null where the method is named by the papers but not built yet.
   MethodFunction function;
 };
 
 constexpr std::array kMethods{
     MethodEntry{StereoMethod::scanline, "scanline", match_scanline},
     MethodEntry{StereoMethod::graph_cut, "graph-cut", match_graph_cut},
-    MethodEntry{StereoMethod::segments, "segments", nullptr},
-    MethodEntry{StereoMethod::pyramid, "pyramid", nullptr},
+    MethodEntry{StereoMethod::segments, "segments", match_segments},
+    MethodEntry{StereoMethod::pyramid, "pyramid", match_pyramid},
     MethodEntry{StereoMethod::fast, "fast", match_fast},
     MethodEntry{StereoMethod::best, "best", match_best},
 };
 
 const MethodEntry& entry_of(StereoMethod method) {
   return *std::find_if(kMethods.begin(), kMethods.end(), [&](const auto& e) { return e.method == method; });
-}
-
-/// The method's function; `best` is scanline until it exists.
-MethodFunction function_of(StereoMethod method) {
-  const MethodFunction own = entry_of(method).function;
-  return own == nullptr && method == StereoMethod::best ? entry_of(StereoMethod::scanline).function : own;
 }
 
 Result<void> check_sizes(const StereoPair& pair) {
@@ -117,17 +112,14 @@ std::optional<StereoMethod> stereo_method_from(std::string_view name) {
 std::vector<StereoMethod> available_stereo_methods() {
   std::vector<StereoMethod> methods;
   for (const MethodEntry& entry : kMethods)
-    if (entry.function != nullptr) methods.push_back(entry.method);
+    methods.push_back(entry.method);
   return methods;
 }
 
 Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                           const Work& work) {
   if (const auto sizes = check_sizes(pair); !sizes) return sizes.error();
-  const MethodFunction function = function_of(method);
-  if (function == nullptr)
-    return Error{
-        ErrorCode::usage, "the stereo method " + std::string(name_of(method)) + " is not built yet", {}};
+  const MethodFunction function = entry_of(method).function;
   if (options.max_disparity_px < 0 || options.max_disparity_px >= pair.left.width)
     return Error{ErrorCode::usage,
                  "the greatest disparity must lie between 1 and the picture's width less one, " +

@@ -83,7 +83,8 @@ std::string test_name(const testing::TestParamInfo<StereoMethod>& method) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stereo, EveryMethod,
-                         testing::Values(StereoMethod::scanline, StereoMethod::graph_cut, StereoMethod::fast,
+                         testing::Values(StereoMethod::scanline, StereoMethod::graph_cut,
+                                         StereoMethod::segments, StereoMethod::pyramid, StereoMethod::fast,
                                          StereoMethod::best),
                          test_name);
 

@@ -1,0 +1,100 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/alignment.hpp"
+#include "palpable/vision/opencv_image.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+using Corners = std::vector<cv::Point2f>;
+
+/// The board's inner corners to a fraction of a pixel; empty where the whole board is not seen.
+Corners find_corners(const Image& image, const ChessboardOptions& options) {
+  const cv::Mat grey = grey8_of(image);
+  Corners corners;
+  if (!cv::findChessboardCorners(grey, {options.columns, options.rows}, corners)) return {};
+  cv::cornerSubPix(grey, corners, {5, 5}, {-1, -1},
+                   {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.001});
+  return corners;
+}
+
+LensCamera lens_of(const cv::Mat& matrix, const cv::Mat& distortion) {
+  LensCamera out;
+  std::copy_n(matrix.ptr<double>(), 9, out.matrix.begin());
+  std::copy_n(distortion.ptr<double>(), distortion.total(), std::back_inserter(out.distortion));
+  return out;
+}
+
+}  // namespace
+
+Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<StereoPair>& pairs,
+                                                         const ChessboardOptions& options, const Work& work) {
+  constexpr int kLeastPairs = 3;
+  try {
+    std::vector<Corners> left;
+    std::vector<Corners> right;
+    cv::Size size;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (work.cancelled()) return Work::interrupted();
+      work.report(0.7 * static_cast<double>(i) / static_cast<double>(pairs.size()),
+                  "looking for the chessboard");
+      const StereoPair& pair = pairs[i];
+      const cv::Size here(pair.left.width, pair.left.height);
+      if (here != cv::Size(pair.right.width, pair.right.height) || (i > 0 && here != size))
+        return invalid_input("pictures for a calibration must all have the same size");
+      size = here;
+      Corners in_left = find_corners(pair.left, options);
+      Corners in_right = find_corners(pair.right, options);
+      if (in_left.empty() || in_right.empty()) continue;
+      left.push_back(std::move(in_left));
+      right.push_back(std::move(in_right));
+    }
+    if (static_cast<int>(left.size()) < kLeastPairs)
+      return invalid_input(
+          fmt::format("a chessboard of {}x{} inner corners was found in {} of {} pairs, but {} are needed",
+                      options.columns, options.rows, left.size(), pairs.size(), kLeastPairs));
+    std::vector<cv::Point3f> board;
+    for (int r = 0; r < options.rows; ++r)
+      for (int c = 0; c < options.columns; ++c)
+        board.emplace_back(static_cast<float>(c * options.square_m), static_cast<float>(r * options.square_m),
+                           0.0F);
+    const std::vector<std::vector<cv::Point3f>> boards(left.size(), board);
+    cv::Mat m1;
+    cv::Mat d1;
+    cv::Mat m2;
+    cv::Mat d2;
+    std::vector<cv::Mat> turns;
+    std::vector<cv::Mat> shifts;
+    work.report(0.8, "calibrating");
+    cv::calibrateCamera(boards, left, size, m1, d1, turns, shifts);
+    cv::calibrateCamera(boards, right, size, m2, d2, turns, shifts);
+    cv::Mat rotation;
+    cv::Mat translation;
+    cv::Mat essential;
+    cv::Mat fundamental;
+    ChessboardCalibration out;
+    out.reprojection_px =
+        cv::stereoCalibrate(boards, left, right, m1, d1, m2, d2, size, rotation, translation, essential,
+                            fundamental, cv::CALIB_USE_INTRINSIC_GUESS);
+    out.pairs_used = static_cast<int>(left.size());
+    out.cameras.left = lens_of(m1, d1);
+    out.cameras.right = lens_of(m2, d2);
+    std::copy_n(rotation.ptr<double>(), 9, out.cameras.rotation.begin());
+    out.cameras.translation_m = {translation.at<double>(0), translation.at<double>(1),
+                                 translation.at<double>(2)};
+    return out;
+  } catch (const cv::Exception& e) {
+    return Error{ErrorCode::failed, std::string("the cameras could not be calibrated: ") + e.what(), {}};
+  }
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,34 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/result.hpp"
+
+#include <vector>
+
+namespace palpable::vision {
+
+/// A picture cut into connected pieces of one colour.
+struct ColourSegments {
+  /// The piece of each pixel, 0 … count - 1.
+  Raster<int> of_pixel;
+  int count = 0;
+};
+
+struct SegmentOptions {
+  /// The mean shift's window: pixels to each side, and levels of 255.
+  double radius_px = 5.0;
+  double colour_levels = 12.0;
+  /// Neighbours whose shifted colours differ by less than this, in the channel that differs most, belong
+  /// together.
+  int same_levels = 4;
+  /// Smaller pieces join the neighbour whose colour is nearest.
+  int least_pixels = 24;
+};
+
+/// Mean shift in position and colour (Comaniciu & Meer 2002), then connected components. Errors: failed,
+/// where the picture is too large for the filter's memory.
+Result<ColourSegments> segment_by_colour(const Raster<Rgb8>& picture, const SegmentOptions& options);
+
+}  // namespace palpable::vision

@@ -1,0 +1,62 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/raster.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace palpable::vision {
+
+/// A picture made ready for normalised cross-correlation over 3 x 3 windows: each pixel's window mean and the
+/// inverse of its deviation. The border's pixels are repeated.
+class CorrelationPicture {
+ public:
+  explicit CorrelationPicture(const Raster<std::uint8_t>& grey)
+      : values_(grey.width() + 2, grey.height() + 2), mean_(grey.width(), grey.height()), scale_(mean_) {
+    // The noise of an 8-bit picture, two levels in each of nine pixels, must not pass for texture.
+    constexpr float kNoise = 9.0F * 4.0F;
+    for (int y = 0; y < values_.height(); ++y)
+      for (int x = 0; x < values_.width(); ++x)
+        values_(x, y) = grey(std::clamp(x - 1, 0, grey.width() - 1), std::clamp(y - 1, 0, grey.height() - 1));
+    for (int y = 0; y < grey.height(); ++y) {
+      for (int x = 0; x < grey.width(); ++x) {
+        float sum = 0.0F;
+        float squares = 0.0F;
+        for (int v = 0; v < 3; ++v)
+          for (int u = 0; u < 3; ++u) {
+            sum += values_(x + u, y + v);
+            squares += values_(x + u, y + v) * values_(x + u, y + v);
+          }
+        mean_(x, y) = sum / 9.0F;
+        scale_(x, y) = 1.0F / std::sqrt(std::max(0.0F, squares - sum * sum / 9.0F) + kNoise);
+      }
+    }
+  }
+
+  int width() const { return mean_.width(); }
+  int height() const { return mean_.height(); }
+
+  /// (1 - NCC) / 2 of the window around (x, y) in `a` and around (u, y) in `b`: 0 = alike, 1/2 = unrelated or
+  /// without texture, 1 = inverted.
+  friend float correlation_error(const CorrelationPicture& a, const CorrelationPicture& b, int x, int y,
+                                 int u) {
+    float product = 0.0F;
+    for (int j = 0; j < 3; ++j) {
+      const float* p = &a.values_(x, y + j);
+      const float* q = &b.values_(u, y + j);
+      product += p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+    }
+    const float covariance = product - 9.0F * a.mean_(x, y) * b.mean_(u, y);
+    return 0.5F - 0.5F * covariance * a.scale_(x, y) * b.scale_(u, y);
+  }
+
+ private:
+  Raster<float> values_;
+  Raster<float> mean_;
+  Raster<float> scale_;
+};
+
+}  // namespace palpable::vision
