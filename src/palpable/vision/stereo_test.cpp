@@ -83,7 +83,9 @@ std::string test_name(const testing::TestParamInfo<StereoMethod>& method) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stereo, EveryMethod,
-                         testing::Values(StereoMethod::scanline, StereoMethod::graph_cut), test_name);
+                         testing::Values(StereoMethod::scanline, StereoMethod::graph_cut, StereoMethod::fast,
+                                         StereoMethod::best),
+                         test_name);
 
 TEST(Stereo, LevelsPicturesOfDifferentExposure) {
   SyntheticScene scene;
