@@ -82,7 +82,7 @@ TEST(Best, BearsAStrongDifferenceOfExposure) {
 }
 
 TEST(Best, AnswersForATinyPictureAndForOneWithoutTexture) {
-  for (const auto [width, height] : {std::pair{8, 8}, std::pair{9, 40}, std::pair{48, 8}}) {
+  for (const auto& [width, height] : {std::pair{8, 8}, std::pair{9, 40}, std::pair{48, 8}}) {
     MatchInput input;
     input.left = input.right = Raster<Rgb8>(width, height, Rgb8{90, 90, 90});
     input.left_grey = input.right_grey = Raster<std::uint8_t>(width, height, 90);
