@@ -81,7 +81,7 @@ TEST_F(BadInput, AHugePictureIsRefusedBeforeMemoryIsTaken) {
 
 TEST_F(BadInput, PicturesOfDifferentSizeAreNoPair) {
   ASSERT_TRUE(formats::write_png(path("small.png"), unrelated_picture(100, 80, 3)));
-  expect_refused(make_pair("left.png", "small.png"), "small.png", "160x120");
+  expect_refused(make_pair("left.png", "small.png"), "small.png", "160 x 120");
 }
 
 TEST_F(BadInput, UnrelatedPicturesAreMatchedWithAWarningAndItsFigure) {
