@@ -111,8 +111,7 @@ std::optional<StereoMethod> stereo_method_from(std::string_view name) {
 
 std::vector<StereoMethod> available_stereo_methods() {
   std::vector<StereoMethod> methods;
-  for (const MethodEntry& entry : kMethods)
-    methods.push_back(entry.method);
+  for (const MethodEntry& entry : kMethods) methods.push_back(entry.method);
   return methods;
 }
 
