@@ -102,8 +102,8 @@ TEST_F(RenderedHeads, StandOnATableThatIsFoundFromMatchedDisparity) {
   if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
   const auto match = vision::match(pair_, StereoMethod::fast, {}, Work{});
   ASSERT_TRUE(match);
-  // Matching bends the table beside the heads: less of it lies in its plane (docs/measurements.md says how
-  // much).
+  // The aim is 98 % here too, and `best` misses it (docs/measurements.md): matching bends the table beside
+  // the heads. This guards what is reached.
   expect_ground(match->disparity.disparity_px, "matched", 0.95);
 }
 

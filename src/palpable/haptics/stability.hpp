@@ -33,9 +33,10 @@ struct SafeContact {
   bool operator==(const SafeContact&) const = default;
 };
 
-/// What a hand that holds the device adds to its damping at least. Hands are measured at 2 to 40 N·s/m
-/// (Hajian & Howe 1997 for a fingertip, Speich, Shao & Goldfarb 2005 and Fu & Cavusoglu 2012 for a stylus,
-/// van Beek et al. 2015 for the arm); the least is taken from below those.
+/// What a hand that holds the device adds to its damping at least: an assumption. The literature gives about
+/// 2 to 40 N·s/m, recalled except the last and to be looked up (Hajian & Howe 1997 for a fingertip, Speich,
+/// Shao & Goldfarb 2005 and Fu & Cavusoglu 2012 for a stylus, van Beek et al. 2015 for the arm); the least is
+/// taken from below those.
 inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 
 /// The wall nearest to the one asked for that is safe on the device at `rate_hz`. The damping is raised to

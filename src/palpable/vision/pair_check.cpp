@@ -94,8 +94,8 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
 bool looks_swapped(const DisparityRange& range) { return range.max_px <= 2 && range.min_px < -3; }
 
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset) {
-  // From the pairs in docs/stereo.md: pictures of one scene agree on 25 % and more, unrelated ones on less
-  // than 2 %.
+  // From the pairs in docs/stereo.md: six pictures of one scene agree on 27 % and more. How little
+  // unrelated photographs agree is not measured on real ones.
   constexpr double kLittleAgreement = 0.08;
   constexpr double kLittleTexture = 0.02;
   std::vector<std::string> notes;
