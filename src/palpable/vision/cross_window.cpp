@@ -5,28 +5,70 @@
 #include "palpable/core/vectorize.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace palpable::vision {
 namespace {
 
-std::uint8_t arm(const Raster<Rgb8>& picture, int x, int y, int dx, int dy, const CrossOptions& options) {
-  const Rgb8 centre = picture(x, y);
-  const int reach = dy == 0 ? options.row_reach_px : options.column_reach_px;
-  int length = 0;
-  while (length < reach) {
-    const int u = x + (length + 1) * dx;
-    const int v = y + (length + 1) * dy;
-    if (!picture.contains(u, v)) break;
-    const Rgb8 c = picture(u, v);
-    const int difference =
-        std::max({std::abs(c.r - centre.r), std::abs(c.g - centre.g), std::abs(c.b - centre.b)});
-    const int limit = 2 * length < options.row_reach_px ? options.colour_limit : options.colour_limit / 3;
-    if (length > 0 && difference > limit)
-      break;  // the next neighbour always belongs: a window is never one pixel
-    ++length;
+std::uint8_t apart(std::uint8_t a, std::uint8_t b) {
+  return static_cast<std::uint8_t>(a > b ? a - b : b - a);
+}
+
+struct ColourRow {
+  const std::uint8_t* r;
+  const std::uint8_t* g;
+  const std::uint8_t* b;
+};
+
+ColourRow row_of(const ColourPlanes& picture, int x, int y) {
+  return {picture.r.row(y).data() + x, picture.g.row(y).data() + x, picture.b.row(y).data() + x};
+}
+
+/// Lengthens by one the arms that reach on: where `there` is like `here`.
+PALPABLE_VECTORIZE void grow(const ColourRow& here, const ColourRow& there, int limit, int count,
+                             std::uint8_t* __restrict alive, std::uint8_t* __restrict length) {
+  const std::uint8_t* __restrict r0 = here.r;
+  const std::uint8_t* __restrict g0 = here.g;
+  const std::uint8_t* __restrict b0 = here.b;
+  const std::uint8_t* __restrict r1 = there.r;
+  const std::uint8_t* __restrict g1 = there.g;
+  const std::uint8_t* __restrict b1 = there.b;
+  const auto most = static_cast<std::uint8_t>(limit);
+  for (int x = 0; x < count; ++x) {
+    const std::uint8_t r = apart(r0[x], r1[x]);
+    const std::uint8_t g = apart(g0[x], g1[x]);
+    const std::uint8_t b = apart(b0[x], b1[x]);
+    std::uint8_t difference = r > g ? r : g;
+    difference = difference > b ? difference : b;
+    alive[x] = static_cast<std::uint8_t>(alive[x] & (difference <= most ? 1 : 0));
+    length[x] = static_cast<std::uint8_t>(length[x] + alive[x]);
   }
-  return static_cast<std::uint8_t>(length);
+}
+
+/// The arms of a whole row in the direction (dx, dy).
+void grow_arms(const ColourPlanes& picture, int y, int dx, int dy, const CrossOptions& options,
+               std::vector<std::uint8_t>& alive, std::vector<std::uint8_t>& length) {
+  std::fill(alive.begin(), alive.end(), std::uint8_t{1});
+  std::fill(length.begin(), length.end(), std::uint8_t{0});
+  const int width = picture.width();
+  const int reach = dy == 0 ? options.row_reach_px : options.column_reach_px;
+  for (int s = 1; s <= reach; ++s) {
+    const int v = y + s * dy;
+    if (v < 0 || v >= picture.height()) break;
+    const int first = std::max(0, -s * dx);
+    const int last = std::min(width, width - s * dx);
+    if (first >= last) break;
+    // The next neighbour always belongs: a window is never one pixel.
+    const int limit = s == 1                           ? 255
+                      : s <= options.sure_reach_px + 1 ? options.colour_limit
+                                                       : options.colour_limit_beyond;
+    grow(row_of(picture, first, y), row_of(picture, first + s * dx, v), limit, last - first,
+         alive.data() + first, length.data() + first);
+    // What has no neighbour left ends here.
+    std::fill(alive.begin(), alive.begin() + first, std::uint8_t{0});
+    std::fill(alive.begin() + last, alive.end(), std::uint8_t{0});
+  }
 }
 
 PALPABLE_VECTORIZE void add_costs(const std::uint32_t* before, const std::uint8_t* cost, int count,
@@ -40,20 +82,31 @@ PALPABLE_VECTORIZE void add_span(const std::uint32_t* above, const std::uint32_t
 }
 
 PALPABLE_VECTORIZE void mean_of(const std::uint32_t* to, const std::uint32_t* from, float scale, int count,
-                                float* out) {
+                                std::int32_t* out) {
   for (int d = 0; d < count; ++d)
-    out[d] = static_cast<float>(static_cast<std::int32_t>(to[d] - from[d])) * scale;
+    out[d] = static_cast<std::int32_t>(
+        static_cast<float>(static_cast<std::int32_t>(to[d] - from[d])) * scale + 0.5F);
 }
 
 }  // namespace
 
-Raster<CrossArms> cross_arms(const Raster<Rgb8>& picture, const CrossOptions& options, const Work& work) {
+Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& options, const Work& work) {
   Raster<CrossArms> out(picture.width(), picture.height());
+  struct Direction {
+    int dx, dy;
+    std::uint8_t CrossArms::*arm;
+  };
+  constexpr std::array kDirections{Direction{-1, 0, &CrossArms::left}, Direction{1, 0, &CrossArms::right},
+                                   Direction{0, -1, &CrossArms::up}, Direction{0, 1, &CrossArms::down}};
   parallel_for(work, picture.height(), 16, [&](int begin, int end) {
+    std::vector<std::uint8_t> alive(static_cast<std::size_t>(picture.width()));
+    std::vector<std::uint8_t> length(alive.size());
     for (int y = begin; y < end; ++y)
-      for (int x = 0; x < picture.width(); ++x)
-        out(x, y) = {arm(picture, x, y, -1, 0, options), arm(picture, x, y, 1, 0, options),
-                     arm(picture, x, y, 0, -1, options), arm(picture, x, y, 0, 1, options)};
+      for (const Direction& direction : kDirections) {
+        grow_arms(picture, y, direction.dx, direction.dy, options, alive, length);
+        for (int x = 0; x < picture.width(); ++x)
+          out(x, y).*direction.arm = length[static_cast<std::size_t>(x)];
+      }
   });
   return out;
 }
@@ -102,7 +155,7 @@ void CrossAggregator::add_row() {
   }
 }
 
-void CrossAggregator::next_row(float* out) {
+void CrossAggregator::next_row(std::int32_t* out) {
   const int y = row_++;
   while (summed_ <= std::min(y + reach_, arms_.height() - 1)) add_row();
   const auto count = static_cast<std::size_t>(disparities_);
@@ -113,8 +166,8 @@ void CrossAggregator::next_row(float* out) {
     const int before = y - a.up - 1;
     const std::uint32_t pixels = pixels_[static_cast<std::size_t>(last % ring_)][column] -
                                  pixels_[static_cast<std::size_t>((before + ring_) % ring_)][column];
-    mean_of(sums(last) + column * count, sums(before) + column * count, 1.0F / static_cast<float>(pixels),
-            disparities_, out + column * count);
+    mean_of(sums(last) + column * count, sums(before) + column * count,
+            kMeanCostUnit / static_cast<float>(pixels), disparities_, out + column * count);
   }
 }
 
@@ -124,15 +177,16 @@ std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossO
   const auto row = static_cast<std::size_t>(input.left.width()) * static_cast<std::size_t>(input.disparities);
   std::vector<std::uint8_t> out(row * static_cast<std::size_t>(height));
   const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(input.left, window, work);
+  const Raster<CrossArms> arms = cross_arms(colour_planes(input.left), window, work);
   parallel_for(work, height, 16, [&](int begin, int end) {
     CrossAggregator aggregator(cost, arms, input.disparities, window.column_reach_px, begin);
-    std::vector<float> costs(row);
+    std::vector<std::int32_t> costs(row);
+    const auto most = static_cast<std::int32_t>(limit * kMeanCostUnit);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       aggregator.next_row(costs.data());
       std::uint8_t* to = out.data() + row * static_cast<std::size_t>(y);
       for (std::size_t i = 0; i < row; ++i)
-        to[i] = static_cast<std::uint8_t>(std::min(costs[i], limit) + 0.5F);
+        to[i] = static_cast<std::uint8_t>((std::min(costs[i], most) + kMeanCostUnit / 2) / kMeanCostUnit);
     }
   });
   return out;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/colour_planes.hpp"
 #include "palpable/vision/matching_cost.hpp"
 
 #include <array>
@@ -15,17 +16,23 @@ struct CrossOptions {
   /// down a picture, and a window should see one disparity) …
   int row_reach_px = 17;
   int column_reach_px = 6;
-  /// … while every channel stays within this of the centre (levels of 255); beyond half the row's reach, a
-  /// third.
+  /// … while every channel stays within this of the centre (levels of 255) …
   int colour_limit = 25;
+  /// … and beyond so many pixels, in either direction, within this.
+  int sure_reach_px = 8;
+  int colour_limit_beyond = 8;
 };
 
-/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour. The
-/// window's centre is wherever the pixel stands in its surface.
+/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour, at least
+/// one pixel where the picture has one there. The window's centre is wherever the pixel stands in its
+/// surface.
 struct CrossArms {
   std::uint8_t left = 0, right = 0, up = 0, down = 0;
 };
-Raster<CrossArms> cross_arms(const Raster<Rgb8>& picture, const CrossOptions& options, const Work& work);
+Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& options, const Work& work);
+
+/// Mean costs are whole numbers of this fraction of the matching cost.
+inline constexpr int kMeanCostUnit = 16;
 
 /// Aggregates matching costs over cross-shaped windows (along the row's arms, then along the column's),
 /// streaming down the picture: one scanline's disparity-space image at a time. One object a thread.
@@ -35,8 +42,8 @@ class CrossAggregator {
   CrossAggregator(const MatchingCost& cost, const Raster<CrossArms>& arms, int disparities,
                   int column_reach_px, int first_row);
 
-  /// The next row's mean cost over its window, out[x * disparities + d].
-  void next_row(float* out);
+  /// The next row's mean cost over its window, out[x * disparities + d], in units of 1/kMeanCostUnit.
+  void next_row(std::int32_t* out);
 
  private:
   void add_row();

@@ -4,6 +4,7 @@
 
 #include "palpable/core/vectorize.hpp"
 #include "palpable/vision/census.hpp"
+#include "palpable/vision/least_cost.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -33,42 +34,35 @@ Signatures signatures(const Raster<std::uint8_t>& picture, const Work& work) {
   return out;
 }
 
-PALPABLE_VECTORIZE void distances(const std::uint64_t* right, std::uint64_t left, int count, int* out) {
+PALPABLE_VECTORIZE void distances(const std::uint64_t* __restrict right, std::uint64_t left, int count,
+                                  std::int32_t* __restrict out) {
   for (int i = 0; i < count; ++i) out[i] = std::popcount(left ^ right[i]);
 }
 
-/// For a row: the best column in the other row for each textured column, or -1 where it is not unique.
+/// For a row: the best column in the other row for each textured column, or -1 where it is not unique; and
+/// the best column here for each one there.
 struct RowMatches {
-  std::vector<int> best;
-  std::vector<int> cost;
+  std::vector<int> forth, back;
+  std::vector<std::int32_t> back_cost, distance;
+
+  explicit RowMatches(int width)
+      : forth(static_cast<std::size_t>(width)), back(forth), back_cost(forth), distance(forth) {}
 };
 
-void match_row(const Signatures& left, const Signatures& right, int y, RowMatches& forth,
-               std::vector<int>& back) {
-  const int width = left.bits.width();
-  const int first = kHalfX;
-  const int count = width - 2 * kHalfX;
-  forth.best.assign(static_cast<std::size_t>(width), -1);
-  back.assign(static_cast<std::size_t>(width), -1);
-  std::vector<int> back_cost(static_cast<std::size_t>(width), 64);
-  std::vector<int> row(static_cast<std::size_t>(std::max(count, 0)));
-  for (int x = first; x < width - kHalfX; ++x) {
-    if (!left.textured(x, y)) continue;
-    distances(right.bits.row(y).data() + first, left.bits(x, y), count, row.data());
-    int best = 0;
-    for (int i = 1; i < count; ++i)
-      if (row[static_cast<std::size_t>(i)] < row[static_cast<std::size_t>(best)]) best = i;
-    const int cost = row[static_cast<std::size_t>(best)];
-    int second = 64;
-    for (int i = 0; i < count; ++i) {
-      if (std::abs(i - best) > 1) second = std::min(second, row[static_cast<std::size_t>(i)]);
-      auto& known = back_cost[static_cast<std::size_t>(first + i)];
-      if (row[static_cast<std::size_t>(i)] < known) {
-        known = row[static_cast<std::size_t>(i)];
-        back[static_cast<std::size_t>(first + i)] = x;
-      }
-    }
-    if (second >= cost + 3) forth.best[static_cast<std::size_t>(x)] = first + best;
+void match_row(const Signatures& left, const Signatures& right, int y, RowMatches& row) {
+  // Of the 62 bits; the next best elsewhere must differ by so many more.
+  constexpr int kUnique = 3;
+  constexpr int kUnlike = 64;
+  const int count = left.bits.width() - 2 * kHalfX;
+  std::fill(row.forth.begin(), row.forth.end(), -1);
+  std::fill(row.back.begin(), row.back.end(), -1);
+  std::fill(row.back_cost.begin(), row.back_cost.end(), kUnlike);
+  for (int x = kHalfX; x < kHalfX + count; ++x) {
+    if (left.textured(x, y) == 0) continue;
+    distances(right.bits.row(y).data() + kHalfX, left.bits(x, y), count, row.distance.data());
+    keep_least(row.distance.data(), x, count, row.back_cost.data() + kHalfX, row.back.data() + kHalfX);
+    const LeastCost least = least_cost(row.distance.data(), count);
+    if (least.elsewhere >= least.cost + kUnique) row.forth[static_cast<std::size_t>(x)] = kHalfX + least.at;
   }
 }
 
@@ -143,16 +137,15 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
   Raster<int> matches(width, rows, kNoMatch);
   std::vector<int> textured(static_cast<std::size_t>(rows));
   parallel_for(work, rows, 8, [&](int begin, int end) {
-    RowMatches forth;
-    std::vector<int> back;
+    RowMatches row(width);
     for (int i = begin; i < end; ++i) {
       if (work.cancelled()) return;
       const int y = kHalfY + step * i;
-      match_row(l, r, y, forth, back);
+      match_row(l, r, y, row);
       for (int x = kHalfX; x < width - kHalfX; ++x) {
         textured[static_cast<std::size_t>(i)] += l.textured(x, y);
-        const int to = forth.best[static_cast<std::size_t>(x)];
-        if (to >= 0 && std::abs(back[static_cast<std::size_t>(to)] - x) <= 1) matches(x, i) = x - to;
+        const int to = row.forth[static_cast<std::size_t>(x)];
+        if (to >= 0 && std::abs(row.back[static_cast<std::size_t>(to)] - x) <= 1) matches(x, i) = x - to;
       }
     }
   });

@@ -24,7 +24,7 @@ constexpr float kSmoothnessAcrossEdges = 3.0F;
 constexpr float kEdgeLevels = 8.0F;
 /// The data term is a mean over a window no larger than this, within alike colour: it quietens the noise of
 /// single pixels and leaves the surfaces to the smoothness term.
-constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3};
+constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
 
 /// Smoothness between two pixels: strong where they look alike.
 float smoothness(Rgb8 a, Rgb8 b) {

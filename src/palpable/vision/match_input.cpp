@@ -19,7 +19,7 @@ Levels quantiles(const Raster<float>& luma) {
   Levels out{};
   if (sorted.empty()) return out;
   // Every pixel of a large picture adds nothing to 256 quantiles.
-  const std::size_t step = std::max<std::size_t>(1, sorted.size() / 65536);
+  const std::size_t step = std::max<std::size_t>(1, sorted.size() / 16384);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < sorted.size(); i += step) sorted[kept++] = sorted[i];
   sorted.resize(kept);

@@ -56,7 +56,7 @@ class ScanlineMatcher {
     for (std::size_t m = 0; m < columns_; ++m) {
       const std::size_t x = columns_ - 1 - m;
       mirrored_grey_[m] = grey[x];
-      float* out = mirrored_.data() + m * count_;
+      std::int32_t* out = mirrored_.data() + m * count_;
       for (std::size_t d = 0; d < count_; ++d) out[d] = costs_[std::min(x + d, columns_ - 1) * count_ + d];
     }
   }
@@ -66,7 +66,8 @@ class ScanlineMatcher {
   std::size_t count_;
   CrossAggregator aggregator_;
   ScanlinePath path_;
-  std::vector<float> costs_, mirrored_, right_px_;
+  std::vector<std::int32_t> costs_, mirrored_;
+  std::vector<float> right_px_;
   std::vector<std::uint8_t> mirrored_grey_, occluded_, occluded_right_;
 };
 
@@ -77,7 +78,7 @@ ScanlineMap scanline_map(const MatchInput& input, const Work& work) {
   const int height = input.left.height();
   const CrossOptions cross;
   const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(input.left, cross, work);
+  const Raster<CrossArms> arms = cross_arms(colour_planes(input.left), cross, work);
   ScanlineMap out{Raster<float>(width, height), Raster<std::uint8_t>(width, height)};
   // Each part begins with the rows above it that its windows reach into: parts must not be too small.
   parallel_for(work, height, 4 * cross.column_reach_px, [&](int begin, int end) {

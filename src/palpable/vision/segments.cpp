@@ -22,7 +22,7 @@
 namespace palpable::vision {
 namespace {
 
-constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3};
+constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
 constexpr float kDataLimit = 60.0F;
 constexpr std::size_t kMostPlanes = 300;
 /// Smoothness for each pixel of a border between segments of different planes, in units of the matching cost.
