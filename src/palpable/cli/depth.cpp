@@ -17,8 +17,24 @@ namespace {
 
 struct Arguments {
   std::string left, right, output;
+  std::string aligned;
   StereoArguments stereo;
 };
+
+/// The aligned pictures as PREFIX_left.png and PREFIX_right.png.
+Result<void> write_aligned(const std::string& prefix, const vision::StereoPair& pair) {
+  if (prefix.empty()) return {};
+  if (const auto left = formats::write_png(prefix + "_left.png", rgb8(pair.left)); !left) return left;
+  return formats::write_png(prefix + "_right.png", rgb8(pair.right));
+}
+
+Json alignment_json(const session::ReadyPair& ready) {
+  const auto figure = [](double px) { return std::isfinite(px) ? Json(px) : Json(nullptr); };
+  return {{"by", session::name_of(ready.aligned_by)},
+          {"residual_before_px", figure(ready.residual_before_px)},
+          {"residual_px", figure(ready.residual_px)},
+          {"features", ready.features}};
+}
 
 Result<void> write_disparity(const std::filesystem::path& output, const Raster<float>& disparity_px) {
   if (output.extension() == ".pfm") return formats::write_disparity_pfm(output, disparity_px);
@@ -37,18 +53,22 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
     return Error{ErrorCode::usage, "disparity is written as .pfm or .png", arguments.output};
   const auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
-  const auto pair =
-      session::read_stereo_pair({arguments.left, arguments.right}, arguments.stereo.calibration);
-  if (!pair) return pair.error();
+  const auto ready = session::read_stereo_pair(
+      stereo_input({arguments.left, arguments.right}, arguments.stereo), console.work());
+  if (!ready) return ready.error();
+  for (const std::string& note : ready->notes) console.note(note);
+  if (const auto written = write_aligned(arguments.aligned, ready->pair); !written) return written.error();
 
   const auto begin = std::chrono::steady_clock::now();
-  const auto match = vision::match(*pair, *method, {arguments.stereo.max_disparity_px}, console.work());
+  const auto match = vision::match(ready->pair, *method, {arguments.stereo.max_disparity_px}, console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!match) return Error{match.error().code, match.error().message, match.error().place};
   for (const std::string& note : match->notes) console.note(note);
   const Raster<float>& disparity_px = match->disparity.disparity_px;
   if (const auto written = write_disparity(output, disparity_px); !written) return written.error();
 
+  std::vector<std::string> notes = ready->notes;
+  notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   Answer answer;
   const double coverage = coverage_of(disparity_px);
   answer.json = {{"method", vision::name_of(*method)},
@@ -56,7 +76,8 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
                  {"height", disparity_px.height()},
                  {"seconds", seconds.count()},
                  {"coverage", coverage},
-                 {"notes", match->notes},
+                 {"alignment", alignment_json(*ready)},
+                 {"notes", notes},
                  {"output", arguments.output}};
   answer.text = fmt::format("{} x {} disparities by {} in {:.2f} s, {:.1f} % known: {}\n",
                             disparity_px.width(), disparity_px.height(), vision::name_of(*method),
@@ -78,6 +99,8 @@ void add_depth(Program& program) {
   options.required_text(
       "-o,--output", arguments->output,
       "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");
+  options.text("--aligned", arguments->aligned,
+               "Also write the aligned pictures, as PREFIX_left.png and PREFIX_right.png");
   add_stereo_options(options, arguments->stereo);
 }
 

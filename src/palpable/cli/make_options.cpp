@@ -67,6 +67,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "How many times higher the scene would be in its own proportions");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
   options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
+  options.choice("--texture", arguments.texture, {"left", "front", "none"},
+                 "The picture on it; front = as from between a pair's cameras");
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
@@ -101,6 +103,10 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.inputs.assign(arguments.inputs.begin(), arguments.inputs.end());
   options.calibration = arguments.stereo.calibration;
   options.max_disparity_px = arguments.stereo.max_disparity_px;
+  options.align = align_of(arguments.stereo);
+  options.moved_m = moved_m_of(arguments.stereo);
+  if (arguments.texture == "front") options.texture = session::Texture::front;
+  if (arguments.texture == "none") options.texture = session::Texture::none;
   options.depth = depth_settings(arguments);
   options.layout = layout_from(arguments.layout);
   options.relief.near = arguments.near;

@@ -31,6 +31,7 @@ struct MakeArguments {
   double neighbourhood_px = 3.0;
   double groove_mm = 4.0;
   std::string ground;
+  std::string texture = "left";
 };
 
 /// Adds INPUT… and the options. `arguments` must outlive the parsing.

@@ -5,7 +5,7 @@
 #include "palpable/cli/suggest.hpp"
 #include "palpable/session/make_scene.hpp"
 
-#include <array>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,6 +19,29 @@ void add_stereo_options(Options& options, StereoArguments& arguments) {
                   "Greatest disparity searched, px; 0 = found");
   options.text("--calibration", arguments.calibration,
                "The cameras: OpenCV yml or xml, Middlebury calib.txt, or JSON");
+  options.choice("--align", arguments.align, {"auto", "off"},
+                 "Bring the pictures to common scanlines where they are not");
+  options.number("--moved", arguments.moved_mm, {0.1, 1e6},
+                 "One camera, moved sideways by so many mm between the pictures");
+}
+
+session::Align align_of(const StereoArguments& arguments) {
+  return arguments.align == "off" ? session::Align::never : session::Align::automatic;
+}
+
+std::optional<double> moved_m_of(const StereoArguments& arguments) {
+  if (!arguments.moved_mm) return std::nullopt;
+  return *arguments.moved_mm / 1000.0;
+}
+
+session::StereoInput stereo_input(std::vector<std::filesystem::path> pictures,
+                                  const StereoArguments& arguments) {
+  session::StereoInput input;
+  input.pictures = std::move(pictures);
+  input.calibration = arguments.calibration;
+  input.align = align_of(arguments);
+  input.moved_m = moved_m_of(arguments);
+  return input;
 }
 
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments) {

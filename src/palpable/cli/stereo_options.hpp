@@ -3,9 +3,13 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
+#include "palpable/session/stereo_input.hpp"
 #include "palpable/vision/stereo.hpp"
 
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace palpable::cli {
 
@@ -15,10 +19,20 @@ struct StereoArguments {
   std::string method;
   int max_disparity_px = 0;
   std::string calibration;
+  std::string align = "auto";
+  std::optional<double> moved_mm;
 };
 
-/// Adds --method, --max-disparity and --calibration. `arguments` must outlive the parsing.
+/// Adds --method, --max-disparity, --calibration, --align and --moved. `arguments` must outlive the parsing.
 void add_stereo_options(Options& options, StereoArguments& arguments);
+
+/// The pair named by these files, to be read as the arguments say.
+session::StereoInput stereo_input(std::vector<std::filesystem::path> pictures,
+                                  const StereoArguments& arguments);
+/// --align.
+session::Align align_of(const StereoArguments& arguments);
+/// --moved in metres.
+std::optional<double> moved_m_of(const StereoArguments& arguments);
 
 /// The method asked for, or session::default_method(). Errors: usage, for a method that there is not.
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);

@@ -6,6 +6,7 @@
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/picture.hpp"
+#include "palpable/vision/front_view.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -27,14 +28,6 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
   return names;
 }
 
-Result<sources::Calibration> read_calibration_for(const std::filesystem::path& file, int width, int height) {
-  auto calibration = sources::read_calibration(file);
-  if (!calibration) return calibration.error();
-  auto fitted = sources::calibration_for(std::move(*calibration), width, height);
-  if (!fitted) return at_place(fitted.error(), file);
-  return fitted;
-}
-
 models::Scene scene_of(models::Relief relief, const MakeOptions& options, int width, int height,
                        std::string method) {
   models::Scene scene;
@@ -46,10 +39,19 @@ models::Scene scene_of(models::Relief relief, const MakeOptions& options, int wi
   return scene;
 }
 
-Result<vision::StereoPair> read_pair(const MakeOptions& options) {
-  if (options.inputs.size() > 2)
-    return Error{ErrorCode::usage, "a stereo pair is two pictures, or one that holds both side by side", {}};
-  return read_stereo_pair(options.inputs, options.calibration, options.layout);
+StereoInput stereo_input(const MakeOptions& options) {
+  return {options.inputs, options.calibration, options.layout, options.align, options.moved_m};
+}
+
+/// What is matched, as seen from between the cameras: picture, disparity and camera.
+Result<void> look_from_the_front(vision::StereoPair& pair, DisparityMap& disparity, const Work& work) {
+  auto front = vision::front_view(pair, disparity.disparity_px, work);
+  if (!front) return front.error();
+  pair.left = std::move(front->picture);
+  disparity.disparity_px = std::move(front->disparity_px);
+  // Half a baseline to the right everything lies half its disparity to the left; at infinity, half of doffs.
+  if (disparity.rig) disparity.rig->left.cx += 0.5 * disparity.rig->doffs_px;
+  return {};
 }
 
 /// Says in a note what the ground is, or that there is none.
@@ -68,17 +70,23 @@ DisparityMap with_ground_treated(const DisparityMap& disparity, const vision::St
   return vision::treat_ground(disparity, *ground, options.ground);
 }
 
-Result<MadeScene> from_pair(const vision::StereoPair& pair, vision::StereoMethod method,
-                            const MakeOptions& options, const Work& work) {
-  auto match = vision::match(pair, method, {options.max_disparity_px}, work);
+Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method, const MakeOptions& options,
+                            const Work& work) {
+  auto match = vision::match(ready.pair, method, {options.max_disparity_px}, work);
   if (!match) return at_place(match.error(), names_of(options.inputs));
-  const auto shaped = with_ground_treated(match->disparity, pair, options, work, match->notes);
+  std::vector<std::string> notes = ready.notes;
+  notes.insert(notes.end(), match->notes.begin(), match->notes.end());
+  vision::StereoPair pair = ready.pair;
+  if (options.texture == Texture::front)
+    if (const auto looked = look_from_the_front(pair, match->disparity, work); !looked)
+      return at_place(looked.error(), names_of(options.inputs));
+  const auto shaped = with_ground_treated(match->disparity, pair, options, work, notes);
   auto relief = sculpt::relief_from_disparity(shaped, options.relief, work);
   if (!relief) return at_place(relief.error(), names_of(options.inputs));
   models::Scene scene = scene_of(std::move(*relief), options, pair.left.width, pair.left.height,
                                  "stereo, " + std::string(vision::name_of(method)));
-  scene.texture = rgb8(pair.left);
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(match->notes)};
+  if (options.texture != Texture::none) scene.texture = rgb8(pair.left);
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};
 }
 
 Result<models::Relief> relief_of(const std::variant<DepthMap, DisparityMap>& depth,
@@ -107,7 +115,7 @@ Result<MadeScene> from_depth(const MakeOptions& options, const std::vector<std::
       metres != nullptr ? metres->depth_m : std::get<DisparityMap>(read->depth).disparity_px;
   const int width = values.width(), height = values.height();
   models::Scene scene = scene_of(std::move(*relief), options, width, height, "depth map");
-  if (read->colour) scene.texture = rgb8(*read->colour);
+  if (read->colour && options.texture != Texture::none) scene.texture = rgb8(*read->colour);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(read->notes)};
 }
 
@@ -185,7 +193,7 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
     case sources::InputKind::depth:
       return from_depth(options, input->files, work);
     case sources::InputKind::stereo: {
-      const auto pair = read_pair(options);
+      const auto pair = read_stereo_pair(stereo_input(options), work);
       if (!pair) return pair.error();
       return from_pair(*pair, options.method.value_or(default_method()), options, work);
     }
@@ -203,7 +211,7 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
     take(std::move(*made));
     return {};
   }
-  const auto pair = read_pair(options);
+  const auto pair = read_stereo_pair(stereo_input(options), work);
   if (!pair) return pair.error();
   for (const vision::StereoMethod method : methods_of_a_touch(options)) {
     auto made = from_pair(*pair, method, options, work);
@@ -211,20 +219,6 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
     take(std::move(*made));
   }
   return {};
-}
-
-Result<vision::StereoPair> read_stereo_pair(const std::vector<std::filesystem::path>& pictures,
-                                            const std::filesystem::path& calibration,
-                                            sources::StereoLayout layout) {
-  auto two = sources::read_stereo(pictures, layout);
-  if (!two) return two.error();
-  vision::StereoPair pair{std::move(two->left), std::move(two->right), {}};
-  if (!calibration.empty()) {
-    const auto read = read_calibration_for(calibration, pair.left.width, pair.left.height);
-    if (!read) return read.error();
-    pair.rig = read->rig;
-  }
-  return pair;
 }
 
 }  // namespace palpable::session

@@ -6,9 +6,9 @@
 #include "palpable/models/scene.hpp"
 #include "palpable/sculpt/grooves.hpp"
 #include "palpable/sculpt/relief_from_depth.hpp"
+#include "palpable/session/stereo_input.hpp"
 #include "palpable/sources/depth_picture.hpp"
 #include "palpable/sources/input.hpp"
-#include "palpable/sources/stereo_file.hpp"
 #include "palpable/vision/contours.hpp"
 #include "palpable/vision/ground.hpp"
 #include "palpable/vision/stereo.hpp"
@@ -24,6 +24,16 @@ namespace palpable::session {
 
 /// What the input becomes: one picture contours, all else a relief, unless it is said.
 enum class MakeAs { by_input, relief, contours };
+
+/// The picture on a pair's relief.
+enum class Texture {
+  /// The left one.
+  left,
+  /// The scene as seen from between the cameras, made from both pictures and the depth (Shi & Pai 1997); the
+  /// relief is shaped from there too.
+  front,
+  none
+};
 
 /// What a scene is made from, and how.
 struct MakeOptions {
@@ -43,6 +53,10 @@ struct MakeOptions {
   sources::DepthSettings depth;
   /// How one picture holds a pair.
   sources::StereoLayout layout = sources::StereoLayout::automatic;
+  /// For a pair: whether it is brought to common scanlines, and by how many metres one camera was moved.
+  Align align = Align::automatic;
+  std::optional<double> moved_m;
+  Texture texture = Texture::left;
   /// For a pair: what becomes of the plane that things stand on.
   vision::GroundTreatment ground = vision::GroundTreatment::keep;
   sculpt::ReliefOptions relief;
@@ -75,10 +89,5 @@ using TakeScene = std::function<void(MadeScene)>;
 /// fastest method there is, then by the best one. Errors: as make_scene(); what was made before an error has
 /// been taken.
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work);
-
-/// The two pictures and the rig of a pair, read and checked as make_scene() does. Errors: as make_scene().
-Result<vision::StereoPair> read_stereo_pair(const std::vector<std::filesystem::path>& pictures,
-                                            const std::filesystem::path& calibration,
-                                            sources::StereoLayout layout = sources::StereoLayout::automatic);
 
 }  // namespace palpable::session

@@ -16,6 +16,8 @@
 namespace palpable::sources {
 namespace {
 
+constexpr const char* kTakenAsMetres =
+    "The file's numbers were taken as depth in metres. Give --depth-scale or --depth-as otherwise.";
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// Numbers, and what they are before anything is stated about them.
@@ -92,11 +94,13 @@ Result<Numbers> from_picture(std::span<const std::byte> file) {
   if (image->bits == 8) {
     out.stated.meaning = DepthMeaning::nearness;
     out.note =
-        "An 8-bit picture of depth was taken as nearness: white is nearest. State what it means otherwise.";
+        "An 8-bit picture of depth was taken as nearness: white is nearest. Give --depth-as otherwise.";
   } else if (image->bits == 16) {
     constexpr double kMillimetres = 1e-3;
     out.stated.metres_per_unit = kMillimetres;
-    out.note = "16-bit depth was taken as millimetres. State its scale otherwise.";
+    out.note = "16-bit depth was taken as millimetres: 1000 is 1 m. Give --depth-scale otherwise.";
+  } else {
+    out.note = kTakenAsMetres;
   }
   return out;
 }
@@ -115,7 +119,7 @@ Result<Numbers> from_file(std::span<const std::byte> file) {
   if (format != PictureFormat::pfm && format != PictureFormat::exr) return from_picture(file);
   auto values = decode_raster(file);
   if (!values) return std::move(values).error();
-  return Numbers{*std::move(values), 1.0F, std::nullopt, {}, {}};
+  return Numbers{*std::move(values), 1.0F, std::nullopt, {}, kTakenAsMetres};
 }
 
 DisparityMap scaled_disparity(const Raster<float>& values, double scale, bool zero_is_unknown) {

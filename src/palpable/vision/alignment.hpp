@@ -19,6 +19,10 @@ struct LensCamera {
   std::vector<double> distortion;
 };
 
+/// A camera without distortion whose picture of this width spans 65 degrees, as a phone's does: what is
+/// assumed of a camera that nothing is known of.
+LensCamera usual_camera(int width, int height);
+
 /// Two calibrated cameras: p_right = rotation * p_left + translation_m (row-major, metres).
 struct LensPair {
   LensCamera left;
@@ -30,7 +34,8 @@ struct LensPair {
 /// A pair brought to common scanlines.
 struct AlignedPair {
   StereoPair pair;
-  /// RMS of y_left - y_right of matched features, in pixels, before and after; NaN without features.
+  /// RMS of y_left - y_right of matched features, in pixels, before and after; NaN without features, and
+  /// before a rectification of distorted pictures.
   double residual_before_px = 0.0;
   double residual_px = 0.0;
   int features = 0;
@@ -40,15 +45,28 @@ struct AlignedPair {
 };
 
 /// Undistorts and rectifies a calibrated pair (Bouguet's method); the result carries its rig. Errors:
-/// invalid_input for pictures of different sizes, or for cameras above rather than beside each other.
+/// invalid_input for pictures of different sizes, and for cameras of which the right one does not stand
+/// mainly to the right.
 Result<AlignedPair> rectify_calibrated(const StereoPair& pair, const LensPair& cameras);
 
 /// Aligns a pair of unknown cameras: features matched, outliers dropped by the fundamental matrix, and both
 /// pictures turned (rotations and a focal length: little distortion; Fusiello & Irsara 2011) so that matches
-/// share scanlines. A pair whose residual is at most 0.5 pixels is left alone. Too few features, or a rest
-/// above 2 pixels: the pair is given back unchanged, with a note. Errors: invalid_input for sizes that
-/// differ.
+/// share scanlines, the left one, which is the reference, as little as possible. A pair whose residual is at
+/// most 0.5 pixels is left alone. Too few features, or a rest above 2 pixels: the pair is given back
+/// unchanged, with a note. Errors: invalid_input for sizes that differ; interrupted.
 Result<AlignedPair> align_uncalibrated(const StereoPair& pair, const Work& work);
+
+/// One camera that took the left picture, then, moved sideways by `moved_m` metres and turned a little by
+/// accident, the right one. Both are freed of the lens's distortion and turned as the matched features
+/// demand; the result carries a rig whose baseline is `moved_m`: depth in metres. Where the features stay
+/// where turning alone would put them, the camera hardly moved, and a note says so with the figure. Errors:
+/// as align_uncalibrated().
+Result<AlignedPair> align_moved(const StereoPair& pair, const LensCamera& camera, double moved_m,
+                                const Work& work);
+
+/// The pair as two cameras without distortion would have seen it; each keeps its matrix. Errors:
+/// invalid_input for sizes that differ.
+Result<StereoPair> undistorted(const StereoPair& pair, const LensCamera& left, const LensCamera& right);
 
 struct ChessboardOptions {
   /// Inner corners along the board's sides, and the side of a square.

@@ -4,11 +4,12 @@
 
 #include "palpable/vision/opencv_image.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace palpable::vision {
 namespace {
@@ -25,38 +26,50 @@ std::vector<int> nearest(const cv::Mat& from, const cv::Mat& to) {
   return out;
 }
 
+/// Features of very large pictures cost seconds and lie no better in the scene: these are sought in smaller
+/// ones.
+int shrink_factor(int width, int height) {
+  constexpr int kLongest_px = 1600;
+  return (std::max(width, height) + kLongest_px - 1) / kLongest_px;
+}
+
+cv::Mat shrunk_grey8(const Image& image, int factor) {
+  cv::Mat grey = grey8_of(image);
+  if (factor > 1) cv::resize(grey, grey, {image.width / factor, image.height / factor}, 0, 0, cv::INTER_AREA);
+  return grey;
+}
+
+/// Pixel centres stand at integers: the picture's corner is at -0.5.
+cv::Point2d in_full(const cv::Point2f& p, int factor) {
+  return {(static_cast<double>(p.x) + 0.5) * factor - 0.5, (static_cast<double>(p.y) + 0.5) * factor - 0.5};
+}
+
 }  // namespace
 
 std::vector<FeatureMatch> match_features(const StereoPair& pair) {
   constexpr int kFeatures = 2000;
-  constexpr double kInlier_px = 1.5;
+  const int factor = shrink_factor(pair.left.width, pair.left.height);
   const auto sift = cv::SIFT::create(kFeatures);
   std::vector<cv::KeyPoint> left;
   std::vector<cv::KeyPoint> right;
   cv::Mat left_descriptors;
   cv::Mat right_descriptors;
-  sift->detectAndCompute(grey8_of(pair.left), {}, left, left_descriptors);
-  sift->detectAndCompute(grey8_of(pair.right), {}, right, right_descriptors);
-  if (left.size() < 8 || right.size() < 8) return {};
+  sift->detectAndCompute(shrunk_grey8(pair.left, factor), {}, left, left_descriptors);
+  sift->detectAndCompute(shrunk_grey8(pair.right, factor), {}, right, right_descriptors);
+  if (left.size() < 2 || right.size() < 2) return {};
   const std::vector<int> forth = nearest(left_descriptors, right_descriptors);
   const std::vector<int> back = nearest(right_descriptors, left_descriptors);
-  std::vector<cv::Point2d> p;
-  std::vector<cv::Point2d> q;
+  std::vector<FeatureMatch> out;
   for (std::size_t i = 0; i < forth.size(); ++i) {
     if (forth[i] < 0 || back[static_cast<std::size_t>(forth[i])] != static_cast<int>(i)) continue;
-    p.emplace_back(left[i].pt);
-    q.emplace_back(right[static_cast<std::size_t>(forth[i])].pt);
+    const cv::Point2d p = in_full(left[i].pt, factor),
+                      q = in_full(right[static_cast<std::size_t>(forth[i])].pt, factor);
+    out.push_back({p.x, p.y, q.x, q.y});
   }
-  if (p.size() < 8) return {};
-  cv::setRNGSeed(1);
-  cv::Mat kept;
-  const cv::Mat fundamental = cv::findFundamentalMat(p, q, cv::FM_RANSAC, kInlier_px, 0.999, kept);
-  if (fundamental.empty()) return {};
-  std::vector<FeatureMatch> out;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (kept.at<std::uint8_t>(static_cast<int>(i)) != 0) out.push_back({p[i].x, p[i].y, q[i].x, q[i].y});
-  return out.size() < 8 ? std::vector<FeatureMatch>{} : out;
+  return out;
 }
+
+double feature_tolerance_px(int width, int height) { return 1.5 * shrink_factor(width, height); }
 
 double vertical_rms_px(const std::vector<FeatureMatch>& matches) {
   if (matches.empty()) return std::numeric_limits<double>::quiet_NaN();

@@ -15,9 +15,12 @@ struct FeatureMatch {
   double right_x, right_y;
 };
 
-/// Scale-invariant features found in both pictures, mutual and distinct, that obey one fundamental matrix
-/// within 1.5 pixels. Fewer than eight: empty. The same for the same pictures.
+/// Scale-invariant features found in both pictures, mutual and distinct (in copies at most 1600 pixels long);
+/// some of them wrong. The same for the same pictures.
 std::vector<FeatureMatch> match_features(const StereoPair& pair);
+
+/// How far a right match may lie from where it should, in pixels.
+double feature_tolerance_px(int width, int height);
 
 /// RMS of y_left - y_right in pixels; NaN without matches.
 double vertical_rms_px(const std::vector<FeatureMatch>& matches);

@@ -1,0 +1,125 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/alignment.hpp"
+
+#include "palpable/sources/picture.hpp"
+#include "palpable/vision/opencv_image.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+class RealPairs : public testing::Test {
+ protected:
+  void SetUp() override {
+    const char* data = std::getenv("PALPABLE_DATA");
+    if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
+    stereo_ = std::string(data) + "/stereo/";
+  }
+  StereoPair read(const std::string& left, const std::string& right) const {
+    auto l = sources::read_picture(stereo_ + left), r = sources::read_picture(stereo_ + right);
+    EXPECT_TRUE(l && r) << left;
+    return {*std::move(l), *std::move(r), {}};
+  }
+  std::vector<StereoPair> chessboards() const {
+    std::vector<StereoPair> pairs;
+    for (const int i : {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14}) {
+      const std::string number = (i < 10 ? "0" : "") + std::to_string(i) + ".jpg";
+      pairs.push_back(read("calib_chessboard/left" + number, "calib_chessboard/right" + number));
+    }
+    return pairs;
+  }
+  std::string stereo_;
+};
+
+std::vector<cv::Point2f> corners_of(const Image& picture) {
+  std::vector<cv::Point2f> corners;
+  const cv::Mat grey = grey8_of(picture);
+  if (!cv::findChessboardCorners(grey, {9, 6}, corners)) return {};
+  cv::cornerSubPix(grey, corners, {5, 5}, {-1, -1},
+                   {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.001});
+  return corners;
+}
+
+/// RMS of y_left - y_right over the board's corners, which no alignment was fitted to; NaN where a board is
+/// not whole in both.
+double corner_rms_px(const StereoPair& pair) {
+  const auto left = corners_of(pair.left), right = corners_of(pair.right);
+  if (left.empty() || right.empty()) return std::nan("");
+  double squares = 0.0;
+  for (std::size_t i = 0; i < left.size(); ++i) squares += std::pow(left[i].y - right[i].y, 2);
+  return std::sqrt(squares / static_cast<double>(left.size()));
+}
+
+TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
+  // A board repeats itself: where it fills the picture, few features elsewhere say how the cameras stand.
+  for (const int i : {0, 5, 6, 11}) {
+    const StereoPair pair = chessboards()[static_cast<std::size_t>(i)];
+    const auto aligned = align_uncalibrated(pair, {});
+    ASSERT_TRUE(aligned);
+    EXPECT_GT(aligned->residual_before_px, 8.0) << i;
+    EXPECT_LE(aligned->residual_px, 0.5) << i;
+    EXPECT_LE(corner_rms_px(aligned->pair), 0.5) << i;
+  }
+}
+
+TEST_F(RealPairs, ChessboardsOfCalibratedCamerasShareScanlines) {
+  const auto pairs = chessboards();
+  const auto calibration = calibrate_from_chessboards(pairs, {}, {});
+  ASSERT_TRUE(calibration);
+  EXPECT_EQ(calibration->pairs_used, 13);
+  EXPECT_LE(calibration->reprojection_px, 0.3);
+  for (std::size_t i = 0; i < pairs.size(); i += 3) {
+    const auto aligned = rectify_calibrated(pairs[i], calibration->cameras);
+    ASSERT_TRUE(aligned);
+    EXPECT_LE(corner_rms_px(aligned->pair), 0.5) << i;
+  }
+}
+
+/// The picture of a camera that is turned by these angles, of a focal length of the picture's width.
+Image turned(const Image& picture, double about_x_deg, double about_y_deg, double about_z_deg) {
+  const double degree = std::numbers::pi / 180.0;
+  cv::Matx33d r;
+  cv::Rodrigues(cv::Vec3d(about_x_deg, about_y_deg, about_z_deg) * degree, r);
+  const double f = picture.width;
+  const cv::Matx33d k(f, 0, 0.5 * (picture.width - 1), 0, f, 0.5 * (picture.height - 1), 0, 0, 1);
+  cv::Mat out;
+  cv::warpPerspective(view_of(picture), out, k * r * k.inv(), {picture.width, picture.height},
+                      cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return image_from(out, picture);
+}
+
+TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
+  const std::array<std::array<std::string, 2>, 2> files{
+      {{"mid2_tsukuba/imL.png", "mid2_tsukuba/imR.png"},
+       {"mid14_Motorcycle/motorcycle_left.png", "mid14_Motorcycle/motorcycle_right.png"}}};
+  for (const auto& [left, right] : files) {
+    const StereoPair straight = read(left, right);
+    for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{{0, 5, 0}, {-3, 3, 3}, {2, -4, 2}}) {
+      const StereoPair pair{straight.left, turned(straight.right, x, y, z), {}};
+      const auto aligned = align_uncalibrated(pair, {});
+      ASSERT_TRUE(aligned);
+      EXPECT_TRUE(aligned->changed) << left;
+      EXPECT_LE(aligned->residual_px, 0.5) << left;
+      // Looked at afresh it is aligned: features found in the new pictures say so too.
+      const auto again = align_uncalibrated(aligned->pair, {});
+      ASSERT_TRUE(again);
+      EXPECT_FALSE(again->changed) << left;
+      EXPECT_LE(again->residual_before_px, 0.5) << left;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace palpable::vision
