@@ -34,7 +34,7 @@ class ProxyLaw {
   Feel feel(const Hand& hand, State& state) const noexcept {
     const Contact contact = contact_here(hand.dt_s, state);
     const ProxyFollower<Surface> follower(*surface_, {contact.static_friction, contact.dynamic_friction});
-    const SurfaceProxy before = state.proxy;
+    const Before before{state.proxy.place_m, state.proxy.phase == SurfaceProxy::Phase::touching};
     follower.follow(hand.position.v, state.proxy);
     Feel feel;
     feel.has_proxy = true;
@@ -56,6 +56,12 @@ class ProxyLaw {
  private:
   static constexpr double kMaterialEase_s = 0.010;
 
+  /// The proxy as the last tick left it.
+  struct Before {
+    Vec3 place_m;
+    bool touching = false;
+  };
+
   Contact contact_here(double dt_s, State& state) const noexcept {
     if (!materials_.has_labels()) return materials_.contact(0);
     state.label = materials_.label_at(state.proxy.place_m.x, state.proxy.place_m.y);
@@ -73,11 +79,12 @@ class ProxyLaw {
   }
 
   static Vec3 force(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy,
-                    const SurfaceProxy& before) noexcept {
+                    const Before& before) noexcept {
     const Vec3 spring = contact.stiffness_N_per_m * (proxy.place_m - hand.position.v);
     if (proxy.phase != SurfaceProxy::Phase::touching) return spring;
     const models::CurvedSample& s = proxy.surface;
-    const Vec3 normal = Vec3{-s.dzdx, -s.dzdy, 1.0} / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+    const Vec3 normal =
+        (1.0 / std::sqrt(1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))) * Vec3{-s.dzdx, -s.dzdy, 1.0};
     const double spring_normal = dot(spring, normal);
     const double damper = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, normal);
     // The damper may take the push away but never turns it into a pull. A proxy that the surface let go of in
@@ -90,9 +97,9 @@ class ProxyLaw {
   /// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it
   /// needs a damper, or it makes energy. Where the proxy slides along with the hand nothing stretches and
   /// nothing is damped. Friction carries it: at most as much as the cone allows.
-  static Vec3 grip(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy,
-                   const SurfaceProxy& before, Vec3 normal, double pressing_N) noexcept {
-    if (before.phase != SurfaceProxy::Phase::touching) return {};
+  static Vec3 grip(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy, const Before& before,
+                   Vec3 normal, double pressing_N) noexcept {
+    if (!before.touching) return {};
     const Vec3 v = hand.velocity_m_per_s.v;
     const Vec3 along = v - dot(v, normal) * normal;
     const double speed = norm(along);

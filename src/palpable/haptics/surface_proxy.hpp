@@ -50,7 +50,8 @@ struct Friction {
 /// Moves a SurfaceProxy over one height field; the solid lies below the surface. Sliding, each step is at
 /// most a pixel (or half of the hand's own movement in the tick) and must bring the proxy nearer to the hand,
 /// so it climbs or rounds a wall and never passes through it. A tick looks at the surface once or twice as a
-/// rule, and 9 times at most: what is farther is reached in the next ticks.
+/// rule, and kMostLooks times at most, so that no tick is long: what is farther is reached in the next ticks,
+/// at three pixels a tick or one and a half times the hand's own speed.
 template <models::CurvedHeightField Surface>
 class ProxyFollower {
  public:
@@ -73,8 +74,9 @@ class ProxyFollower {
   }
 
  private:
-  static constexpr int kMostLooks = 8;
-  static constexpr int kMostSteps = 4;
+  static constexpr int kMostLooks = 3;
+  /// In steps: so far ahead the memory's answer is there when the look is.
+  static constexpr double kAhead = 3.0;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
@@ -114,12 +116,14 @@ class ProxyFollower {
     // The surface hides nothing within a pixel.
     const double stretch = std::min(1.0, surface_.pixel_m() / std::max(across, 1e-12));
     double before = 0.0;
-    while (before < 1.0 && looks > 0) {
+    while (before < 1.0 && looks > 1) {
       --looks;
       const double safe = shrinks > 0.0 ? proxy.clearance_m / shrinks : 0.0;
       // A branch, not a maximum: the processor goes on to the next stretch before this one is known.
       const double next = std::min(1.0, safe > 2.0 * stretch ? before + safe : before + stretch);
       const Vec3 p = from + next * way;
+      const double ahead = kAhead * (next - before);
+      surface_.prefetch(p.x + ahead * way.x, p.y + ahead * way.y);
       const models::CurvedSample s = surface_.curved_sample(p.x, p.y);
       const double clearance = p.z - s.z_m;
       if (clearance < 0.0) {
@@ -147,31 +151,37 @@ class ProxyFollower {
   /// Along the surface towards the hand; false if the hand stands on the free side of the surface where it
   /// ends.
   bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& looks) const noexcept {
-    const double coefficient = proxy.slipping ? friction_.sliding : friction_.at_rest;
+    // What one step waits for of the step before is kept short: the tick's length is this chain's.
+    models::CurvedSample s = proxy.surface;
+    Vec3 place = proxy.place_m;
+    double mu = proxy.slipping ? friction_.sliding : friction_.at_rest;
     bool moved = false;
+    bool leaves = false;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
-    for (int step = 0; step < kMostSteps && looks > 0; ++step) {
-      const models::CurvedSample& s = proxy.surface;
-      const Vec3 d = hand_m - proxy.place_m;
-      const double lifted = d.z - s.dzdx * d.x - s.dzdy * d.y;
-      if (lifted > 0.0) return false;
-      // Squares of the distance, of its part along the normal, and of the part along the surface.
+    for (;;) {
+      const Vec3 d = hand_m - place;
+      const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
+      leaves = lifted > 0.0;
+      if (leaves || looks <= 0) break;
+      // Squares of the distance's parts along the normal and along the surface, both times `steep2`.
       const double whole2 = squared_norm(d);
-      const double normal2 = lifted * lifted / (1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
-      const double along2 = std::max(0.0, whole2 - normal2);
-      const double mu = moved ? friction_.sliding : coefficient;
-      const double held = mu * std::sqrt(normal2);
-      if (along2 <= (held + kTolerance_m) * (held + kTolerance_m)) break;
-      const auto [dx, dy] =
-          models::step_towards_nearest(d, s, shorter * (1.0 - held / std::sqrt(along2)), shorter * longest_m);
-      const double x = proxy.place_m.x + dx;
-      const double y = proxy.place_m.y + dy;
+      const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+      const double normal2 = lifted * lifted;
+      const double along2 = std::max(0.0, whole2 * steep2 - normal2);
+      const double held2 = mu * mu * normal2;
+      const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
+      if (along2 <= near * near) break;
+      const auto [dx, dy] = models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)),
+                                                         shorter * longest_m);
+      const double x = place.x + dx;
+      const double y = place.y + dy;
       --looks;
+      surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
       if (squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
         // Too far: the surface turned. A step that cannot be made shorter than the tolerance is none.
         shorter *= 0.25;
-        if (std::hypot(dx, dy) < kTolerance_m) {
+        if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {
           shorter = 1.0;
           break;
         }
@@ -179,8 +189,12 @@ class ProxyFollower {
       }
       shorter = std::min(1.0, 4.0 * shorter);
       moved = true;
-      rest(proxy, x, y, next);
+      mu = friction_.sliding;
+      place = {x, y, next.z_m};
+      s = next;
     }
+    if (moved) rest(proxy, place.x, place.y, s);
+    if (leaves) return false;
     proxy.step_share = shorter;
     proxy.slipping = moved;
     return true;

@@ -5,6 +5,7 @@
 #include "palpable/core/vec3.hpp"
 #include "palpable/models/relief.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palpable::models {
@@ -27,28 +28,23 @@ inline GroundStep step_towards_nearest(Vec3 d, const CurvedSample& s, double par
   const double level_xx = 1.0 + s.dzdx * s.dzdx;
   const double level_xy = s.dzdx * s.dzdy;
   const double level_yy = 1.0 + s.dzdy * s.dzdy;
-  double xx = level_xx - d.z * s.dzdxx_per_m;
-  double xy = level_xy - d.z * s.dzdxy_per_m;
-  double yy = level_yy - d.z * s.dzdyy_per_m;
-  double determinant = xx * yy - xy * xy;
+  const double bent_xx = level_xx - d.z * s.dzdxx_per_m;
+  const double bent_xy = level_xy - d.z * s.dzdxy_per_m;
+  const double bent_yy = level_yy - d.z * s.dzdyy_per_m;
+  const double bent_determinant = bent_xx * bent_yy - bent_xy * bent_xy;
   constexpr double kLeast = 0.05;
   const double level_determinant = level_xx * level_yy - level_xy * level_xy;
-  if (!(xx + yy > 0.0 && determinant > kLeast * level_determinant)) {
-    xx = level_xx;
-    xy = level_xy;
-    yy = level_yy;
-    determinant = level_determinant;
-    part /= kLeast;
-  }
-  GroundStep step{(yy * down_x - xy * down_y) / determinant * part,
-                  (xx * down_y - xy * down_x) / determinant * part};
-  const double length2 = step.dx * step.dx + step.dy * step.dy;
-  if (length2 > longest_m * longest_m) {
-    const double shrink = longest_m / std::sqrt(length2);
-    step.dx *= shrink;
-    step.dy *= shrink;
-  }
-  return step;
+  const bool bends_rightly = bent_xx + bent_yy > 0.0 && bent_determinant > kLeast * level_determinant;
+  const double xx = bends_rightly ? bent_xx : level_xx;
+  const double xy = bends_rightly ? bent_xy : level_xy;
+  const double yy = bends_rightly ? bent_yy : level_yy;
+  const double determinant = bends_rightly ? bent_determinant : kLeast * level_determinant;
+  const double x = yy * down_x - xy * down_y;
+  const double y = xx * down_y - xy * down_x;
+  // The shorter of the two steps, neither of which waits for the other; infinite where there is none to make.
+  const double longest = longest_m / std::sqrt(x * x + y * y);
+  const double along = std::min(part / determinant, longest);
+  return {along * x, along * y};
 }
 
 }  // namespace palpable::models

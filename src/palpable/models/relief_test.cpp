@@ -66,7 +66,9 @@ TEST(Relief, GivesTheExactDerivativesOfItsOwnHeight) {
   ASSERT_TRUE(relief);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(-0.014, 0.014);
-  const double e = 1e-8;
+  // Heights and slopes are rounded to 1e-7 of the samples' differences: the step is far above that, and far
+  // below a pixel.
+  const double e = 1e-6;
   for (int k = 0; k < 5000; ++k) {
     const double x = place(random);
     const double y = place(random);
@@ -81,10 +83,11 @@ TEST(Relief, GivesTheExactDerivativesOfItsOwnHeight) {
     const auto above = relief->sample(x, y + e);
     ASSERT_NEAR(s.dzdx, (right.z_m - left.z_m) / (2 * e), 1e-3);
     ASSERT_NEAR(s.dzdy, (above.z_m - below.z_m) / (2 * e), 1e-3);
-    // The curvature has kinks at the samples' lines: tolerance for a difference that straddles one.
-    ASSERT_NEAR(c.dzdxx_per_m, (right.dzdx - left.dzdx) / (2 * e), 2.0);
-    ASSERT_NEAR(c.dzdyy_per_m, (above.dzdy - below.dzdy) / (2 * e), 2.0);
-    ASSERT_NEAR(c.dzdxy_per_m, (above.dzdx - below.dzdx) / (2 * e), 2.0);
+    // Of up to 8000 here. The curvature has kinks at the samples' lines: tolerance for a difference that
+    // straddles one.
+    ASSERT_NEAR(c.dzdxx_per_m, (right.dzdx - left.dzdx) / (2 * e), 10.0);
+    ASSERT_NEAR(c.dzdyy_per_m, (above.dzdy - below.dzdy) / (2 * e), 10.0);
+    ASSERT_NEAR(c.dzdxy_per_m, (above.dzdx - below.dzdx) / (2 * e), 10.0);
     ASSERT_LE(std::hypot(s.dzdx, s.dzdy), relief->steepest_slope() * (1 + 1e-9));
   }
 }
