@@ -48,6 +48,8 @@ void add_make(Program& program);
 void add_probe(Program& program);
 void add_sample(Program& program);
 void add_score(Program& program);
+/// score boundary and score orientation.
+void add_score_contours(Program& program);
 void add_show(Program& program);
 void add_touch(Program& program);
 
