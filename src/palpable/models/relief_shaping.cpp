@@ -21,9 +21,9 @@ struct Neighbour {
 constexpr std::array<Neighbour, 8> kVisited{
     {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {-2, -1}, {2, -1}, {-1, -2}, {1, -2}}};
 
-// Steps along sixteen directions bound the slope in between by 1/cos(13.3 deg) = 1.0275 of theirs; that the
-// spline's two derivatives weigh different differences adds up to 1.6 %.
-constexpr double kBetweenDirections = 1.045;
+// Steps along sixteen directions bound the differences over four neighbours east, west, north and south only
+// to an octagon round the slope's circle: 1/cos(22.5 deg) of a step's slope at its corners.
+constexpr double kBetweenDirections = 1.0824;
 
 /// Lowers `low` to the greatest function below it that rises by at most `step` a pixel: two passes of a
 /// grey-weighted distance transform (Borgefors 1986).

@@ -68,10 +68,10 @@ TEST(LimitSlope, TurnsAStepIntoARampCentredOnIt) {
     for (int i = 100; i < 200; ++i) z(i, j) = 0.010F;
   limit_slope(z, kPixel_m, 2.0);
   EXPECT_NEAR((z(99, 2) + z(100, 2)) / 2, 0.005, 1e-6);
-  // 10 mm at slope 2 / 1.045 take 26.1 pixels.
-  EXPECT_NEAR(z(86, 2), 0.0, 1e-7);
-  EXPECT_NEAR(z(113, 2), 0.010, 1e-7);
-  EXPECT_NEAR(z(105, 2) - z(95, 2), 10 * 2.0 / 1.045 * kPixel_m, 1e-6);
+  // 10 mm at slope 2 / 1.0824 take 26.1 pixels.
+  EXPECT_NEAR(z(84, 2), 0.0, 1e-7);
+  EXPECT_NEAR(z(115, 2), 0.010, 1e-7);
+  EXPECT_NEAR(z(105, 2) - z(95, 2), 10 * 2.0 / 1.0824 * kPixel_m, 1e-6);
   for (int i = 1; i < 200; ++i) ASSERT_GE(z(i, 2), z(i - 1, 2));
 }
 

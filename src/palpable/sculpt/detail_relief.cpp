@@ -14,26 +14,43 @@ namespace palpable::sculpt {
 namespace {
 
 // The operator works on the scene in its own proportions, R, which is `compression` times too high, and looks
-// for the relief h whose slopes are R's times a gain that falls where the ground is steep on the large: small
-// forms on gentle ground keep their height, long slopes give theirs up. Silhouettes (steps that no slope
-// limit could hold) are set to a low step and hardly weighed, so that what the gains do not add up to gathers
-// there (Weyrich et al. 2007). Every difference between neighbours keeps R's sign, and the slope limit, by
-// ADMM with a Poisson solution in each round (Boyd et al. 2011, section 5; the Poisson equation by the
-// discrete cosine transform).
+// for the relief h whose slopes are R's, weakened: what is smooth over a wide neighbourhood by a gain that
+// falls where the ground is steep on the large, the rest (detail) by one gain everywhere, so that its forms
+// stay what they were. Silhouettes (steps that no slope limit could hold) are set to low steps, in proportion
+// to each other wherever they lie so close that their ramps would meet, and hardly weighed, so that what does
+// not add up gathers there (Weyrich et al. 2007). Every difference between neighbours keeps R's sign, and the
+// slope limit, by ADMM with a Poisson solution in each round (Boyd et al. 2011, section 5; the Poisson
+// equation by the discrete cosine transform). Between the first rounds the gain is corrected, until the
+// relief is as high as it may be.
 
-/// Silhouettes come out between these steps.
-constexpr float kLeastStep_m = 0.0003F;
-constexpr float kGreatestStep_m = 0.0020F;
+/// A silhouette's step: at least this, growing with the gain of the ground up to the greatest.
+constexpr double kLeastStep_m = 0.0006;
+constexpr double kGreatestStep_m = 0.0030;
+/// What is not to be had is shared out among silhouettes within these shares of their step.
+constexpr float kStepAtLeast = 0.3F;
+constexpr float kStepAtMost = 6.0F;
+/// Steps within so many pixels add up, as far as the ramps of the nearest ones reach.
+constexpr int kStepWindow_px = 5;
+constexpr int kStepReach_px = 6;
 /// A silhouette is steeper than this many times the slope limit.
 constexpr float kSilhouette = 2.0F;
-constexpr float kSilhouetteWeight = 0.02F;
-/// The large scale on which steepness decides the gain, and the small one of detail: shares of the longer
-/// side.
-constexpr double kGainScale = 0.04;
-constexpr double kDetailScale = 0.006;
-/// Detail keeps at least this much of its height, wherever the order of heights allows it.
-constexpr float kDetailGain = 0.35F;
-constexpr int kRounds = 24;
+constexpr float kSilhouetteWeight = 0.05F;
+/// The large scale on which steepness decides the gain, and the one above which a form is no detail: shares
+/// of the longer side.
+constexpr double kGainScale = 0.08;
+constexpr double kDetailScale = 0.04;
+/// Detail keeps this much of its height, wherever the order of heights allows it.
+constexpr float kDetailGain = 0.30F;
+/// Slopes below this cannot be felt: where the scene is so level, the relief may lean so much either way.
+constexpr float kFeltSlope = 0.02F;
+/// Each round goes this much of the way to its Poisson solution: over-relaxation, which needs fewer rounds.
+constexpr float kOnward = 1.6F;
+constexpr int kRounds = 28;
+constexpr double kLeastKnee = 0.005;
+constexpr double kGreatestKnee = 20.0;
+/// After each of these the gain is corrected.
+constexpr int kCorrectedUntil = 20;
+constexpr int kCorrectedEvery = 4;
 
 /// Differences to the right and below; the last column (row) is 0.
 struct Differences {
@@ -96,14 +113,20 @@ struct Goal {
   Differences high;
 };
 
-/// Means of what is not at a silhouette, over `share` of the picture's longer side.
+/// Means of what is not at a silhouette, over `share` of the picture's longer side. Wide means are taken on a
+/// small copy.
 cv::Mat level_mean(const cv::Mat& values, const cv::Mat& level, double share) {
   const double sigma = std::max(1.5, share * std::max(values.cols, values.rows));
-  cv::Mat sum;
-  cv::Mat count;
-  cv::GaussianBlur(values.mul(level), sum, {}, sigma, sigma, cv::BORDER_REPLICATE);
-  cv::GaussianBlur(level, count, {}, sigma, sigma, cv::BORDER_REPLICATE);
-  return sum / (count + 1e-3F);
+  const double scale = std::min(1.0, 4.0 / sigma);
+  const auto spread = [&](const cv::Mat& v) {
+    cv::Mat small = v;
+    if (scale < 1.0) cv::resize(v, small, {}, scale, scale, cv::INTER_AREA);
+    cv::GaussianBlur(small, small, {}, sigma * scale, sigma * scale, cv::BORDER_REPLICATE);
+    return small;
+  };
+  cv::Mat mean = spread(values.mul(level)) / (spread(level) + 1e-3F);
+  if (scale < 1.0) cv::resize(mean, mean, values.size(), 0, 0, cv::INTER_LINEAR);
+  return mean;
 }
 
 /// The scene's differences, and what decides how each is treated.
@@ -115,29 +138,87 @@ struct Ground {
   Differences base;
   /// How steep the ground is on the large.
   cv::Mat large_slope;
+  /// The silhouettes' steps that add up near a pixel.
+  cv::Mat steps;
+  /// How much a difference may be turned round where nothing slopes.
+  cv::Mat lean;
 };
+
+/// 0 at silhouettes: differences above `steep` beside a pixel whose slope (over both of its neighbours, so
+/// that the single steps of coarsely quantised depth are none) is above `silhouette`; 1 elsewhere.
+Differences levels(const Differences& own, double silhouette, double steep) {
+  const cv::Size size = own.x.size();
+  Differences level{cv::Mat::ones(size, CV_32F), cv::Mat::ones(size, CV_32F)};
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const float across = own.x.at<float>(y, x) + (x > 0 ? own.x.at<float>(y, x - 1) : 0.0F);
+      const float down = own.y.at<float>(y, x) + (y > 0 ? own.y.at<float>(y - 1, x) : 0.0F);
+      if (!(0.5 * std::hypot(double{across}, double{down}) > silhouette)) continue;
+      const auto mark = [steep](const cv::Mat& d, cv::Mat& l, int j, int i) {
+        if (std::abs(double{d.at<float>(j, i)}) > steep) l.at<float>(j, i) = 0.0F;
+      };
+      mark(own.x, level.x, y, x);
+      mark(own.y, level.y, y, x);
+      if (x > 0) mark(own.x, level.x, y, x - 1);
+      if (y > 0) mark(own.y, level.y, y - 1, x);
+    }
+  return level;
+}
+
+/// How high the silhouettes' steps near each pixel are together: the steps of a short window, and round each
+/// as far as its ramp may reach.
+cv::Mat crowded_steps(const Ground& g) {
+  cv::Mat x;
+  cv::Mat y;
+  cv::boxFilter(cv::abs(g.own.x).mul(1.0F - g.level.x), x, CV_32F, {kStepWindow_px, 1}, {-1, -1}, false);
+  cv::boxFilter(cv::abs(g.own.y).mul(1.0F - g.level.y), y, CV_32F, {1, kStepWindow_px}, {-1, -1}, false);
+  const cv::Mat here = cv::max(x, y);
+  cv::Mat steps;
+  cv::dilate(here, steps, cv::Mat::ones(2 * kStepReach_px + 1, 2 * kStepReach_px + 1, CV_8U));
+  cv::GaussianBlur(steps, steps, {}, kStepReach_px, kStepReach_px, cv::BORDER_REPLICATE);
+  return cv::max(steps, here);
+}
+
+/// kFeltSlope where the scene slopes less than that all round a pixel, 0 elsewhere.
+cv::Mat unfelt_lean(const cv::Mat& slope_m, double pixel_m) {
+  const auto felt = static_cast<float>(kFeltSlope * pixel_m);
+  cv::Mat steepest;
+  cv::dilate(slope_m, steepest, cv::Mat::ones(3, 3, CV_8U));
+  cv::Mat lean = cv::Mat::zeros(slope_m.size(), CV_32F);
+  lean.setTo(felt, steepest < felt);
+  return lean;
+}
 
 Ground survey(const cv::Mat& scene, const DetailTarget& target) {
   Ground g;
   g.own = differences(scene);
-  const double step = kSilhouette * target.steepest_slope * target.pixel_m;
-  const auto level = [step](const cv::Mat& d) {
-    cv::Mat mask = cv::abs(d) <= step;
-    cv::Mat out;
-    mask.convertTo(out, CV_32F, 1.0 / 255.0);
-    return out;
-  };
-  g.level = {level(g.own.x), level(g.own.y)};
+  g.level = levels(g.own, kSilhouette * target.steepest_slope * target.pixel_m,
+                   target.steepest_slope * target.pixel_m);
   g.base = {level_mean(g.own.x, g.level.x, kDetailScale), level_mean(g.own.y, g.level.y, kDetailScale)};
   cv::Mat slope;
   cv::magnitude(g.own.x, g.own.y, slope);
+  g.lean = unfelt_lean(slope, target.pixel_m);
   g.large_slope = level_mean(slope / target.pixel_m, g.level.x.mul(g.level.y), kGainScale);
+  g.steps = crowded_steps(g);
   return g;
 }
 
-/// One direction's part of the goal. `knee` is the slope on the large at which the gain has fallen to a half.
-void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, const cv::Mat& large, float knee,
-              const DetailTarget& target, cv::Mat& wanted, cv::Mat& weight, cv::Mat& low, cv::Mat& high) {
+/// What is free in a goal: `knee` is the slope on the large at which the base's gain has fallen to a half;
+/// the silhouettes' steps grow with it.
+struct Strength {
+  float knee;
+  float step_m;
+};
+
+Strength strength_at(double knee) {
+  return {static_cast<float>(knee),
+          static_cast<float>(std::min(kGreatestStep_m, kLeastStep_m * (1.0 + 4.0 * std::sqrt(knee))))};
+}
+
+/// One direction's part of the goal.
+void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, const Ground& g,
+              Strength strength, const DetailTarget& target, cv::Mat& wanted, cv::Mat& weight, cv::Mat& low,
+              cv::Mat& high) {
   for (cv::Mat* m : {&wanted, &weight, &low, &high}) m->create(own.size(), CV_32F);
   const auto steepest = static_cast<float>(target.steepest_slope * target.pixel_m);
   const auto compression = static_cast<float>(target.compression);
@@ -145,27 +226,30 @@ void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, con
     for (int x = 0; x < own.cols; ++x) {
       const float d = own.at<float>(y, x);
       const float size = std::abs(d);
-      const float sign = std::copysign(1.0F, d);
       const bool silhouette = level.at<float>(y, x) == 0.0F;
-      const float gain = 1.0F / (1.0F + large.at<float>(y, x) / knee);
+      const float gain = 1.0F / (1.0F + g.large_slope.at<float>(y, x) / strength.knee);
+      const float lean = g.lean.at<float>(y, x);
       const float smooth = base.at<float>(y, x);
-      const float most = silhouette ? size : std::min(size, steepest);
-      const float least = silhouette ? kLeastStep_m : 0.0F;
-      const float step = silhouette ? std::clamp(size / compression, kLeastStep_m, kGreatestStep_m)
-                                    : sign * (gain * smooth + std::max(gain, kDetailGain) * (d - smooth));
-      wanted.at<float>(y, x) = sign * std::clamp(step, least, most);
+      const float step =
+          size * std::min(1.0F / compression, strength.step_m / std::max(g.steps.at<float>(y, x), 1e-9F));
+      const float most = silhouette ? kStepAtMost * step : std::clamp(size, lean, steepest);
+      const float least = silhouette ? kStepAtLeast * step : -lean;
+      const float eased = gain * smooth + std::max(gain, kDetailGain) * (d - smooth);
+      const float sign = std::copysign(1.0F, d);
+      wanted.at<float>(y, x) = sign * std::clamp(silhouette ? step : sign * eased, least, most);
       weight.at<float>(y, x) = silhouette ? kSilhouetteWeight : 1.0F;
       low.at<float>(y, x) = d > 0.0F ? least : -most;
       high.at<float>(y, x) = d > 0.0F ? most : -least;
     }
 }
 
-Goal goal_for(const Ground& g, float knee, const DetailTarget& target) {
+Goal goal_for(const Ground& g, double knee, const DetailTarget& target) {
   Goal goal;
-  set_goal(g.own.x, g.level.x, g.base.x, g.large_slope, knee, target, goal.wanted.x, goal.weight.x,
-           goal.low.x, goal.high.x);
-  set_goal(g.own.y, g.level.y, g.base.y, g.large_slope, knee, target, goal.wanted.y, goal.weight.y,
-           goal.low.y, goal.high.y);
+  const Strength strength = strength_at(knee);
+  set_goal(g.own.x, g.level.x, g.base.x, g, strength, target, goal.wanted.x, goal.weight.x, goal.low.x,
+           goal.high.x);
+  set_goal(g.own.y, g.level.y, g.base.y, g, strength, target, goal.wanted.y, goal.weight.y, goal.low.y,
+           goal.high.y);
   return goal;
 }
 
@@ -178,7 +262,7 @@ double range_of(const cv::Mat& z) {
 
 /// The knee at which the relief is as high as it may be, found on a small picture without the rounds: its
 /// height grows with the knee.
-float knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
+double knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
   constexpr int kSmall = 160;
   const double scale = std::min(1.0, static_cast<double>(kSmall) / std::max(scene.cols, scene.rows));
   cv::Mat small;
@@ -188,14 +272,14 @@ float knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
   coarse.pixel_m = target.pixel_m * scene.cols / small.cols;
   const PoissonSolver poisson(small.size());
   const Ground ground = survey(small, coarse);
-  double low = std::log(0.005);
-  double high = std::log(20.0);
+  double low = std::log(kLeastKnee);
+  double high = std::log(kGreatestKnee);
   for (int k = 0; k < 12; ++k) {
     const double middle = 0.5 * (low + high);
-    const Goal goal = goal_for(ground, static_cast<float>(std::exp(middle)), coarse);
+    const Goal goal = goal_for(ground, std::exp(middle), coarse);
     (range_of(poisson.solve(goal.wanted)) > target.height_m ? high : low) = middle;
   }
-  return static_cast<float>(std::exp(0.5 * (low + high)));
+  return std::exp(0.5 * (low + high));
 }
 
 /// A round's new differences and multipliers, one direction.
@@ -210,9 +294,10 @@ void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, c
     auto* c = chosen.ptr<float>(y);
     auto* m = multiplier.ptr<float>(y);
     for (int x = 0; x < own.cols; ++x) {
-      const float free = (w[x] * t[x] + o[x] + m[x]) / (w[x] + 1.0F);
+      const float onward = kOnward * o[x] + (1.0F - kOnward) * c[x];
+      const float free = (w[x] * t[x] + onward + m[x]) / (w[x] + 1.0F);
       c[x] = std::max(l[x], std::min(u[x], free));
-      m[x] += o[x] - c[x];
+      m[x] += onward - c[x];
     }
   }
 }
@@ -228,18 +313,25 @@ Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, cons
     std::fill(result.values().begin(), result.values().end(), 0.0F);
     return result;
   }
-  const Goal goal = goal_for(survey(scene, target), knee_for_height(scene, target), target);
+  const Ground ground = survey(scene, target);
+  double knee = knee_for_height(scene, target);
+  Goal goal = goal_for(ground, knee, target);
   const PoissonSolver poisson(scene.size());
   Differences chosen{goal.wanted.x.clone(), goal.wanted.y.clone()};
   Differences multiplier{cv::Mat::zeros(scene.size(), CV_32F), cv::Mat::zeros(scene.size(), CV_32F)};
   cv::Mat relief;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 1; round <= kRounds; ++round) {
     if (work.cancelled()) return Work::interrupted();
     relief = poisson.solve({chosen.x - multiplier.x, chosen.y - multiplier.y});
     const Differences own = differences(relief);
+    if (round <= kCorrectedUntil && round % kCorrectedEvery == 0) {
+      const double lacking = target.height_m / std::max(range_of(relief), 1e-9);
+      knee = std::clamp(knee * std::clamp(std::pow(lacking, 1.5), 0.5, 2.0), kLeastKnee, kGreatestKnee);
+      goal = goal_for(ground, knee, target);
+    }
     project(own.x, goal.wanted.x, goal.weight.x, goal.low.x, goal.high.x, chosen.x, multiplier.x);
     project(own.y, goal.wanted.y, goal.weight.y, goal.low.y, goal.high.y, chosen.y, multiplier.y);
-    work.report(static_cast<double>(round + 1) / kRounds, "relief");
+    work.report(static_cast<double>(round) / kRounds, "relief");
   }
   relief = poisson.solve(chosen);
   double low = 0.0;
