@@ -27,6 +27,11 @@ struct ColourPlanes {
   }
 };
 
+/// differences[i] becomes the difference, as above, of the pixels (x0 + i, y0) and (x1 + i, y1). Runs in
+/// vectors.
+void colour_differences(const ColourPlanes& picture, int x0, int y0, int x1, int y1, int count,
+                        std::uint8_t* differences);
+
 /// The raster seen in a mirror: left and right exchanged. A stereo pair matched from its right picture is the
 /// mirrored pair matched from its left one.
 template <class T>

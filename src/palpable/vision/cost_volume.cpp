@@ -3,6 +3,7 @@
 #include "palpable/vision/cost_volume.hpp"
 
 #include "palpable/core/vectorize.hpp"
+#include "palpable/vision/cross_window.hpp"
 
 #include <array>
 #include <cmath>
@@ -15,10 +16,13 @@ constexpr float kColourScale = 10.0F;
 constexpr float kCensusScale = 30.0F;
 /// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view.
 constexpr float kOutOfView = 0.6F;
-constexpr int kLongArm = 5;
-constexpr int kSureArm = 3;
-constexpr int kLikeColour = 20;
-constexpr int kSameColour = 6;
+/// Small windows: enough against noise, little enough not to flatten slanted surfaces.
+constexpr CrossOptions kCross{.row_reach_px = 5,
+                              .column_reach_px = 5,
+                              .colour_limit = 19,
+                              .sure_reach_px = 2,
+                              .colour_limit_beyond = 5,
+                              .neighbour_limit = 19};
 
 /// A row of the other picture from right to left, so that x - d runs forward with d.
 struct ReversedRow {
@@ -94,35 +98,6 @@ void divide(const std::uint32_t* __restrict sum, float pixels, std::uint16_t* __
         static_cast<int>(static_cast<float>(static_cast<int>(sum[i])) * scale + 0.5F));
 }
 
-struct Arms {
-  std::uint8_t left = 0, right = 0, up = 0, down = 0;
-};
-
-/// How far like colour reaches from (x, y) along (dx, dy): Mei et al. 2011, rules of section 3.2.
-std::uint8_t arm(const ColourPlanes& colour, int x, int y, int dx, int dy) {
-  int reach = 0;
-  for (int s = 1; s <= kLongArm; ++s) {
-    const int px = x + dx * s;
-    const int py = y + dy * s;
-    if (!colour.r.contains(px, py)) break;
-    if (colour.difference(x, y, px, py) >= (s > kSureArm ? kSameColour : kLikeColour)) break;
-    if (colour.difference(px, py, px - dx, py - dy) >= kLikeColour) break;
-    reach = s;
-  }
-  return static_cast<std::uint8_t>(reach);
-}
-
-Raster<Arms> arms(const ColourPlanes& colour, const Work& work) {
-  Raster<Arms> out(colour.width(), colour.height());
-  parallel_for(work, out.height(), 8, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < out.width(); ++x)
-        out(x, y) = {arm(colour, x, y, -1, 0), arm(colour, x, y, 1, 0), arm(colour, x, y, 0, -1),
-                     arm(colour, x, y, 0, 1)};
-  });
-  return out;
-}
-
 }  // namespace
 
 CostVolume::CostVolume(int width_, int height_, int disparities_)
@@ -160,14 +135,14 @@ void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume&
 
 void average_over_crosses(const ColourPlanes& colour, CostVolume& volume, CostVolume& scratch,
                           const Work& work) {
-  const Raster<Arms> arm_of = arms(colour, work);
+  const Raster<CrossArms> arm_of = cross_arms(colour, kCross, work);
   const int stride = volume.stride;
   // At most 11 costs of at most 2 units: the sum along a row fits 16 bits.
-  static_assert((2 * kLongArm + 1) * 2 * kCostUnit <= 65535);
+  static_assert((2 * kCross.row_reach_px + 1) * 2 * kCostUnit <= 65535);
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {
-        const Arms a = arm_of(x, y);
+        const CrossArms a = arm_of(x, y);
         std::uint16_t* sum = scratch.at(x, y);
         std::copy_n(volume.at(x - a.left, y), stride, sum);
         for (int s = x - a.left + 1; s <= x + a.right; ++s) add_row(volume.at(s, y), sum, stride);
@@ -177,7 +152,7 @@ void average_over_crosses(const ColourPlanes& colour, CostVolume& volume, CostVo
     std::vector<std::uint32_t> sum(static_cast<std::size_t>(stride));
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {
-        const Arms a = arm_of(x, y);
+        const CrossArms a = arm_of(x, y);
         std::fill(sum.begin(), sum.end(), 0U);
         int pixels = 0;
         for (int t = y - a.up; t <= y + a.down; ++t) {

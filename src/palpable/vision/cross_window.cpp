@@ -11,44 +11,27 @@
 namespace palpable::vision {
 namespace {
 
-std::uint8_t apart(std::uint8_t a, std::uint8_t b) {
-  return static_cast<std::uint8_t>(a > b ? a - b : b - a);
-}
-
-struct ColourRow {
-  const std::uint8_t* r;
-  const std::uint8_t* g;
-  const std::uint8_t* b;
-};
-
-ColourRow row_of(const ColourPlanes& picture, int x, int y) {
-  return {picture.r.row(y).data() + x, picture.g.row(y).data() + x, picture.b.row(y).data() + x};
-}
-
-/// Lengthens by one the arms that reach on: where `there` is like `here`.
-PALPABLE_VECTORIZE void grow(const ColourRow& here, const ColourRow& there, int limit, int count,
+/// Lengthens by one the arms that reach on: where the next pixel is like the centre.
+PALPABLE_VECTORIZE void grow(const std::uint8_t* __restrict difference, int limit, int count,
                              std::uint8_t* __restrict alive, std::uint8_t* __restrict length) {
-  const std::uint8_t* __restrict r0 = here.r;
-  const std::uint8_t* __restrict g0 = here.g;
-  const std::uint8_t* __restrict b0 = here.b;
-  const std::uint8_t* __restrict r1 = there.r;
-  const std::uint8_t* __restrict g1 = there.g;
-  const std::uint8_t* __restrict b1 = there.b;
   const auto most = static_cast<std::uint8_t>(limit);
   for (int x = 0; x < count; ++x) {
-    const std::uint8_t r = apart(r0[x], r1[x]);
-    const std::uint8_t g = apart(g0[x], g1[x]);
-    const std::uint8_t b = apart(b0[x], b1[x]);
-    std::uint8_t difference = r > g ? r : g;
-    difference = difference > b ? difference : b;
-    alive[x] = static_cast<std::uint8_t>(alive[x] & (difference <= most ? 1 : 0));
+    alive[x] = static_cast<std::uint8_t>(alive[x] & (difference[x] <= most ? 1 : 0));
     length[x] = static_cast<std::uint8_t>(length[x] + alive[x]);
   }
 }
 
+/// Scratch rows for growing arms.
+struct ArmRows {
+  std::vector<std::uint8_t> difference, alive, length;
+  explicit ArmRows(int width)
+      : difference(static_cast<std::size_t>(width)), alive(difference), length(difference) {}
+};
+
 /// The arms of a whole row in the direction (dx, dy).
 void grow_arms(const ColourPlanes& picture, int y, int dx, int dy, const CrossOptions& options,
-               std::vector<std::uint8_t>& alive, std::vector<std::uint8_t>& length) {
+               ArmRows& rows) {
+  auto& [difference, alive, length] = rows;
   std::fill(alive.begin(), alive.end(), std::uint8_t{1});
   std::fill(length.begin(), length.end(), std::uint8_t{0});
   const int width = picture.width();
@@ -59,12 +42,11 @@ void grow_arms(const ColourPlanes& picture, int y, int dx, int dy, const CrossOp
     const int first = std::max(0, -s * dx);
     const int last = std::min(width, width - s * dx);
     if (first >= last) break;
-    // The next neighbour always belongs: a window is never one pixel.
-    const int limit = s == 1                           ? 255
+    const int limit = s == 1                           ? options.neighbour_limit
                       : s <= options.sure_reach_px + 1 ? options.colour_limit
                                                        : options.colour_limit_beyond;
-    grow(row_of(picture, first, y), row_of(picture, first + s * dx, v), limit, last - first,
-         alive.data() + first, length.data() + first);
+    colour_differences(picture, first, y, first + s * dx, v, last - first, difference.data());
+    grow(difference.data(), limit, last - first, alive.data() + first, length.data() + first);
     // What has no neighbour left ends here.
     std::fill(alive.begin(), alive.begin() + first, std::uint8_t{0});
     std::fill(alive.begin() + last, alive.end(), std::uint8_t{0});
@@ -99,13 +81,12 @@ Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& op
   constexpr std::array kDirections{Direction{-1, 0, &CrossArms::left}, Direction{1, 0, &CrossArms::right},
                                    Direction{0, -1, &CrossArms::up}, Direction{0, 1, &CrossArms::down}};
   parallel_for(work, picture.height(), 16, [&](int begin, int end) {
-    std::vector<std::uint8_t> alive(static_cast<std::size_t>(picture.width()));
-    std::vector<std::uint8_t> length(alive.size());
+    ArmRows rows(picture.width());
     for (int y = begin; y < end; ++y)
       for (const Direction& direction : kDirections) {
-        grow_arms(picture, y, direction.dx, direction.dy, options, alive, length);
+        grow_arms(picture, y, direction.dx, direction.dy, options, rows);
         for (int x = 0; x < picture.width(); ++x)
-          out(x, y).*direction.arm = length[static_cast<std::size_t>(x)];
+          out(x, y).*direction.arm = rows.length[static_cast<std::size_t>(x)];
       }
   });
   return out;

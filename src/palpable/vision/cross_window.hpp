@@ -21,11 +21,12 @@ struct CrossOptions {
   /// … and beyond so many pixels, in either direction, within this.
   int sure_reach_px = 8;
   int colour_limit_beyond = 8;
+  /// The next neighbour belongs within this: 255 makes sure that a window is never one pixel.
+  int neighbour_limit = 255;
 };
 
-/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour, at least
-/// one pixel where the picture has one there. The window's centre is wherever the pixel stands in its
-/// surface.
+/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour. The
+/// window's centre is wherever the pixel stands in its surface.
 struct CrossArms {
   std::uint8_t left = 0, right = 0, up = 0, down = 0;
 };

@@ -22,18 +22,6 @@ constexpr int kHalfX = kCensusHalfX;
 constexpr int kHalfY = kCensusHalfY;
 constexpr int kNoMatch = std::numeric_limits<int>::min();
 
-struct Signatures {
-  Raster<std::uint64_t> bits;
-  Raster<std::uint8_t> textured;
-};
-
-Signatures signatures(const Raster<std::uint8_t>& picture, const Work& work) {
-  Signatures out{census_9x7(picture, work), Raster<std::uint8_t>(picture.width(), picture.height())};
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) out.textured(x, y) = has_texture(picture, x, y) ? 1 : 0;
-  return out;
-}
-
 PALPABLE_VECTORIZE void distances(const std::uint64_t* __restrict right, std::uint64_t left, int count,
                                   std::int32_t* __restrict out) {
   for (int i = 0; i < count; ++i) out[i] = std::popcount(left ^ right[i]);
@@ -43,23 +31,29 @@ PALPABLE_VECTORIZE void distances(const std::uint64_t* __restrict right, std::ui
 /// the best column here for each one there.
 struct RowMatches {
   std::vector<int> forth, back;
+  std::vector<std::uint8_t> textured;  // columns here that can be found again at all
   std::vector<std::int32_t> back_cost, distance;
 
   explicit RowMatches(int width)
-      : forth(static_cast<std::size_t>(width)), back(forth), back_cost(forth), distance(forth) {}
+      : forth(static_cast<std::size_t>(width)),
+        back(forth),
+        textured(forth.size()),
+        back_cost(forth),
+        distance(forth) {}
 };
 
-void match_row(const Signatures& left, const Signatures& right, int y, RowMatches& row) {
+void match_row(const Raster<std::uint64_t>& left, const Raster<std::uint64_t>& right, int y,
+               RowMatches& row) {
   // Of the 62 bits; the next best elsewhere must differ by so many more.
   constexpr int kUnique = 3;
   constexpr int kUnlike = 64;
-  const int count = left.bits.width() - 2 * kHalfX;
+  const int count = left.width() - 2 * kHalfX;
   std::fill(row.forth.begin(), row.forth.end(), -1);
   std::fill(row.back.begin(), row.back.end(), -1);
   std::fill(row.back_cost.begin(), row.back_cost.end(), kUnlike);
   for (int x = kHalfX; x < kHalfX + count; ++x) {
-    if (left.textured(x, y) == 0) continue;
-    distances(right.bits.row(y).data() + kHalfX, left.bits(x, y), count, row.distance.data());
+    if (row.textured[static_cast<std::size_t>(x)] == 0) continue;
+    distances(right.row(y).data() + kHalfX, left(x, y), count, row.distance.data());
     keep_least(row.distance.data(), x, count, row.back_cost.data() + kHalfX, row.back.data() + kHalfX);
     const LeastCost least = least_cost(row.distance.data(), count);
     if (least.elsewhere >= least.cost + kUnique) row.forth[static_cast<std::size_t>(x)] = kHalfX + least.at;
@@ -124,15 +118,17 @@ bool confirmed(const Raster<int>& matches, int x, int y) {
 DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
                                     const Work& work) {
   const int factor = std::max(1, (left.width() + kCoarseWidth / 2) / kCoarseWidth);
-  const Signatures l = signatures(shrunk(left, factor), work);
-  const Signatures r = signatures(shrunk(right, factor), work);
-  const int width = l.bits.width();
-  const int height = l.bits.height();
+  const Raster<std::uint8_t> small = shrunk(left, factor);
+  const Raster<std::uint64_t> l = census_9x7(small, work);
+  const Raster<std::uint64_t> r = census_9x7(shrunk(right, factor), work);
+  const int width = l.width();
+  const int height = l.height();
   DisparityRange range{0, std::max(1, left.width() / 8), 0.0, 0.0};
   if (width <= 2 * kHalfX + 2 || height <= 2 * kHalfY) return range;
 
-  // About a hundred rows tell enough of a taller picture.
-  const int step = std::max(1, (height - 2 * kHalfY) / 100);
+  // So many rows tell enough of a taller picture.
+  constexpr int kRows = 64;
+  const int step = std::max(1, (height - 2 * kHalfY) / kRows);
   const int rows = (height - 2 * kHalfY + step - 1) / step;
   Raster<int> matches(width, rows, kNoMatch);
   std::vector<int> textured(static_cast<std::size_t>(rows));
@@ -141,9 +137,11 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
     for (int i = begin; i < end; ++i) {
       if (work.cancelled()) return;
       const int y = kHalfY + step * i;
+      for (int x = 0; x < width; ++x)
+        textured[static_cast<std::size_t>(i)] += row.textured[static_cast<std::size_t>(x)] =
+            has_texture(small, x, y) ? 1 : 0;
       match_row(l, r, y, row);
       for (int x = kHalfX; x < width - kHalfX; ++x) {
-        textured[static_cast<std::size_t>(i)] += l.textured(x, y);
         const int to = row.forth[static_cast<std::size_t>(x)];
         if (to >= 0 && std::abs(row.back[static_cast<std::size_t>(to)] - x) <= 1) matches(x, i) = x - to;
       }

@@ -10,6 +10,8 @@ namespace palpable::vision {
 namespace {
 
 constexpr std::size_t kLevels = 256;
+
+enum class Line { row, column };
 using Levels = std::array<float, kLevels>;
 
 /// The picture's levels at the quantiles 0, 1/255 … 1 of its luma.
@@ -58,9 +60,60 @@ Stretch stretch_for(const Levels& left, const Levels& right, int bits) {
   return {low, 255.0F / (high - low)};
 }
 
+/// The mean of each row of the picture, or of each column.
+std::vector<double> means(const Raster<std::uint8_t>& grey, Line line) {
+  std::vector<double> out(static_cast<std::size_t>(line == Line::row ? grey.height() : grey.width()));
+  for (int y = 0; y < grey.height(); ++y)
+    for (int x = 0; x < grey.width(); ++x)
+      out[static_cast<std::size_t>(line == Line::row ? y : x)] += grey(x, y);
+  for (double& v : out) v /= static_cast<double>(line == Line::row ? grey.width() : grey.height());
+  return out;
+}
+
+/// How many of the first lines are the dark frame that digitised video has: far darker on the whole than
+/// those after them, at most a sixtieth of the picture.
+std::size_t frame_lines(const std::vector<double>& mean) {
+  constexpr double kFarDarker = 0.6;
+  const std::size_t most = mean.size() / 60;
+  std::size_t lines = 0;
+  for (std::size_t k = 1; k <= most; ++k)
+    if (mean[k - 1] < kFarDarker * mean[k]) lines = k;
+  return lines;
+}
+
+/// A frame stands still in both pictures, and matching would take it for something infinitely far: the
+/// nearest line inside takes its place.
+void cut_frame(MatchInput& input) {
+  const auto lines = [&](Line line, bool from_end) {
+    std::size_t both = input.left_grey.count();
+    for (const auto* grey : {&input.left_grey, &input.right_grey}) {
+      std::vector<double> mean = means(*grey, line);
+      if (from_end) std::reverse(mean.begin(), mean.end());
+      both = std::min(both, frame_lines(mean));
+    }
+    return static_cast<int>(both);
+  };
+  const int top = lines(Line::row, false);
+  const int bottom = lines(Line::row, true);
+  const int left = lines(Line::column, false);
+  const int right = lines(Line::column, true);
+  const auto cut = [&](auto& picture) {
+    if (top + bottom + left + right == 0) return;
+    const auto whole = picture;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        picture(x, y) = whole(std::clamp(x, left, picture.width() - 1 - right),
+                              std::clamp(y, top, picture.height() - 1 - bottom));
+  };
+  cut(input.left);
+  cut(input.right);
+  cut(input.left_grey);
+  cut(input.right_grey);
+}
+
 }  // namespace
 
-MatchInput prepare_pictures(const StereoPair& pair, bool* levelled) {
+MatchInput prepare_pictures(const StereoPair& pair, const Work& work, bool* levelled) {
   const Levels left = quantiles(grey(pair.left));
   const Levels right = quantiles(grey(pair.right));
   // The middle of the histograms: their ends move with what only one of the cameras sees.
@@ -76,20 +129,22 @@ MatchInput prepare_pictures(const StereoPair& pair, bool* levelled) {
     luma = Raster<std::uint8_t>(image.width, image.height);
     const int g = image.channels >= 3 ? 1 : 0;
     const int b = image.channels >= 3 ? 2 : 0;
-    for (int y = 0; y < image.height; ++y) {
-      for (int x = 0; x < image.width; ++x) {
-        const float* p = image.pixel(x, y);
-        std::array<float, 3> v{p[0], p[g], p[b]};
-        if (level)
-          for (float& c : v) c = mapped(c, right, left);
-        colour(x, y) = {stretch(v[0]), stretch(v[1]), stretch(v[2])};
-        luma(x, y) = stretch(0.299F * v[0] + 0.587F * v[1] + 0.114F * v[2]);
-      }
-    }
+    parallel_for(work, image.height, 16, [&](int begin, int end) {
+      for (int y = begin; y < end; ++y)
+        for (int x = 0; x < image.width; ++x) {
+          const float* p = image.pixel(x, y);
+          std::array<float, 3> v{p[0], p[g], p[b]};
+          if (level)
+            for (float& c : v) c = mapped(c, right, left);
+          colour(x, y) = {stretch(v[0]), stretch(v[1]), stretch(v[2])};
+          luma(x, y) = stretch(0.299F * v[0] + 0.587F * v[1] + 0.114F * v[2]);
+        }
+    });
   };
   MatchInput out;
   convert(pair.left, false, out.left, out.left_grey);
   convert(pair.right, differs, out.right, out.right_grey);
+  cut_frame(out);
   return out;
 }
 

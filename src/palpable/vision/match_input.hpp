@@ -7,9 +7,10 @@
 namespace palpable::vision {
 
 /// The pair as 8-bit planes: levels stretched alike in both pictures to 0…255, and where the pictures'
-/// exposures differ (by their histograms), the right one's levels mapped onto the left one's. `disparities`
-/// is left 0. `levelled`, where given, says whether the exposures differed. Sizes must be equal and not 0.
-MatchInput prepare_pictures(const StereoPair& pair, bool* levelled = nullptr);
+/// exposures differ (by their histograms), the right one's levels mapped onto the left one's; a dark frame of
+/// a few lines that both have is overwritten by what it frames. `disparities` is left 0. `levelled`, where
+/// given, says whether the exposures differed. Sizes must be equal and not 0.
+MatchInput prepare_pictures(const StereoPair& pair, const Work& work, bool* levelled = nullptr);
 
 /// The picture moved so that result(x, y) = picture(x - shift_px, y), border columns repeated.
 template <class T>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/pair_check.hpp"
 
+#include "palpable/core/vectorize.hpp"
 #include "palpable/vision/census.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -24,8 +24,8 @@ struct Place {
 };
 
 /// The one place within `reach` rows whose signature is by far the most alike.
-std::optional<Place> find_again(std::uint64_t signature, const Raster<std::uint64_t>& other, int y,
-                                int reach) {
+PALPABLE_VECTORIZE std::optional<Place> find_again(std::uint64_t signature,
+                                                   const Raster<std::uint64_t>& other, int y, int reach) {
   Place best;
   int best_cost = 64;
   int second = 64;
@@ -33,7 +33,7 @@ std::optional<Place> find_again(std::uint64_t signature, const Raster<std::uint6
        ++v) {
     const auto row = other.row(v);
     for (int u = kCensusHalfX; u < other.width() - kCensusHalfX; ++u) {
-      const int cost = std::popcount(signature ^ row[static_cast<std::size_t>(u)]);
+      const int cost = __builtin_popcountll(signature ^ row[static_cast<std::size_t>(u)]);
       const bool beside = std::abs(u - best.x) <= 2 && std::abs(v - best.y) <= 2;
       if (cost < best_cost) {
         if (!beside) second = best_cost;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/pyramid.hpp"
 
+#include "palpable/vision/colour_votes.hpp"
 #include "palpable/vision/consistency.hpp"
 #include "palpable/vision/normalised_correlation.hpp"
 #include "palpable/vision/picture_pyramid.hpp"
@@ -165,6 +166,19 @@ void fill(Raster<int>& map, const Raster<std::uint8_t>& kept) {
   for (std::size_t i = 0; i < map.count(); ++i) map.values()[i] = static_cast<int>(filled.values()[i]);
 }
 
+/// How well a match that keeps the constraints correlates; others have no vote.
+Raster<float> trust(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept,
+                    const Work& work) {
+  constexpr float kLeast = 0.05F;
+  Raster<float> out(map.width(), map.height());
+  parallel_for(work, out.height(), 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < out.width(); ++x)
+        if (kept(x, y) != 0) out(x, y) = std::max(kLeast, 1.0F - 2.0F * view.error(x, y, map(x, y)));
+  });
+  return out;
+}
+
 Maps match_level(const MatchInput& input, const Work& work) {
   const bool is_coarsest =
       std::min(input.left.width(), input.left.height()) < 2 * kLeastSide || input.disparities < 8;
@@ -188,6 +202,11 @@ Maps match_level(const MatchInput& input, const Work& work) {
   const Raster<std::uint8_t> kept_right = constrained(from_right, out.right, out.left);
   fill(out.left, out.kept);
   fill(out.right, kept_right);
+  // What breaks a constraint, and what noise has left on plain surfaces, is settled by what it looks like.
+  out.left = voted(colour_planes(input.left), out.left, trust(from_left, out.left, out.kept, work),
+                   input.disparities, VoteOptions{}, work);
+  out.right = voted(colour_planes(input.right), out.right, trust(from_right, out.right, kept_right, work),
+                    input.disparities, VoteOptions{}, work);
   return out;
 }
 

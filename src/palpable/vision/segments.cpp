@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/segments.hpp"
 
+#include "palpable/vision/census.hpp"
 #include "palpable/vision/colour_segments.hpp"
+#include "palpable/vision/consistency.hpp"
 #include "palpable/vision/cross_window.hpp"
+#include "palpable/vision/median.hpp"
+#include "palpable/vision/plane_search.hpp"
 #include "palpable/vision/scanline.hpp"
 
 #include <algorithm>
@@ -251,6 +255,87 @@ std::vector<Plane> regrouped(const SegmentGraph& graph, const Raster<float>& dis
   return out;
 }
 
+/// The planes that the segments around a pixel have, near ones first.
+void propose_segment_planes(const Raster<int>& segment_of, const std::vector<Plane>& planes,
+                            const std::vector<std::size_t>& plane_of, PlaneCandidates& out,
+                            const Work& work) {
+  constexpr std::array<std::array<int, 2>, PlaneCandidates::kCount> kAround{{{0, 0},
+                                                                             {-3, 0},
+                                                                             {3, 0},
+                                                                             {0, -3},
+                                                                             {0, 3},
+                                                                             {-3, -3},
+                                                                             {3, 3},
+                                                                             {-3, 3},
+                                                                             {3, -3},
+                                                                             {-8, 0},
+                                                                             {8, 0},
+                                                                             {0, -8},
+                                                                             {0, 8},
+                                                                             {-16, 0},
+                                                                             {16, 0},
+                                                                             {0, 16}}};
+  parallel_for(work, out.height, 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < out.width; ++x) {
+        std::size_t k = out.at(x, y);
+        for (const auto [dx, dy] : kAround) {
+          const int u = std::clamp(x + dx, 0, out.width - 1);
+          const int v = std::clamp(y + dy, 0, out.height - 1);
+          const Plane& plane = planes[plane_of[static_cast<std::size_t>(segment_of(u, v))]];
+          out.disparity[k] = static_cast<float>(plane.at(x, y));
+          out.slope_x[k] = static_cast<float>(plane.slope_x);
+          out.slope_y[k] = static_cast<float>(plane.slope_y);
+          ++k;
+        }
+      }
+  });
+}
+
+/// The right picture's disparities as the left one's say: the nearest surface in front; what none reaches
+/// lies behind.
+Raster<float> seen_from_right(const Raster<float>& left_px) {
+  Raster<float> right_px(left_px.width(), left_px.height(), -1.0F);
+  Raster<std::uint8_t> reached(left_px.width(), left_px.height());
+  for (int y = 0; y < left_px.height(); ++y)
+    for (int x = 0; x < left_px.width(); ++x) {
+      const int to = static_cast<int>(std::lround(static_cast<float>(x) - left_px(x, y)));
+      if (!right_px.contains(to, y)) continue;
+      right_px(to, y) = std::max(right_px(to, y), left_px(x, y));
+      reached(to, y) = 1;
+    }
+  fill_from_behind(reached, right_px);
+  return right_px;
+}
+
+/// Colour segments end where the colour does, surfaces often beside it: each pixel chooses once more among
+/// the planes of the segments around it, knowing what the right picture can see.
+PlaneMap settle_borders(const MatchInput& input, const ColourSegments& segments,
+                        const std::vector<Plane>& planes, const std::vector<std::size_t>& plane_of,
+                        Raster<float> start, const Work& work) {
+  constexpr int kRounds = 2;
+  const MatchView left{colour_planes(input.left), census_9x7(input.left_grey, work)};
+  const MatchView right{colour_planes(input.right), census_9x7(input.right_grey, work)};
+  const int w = input.left.width();
+  const int h = input.left.height();
+  CostVolume costs(w, h, input.disparities);
+  {
+    CostVolume scratch(w, h, input.disparities);
+    pixel_costs(left, right, costs, work);
+    average_over_crosses(left.colour, costs, scratch, work);
+  }
+  PlaneCandidates candidates(w, h);
+  propose_segment_planes(segments.of_pixel, planes, plane_of, candidates, work);
+  PlaneMap map(w, h);
+  map.disparity = std::move(start);
+  for (int round = 0; round < kRounds && !work.cancelled(); ++round) {
+    const Raster<float> seen = seen_from_right(map.disparity);
+    plane_costs(costs, {&seen, 0.0F}, candidates, work);
+    choose_planes(left.colour, candidates, map, work);
+  }
+  return map;
+}
+
 }  // namespace
 
 Result<MatchOutput> match_segments(const MatchInput& input, const StereoOptions&, const Work& work) {
@@ -279,12 +364,16 @@ Result<MatchOutput> match_segments(const MatchInput& input, const StereoOptions&
     if (work.cancelled()) return Work::interrupted();
     planes = regrouped(graph, map.disparity_px, planes, plane_of);
   }
-  MatchOutput output{Raster<float>(input.left.width(), input.left.height()), {}};
+  Raster<float> of_segments(input.left.width(), input.left.height());
   for (std::size_t s = 0; s < graph.all.size(); ++s)
     for (const Pixel p : graph.all[s])
-      output.disparity_px(p.x, p.y) = static_cast<float>(
-          std::clamp(planes[plane_of[s]].at(p.x, p.y), 0.0, static_cast<double>(input.disparities - 1)));
-  return output;
+      of_segments(p.x, p.y) = static_cast<float>(planes[plane_of[s]].at(p.x, p.y));
+  work.report(0.85, "settling borders");
+  PlaneMap settled = settle_borders(input, *segments, planes, plane_of, std::move(of_segments), work);
+  if (work.cancelled()) return Work::interrupted();
+  const auto last = static_cast<float>(input.disparities - 1);
+  for (float& d : settled.disparity.values()) d = std::clamp(d, 0.0F, last);
+  return MatchOutput{median_3x3(settled.disparity, work), {}};
 }
 
 }  // namespace palpable::vision

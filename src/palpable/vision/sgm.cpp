@@ -172,24 +172,4 @@ Raster<float> least_cost_disparity(const CostVolume& costs, const Work& work) {
   return out;
 }
 
-Raster<float> least_cost_disparity_of_other(const CostVolume& costs, const Work& work) {
-  Raster<float> out(costs.width, costs.height);
-  parallel_for(work, costs.height, 8, [&](int begin, int end) {
-    std::vector<std::uint16_t> least(static_cast<std::size_t>(costs.width));
-    for (int y = begin; y < end; ++y) {
-      std::fill(least.begin(), least.end(), std::uint16_t{65535});
-      for (int x = 0; x < costs.width; ++x) {
-        const std::uint16_t* cost = costs.at(x, y);
-        for (int d = 0; d < std::min(costs.disparities, x + 1); ++d) {
-          std::uint16_t& best = least[static_cast<std::size_t>(x - d)];
-          if (cost[d] >= best) continue;
-          best = cost[d];
-          out(x - d, y) = static_cast<float>(d);
-        }
-      }
-    }
-  });
-  return out;
-}
-
 }  // namespace palpable::vision

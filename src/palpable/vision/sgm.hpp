@@ -17,8 +17,4 @@ void aggregate_paths(const CostVolume& costs, const ColourPlanes& reference, con
 /// The disparity of least cost at each pixel, sub-pixel by the parabola through its neighbours.
 Raster<float> least_cost_disparity(const CostVolume& costs, const Work& work);
 
-/// The same for the other picture's pixels, from the same costs, whole disparities: pixel x there matches
-/// x + d in the reference.
-Raster<float> least_cost_disparity_of_other(const CostVolume& costs, const Work& work);
-
 }  // namespace palpable::vision

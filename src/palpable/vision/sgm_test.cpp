@@ -66,7 +66,7 @@ TEST(AveragedCosts, OfAUniformPictureAreThoseOfOnePixel) {
   for (const std::uint16_t c : costs.cost) EXPECT_EQ(c, 4096);
 }
 
-TEST(AggregatedPaths, AgreeSeenFromEitherPicture) {
+TEST(AggregatedPaths, FindHowFarATextureHasMoved) {
   const MatchView left = moved_texture(0, 1.0);
   const MatchView right = moved_texture(kShift, 1.0);
   CostVolume costs(kWidth, kHeight, 20);
@@ -74,12 +74,8 @@ TEST(AggregatedPaths, AgreeSeenFromEitherPicture) {
   pixel_costs(left, right, costs, {});
   aggregate_paths(costs, left.colour, right.colour, sums, {});
   const Raster<float> here = least_cost_disparity(sums, {});
-  const Raster<float> there = least_cost_disparity_of_other(sums, {});
   for (int y = 2; y < kHeight - 2; ++y)
-    for (int x = 12; x < kWidth - 12; ++x) {
-      EXPECT_NEAR(here(x, y), kShift, 0.75) << x << ' ' << y;
-      EXPECT_NEAR(there(x - kShift, y), kShift, 0.75) << x << ' ' << y;
-    }
+    for (int x = 12; x < kWidth - 12; ++x) EXPECT_NEAR(here(x, y), kShift, 0.75) << x << ' ' << y;
 }
 
 TEST(FittedPlanes, AreThePlaneThatTheDisparitiesLieOn) {

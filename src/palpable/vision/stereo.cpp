@@ -72,7 +72,7 @@ Result<MatchOutput> match_mirrored(MatchInput& input, MethodFunction function, c
 Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction function,
                                    const StereoOptions& options, const Work& work) {
   bool levelled = false;
-  MatchInput input = prepare_pictures(pair, &levelled);
+  MatchInput input = prepare_pictures(pair, work, &levelled);
   work.report(0.0, "looking at the pair");
   DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, work);
   const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
