@@ -4,6 +4,7 @@
 import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
+  server: { host: '127.0.0.1' }, // by number: a bare system need not know the name localhost
   test: {
     include: ['test/**/*.browser.ts'],
     environment: 'node',
