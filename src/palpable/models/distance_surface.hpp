@@ -1,0 +1,26 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+
+#include <concepts>
+
+namespace palpable::models {
+
+/// Distance to a surface in metres, negative inside the solid, and its exact gradient (of length near 1).
+struct FieldSample {
+  double distance_m = 0.0;
+  Vec3 gradient;
+};
+
+/// What a law needs to feel a solid: distance, and a gradient that is continuous. Never allocates, locks or
+/// throws.
+template <class M>
+concept DistanceSurface = requires(const M& m, Vec3 place_m) {
+  { m.sample(place_m) } -> std::same_as<FieldSample>;
+  { m.cell_m() } -> std::same_as<double>;
+  requires noexcept(m.sample(place_m));
+};
+
+}  // namespace palpable::models

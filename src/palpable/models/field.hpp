@@ -1,0 +1,29 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/distance_field.hpp"
+#include "palpable/models/relief.hpp"
+
+#include <memory>
+
+namespace palpable::models {
+
+/// A solid as it is touched: its distance field, and its heights seen from above (+z), for devices that move
+/// in a plane and for pictures. Immutable.
+struct Field {
+  DistanceField distance;
+  /// The box of the solid itself, inside the field's grid.
+  Vec3 least_m;
+  Vec3 most_m;
+  /// Never null. Centred on the scene's origin, as every relief; places where nothing stands have the
+  /// height of the solid's lowest point.
+  std::shared_ptr<const Relief> from_above;
+
+  std::size_t memory_bytes() const { return distance.memory_bytes() + from_above->memory_bytes(); }
+};
+
+/// Looks down on the field. Errors: invalid_input for a box that is empty or not finite.
+Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m);
+
+}  // namespace palpable::models

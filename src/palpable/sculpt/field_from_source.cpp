@@ -1,0 +1,269 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/field_from_source.hpp"
+
+#include "palpable/models/field_leaf.hpp"
+#include "palpable/sculpt/leaf_fit.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <random>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::DistanceField;
+using models::FieldGrid;
+using models::FieldSample;
+using models::FieldTree;
+
+Error usage(std::string message) { return {ErrorCode::usage, std::move(message), {}}; }
+
+double longest_side(const Box& box) {
+  const Vec3 size = box.most_m - box.least_m;
+  return std::max({size.x, size.y, size.z});
+}
+
+/// Root cells near a sixteenth of the longest side.
+FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
+  FieldGrid grid;
+  grid.cell_m = cell_m;
+  while ((16 << grid.levels) < resolution && grid.levels < 8) ++grid.levels;
+  const double longest_m = longest_side(bounds);
+  const double margin_m = std::max(0.06 * longest_m, std::min(0.002, longest_m));
+  const double root_m = cell_m * (1 << grid.levels);
+  const Vec3 size = bounds.most_m - bounds.least_m;
+  const auto roots = [&](double extent) {
+    return std::max(1, static_cast<int>(std::ceil((extent + 2.0 * margin_m) / root_m - 1e-9)));
+  };
+  grid.roots = {roots(size.x), roots(size.y), roots(size.z)};
+  grid.origin_m = 0.5 * (bounds.least_m + bounds.most_m) - 0.5 * grid.size_m();
+  return grid;
+}
+
+/// One root cell's part of the tree, its entries counted from its own beginning.
+struct Branch {
+  std::uint32_t entry = 0;
+  std::vector<std::uint32_t> nodes;
+  std::vector<std::uint32_t> words;
+};
+
+class BranchBuilder {
+ public:
+  BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
+                const Work& work)
+      : source_(source), grid_(grid), bounds_(bounds), work_(work) {
+    // A cell on the surface is never larger than this: finer things could hide between its samples.
+    longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
+  }
+
+  Branch build(std::array<int, 3> corner) {
+    Branch branch;
+    branch.entry = build(corner, grid_.levels, branch);
+    return branch;
+  }
+
+ private:
+  std::uint32_t build(std::array<int, 3> corner, int level, Branch& branch) {
+    const int side = 1 << level;
+    CellSamples samples;
+    samples.half_m = 0.5 * grid_.cell_m * side;
+    samples.centre_m = grid_.cell_m * Vec3{corner[0] + 0.5 * side, corner[1] + 0.5 * side,
+                                           corner[2] + 0.5 * side};
+    if (level > 0 && !work_.cancelled()) {
+      const double from_surface_m =
+          std::abs(source_.at(grid_.origin_m + samples.centre_m, hint_).distance_m);
+      // Half the diagonal of a cube, and a little.
+      const bool on_surface = from_surface_m < 1.8 * samples.half_m;
+      if (on_surface && side > longest_on_surface_) return split(corner, level, branch);
+    }
+    for (std::size_t k = 0; k < kFitPlaces; ++k) samples.at[k] = at(samples, fit_place(k));
+    const LeafFit leaf = fit_leaf(samples, bounds_);
+    const bool fits = leaf.error <= 1.0 && holds_between(leaf, samples);
+    if (!fits && side > smallest_side(samples) && !work_.cancelled()) return split(corner, level, branch);
+    const auto begin = static_cast<std::uint32_t>(branch.words.size());
+    branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
+    return begin | FieldTree::kLeaf;
+  }
+
+  std::uint32_t split(std::array<int, 3> corner, int level, Branch& branch) {
+    const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
+    branch.nodes.resize(branch.nodes.size() + 8);
+    const int half = 1 << (level - 1);
+    for (unsigned child = 0; child < 8; ++child) {
+      const std::uint32_t entry = build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
+                                         corner[2] + (child & 4U ? half : 0)},
+                                        level - 1, branch);
+      branch.nodes[8 * std::size_t{node} + child] = entry;
+    }
+    return node;
+  }
+
+  FieldSample at(const CellSamples& samples, Vec3 u) {
+    return source_.at(grid_.origin_m + samples.centre_m + samples.half_m * u, hint_);
+  }
+
+  /// Asks at places between those of the fit, where something small may hide. A few places may err a little
+  /// more: the bound was judged at the others.
+  bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
+    constexpr std::array<Vec3, 9> kBetween{{{0.4, -0.45, 0.35},
+                                            {0.6, 0.56, 0.52},
+                                            {-0.64, 0.68, 0.66},
+                                            {0.68, -0.62, 0.7},
+                                            {0.62, 0.7, -0.68},
+                                            {-0.7, -0.64, 0.62},
+                                            {-0.66, 0.62, -0.7},
+                                            {0.66, -0.68, -0.64},
+                                            {-0.62, -0.7, -0.66}}};
+    constexpr double kSlack = 1.5;
+    return std::all_of(kBetween.begin(), kBetween.end(), [&](Vec3 u) {
+      return leaf_error(leaf, samples, u, at(samples, u), bounds_) <= kSlack;
+    });
+  }
+
+  /// Far from the surface nothing small is felt: there cells stay larger.
+  int smallest_side(const CellSamples& samples) const {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    bool outside = true;
+    for (const FieldSample& s : samples.at) {
+      nearest_m = std::min(nearest_m, std::abs(s.distance_m));
+      outside = outside && s.distance_m > 0.0;
+    }
+    if (nearest_m <= (outside ? bounds_.outside_m : bounds_.inside_m)) return 1;
+    if (!outside) return 2;
+    return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
+  }
+
+  const DistanceSource& source_;
+  const FieldGrid& grid_;
+  const FitBounds& bounds_;
+  const Work& work_;
+  int longest_on_surface_ = 1;
+  std::uint32_t hint_ = 0;
+};
+
+std::vector<Branch> branches_of(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
+                                const Work& work) {
+  const int count = grid.roots[0] * grid.roots[1] * grid.roots[2];
+  std::vector<Branch> branches(static_cast<std::size_t>(count));
+  std::atomic<int> next{0};
+  std::atomic<int> done{0};
+  std::mutex reporting;
+  // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
+  parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
+    if (begin == end) return;
+    for (int i = next++; i < count && !work.cancelled(); i = next++) {
+      BranchBuilder builder(source, grid, bounds, work);
+      const int side = 1 << grid.levels;
+      branches[static_cast<std::size_t>(i)] =
+          builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
+                         i / (grid.roots[0] * grid.roots[1]) * side});
+      const int ready = ++done;
+      if (ready % 32 == 0) {
+        const std::lock_guard lock(reporting);
+        work.report(0.05 + 0.93 * ready / count, "sampling the distance");
+      }
+    }
+  });
+  return branches;
+}
+
+/// Joins the branches; leaves that hold the same share their words.
+class Joiner {
+ public:
+  void add(const Branch& branch) {
+    const auto first_node = static_cast<std::uint32_t>(tree_.nodes.size() / 8);
+    for (const std::uint32_t entry : branch.nodes) tree_.nodes.push_back(moved(entry, branch, first_node));
+    tree_.roots.push_back(moved(branch.entry, branch, first_node));
+  }
+  FieldTree take() { return std::move(tree_); }
+
+ private:
+  std::uint32_t moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node) {
+    if ((entry & FieldTree::kLeaf) == 0) return entry + first_node;
+    const std::uint32_t* words = &branch.words[entry & ~FieldTree::kLeaf];
+    const std::size_t count = models::LeafHead{words[0]}.words();
+    const std::string_view key(reinterpret_cast<const char*>(words), count * sizeof(std::uint32_t));
+    const auto [at, fresh] =
+        known_.try_emplace(std::string(key), static_cast<std::uint32_t>(tree_.words.size()));
+    if (fresh) tree_.words.insert(tree_.words.end(), words, words + count);
+    return at->second | FieldTree::kLeaf;
+  }
+
+  FieldTree tree_;
+  std::unordered_map<std::string, std::uint32_t> known_;
+};
+
+/// At random places near the surface.
+models::FieldErrors measured(const DistanceField& field, const DistanceSource& source,
+                             const FitBounds& bounds, const Work& work) {
+  constexpr int kTries = 400000;
+  constexpr std::size_t kEnough = 20000;
+  std::mt19937_64 random(work.seed);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const Vec3 size = field.grid().size_m();
+  std::vector<double> errors;
+  std::uint32_t hint = 0;
+  for (int i = 0; i < kTries && errors.size() < kEnough; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p = field.grid().origin_m + Vec3{x * size.x, y * size.y, z * size.z};
+    const double felt = field.sample(p).distance_m;
+    if (felt > bounds.outside_m || felt < -bounds.inside_m) continue;
+    errors.push_back(std::abs(felt - source.at(p, hint).distance_m));
+  }
+  models::FieldErrors result;
+  result.bound_m = bounds.bound_m;
+  if (errors.empty()) return result;
+  std::sort(errors.begin(), errors.end());
+  result.p99_m = errors[errors.size() * 99 / 100];
+  result.max_m = errors.back();
+  return result;
+}
+
+}  // namespace
+
+Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {
+  if (options.resolution < 16 || options.resolution > 4096)
+    return usage("a field's resolution is 16 to 4096 cells along its longest side");
+  if (!(options.max_error_m >= 0.0 && options.max_error_m <= 1.0))
+    return usage("a field's greatest error is 0 to 1 m");
+  const double longest_m = longest_side(bounds);
+  if (!(longest_m > 0.0 && longest_m < 1e6)) return invalid_input("is a solid without a finite extent");
+  const double cell_m = longest_m / options.resolution;
+  if (cell_m < 1e-6 || cell_m > 1.0)
+    return invalid_input("would need cells of " + std::to_string(cell_m) +
+                         " m; they are 1e-6 to 1 m: give the scene another size or resolution");
+  return cell_m;
+}
+
+Result<DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
+                                        const Work& work) {
+  const Box box = source.bounds();
+  const auto cell_m = finest_cell_m(box, options);
+  if (!cell_m) return cell_m.error();
+  const double longest_m = longest_side(box);
+  const FieldGrid grid = grid_around(box, *cell_m, options.resolution);
+  FitBounds bounds;
+  bounds.cell_m = *cell_m;
+  bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
+  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
+  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
+  const auto branches = branches_of(source, grid, bounds, work);
+  if (work.cancelled()) return Work::interrupted();
+  Joiner joiner;
+  for (const Branch& branch : branches) joiner.add(branch);
+  FieldTree tree = joiner.take();
+  auto field = DistanceField::from_tree(grid, tree, {});
+  if (!field) return field.error();
+  const models::FieldErrors errors = measured(*field, source, bounds, work);
+  work.report(1.0, "sampling the distance");
+  return DistanceField::from_tree(grid, std::move(tree), errors);
+}
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,35 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/distance_field.hpp"
+#include "palpable/sculpt/distance_source.hpp"
+
+namespace palpable::sculpt {
+
+struct FieldOptions {
+  /// Finest cells along the solid's longest side, 16 ... 4096.
+  int resolution = 512;
+  /// The error bound near the surface where the distance is smooth, metres; 0 = a ten-thousandth of the
+  /// longest side (10 um in 100 mm).
+  double max_error_m = 0.0;
+  /// Where the bound holds: this deep inside and this far outside, and at least 3 % and 1 % of the longest
+  /// side.
+  double inside_m = 0.003;
+  double outside_m = 0.001;
+};
+
+/// Side of the finest cells for a solid in `bounds`. Errors: usage for options out of range; invalid_input
+/// for a solid without extent.
+Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
+
+/// Samples a solid's distance adaptively: cells that no leaf of models/field_leaf.hpp fits are cut into eight
+/// until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2 mm. Long
+/// work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as
+/// finest_cell_m(), interrupted.
+Result<models::DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
+                                                const Work& work);
+
+}  // namespace palpable::sculpt

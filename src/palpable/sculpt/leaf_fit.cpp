@@ -1,0 +1,344 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/leaf_fit.hpp"
+
+#include "palpable/models/distance_field.hpp"
+#include "palpable/models/field_leaf.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::FieldSample;
+using models::HalfAngle;
+using models::LeafHead;
+using models::Meeting;
+
+constexpr std::size_t kTerms = 10;
+/// What the gradient counts beside the value in a least-squares fit.
+constexpr double kGradientWeight = 0.25;
+
+/// How much a place forgives, at most and as the root mean square over a leaf.
+struct Allowance {
+  double value_m = 0.0;
+  double value_rms_m = 0.0;
+  double gradient = 0.0;
+  double gradient_rms = 0.0;
+};
+
+/// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
+/// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
+Allowance allowance(double distance_m, double side, const FitBounds& b) {
+  const double loose = side < 3.0 ? 4.0 : side < 6.0 ? 2.0 : 1.0;
+  // Neighbouring leaves that differ by rms x 2 over half a cell tilt the gradient by 1 % to 2 %.
+  Allowance a{b.bound_m, std::min(0.2 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
+  const double beyond = distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m
+                                         : (distance_m - b.outside_m) / b.outside_m;
+  if (beyond <= 0.0) return a;
+  const double more = distance_m < 0.0 ? 1.0 + 4.0 * std::min(beyond, 1.0) : 1.0 + 10.0 * beyond;
+  a.value_m *= more;
+  a.value_rms_m *= more;
+  const double turned = distance_m < 0.0 ? 1.0 + std::min(beyond, 2.0) : 1.0 + 4.0 * std::min(beyond, 4.0);
+  a.gradient *= turned;
+  a.gradient_rms *= turned;
+  return a;
+}
+
+/// The errors of a leaf, place by place.
+class Judge {
+ public:
+  Judge(const CellSamples& samples, const FitBounds& bounds)
+      : samples_(samples),
+        bounds_(bounds),
+        round_m_(models::DistanceField::kRounding * bounds.cell_m),
+        side_(2.0 * samples.half_m / bounds.cell_m) {}
+
+  /// Sums of squared errors over their allowances.
+  struct Squares {
+    double value = 0.0;
+    double gradient = 0.0;
+  };
+
+  /// The greater of value and gradient error over their allowances at one place; adds to the squares.
+  double at(const LeafFit& leaf, Vec3 u, const FieldSample& truth, Squares& squares) const {
+    const Vec3 x = samples_.centre_m + samples_.half_m * u;
+    const FieldSample s = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_);
+    const Allowance a = allowance(truth.distance_m, side_, bounds_);
+    const double value = std::abs(s.distance_m - truth.distance_m);
+    if (leaf.count > LeafHead::kCurvedWords + 1) {
+      // Where a kink is rounded, the rounding's own error is allowed, and the gradient turns.
+      const FieldSample sharp =
+          models::leaf_at(leaf.words.data(), x, u, samples_.half_m, 1e-3 * round_m_);
+      if (std::abs(sharp.distance_m - s.distance_m) > 1e-3 * round_m_)
+        return value / std::max(a.value_m, 0.35 * bounds_.cell_m);
+    }
+    const double turned2 = squared_norm(s.gradient - truth.gradient);
+    squares.value += value * value / (a.value_rms_m * a.value_rms_m);
+    squares.gradient += turned2 / (a.gradient_rms * a.gradient_rms);
+    return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
+  }
+
+  /// Over all places; gives up above `enough`.
+  double error(const LeafFit& leaf, double enough) const {
+    double worst = 0.0;
+    Squares squares;
+    for (std::size_t k = 0; k < kFitPlaces && worst <= enough; ++k)
+      worst = std::max(worst, at(leaf, fit_place(k), samples_.at[k], squares));
+    return std::max(worst, std::sqrt(std::max(squares.value, squares.gradient) / kFitPlaces));
+  }
+
+ private:
+  const CellSamples& samples_;
+  const FitBounds& bounds_;
+  double round_m_;
+  double side_;
+};
+
+/// One piece, in the form that leaves keep.
+struct Piece {
+  bool curved = false;
+  std::array<std::uint32_t, 6> words{};
+  Vec3 normal;
+};
+
+std::uint32_t word(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
+
+/// The tangent plane of a sample. Coarsely rounded, so that leaves over the same face hold the same words.
+Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
+  const FieldSample& s = samples.at[k];
+  const auto rounded = [](double v, double step) { return std::round(v / step) * step; };
+  constexpr double kDirectionStep = 1.0 / (1 << 20);
+  const Vec3 n{rounded(s.gradient.x, kDirectionStep), rounded(s.gradient.y, kDirectionStep),
+               rounded(s.gradient.z, kDirectionStep)};
+  const Vec3 x = samples.centre_m + samples.half_m * fit_place(k);
+  Piece piece;
+  piece.normal = n;
+  piece.words = {word(n.x), word(n.y), word(n.z), word(rounded(s.distance_m - dot(n, x), cell_m / 2048.0))};
+  return piece;
+}
+
+using Coefficients = std::array<double, kTerms>;
+/// A row of the least-squares problem for a value, or one axis of the gradient.
+Coefficients value_row(Vec3 u) {
+  return {1.0, u.x, u.y, u.z, u.x * u.x, u.y * u.y, u.z * u.z, u.x * u.y, u.x * u.z, u.y * u.z};
+}
+std::array<Coefficients, 3> gradient_rows(Vec3 u) {
+  return {{{0, 1, 0, 0, 2 * u.x, 0, 0, u.y, u.z, 0},
+           {0, 0, 1, 0, 0, 2 * u.y, 0, u.x, 0, u.z},
+           {0, 0, 0, 1, 0, 0, 2 * u.z, 0, u.x, u.y}}};
+}
+
+/// Normal equations, solved by Cholesky's method.
+class Fit {
+ public:
+  void add(const Coefficients& row, double value, double weight) {
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      const double w = weight * row[i];
+      if (w == 0.0) continue;
+      right_[i] += w * value;
+      for (std::size_t j = 0; j <= i; ++j) matrix_[i][j] += w * row[j];
+    }
+  }
+  Coefficients solve() {
+    constexpr double kRidge = 1e-9;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      matrix_[i][i] += kRidge;
+      for (std::size_t j = 0; j <= i; ++j) {
+        double sum = matrix_[i][j];
+        for (std::size_t k = 0; k < j; ++k) sum -= matrix_[i][k] * matrix_[j][k];
+        matrix_[i][j] = i == j ? std::sqrt(std::max(sum, kRidge)) : sum / matrix_[j][j];
+      }
+    }
+    Coefficients c = right_;
+    for (std::size_t i = 0; i < kTerms; ++i) {
+      for (std::size_t k = 0; k < i; ++k) c[i] -= matrix_[i][k] * c[k];
+      c[i] /= matrix_[i][i];
+    }
+    for (std::size_t i = kTerms; i-- > 0;) {
+      for (std::size_t k = i + 1; k < kTerms; ++k) c[i] -= matrix_[k][i] * c[k];
+      c[i] /= matrix_[i][i];
+    }
+    return c;
+  }
+
+ private:
+  std::array<Coefficients, kTerms> matrix_{};
+  Coefficients right_{};
+};
+
+template <class Wanted>
+Piece quadratic_through(const CellSamples& samples, Wanted wanted) {
+  Fit fit;
+  for (std::size_t k = 0; k < kFitPlaces; ++k) {
+    if (!wanted(k)) continue;
+    const Vec3 u = fit_place(k);
+    const FieldSample& s = samples.at[k];
+    fit.add(value_row(u), s.distance_m / samples.half_m, 1.0);
+    const auto rows = gradient_rows(u);
+    fit.add(rows[0], s.gradient.x, kGradientWeight);
+    fit.add(rows[1], s.gradient.y, kGradientWeight);
+    fit.add(rows[2], s.gradient.z, kGradientWeight);
+  }
+  const Coefficients c = fit.solve();
+  Piece piece;
+  piece.curved = true;
+  piece.normal = {c[1], c[2], c[3]};
+  piece.words[0] = word(c[0]);
+  for (std::size_t i = 1; i < kTerms; ++i) {
+    const double steps = std::clamp(std::round(c[i] / LeafHead::kStep), -32768.0, 32767.0);
+    const auto bits = static_cast<std::uint32_t>(static_cast<std::int32_t>(steps)) & 0xFFFFU;
+    piece.words[1 + (i - 1) / 2] |= (i - 1) % 2 == 0 ? bits : bits << 16U;
+  }
+  return piece;
+}
+
+HalfAngle half_angle(Vec3 a, Vec3 b) {
+  const double c = std::clamp(dot(unit(a), unit(b)), -1.0, 1.0);
+  return {static_cast<float>(std::sqrt(0.5 * (1.0 + c))), static_cast<float>(std::sqrt(0.5 * (1.0 - c)))};
+}
+/// Pieces that meet at less than a degree are one.
+bool meet_well(HalfAngle half) { return half.sine > 0.01F; }
+
+LeafFit leaf_of(std::span<const Piece> pieces, std::span<const Meeting> meetings,
+                std::span<const HalfAngle> halves) {
+  LeafFit leaf;
+  std::uint32_t head = static_cast<std::uint32_t>(pieces.size() - 1);
+  for (std::size_t i = 0; i < pieces.size(); ++i) head |= (pieces[i].curved ? 1U : 0U) << (2 + i);
+  for (std::size_t i = 0; i < meetings.size(); ++i)
+    head |= (meetings[i] == Meeting::concave ? 1U : 0U) << (5 + i);
+  leaf.words[leaf.count++] = head;
+  for (const HalfAngle half : halves) {
+    leaf.words[leaf.count++] = std::bit_cast<std::uint32_t>(half.cosine);
+    leaf.words[leaf.count++] = std::bit_cast<std::uint32_t>(half.sine);
+  }
+  for (const Piece& piece : pieces) {
+    const std::size_t words = piece.curved ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
+    std::copy_n(piece.words.begin(), words, leaf.words.begin() + static_cast<std::ptrdiff_t>(leaf.count));
+    leaf.count += words;
+  }
+  return leaf;
+}
+
+/// Samples whose directions differ most: those of the faces that meet, for the directions of the fan over
+/// their edge lie between.
+struct Extremes {
+  std::size_t a = 0, b = 0, c = 0;
+  double ab = 0.0, c_from_both = 0.0;
+};
+Extremes extremes_of(const CellSamples& samples) {
+  Vec3 mean;
+  for (const FieldSample& s : samples.at) mean += s.gradient / static_cast<double>(kFitPlaces);
+  const auto farthest = [&](auto distance) {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < kFitPlaces; ++k)
+      if (distance(k) > distance(best) + 1e-12) best = k;
+    return best;
+  };
+  const auto from = [&](std::size_t k, Vec3 g) { return squared_norm(samples.at[k].gradient - g); };
+  Extremes e;
+  e.a = farthest([&](std::size_t k) { return from(k, mean); });
+  const Vec3 ga = samples.at[e.a].gradient;
+  e.b = farthest([&](std::size_t k) { return from(k, ga); });
+  const Vec3 gb = samples.at[e.b].gradient;
+  const auto from_both = [&](std::size_t k) { return std::min(from(k, ga), from(k, gb)); };
+  e.c = farthest(from_both);
+  e.ab = from(e.b, ga);
+  e.c_from_both = from_both(e.c);
+  return e;
+}
+
+/// Tries leaf after leaf and keeps the best.
+class Search {
+ public:
+  Search(const CellSamples& samples, const FitBounds& bounds)
+      : samples_(samples), bounds_(bounds), judge_(samples, bounds), ends_(extremes_of(samples)) {}
+
+  LeafFit run() {
+    const double turn2 = ends_.ab;
+    constexpr double kFlat = 1e-3;
+    if (turn2 < 4e-4 && try_leaf(leaf_of(std::array{plane(kCentre)}, {}, {}))) return best_;
+    if (turn2 > kFlat && try_planes()) return best_;
+    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic_through(samples_, [](std::size_t) { return true; })}, {}, {})))
+      return best_;
+    if (turn2 > kFlat && try_quadratics()) return best_;
+    if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
+    if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}, {}));
+    return best_;
+  }
+
+ private:
+  static constexpr std::size_t kCentre = kFitPlaces / 2;
+  Piece plane(std::size_t k) const { return plane_through(samples_, k, bounds_.cell_m); }
+
+  bool try_leaf(LeafFit leaf) {
+    leaf.error = judge_.error(leaf, std::max(1.0, best_.error));
+    if (best_.count == 0 || leaf.error < best_.error) best_ = leaf;
+    return best_.error <= 1.0;
+  }
+  bool try_pair(const Piece& a, const Piece& b, HalfAngle half) {
+    if (!meet_well(half)) return false;
+    return try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::convex}, std::array{half})) ||
+           try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::concave}, std::array{half}));
+  }
+  bool try_planes() {
+    const Piece a = plane(ends_.a), b = plane(ends_.b);
+    return try_pair(a, b, half_angle(a.normal, b.normal));
+  }
+  bool try_quadratics() {
+    const Vec3 ga = samples_.at[ends_.a].gradient, gb = samples_.at[ends_.b].gradient;
+    std::array<bool, kFitPlaces> by_a{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const Vec3 g = samples_.at[k].gradient;
+      by_a[k] = squared_norm(g - ga) < squared_norm(g - gb);
+      count += by_a[k] ? 1 : 0;
+    }
+    constexpr std::size_t kLeast = 5;
+    if (count < kLeast || kFitPlaces - count < kLeast) return false;
+    const Piece a = quadratic_through(samples_, [&](std::size_t k) { return by_a[k]; });
+    const Piece b = quadratic_through(samples_, [&](std::size_t k) { return !by_a[k]; });
+    return try_pair(a, b, half_angle(a.normal, b.normal));
+  }
+  bool try_corner() {
+    const std::array<Piece, 3> p{plane(ends_.a), plane(ends_.b), plane(ends_.c)};
+    constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
+    for (const auto& order : kOrders) {
+      const std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
+      const HalfAngle first = half_angle(pieces[0].normal, pieces[1].normal);
+      const HalfAngle second = half_angle(pieces[0].normal + pieces[1].normal, pieces[2].normal);
+      if (!meet_well(first) || !meet_well(second)) continue;
+      for (const Meeting m : {Meeting::convex, Meeting::concave})
+        for (const Meeting n : {Meeting::convex, Meeting::concave})
+          if (try_leaf(leaf_of(pieces, std::array{m, n}, std::array{first, second}))) return true;
+    }
+    return false;
+  }
+
+  const CellSamples& samples_;
+  const FitBounds& bounds_;
+  Judge judge_;
+  Extremes ends_;
+  LeafFit best_;
+};
+
+}  // namespace
+
+Vec3 fit_place(std::size_t k) {
+  const auto axis = [](std::size_t i) { return static_cast<double>(i % 3) - 1.0; };
+  return {axis(k), axis(k / 3), axis(k / 9)};
+}
+
+LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds) {
+  return Search(samples, bounds).run();
+}
+
+double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const FieldSample& truth,
+                  const FitBounds& bounds) {
+  Judge::Squares squares;
+  return Judge(samples, bounds).at(leaf, u, truth, squares);
+}
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,56 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/distance_surface.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace palpable::sculpt {
+
+/// How closely a field must follow its source (docs/fields.md). Near the surface: value within bound_m, and
+/// root-mean-square and gradient so close that neighbouring leaves join without a felt step. Elsewhere the
+/// same, loosened with the distance from that band.
+struct FitBounds {
+  double bound_m = 1e-5;
+  /// The band: this deep inside and this far outside.
+  double inside_m = 0.003;
+  double outside_m = 0.001;
+  double cell_m = 0.0;
+};
+
+/// Where a cell is asked for its distance: 3 x 3 x 3 places over it, its corners among them. Each answers with
+/// a value and a gradient, so 108 numbers meet the 10 of a quadratic.
+inline constexpr std::size_t kFitPlaces = 27;
+/// Place k of a cell, from its centre in halves of its side.
+Vec3 fit_place(std::size_t k);
+
+struct CellSamples {
+  /// The cell's centre from the field's origin, and half its side.
+  Vec3 centre_m;
+  double half_m = 0.0;
+  std::array<models::FieldSample, kFitPlaces> at;
+};
+
+/// A leaf's words (models/field_leaf.hpp), and how far they err: up to 1 keeps every bound.
+struct LeafFit {
+  std::array<std::uint32_t, 24> words{};
+  std::size_t count = 0;
+  double error = std::numeric_limits<double>::infinity();
+  std::span<const std::uint32_t> used() const { return {words.data(), count}; }
+};
+
+/// The simplest leaf that keeps the bounds: a plane, two planes that meet, a quadratic, two of them, three
+/// planes; else the best of these, its error above 1.
+LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds);
+
+/// How far a leaf errs at one more place, as LeafFit::error counts it.
+double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const models::FieldSample& truth,
+                  const FitBounds& bounds);
+
+}  // namespace palpable::sculpt

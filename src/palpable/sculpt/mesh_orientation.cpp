@@ -1,0 +1,202 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/mesh_orientation.hpp"
+
+#include "palpable/sculpt/triangle_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <random>
+#include <unordered_map>
+#include <vector>
+
+namespace palpable::sculpt {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+struct PlaceHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const double v : {p.x, p.y, p.z}) hash = (hash ^ std::bit_cast<std::uint64_t>(v)) * 0x100000001B3U;
+    return static_cast<std::size_t>(hash ^ hash >> 29U);
+  }
+};
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
+}
+
+void turn(Triangle& t) { std::swap(t[1], t[2]); }
+
+/// Whether the triangle runs along its edge from a to b.
+bool runs(const Triangle& t, std::uint32_t a, std::uint32_t b) {
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
+
+/// For each triangle the one across each of its edges; itself where there is none or more than one.
+std::vector<Triangle> neighbours_of(const Mesh& mesh) {
+  struct Users {
+    std::uint32_t first = 0, second = 0;
+    int count = 0;
+  };
+  std::unordered_map<std::uint64_t, Users> edges;
+  edges.reserve(2 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      Users& users = edges[edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3])];
+      (users.count == 0 ? users.first : users.second) = t;
+      ++users.count;
+    }
+  std::vector<Triangle> neighbours(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Users& users = edges[edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3])];
+      neighbours[t][k] = users.count != 2 ? t : users.first == t ? users.second : users.first;
+    }
+  return neighbours;
+}
+
+/// Whether more of a part's front than of its back looks into the solid, by the parity of rays.
+bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
+                   double lift_m, std::mt19937_64& random) {
+  std::vector<double> area_until(part.size());
+  double area = 0.0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Triangle& t = mesh.triangles[part[i]];
+    const Vec3 a = mesh.vertices_m[t[0]];
+    area += norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+    area_until[i] = area;
+  }
+  constexpr int kRays = 41;
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::normal_distribution<double> normal;
+  int inwards = 0;
+  for (int ray = 0; ray < kRays; ++ray) {
+    const auto pick = std::lower_bound(area_until.begin(), area_until.end(), area * uniform(random));
+    const auto index = std::min(static_cast<std::size_t>(pick - area_until.begin()), part.size() - 1);
+    const Triangle& t = mesh.triangles[part[index]];
+    const Vec3 a = mesh.vertices_m[t[0]], ab = mesh.vertices_m[t[1]] - a, ac = mesh.vertices_m[t[2]] - a;
+    double u = uniform(random), v = uniform(random);
+    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+    const Vec3 n = unit(cross(ab, ac));
+    Vec3 direction = unit({normal(random), normal(random), normal(random)});
+    if (dot(direction, n) < 0.0) direction = -direction;
+    const Vec3 place = a + u * ab + v * ac;
+    const int front = tree.crossings(place + lift_m * n, direction);
+    const int back = tree.crossings(place - lift_m * n, -direction);
+    inwards += front % 2 - back % 2;
+  }
+  return inwards > 0;
+}
+
+}  // namespace
+
+Mesh welded(const Mesh& mesh, std::size_t& removed) {
+  Mesh result;
+  std::unordered_map<Vec3, std::uint32_t, PlaceHash> places;
+  std::vector<std::uint32_t> now(mesh.vertices_m.size());
+  for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
+    // Adding zero makes one zero of both.
+    const Vec3 p = mesh.vertices_m[i] + Vec3{};
+    if (!is_finite(p)) continue;
+    const auto [at, fresh] = places.try_emplace(p, static_cast<std::uint32_t>(result.vertices_m.size()));
+    if (fresh) result.vertices_m.push_back(p);
+    now[i] = at->second;
+  }
+  removed = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const bool sound = std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+      return v < mesh.vertices_m.size() && is_finite(mesh.vertices_m[v]);
+    });
+    const Triangle n = sound ? Triangle{now[t[0]], now[t[1]], now[t[2]]} : Triangle{};
+    const bool has_area =
+        sound && squared_norm(cross(result.vertices_m[n[1]] - result.vertices_m[n[0]],
+                                    result.vertices_m[n[2]] - result.vertices_m[n[0]])) > 0.0;
+    if (has_area)
+      result.triangles.push_back(n);
+    else
+      ++removed;
+  }
+  return result;
+}
+
+std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed) {
+  if (mesh.triangles.empty()) return 0;
+  const auto neighbours = neighbours_of(mesh);
+  const TriangleTree tree(mesh);
+  Vec3 low = mesh.vertices_m[mesh.triangles[0][0]], high = low;
+  for (const Vec3 v : mesh.vertices_m) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+  }
+  const double lift_m = 1e-6 * norm(high - low);
+  std::mt19937_64 random(seed);
+  std::vector<bool> seen(mesh.triangles.size());
+  std::size_t turned = 0;
+  for (std::uint32_t start = 0; start < mesh.triangles.size(); ++start) {
+    if (seen[start]) continue;
+    std::vector<std::uint32_t> part{start};
+    seen[start] = true;
+    bool changed = false;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const Triangle t = mesh.triangles[part[i]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Neighbours were noted by the place of an edge before any turning: ask for the shared edge itself.
+        const std::uint32_t other = neighbours[part[i]][k];
+        if (seen[other]) continue;
+        seen[other] = true;
+        part.push_back(other);
+        Triangle& o = mesh.triangles[other];
+        bool same_way = false;
+        for (std::size_t e = 0; e < 3; ++e) same_way = same_way || runs(o, t[e], t[(e + 1) % 3]);
+        if (same_way) {
+          turn(o);
+          changed = true;
+        }
+      }
+    }
+    if (faces_inwards(mesh, part, tree, lift_m, random)) {
+      for (const std::uint32_t t : part) turn(mesh.triangles[t]);
+      changed = true;
+    }
+    turned += changed ? 1 : 0;
+  }
+  return turned;
+}
+
+std::size_t close_holes(Mesh& mesh) {
+  std::unordered_map<std::uint64_t, int> uses;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) ++uses[edge_key(t[k], t[(k + 1) % 3])];
+  // Rim edges by the vertex where they start, in a fixed order.
+  std::multimap<std::uint32_t, std::uint32_t> rim;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (uses[edge_key(t[k], t[(k + 1) % 3])] == 1) rim.emplace(t[k], t[(k + 1) % 3]);
+  std::size_t closed = 0;
+  while (!rim.empty()) {
+    std::vector<std::array<std::uint32_t, 2>> loop;
+    auto edge = rim.begin();
+    while (edge != rim.end()) {
+      loop.push_back({edge->first, edge->second});
+      const std::uint32_t next = edge->second;
+      rim.erase(edge);
+      edge = rim.find(next);
+    }
+    // An open chain (its end meets no start) stays open: the winding number copes.
+    if (loop.size() < 3 || loop.back()[1] != loop.front()[0]) continue;
+    Vec3 centre;
+    for (const auto& e : loop) centre += mesh.vertices_m[e[0]] / static_cast<double>(loop.size());
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    mesh.vertices_m.push_back(centre);
+    for (const auto& e : loop) mesh.triangles.push_back({e[1], e[0], middle});
+    ++closed;
+  }
+  return closed;
+}
+
+}  // namespace palpable::sculpt

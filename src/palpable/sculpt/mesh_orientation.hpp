@@ -1,0 +1,24 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace palpable::sculpt {
+
+/// The mesh with vertices at the same place made one, without triangles that have no area, or that name a
+/// vertex that is not finite or not there. `removed` counts them.
+Mesh welded(const Mesh& mesh, std::size_t& removed);
+
+/// Makes neighbouring triangles agree about their outer side, then turns each connected part outwards where
+/// most rays from its front meet an odd number of triangles (Takayama et al. 2014). Returns how many parts
+/// were turned.
+std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed);
+
+/// Closes each rim (a loop of edges that one triangle uses) by a fan around its centre. Returns how many.
+std::size_t close_holes(Mesh& mesh);
+
+}  // namespace palpable::sculpt

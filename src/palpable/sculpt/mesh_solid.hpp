@@ -1,0 +1,43 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/sculpt/distance_source.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpable::sculpt {
+
+/// What was found and mended in a mesh on its way to a solid.
+struct MeshRepair {
+  std::size_t triangles = 0;
+  /// Triangles without an area, or with a vertex that is not finite or not there: left out.
+  std::size_t degenerate = 0;
+  /// Parts that were turned to face outwards.
+  std::size_t turned_parts = 0;
+  /// Rims that were closed by a fan of triangles.
+  std::size_t closed_holes = 0;
+  /// Triangles that have the solid on both of their sides, or on none: not part of its surface.
+  std::size_t inner = 0;
+  /// One sentence each, for the person.
+  std::vector<std::string> notes() const;
+};
+
+struct MeshSolid {
+  std::unique_ptr<DistanceSource> distance;
+  MeshRepair repair;
+};
+
+/// The solid that a mesh means, with its exact distance. A closed, outward mesh is taken as it is. Of others:
+/// parts are turned to face outwards (by the parity of rays, as Takayama et al. 2014), holes closed, and the
+/// solid is where the triangles wind round a place at least once (generalised winding number, Jacobson et al.
+/// 2013); triangles inside the solid, where bodies overlap, are left out, those that are partly inside cut
+/// down to `finest_m`. Errors: invalid_input for a mesh without triangles or without a volume.
+Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work);
+
+}  // namespace palpable::sculpt
