@@ -26,6 +26,11 @@ struct Benchmark {
 };
 
 std::string size_text(const models::Scene& scene) {
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model)) {
+    const models::FieldGrid& grid = (*field)->distance.grid();
+    const Vec3 size = models::size_m(scene);
+    return fmt::format("{:.0f}", std::max({size.x, size.y, size.z}) / grid.cell_m);
+  }
   const auto& samples = models::relief_of(scene)->samples_m();
   return fmt::format("{}x{}", samples.width(), samples.height());
 }

@@ -29,6 +29,7 @@ namespace {
 struct Arguments {
   std::string scene, output;
   double interval_mm = 2.0;
+  int grid = 128;
 };
 
 /// The surface's own height at the place of each sample (the samples are its control values).
@@ -108,6 +109,39 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
   return Error{ErrorCode::usage, "a relief is exported as .stl, .glb, .svg, .npz or .png", arguments.output};
 }
 
+/// Distances on a grid of places, `grid` along the longest side: distance_m[i, j, k] stands at origin_m +
+/// spacing_m (i, j, k), x right, y up, z towards the person.
+Result<Answer> export_model(const models::Field& field, const models::Scene& /*scene*/,
+                            const Arguments& arguments) {
+  const std::filesystem::path output(arguments.output);
+  if (output.extension() != ".npz")
+    return Error{ErrorCode::usage, "a field is exported as .npz", arguments.output};
+  const models::FieldGrid& grid = field.distance.grid();
+  const Vec3 size = grid.size_m();
+  const double spacing_m = std::max({size.x, size.y, size.z}) / (arguments.grid - 1);
+  const auto count = [&](double extent) { return static_cast<int>(extent / spacing_m + 1.0 + 1e-9); };
+  const int nx = count(size.x), ny = count(size.y), nz = count(size.z);
+  std::vector<float> values;
+  for (int i = 0; i < nx; ++i)
+    for (int j = 0; j < ny; ++j)
+      for (int k = 0; k < nz; ++k) {
+        const Vec3 place = grid.origin_m + spacing_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k};
+        values.push_back(static_cast<float>(field.distance.sample(place).distance_m));
+      }
+  formats::NpyArray distances = formats::npy_array(std::span<const float>(values));
+  distances.shape = {static_cast<std::size_t>(nx), static_cast<std::size_t>(ny),
+                     static_cast<std::size_t>(nz)};
+  const std::array<double, 3> origin_m{grid.origin_m.x, grid.origin_m.y, grid.origin_m.z};
+  const formats::Npz arrays{{"distance_m", std::move(distances)},
+                            {"origin_m", formats::npy_array(std::span<const double>(origin_m))},
+                            {"spacing_m", formats::npy_array(spacing_m)}};
+  if (const auto written = formats::write_npz(output, arrays); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output}, {"spacing_m", spacing_m}, {"grid", {nx, ny, nz}}};
+  answer.text = fmt::format("{}\n", arguments.output);
+  return answer;
+}
+
 /// Unit tangents in image axes (x right, y down; their sign is free) and strength of the averaged map (eq.
 /// 7), and the one-pixel-wide lines.
 Result<Answer> export_model(const models::Contours& contours, const models::Scene& /*scene*/,
@@ -173,6 +207,8 @@ void add_export(Program& program) {
       [arguments](Console& /*console*/) { return run_export(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
   options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
+  options.integer("--grid", arguments->grid, {2, 1024},
+                  "Of a field: places along its longest side in an .npz");
   options.number("--interval", arguments->interval_mm, {0.1, 100.0},
                  "Height from line to line in an .svg, mm");
 }

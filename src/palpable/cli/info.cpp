@@ -46,6 +46,27 @@ void add_model(Answer& answer, const models::Relief& relief) {
                              1000.0 * relief.highest_m());
 }
 
+void add_model(Answer& answer, const models::Field& field) {
+  const models::DistanceField& distance = field.distance;
+  const models::FieldGrid& grid = distance.grid();
+  // As the paper counts: a distance and a force vector, four bytes each, for every finest cell.
+  constexpr double kBytes = 16.0;
+  const double dense = kBytes * grid.cells(0) * grid.cells(1) * grid.cells(2);
+  answer.json["resolution"] = {grid.cells(0), grid.cells(1), grid.cells(2)};
+  answer.json["cell_m"] = grid.cell_m;
+  answer.json["dense_bytes"] = dense;
+  answer.json["cells"] = distance.leaves();
+  answer.json["max_error_m"] = distance.errors().bound_m;
+  answer.json["measured_error_m"] = {{"p99", distance.errors().p99_m}, {"max", distance.errors().max_m}};
+  answer.json["primitives"] = Json::array();
+  answer.text += fmt::format(
+      "  {} cells instead of {} x {} x {} of {:.3f} mm ({:.0f} MB dense)\n"
+      "  error bound {:.1f} um near the surface where it is smooth; measured there, edges and all: {:.1f} um "
+      "(99 %), {:.1f} um at most\n",
+      distance.leaves(), grid.cells(0), grid.cells(1), grid.cells(2), 1e3 * grid.cell_m, dense / 1e6,
+      1e6 * distance.errors().bound_m, 1e6 * distance.errors().p99_m, 1e6 * distance.errors().max_m);
+}
+
 /// In pixels of the input picture.
 void add_model(Answer& answer, const models::Contours& contours) {
   const models::BoundaryMap& map = contours.boundaries;

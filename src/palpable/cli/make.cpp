@@ -22,6 +22,7 @@ Result<Answer> make(const Arguments& arguments, Console& console) {
   if (!options) return options.error();
   if (arguments.as == "relief") options->as = session::MakeAs::relief;
   if (arguments.as == "contours") options->as = session::MakeAs::contours;
+  if (arguments.as == "field") options->as = session::MakeAs::field;
   if (options->inputs.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
   const auto begin = std::chrono::steady_clock::now();
   const auto made = session::make_scene(*options, console.work());
@@ -52,11 +53,12 @@ void add_make(Program& program) {
       "  palpable make left.png right.png -o room.palp\n"
       "  palpable make left.png right.png -o room.palp --calibration calib.txt --size 150x100x30\n"
       "  palpable make depth.png -o room.palp --kind depth\n"
-      "  palpable make scan.png -o scan.palp --as contours",
+      "  palpable make scan.png -o scan.palp --as contours\n"
+      "  palpable make house.obj -o house.palp --size 100x100x50",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
-  options.choice("--as", arguments->as, {"relief", "contours"},
-                 "What it becomes; else contours of one picture, a relief of all else");
+  options.choice("--as", arguments->as, {"relief", "contours", "field"},
+                 "What it becomes; else contours of one picture, a field of a mesh, a relief of all else");
   add_make_options(options, arguments->make);
 }
 

@@ -43,10 +43,12 @@ sources::StereoLayout layout_from(const std::string& name) {
 void add_make_options(Options& options, MakeArguments& arguments) {
   constexpr int kMostInputs = 4096;
   constexpr Range kDepthUnits{-1e6, 1e6};
-  options.arguments("INPUT", arguments.inputs, kMostInputs, "A pair (left first), a depth map, or a scene");
+  options.arguments("INPUT", arguments.inputs, kMostInputs,
+                    "A pair (left first), a depth map, a mesh, or a scene");
   options.under("What is made of it");
-  options.text("--kind", arguments.kind, "picture, stereo, depth or scene; else recognised by content");
-  options.text("--size", arguments.size, "WxHxD in mm that bound the scene; else 100x100 and 15 high");
+  options.text("--kind", arguments.kind, "picture, stereo, depth, mesh or scene; else recognised by content");
+  options.text("--size", arguments.size,
+               "WxHxD in mm that bound the scene; else 100x100 and 15 high, and a mesh as it is");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
                  "Metres for one step of a depth map; else as its sidecar or kind says");
   options.choice("--depth-as", arguments.depth_as, {"depth", "distance", "disparity", "nearness", "zbuffer"},
@@ -69,6 +71,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on it; front = as from between a pair's cameras");
+  options.under("Fields of a mesh");
+  options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
+  options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
+                 "Bound of the distance's error near the surface, mm; else 1/10000 of the longest side");
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
@@ -118,6 +124,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
   if (arguments.threshold) options.contours.threshold = *arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;
+  options.field.resolution = arguments.resolution;
+  if (arguments.max_error_mm) options.field.max_error_m = *arguments.max_error_mm / 1000.0;
   options.grooves.width_m = arguments.groove_mm / 1000.0;
   if (!arguments.kind.empty()) {
     options.kind = sources::input_kind_from(arguments.kind);

@@ -31,6 +31,8 @@ struct MakeArguments {
   double neighbourhood_px = 3.0;
   double groove_mm = 4.0;
   std::string ground;
+  int resolution = 512;
+  std::optional<double> max_error_mm;
   std::string texture = "left";
 };
 

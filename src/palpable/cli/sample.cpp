@@ -23,12 +23,26 @@ struct Arguments {
 /// One row's answer; empty where the point stands outside the model's domain.
 using Value = std::optional<models::ClosestPoint>;
 
-std::vector<Value> ask(const models::Relief& relief, const NumberTable& points, const Work& work) {
+/// What the field itself says; the nearest place of the surface is where its gradient leads.
+Value ask(const models::DistanceField& field, Vec3 place_m) {
+  if (!is_finite(place_m) || !field.contains(place_m)) return std::nullopt;
+  const models::FieldSample s = field.sample(place_m);
+  const Vec3 normal = unit(s.gradient);
+  return models::ClosestPoint{{place_m - s.distance_m * normal}, s.distance_m, {normal}};
+}
+
+Value ask(const models::Scene& scene, Vec3 place_m) {
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
+    return ask((*field)->distance, place_m);
+  return models::closest_point(*models::relief_of(scene), {place_m});
+}
+
+std::vector<Value> ask(const models::Scene& scene, const NumberTable& points, const Work& work) {
   std::vector<Value> values(points.rows());
   parallel_for(work, static_cast<int>(points.rows()), 256, [&](int begin, int end) {
     for (int i = begin; i < end && !work.cancelled(); ++i) {
       const auto row = points.row(static_cast<std::size_t>(i));
-      values[static_cast<std::size_t>(i)] = models::closest_point(relief, {{row[0], row[1], row[2]}});
+      values[static_cast<std::size_t>(i)] = ask(scene, {row[0], row[1], row[2]});
     }
   });
   return values;
@@ -67,7 +81,7 @@ Result<Answer> sample(const Arguments& arguments, Console& console) {
   const auto points = read_number_table(arguments.points, kColumns);
   if (!points) return points.error();
   const Work work = console.work();
-  const auto values = ask(*models::relief_of(scene), *points, work);
+  const auto values = ask(scene, *points, work);
   if (work.cancelled()) return Work::interrupted();
   const std::string csv = csv_of(scene, *points, values);
   if (const auto written = write_file_atomically(arguments.output, std::as_bytes(std::span(csv))); !written)

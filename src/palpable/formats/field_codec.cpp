@@ -205,7 +205,8 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
                  {"cells", kCells}};
   Bytes member;
   const std::vector<std::uint8_t> planes = planes_of(streams.words);
-  const std::array<std::span<const std::uint8_t>, 4> parts{streams.tree, streams.shared, streams.heads, planes};
+  const std::array<std::span<const std::uint8_t>, 4> parts{streams.tree, streams.shared, streams.heads,
+                                                           planes};
   nlohmann::json sizes = nlohmann::json::array();
   for (const auto part : parts) {
     const auto bytes = packed(part);

@@ -23,4 +23,7 @@ Result<void> write_contours(const models::Contours& contours, nlohmann::json& de
                             ZipMembers& members);
 Result<models::Model> read_contours(const nlohmann::json& description, const ZipMembers& members);
 
+Result<void> write_field(const models::Field& field, nlohmann::json& description, ZipMembers& members);
+Result<models::Model> read_field(const nlohmann::json& description, const ZipMembers& members);
+
 }  // namespace palpable::formats

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/laws.hpp"
 
+#include "palpable/haptics/field_laws.hpp"
 #include "palpable/haptics/proxy.hpp"
 #include "palpable/haptics/rolling.hpp"
 #include "palpable/haptics/sobel.hpp"
@@ -53,12 +54,25 @@ std::uint64_t content_hash(const Relief& relief) {
   return hash;
 }
 
+std::uint64_t content_hash(const models::DistanceField& field) {
+  std::uint64_t hash = mixed(std::bit_cast<std::uint64_t>(field.cell_m()),
+                             std::bit_cast<std::uint64_t>(norm(field.grid().origin_m)));
+  for (const std::uint32_t word : field.tree().words) hash = mixed(hash, word);
+  return hash;
+}
+
 constexpr std::size_t kPage = 4096;
 
 template <class T>
 void read_pages(const Raster<T>& raster) noexcept {
   const auto* bytes = reinterpret_cast<const volatile unsigned char*>(raster.data());
   for (std::size_t at = 0; at < raster.count() * sizeof(T); at += kPage) static_cast<void>(bytes[at]);
+}
+void read_pages(const models::DistanceField& field) noexcept {
+  for (const auto* part : {&field.tree().roots, &field.tree().nodes, &field.tree().words}) {
+    const volatile std::uint32_t* words = part->data();
+    for (std::size_t at = 0; at < part->size(); at += kPage / sizeof(*words)) static_cast<void>(words[at]);
+  }
 }
 void read_pages(const Relief& relief) noexcept { read_pages(relief.samples_m()); }
 void read_pages(const models::BoundaryMap& map) noexcept { read_pages(map.averaged()); }
@@ -173,6 +187,22 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
   return touchable(AveragedLaw<Relief>(*std::move(surface), std::move(materials), p.averaging), family);
 }
 
+Result<std::shared_ptr<const Touchable>> on_field(const models::Scene& scene,
+                                                  const std::shared_ptr<const models::Field>& field,
+                                                  const LawParameters& p) {
+  // Seen from above it is a relief: for devices that move in a plane.
+  if (p.law == Law::rolling) return on_relief(scene, field->from_above, p);
+  const std::shared_ptr<const models::DistanceField> surface(field, &field->distance);
+  MaterialMap materials = materials_of(scene, *field->from_above, p);
+  const std::uint64_t family = mixed(mixed(static_cast<std::uint64_t>(p.law), content_hash(*surface)),
+                                     std::bit_cast<std::uint64_t>(p.radius_m));
+  if (p.law == Law::penalty)
+    return touchable(FieldPenaltyLaw<models::DistanceField>(surface, std::move(materials), p.radius_m,
+                                                            p.penalty == PenaltyDirection::normal),
+                     family);
+  return touchable(FieldProxyLaw<models::DistanceField>(surface, std::move(materials), p.radius_m), family);
+}
+
 /// The map as made, or averaged anew over another neighbourhood.
 Result<std::shared_ptr<const models::BoundaryMap>> boundaries_for(
     const std::shared_ptr<const models::Contours>& contours, const std::optional<double>& radius_px) {
@@ -213,6 +243,8 @@ std::optional<Law> law_from(std::string_view name) {
 std::vector<Law> laws_for(const models::Scene& scene) {
   if (std::holds_alternative<std::shared_ptr<const Relief>>(scene.model))
     return {Law::proxy, Law::rolling, Law::penalty, Law::averaged, Law::sobel};
+  if (std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model))
+    return {Law::proxy, Law::penalty, Law::rolling};
   return {Law::tracing, Law::groove, Law::rolling};
 }
 
@@ -225,6 +257,8 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
                  models::kind_of(scene.model));
   if (const auto* relief = std::get_if<std::shared_ptr<const Relief>>(&scene.model))
     return on_relief(scene, *relief, parameters);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
+    return on_field(scene, *field, parameters);
   const auto& contours = std::get<std::shared_ptr<const models::Contours>>(scene.model);
   if (parameters.law == Law::tracing) return on_boundaries(contours, parameters);
   return on_relief(scene, contours->grooves, parameters);

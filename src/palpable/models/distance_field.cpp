@@ -199,8 +199,7 @@ FieldSample DistanceField::mixed(Vec3 cells) const noexcept {
   for (std::size_t k = 0; k < count; ++k) {
     const FieldSample s = leaf_sample(parts[k].leaf, cells);
     sample.distance_m += parts[k].share * s.distance_m;
-    sample.gradient +=
-        parts[k].share * s.gradient + (s.distance_m * cells_per_m_) * parts[k].slope;
+    sample.gradient += parts[k].share * s.gradient + (s.distance_m * cells_per_m_) * parts[k].slope;
   }
   return sample;
 }

@@ -34,7 +34,9 @@ Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
   const double half_x = std::max({std::abs(least_m.x), std::abs(most_m.x), distance.cell_m()});
   const double half_y = std::max({std::abs(least_m.y), std::abs(most_m.y), distance.cell_m()});
   const double pixel_m = std::clamp(2.0 * std::max(half_x, half_y) / kPixels, 1e-6, 1.0);
-  const auto count = [&](double half) { return std::clamp(static_cast<int>(std::ceil(2.0 * half / pixel_m)), 2, 4096); };
+  const auto count = [&](double half) {
+    return std::clamp(static_cast<int>(std::ceil(2.0 * half / pixel_m)), 2, 4096);
+  };
   Raster<float> heights(count(half_x), count(half_y));
   for (int j = 0; j < heights.height(); ++j)
     for (int i = 0; i < heights.width(); ++i)

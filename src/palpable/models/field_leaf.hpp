@@ -101,9 +101,7 @@ inline FieldSample plane_at(const std::uint32_t* words, Vec3 x) noexcept {
 /// half (c + l·u + u·Qu), u from the leaf's centre in halves of its side: c as a float, then l and Q (xx, yy,
 /// zz, xy, xz, yz) in steps of kStep.
 inline FieldSample curved_at(const std::uint32_t* words, Vec3 u, double half_m) noexcept {
-  const auto low = [&](int i) {
-    return LeafHead::kStep * static_cast<std::int16_t>(words[1 + i] & 0xFFFFU);
-  };
+  const auto low = [&](int i) { return LeafHead::kStep * static_cast<std::int16_t>(words[1 + i] & 0xFFFFU); };
   const auto high = [&](int i) { return LeafHead::kStep * static_cast<std::int16_t>(words[1 + i] >> 16U); };
   const double lx = low(0), ly = high(0), lz = low(1), xx = high(1), yy = low(2), zz = high(2), xy = low(3),
                xz = high(3), yz = low(4);

@@ -18,10 +18,10 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 std::string kind_of(const Model& model) {
-  return std::visit(
-      Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); },
-                 [](const std::shared_ptr<const Contours>&) { return std::string("contours"); }},
-      model);
+  return std::visit(Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); },
+                               [](const std::shared_ptr<const Contours>&) { return std::string("contours"); },
+                               [](const std::shared_ptr<const Field>&) { return std::string("field"); }},
+                    model);
 }
 
 std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
@@ -38,6 +38,8 @@ std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
 const std::shared_ptr<const Relief>& relief_of(const Scene& scene) {
   if (const auto* contours = std::get_if<std::shared_ptr<const Contours>>(&scene.model))
     return (*contours)->grooves;
+  if (const auto* field = std::get_if<std::shared_ptr<const Field>>(&scene.model))
+    return (*field)->from_above;
   return std::get<std::shared_ptr<const Relief>>(scene.model);
 }
 
@@ -48,8 +50,15 @@ Vec3 size_m(const Scene& scene) {
                  },
                  [](const std::shared_ptr<const Contours>& contours) {
                    return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(), 0.0};
-                 }},
+                 },
+                 [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; }},
       scene.model);
+}
+
+Vec3 centre_m(const Scene& scene) {
+  if (const auto* field = std::get_if<std::shared_ptr<const Field>>(&scene.model))
+    return 0.5 * ((*field)->least_m + (*field)->most_m);
+  return {0.0, 0.0, 0.5 * size_m(scene).z};
 }
 
 }  // namespace palpable::models

@@ -74,11 +74,10 @@ class BranchBuilder {
     const int side = 1 << level;
     CellSamples samples;
     samples.half_m = 0.5 * grid_.cell_m * side;
-    samples.centre_m = grid_.cell_m * Vec3{corner[0] + 0.5 * side, corner[1] + 0.5 * side,
-                                           corner[2] + 0.5 * side};
+    samples.centre_m =
+        grid_.cell_m * Vec3{corner[0] + 0.5 * side, corner[1] + 0.5 * side, corner[2] + 0.5 * side};
     if (level > 0 && !work_.cancelled()) {
-      const double from_surface_m =
-          std::abs(source_.at(grid_.origin_m + samples.centre_m, hint_).distance_m);
+      const double from_surface_m = std::abs(source_.at(grid_.origin_m + samples.centre_m, hint_).distance_m);
       // Half the diagonal of a cube, and a little.
       const bool on_surface = from_surface_m < 1.8 * samples.half_m;
       if (on_surface && side > longest_on_surface_) return split(corner, level, branch);
@@ -97,9 +96,10 @@ class BranchBuilder {
     branch.nodes.resize(branch.nodes.size() + 8);
     const int half = 1 << (level - 1);
     for (unsigned child = 0; child < 8; ++child) {
-      const std::uint32_t entry = build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
-                                         corner[2] + (child & 4U ? half : 0)},
-                                        level - 1, branch);
+      const std::uint32_t entry =
+          build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
+                 corner[2] + (child & 4U ? half : 0)},
+                level - 1, branch);
       branch.nodes[8 * std::size_t{node} + child] = entry;
     }
     return node;

@@ -34,9 +34,9 @@ struct Allowance {
 Allowance allowance(double distance_m, double side, const FitBounds& b) {
   const double loose = side < 3.0 ? 4.0 : side < 6.0 ? 2.0 : 1.0;
   // Neighbouring leaves that differ by rms x 2 over half a cell tilt the gradient by 1 % to 2 %.
-  Allowance a{b.bound_m, std::min(0.2 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
-  const double beyond = distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m
-                                         : (distance_m - b.outside_m) / b.outside_m;
+  Allowance a{b.bound_m, std::min(0.15 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
+  const double beyond =
+      distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m : (distance_m - b.outside_m) / b.outside_m;
   if (beyond <= 0.0) return a;
   const double more = distance_m < 0.0 ? 1.0 + 4.0 * std::min(beyond, 1.0) : 1.0 + 10.0 * beyond;
   a.value_m *= more;
@@ -70,8 +70,7 @@ class Judge {
     const double value = std::abs(s.distance_m - truth.distance_m);
     if (leaf.count > LeafHead::kCurvedWords + 1) {
       // Where a kink is rounded, the rounding's own error is allowed, and the gradient turns.
-      const FieldSample sharp =
-          models::leaf_at(leaf.words.data(), x, u, samples_.half_m, 1e-3 * round_m_);
+      const FieldSample sharp = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, 1e-3 * round_m_);
       if (std::abs(sharp.distance_m - s.distance_m) > 1e-3 * round_m_)
         return value / std::max(a.value_m, 0.35 * bounds_.cell_m);
     }
@@ -261,7 +260,8 @@ class Search {
     constexpr double kFlat = 1e-3;
     if (turn2 < 4e-4 && try_leaf(leaf_of(std::array{plane(kCentre)}, {}, {}))) return best_;
     if (turn2 > kFlat && try_planes()) return best_;
-    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic_through(samples_, [](std::size_t) { return true; })}, {}, {})))
+    if (turn2 < 2.0 &&
+        try_leaf(leaf_of(std::array{quadratic_through(samples_, [](std::size_t) { return true; })}, {}, {})))
       return best_;
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();

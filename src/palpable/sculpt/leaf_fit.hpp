@@ -24,8 +24,8 @@ struct FitBounds {
   double cell_m = 0.0;
 };
 
-/// Where a cell is asked for its distance: 3 x 3 x 3 places over it, its corners among them. Each answers with
-/// a value and a gradient, so 108 numbers meet the 10 of a quadratic.
+/// Where a cell is asked for its distance: 3 x 3 x 3 places over it, its corners among them. Each answers
+/// with a value and a gradient, so 108 numbers meet the 10 of a quadratic.
 inline constexpr std::size_t kFitPlaces = 27;
 /// Place k of a cell, from its centre in halves of its side.
 Vec3 fit_place(std::size_t k);

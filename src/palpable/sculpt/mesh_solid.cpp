@@ -179,10 +179,11 @@ class SurfaceSorter {
              std::vector<std::array<Vec3, 3>>& pieces) const {
     const Vec3 normal = unit(cross(c[1] - c[0], c[2] - c[0]));
     const Vec3 centre = (c[0] + c[1] + c[2]) / 3.0;
-    const double longest =
-        std::sqrt(std::max({squared_norm(c[1] - c[0]), squared_norm(c[2] - c[1]), squared_norm(c[0] - c[2])}));
-    const double radius_m = 1.001 * std::sqrt(std::max({squared_norm(c[0] - centre), squared_norm(c[1] - centre),
-                                                        squared_norm(c[2] - centre)}));
+    const double longest = std::sqrt(
+        std::max({squared_norm(c[1] - c[0]), squared_norm(c[2] - c[1]), squared_norm(c[0] - c[2])}));
+    const double radius_m =
+        1.001 * std::sqrt(std::max(
+                    {squared_norm(c[0] - centre), squared_norm(c[1] - centre), squared_norm(c[2] - centre)}));
     // Sides change only where another triangle passes.
     const bool alone = longest > finest_m_ && !whole_.any_within(centre, radius_m, triangle);
     if (longest <= finest_m_ || alone) return sides_at(centre, normal);
@@ -200,7 +201,8 @@ class SurfaceSorter {
     std::array<Sides, 4> sides{};
     std::array<std::vector<std::array<Vec3, 3>>, 4> parts;
     for (std::size_t i = 0; i < 4; ++i) sides[i] = sort(quarters[i], triangle, parts[i]);
-    if (sides[0] != Sides::mixed && std::all_of(sides.begin(), sides.end(), [&](Sides s) { return s == sides[0]; }))
+    if (sides[0] != Sides::mixed &&
+        std::all_of(sides.begin(), sides.end(), [&](Sides s) { return s == sides[0]; }))
       return sides[0];
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& q = quarters[i];

@@ -4,6 +4,7 @@
 
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
+#include "palpable/session/make_field.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/picture.hpp"
 #include "palpable/vision/front_view.hpp"
@@ -158,7 +159,7 @@ bool as_contours(const MakeOptions& options, const sources::Input& input) {
 Error not_yet(const sources::Input& input) {
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
-              " cannot be made into a relief: give a stereo pair, a depth map or a scene (or say --kind)",
+              " cannot be made into that: give a stereo pair, a depth map, a mesh or a scene (or say --kind)",
           names_of(input.files)};
 }
 
@@ -187,7 +188,14 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
   if (as_contours(options, *input)) return from_picture(options, work);
+  const bool solid = input->kind == sources::InputKind::mesh;
+  const bool wanted = options.as == MakeAs::field;
+  if (input->kind != sources::InputKind::scene && solid != (wanted || options.as == MakeAs::by_input) &&
+      (solid || wanted))
+    return not_yet(*input);
   switch (input->kind) {
+    case sources::InputKind::mesh:
+      return field_from_mesh_file(options, input->files.front(), work);
     case sources::InputKind::scene:
       return from_scene_file(options);
     case sources::InputKind::depth:

@@ -4,6 +4,7 @@
 
 #include "palpable/core/work.hpp"
 #include "palpable/models/scene.hpp"
+#include "palpable/sculpt/field_from_source.hpp"
 #include "palpable/sculpt/grooves.hpp"
 #include "palpable/sculpt/relief_from_depth.hpp"
 #include "palpable/session/stereo_input.hpp"
@@ -22,8 +23,8 @@
 
 namespace palpable::session {
 
-/// What the input becomes: one picture contours, all else a relief, unless it is said.
-enum class MakeAs { by_input, relief, contours };
+/// What the input becomes: one picture contours, a mesh a field, all else a relief, unless it is said.
+enum class MakeAs { by_input, relief, contours, field };
 
 /// The picture on a pair's relief.
 enum class Texture {
@@ -65,6 +66,8 @@ struct MakeOptions {
   /// Radius of the contours' neighbourhood (eq. 7), 1 ... 32 px.
   double neighbourhood_px = 3.0;
   sculpt::GrooveOptions grooves;
+  /// Of a solid.
+  sculpt::FieldOptions field;
   /// Written into the scene's provenance: "palpable 0.1.0".
   std::string made_by;
 };

@@ -21,7 +21,7 @@ Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, con
   if (device.degrees_of_freedom > 2) scale = std::max(scale, size.z / (0.75 * work.z));
   Transform<SceneFrame, DeviceFrame> fit;
   fit.scale = scale;
-  fit.translation_m = {0.0, 0.0, 0.5 * size.z};
+  fit.translation_m = models::centre_m(scene);
   return fit;
 }
 

@@ -51,6 +51,14 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Contours>& conto
   add_model(hash, contours->grooves);
 }
 
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Field>& field) {
+  const models::FieldGrid& grid = field->distance.grid();
+  for (const double v : {grid.origin_m.x, grid.origin_m.y, grid.origin_m.z, grid.cell_m}) hash.add(v);
+  const models::FieldTree& tree = field->distance.tree();
+  for (const auto* part : {&tree.roots, &tree.nodes, &tree.words})
+    for (const std::uint32_t word : *part) hash.add(word);
+}
+
 }  // namespace
 
 std::string scene_hash(const models::Scene& scene) {

@@ -59,8 +59,8 @@ Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& end
     // Lines and points are no surface; nodes' transforms are applied to their vertices.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
     const aiScene* scene = importer.ReadFileFromMemory(
-        file.data(), file.size(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices,
-        ending.c_str());
+        file.data(), file.size(),
+        aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices, ending.c_str());
     if (scene == nullptr)
       return invalid_input(std::string("cannot be read as a mesh: ") + importer.GetErrorString());
     return mesh_from(*scene);
@@ -74,7 +74,8 @@ Result<Mesh> read_mesh(const std::filesystem::path& path) {
   if (!file) return file.error();
   if (as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096))).find("\"CityJSON\"") !=
       std::string_view::npos)
-    return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file", path.string());
+    return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
+                         path.string());
   auto mesh = decode_mesh(*file, ending_of(*file));
   if (!mesh) mesh.error().place = path.string();
   return mesh;

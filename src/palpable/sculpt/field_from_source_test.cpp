@@ -1,0 +1,175 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/field_from_source.hpp"
+
+#include "palpable/sculpt/mesh_solid.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+class Ball final : public DistanceSource {
+ public:
+  explicit Ball(double radius_m) : radius_m_(radius_m) {}
+  models::FieldSample at(Vec3 p, std::uint32_t&) const override {
+    return {norm(p) - radius_m_, norm(p) > 0.0 ? unit(p) : Vec3{1.0, 0.0, 0.0}};
+  }
+  Box bounds() const override {
+    return {{-radius_m_, -radius_m_, -radius_m_}, {radius_m_, radius_m_, radius_m_}};
+  }
+
+ private:
+  double radius_m_;
+};
+
+Mesh box_mesh(Vec3 low, Vec3 high) {
+  Mesh mesh;
+  for (unsigned i = 0; i < 8; ++i)
+    mesh.vertices_m.push_back({i & 1U ? high.x : low.x, i & 2U ? high.y : low.y, i & 4U ? high.z : low.z});
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return mesh;
+}
+
+double box_distance(Vec3 p, Vec3 low, Vec3 high) {
+  const Vec3 d{std::max(low.x - p.x, p.x - high.x), std::max(low.y - p.y, p.y - high.y),
+               std::max(low.z - p.z, p.z - high.z)};
+  const double inside = std::max({d.x, d.y, d.z});
+  return inside < 0.0 ? inside : norm({std::max(d.x, 0.0), std::max(d.y, 0.0), std::max(d.z, 0.0)});
+}
+
+TEST(FieldFromSource, FollowsABall) {
+  const Ball ball(0.03);
+  FieldOptions options;
+  options.resolution = 128;
+  options.max_error_m = 1e-5;
+  const auto field = field_from_source(ball, options, {});
+  ASSERT_TRUE(field);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-0.003, 0.001);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 n = unit({normal(random), normal(random), normal(random)});
+    const double distance = uniform(random);
+    const models::FieldSample s = field->sample((0.03 + distance) * n);
+    ASSERT_NEAR(s.distance_m, distance, 1e-5);
+    ASSERT_NEAR(norm(s.gradient), 1.0, 0.02);
+    ASSERT_GT(dot(unit(s.gradient), n), std::cos(1.0 / 57.3));
+  }
+}
+
+TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
+  const Vec3 low{-0.02, -0.015, -0.01}, high{0.02, 0.015, 0.01};
+  const auto solid = solid_from_mesh(box_mesh(low, high), 1e-4, {});
+  ASSERT_TRUE(solid);
+  FieldOptions options;
+  options.resolution = 256;
+  const auto field = field_from_source(*solid->distance, options, {});
+  ASSERT_TRUE(field);
+  // A dense field of this box has 256 x 192 x 128 cells.
+  EXPECT_LT(field->leaves(), 60000U);
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  double worst = 0.0;
+  for (int i = 0; i < 30000; ++i) {
+    const Vec3 p{0.021 * uniform(random), 0.016 * uniform(random), 0.011 * uniform(random)};
+    worst = std::max(worst, std::abs(field->sample(p).distance_m - box_distance(p, low, high)));
+  }
+  // Edges and medial sheets among them.
+  EXPECT_LT(worst, 0.4 * field->cell_m());
+}
+
+TEST(FieldFromSource, IsTheSameForAnyNumberOfThreads) {
+  const Ball ball(0.02);
+  FieldOptions options;
+  options.resolution = 32;
+  Work one;
+  one.threads = 1;
+  Work three;
+  three.threads = 3;
+  const auto a = field_from_source(ball, options, one), b = field_from_source(ball, options, three);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->tree().roots, b->tree().roots);
+  EXPECT_EQ(a->tree().nodes, b->tree().nodes);
+  EXPECT_EQ(a->tree().words, b->tree().words);
+}
+
+TEST(FieldFromSource, StopsWhenCancelled) {
+  const std::atomic<bool> cancel{true};
+  Work work;
+  work.cancel = &cancel;
+  const auto field = field_from_source(Ball(0.02), {}, work);
+  ASSERT_FALSE(field);
+  EXPECT_EQ(field.error().code, ErrorCode::interrupted);
+}
+
+TEST(FieldFromSource, RefusesWhatCannotBeSampled) {
+  FieldOptions options;
+  options.resolution = 5000;
+  EXPECT_FALSE(field_from_source(Ball(0.02), options, {}));
+  EXPECT_FALSE(field_from_source(Ball(0.0), {}, {}));
+  EXPECT_FALSE(field_from_source(Ball(1e-6), {}, {}));
+}
+
+TEST(MeshSolid, TurnsAnInsideOutMesh) {
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  const auto solid = solid_from_mesh(mesh, 0.01, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.turned_parts, 1U);
+  std::uint32_t hint = 0;
+  EXPECT_NEAR(solid->distance->at({0.2, 0.1, 0.5}, hint).distance_m, -0.5, 1e-9);
+  EXPECT_NEAR(solid->distance->at({0, 0, 3}, hint).distance_m, 2.0, 1e-9);
+}
+
+TEST(MeshSolid, ClosesAnOpenMesh) {
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
+  mesh.triangles.resize(10);
+  const auto solid = solid_from_mesh(mesh, 0.02, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.closed_holes, 1U);
+  std::uint32_t hint = 0;
+  EXPECT_NEAR(solid->distance->at({0.7, 0.1, 0.2}, hint).distance_m, -0.3, 1e-6);
+  EXPECT_NEAR(solid->distance->at({1.5, 0.1, 0.2}, hint).distance_m, 0.5, 1e-6);
+}
+
+TEST(MeshSolid, JoinsBodiesThatOverlap) {
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 0});
+  const Mesh tower = box_mesh({-0.4, -0.4, -0.5}, {0.4, 0.4, 1});
+  for (auto t : tower.triangles) {
+    for (auto& v : t) v += 8;
+    mesh.triangles.push_back(t);
+  }
+  mesh.vertices_m.insert(mesh.vertices_m.end(), tower.vertices_m.begin(), tower.vertices_m.end());
+  const auto solid = solid_from_mesh(mesh, 0.04, {});
+  ASSERT_TRUE(solid);
+  EXPECT_GT(solid->repair.inner, 0U);
+  std::uint32_t hint = 0;
+  // On the hidden top face of the slab the nearest surface is the tower's side, or the slab's open top.
+  EXPECT_NEAR(solid->distance->at({0, 0, -0.01}, hint).distance_m, -0.4, 0.05);
+  EXPECT_NEAR(solid->distance->at({0.1, 0, 0.5}, hint).distance_m, -0.3, 1e-3);
+  EXPECT_NEAR(solid->distance->at({0.8, 0, 0.1}, hint).distance_m, 0.1, 1e-3);
+}
+
+TEST(MeshSolid, RefusesMeshesWithoutASolid) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(solid_from_mesh({}, 0.01, {}));
+  Mesh nan;
+  nan.vertices_m = {{0, 0, 0}, {1, 0, 0}, {kNaN, 1, 0}};
+  nan.triangles = {{0, 1, 2}, {0, 1, 7}, {0, 1, 1}};
+  EXPECT_FALSE(solid_from_mesh(nan, 0.01, {}));
+  Mesh single;
+  single.vertices_m = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  single.triangles = {{0, 1, 2}};
+  EXPECT_FALSE(solid_from_mesh(single, 0.01, {}));
+}
+
+}  // namespace
+}  // namespace palpable::sculpt
