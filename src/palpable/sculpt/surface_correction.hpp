@@ -1,0 +1,53 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+
+#include <vector>
+
+namespace palpable::sculpt {
+
+struct CorrectionOptions {
+  /// How far along its normal a sample of the predicted surface looks for the measured one, outwards and
+  /// inwards, > 0.
+  double reach_m = 0.01;
+  /// Width of the transition around what was measured: delta of Moustakas 2007, eq. 2; > 0.
+  double transition_m = 0.005;
+};
+
+/// A predicted surface on its way to what was measured.
+struct CorrectedSurface {
+  /// As predicted, closed; a sample a vertex.
+  Mesh predicted;
+  /// Where each sample goes. 0 where nothing was measured near.
+  std::vector<Vec3> translations_m;
+  /// Whether a sample is of the set W: pulled onto the measured surface itself.
+  std::vector<bool> measured;
+  /// Box around the samples whose translation the last correction changed, where they were before and are
+  /// after: only there does a field need another look. least > most where nothing changed.
+  Vec3 changed_least_m;
+  Vec3 changed_most_m;
+
+  /// The surface as it stands.
+  Mesh adapted() const;
+};
+
+/// Before any correction. Errors: invalid_input for a mesh that is not closed.
+Result<CorrectedSurface> predicted_surface(Mesh mesh);
+
+/// Force-field correction of Moustakas et al. 2007, on the surface that the field is then made of: samples
+/// whose normal meets the measured surface, outside or inside, move onto it (W); samples within the
+/// transition's geodesic distance of W follow by eq. 2 with its weights corrected,
+///   t(y) = phi(min GD / delta) sum w_i t_i / sum w_i,  w_i = ((delta - GD_i)+ / (delta GD_i))^2,
+///   phi(s) = 1 - 3 s^2 + 2 s^3,
+/// so that the surface has neither step nor crease through the transition. Correcting again with more data
+/// keeps what was measured before (a later measurement of the same sample replaces it) and recomputes
+/// translations only within the transition of the samples that changed. Errors: usage for options out of
+/// range, invalid_input for a measured mesh that names vertices it does not have or holds NaN, interrupted.
+Result<CorrectedSurface> correct_surface(CorrectedSurface surface, const Mesh& measured,
+                                         const CorrectionOptions& options, const Work& work);
+
+}  // namespace palpable::sculpt
