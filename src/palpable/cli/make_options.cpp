@@ -78,6 +78,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
+  options.choice("--quality", arguments.quality, {"live", "best"},
+                 "Of contours: best takes seconds and sees through speckle and grain");
   options.number("--threshold", arguments.threshold, {0.0, 1.0},
                  "Strength that is boundary; else by Otsu's method");
   options.number("--neighbourhood", arguments.neighbourhood_px, {1.0, 32.0},
@@ -121,6 +123,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.relief.compression = arguments.compression;
   options.relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(options.relief.detail);
   options.relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
+  if (arguments.quality == "best") options.contours.method = vision::ContourMethod::best;
   if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
   if (arguments.threshold) options.contours.threshold = *arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;

@@ -27,6 +27,7 @@ struct MakeArguments {
   std::string detail = "relief";
   bool engrave = false;
   std::string contour_method;
+  std::string quality;
   std::optional<double> threshold;
   double neighbourhood_px = 3.0;
   double groove_mm = 4.0;

@@ -127,6 +127,18 @@ Result<MadeScene> from_scene_file(const MakeOptions& options) {
   return MadeScene{std::make_shared<const models::Scene>(std::move(file->scene)), {}};
 }
 
+std::string contour_source(vision::ContourMethod method) {
+  switch (method) {
+    case vision::ContourMethod::paper:
+      return "contours, paper";
+    case vision::ContourMethod::best:
+      return "contours, best";
+    case vision::ContourMethod::standard:
+      break;
+  }
+  return "contours";
+}
+
 Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
   if (options.inputs.size() != 1) return Error{ErrorCode::usage, "contours are made of one picture", {}};
   const auto& file = options.inputs.front();
@@ -142,9 +154,8 @@ Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
   if (!map) return at_place(map.error(), file);
   auto grooves = sculpt::grooves_from_boundary_map(*map, options.grooves);
   if (!grooves) return at_place(grooves.error(), file);
-  models::Scene scene =
-      scene_of(std::move(*grooves), options, picture->width, picture->height,
-               options.contours.method == vision::ContourMethod::paper ? "contours, paper" : "contours");
+  models::Scene scene = scene_of(std::move(*grooves), options, picture->width, picture->height,
+                                 contour_source(options.contours.method));
   scene.model = std::make_shared<const models::Contours>(
       models::Contours{std::move(*map), std::get<std::shared_ptr<const models::Relief>>(scene.model)});
   scene.texture = rgb8(*picture);

@@ -24,16 +24,28 @@ Result<void> check(const Image& image, const ContourOptions& options) {
   return {};
 }
 
+EdgeMap edges_by(ContourMethod method, const Image& image, const Work& work) {
+  switch (method) {
+    case ContourMethod::paper:
+      return paper_edges(image, work);
+    case ContourMethod::best:
+      return best_edges(image, work);
+    case ContourMethod::standard:
+      break;
+  }
+  return standard_edges(image, work);
+}
+
 }  // namespace
 
 Result<Contours> find_contours(const Image& image, const ContourOptions& options, const Work& work) {
   if (auto fine = check(image, options); !fine) return fine.error();
-  EdgeMap edges =
-      options.method == ContourMethod::paper ? paper_edges(image, work) : standard_edges(image, work);
+  EdgeMap edges = edges_by(options.method, image, work);
   if (work.cancelled()) return Work::interrupted();
   Contours out;
-  out.threshold =
-      options.threshold >= 0.0 ? options.threshold : std::max(kFaintest, otsu_threshold(edges.strength));
+  out.threshold = options.threshold >= 0.0
+                      ? options.threshold
+                      : std::max({kFaintest, double{edges.faintest}, otsu_threshold(edges.strength)});
   std::size_t boundary = 0;
   for (const float s : edges.strength.values())
     boundary += s > 0.0F && s >= static_cast<float>(out.threshold) ? 1U : 0U;

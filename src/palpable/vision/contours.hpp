@@ -14,6 +14,8 @@ namespace palpable::vision {
 enum class ContourMethod {
   /// Gaussian derivatives over three scales, all channels, averaged as a structure tensor (docs/contours.md).
   standard,
+  /// Pairs of boxes in many directions and sizes (docs/contours.md): seconds, but sees through speckle.
+  best,
   /// The paper's own (GHD 2006, section 3.2): Sobel, Otsu's threshold, Climent's masks in their octants.
   paper
 };

@@ -179,7 +179,8 @@ Raster<float> enlarged(Raster<float> small, int width, int height) {
 /// Strength over scales 1, 2, 4 and 8 px (the last two on the picture halved once and twice) and, into
 /// `direction`, the gradients' tensor of scale 2. The finest scale weighs most, which keeps corners in their
 /// place.
-Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& direction, const Work& work) {
+Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& direction, float& fine_trust,
+                          const Work& work) {
   const int w = channels[0].values.width();
   const int h = channels[0].values.height();
   std::vector<Raster<float>> energies;
@@ -190,6 +191,7 @@ Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& dire
     channels = halved(channels);
     energies.push_back(enlarged(energy_at(channels, 2.0, work), w, h));
   }
+  fine_trust = weight_of(energies[0]);
   for (std::size_t k = 0; k < shares.size(); ++k) shares[k] *= weight_of(energies[k]);
   return mean_of(energies, shares, work);
 }
@@ -200,8 +202,8 @@ EdgeMap standard_edges(const Image& image, const Work& work) {
   const auto channels = edge_channels(image);
   work.report(0.1, "finding boundaries");
   TensorMap t = zero_tensor(image.width, image.height);
-  EdgeMap out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height),
-              strength_of(channels, t, work)};
+  EdgeMap out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height), {}};
+  out.strength = strength_of(channels, t, out.fine_trust, work);
   take_off_texture(out.strength);
   // The two sides of a thin line agree in the averaged tensor, where their gradients would cancel.
   for (Raster<float>* part : {&t.xx, &t.xy, &t.yy}) *part = gaussian_blur(*part, kTensorAverage_px, work);

@@ -185,6 +185,45 @@ TEST(Contours, OfThePaperAnswerCentredEdgesAsMeasured) {
   EXPECT_NEAR(sum / n, 0.14, 0.05);
 }
 
+/// A dark disc in multiplicative speckle whose spread is its mean's half, grains of 2 px.
+Image speckled_disc() {
+  std::mt19937 random(5);
+  std::gamma_distribution<float> speckle(4.0F, 0.25F);
+  Raster<float> grain(80, 80);
+  for (float& v : grain.values()) v = speckle(random);
+  Image image{160, 160, 1, 8, {}};
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const float tone = std::hypot(x - 80.0, y - 80.0) < 45.0 ? 0.12F : 0.35F;
+      image.samples.push_back(std::min(1.0F, tone * grain(x / 2, y / 2)));
+    }
+  return image;
+}
+
+TEST(Contours, OfTheBestQualitySeeADiscThroughSpeckle) {
+  ContourOptions options;
+  options.method = ContourMethod::best;
+  const auto c = find_contours(speckled_disc(), options, Work{});
+  ASSERT_TRUE(c);
+  int near = 0;
+  int far = 0;
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 160; ++x)
+      if (c->line(x, y) > 0.0F) ++(std::abs(std::hypot(x - 80.0, y - 80.0) - 45.0) < 6.0 ? near : far);
+  EXPECT_GT(near, 180);  // of about 280
+  EXPECT_LT(far, near / 2);
+}
+
+TEST(Contours, OfTheBestQualityAreTheStandardOnesInAClearPicture) {
+  const Image image = step(64, 30.0, 0.0);
+  ContourOptions options;
+  options.method = ContourMethod::best;
+  const auto best = find_contours(image, options, Work{});
+  ASSERT_TRUE(best);
+  EXPECT_EQ(best->tangent_x, found(image).tangent_x);
+  EXPECT_NEAR(best->strength(31, 31), found(image).strength(31, 31), 1e-3);
+}
+
 TEST(Contours, HaveNoneInAPictureOfOneTone) {
   const Contours c = found(drawn(32, [](double, double) { return true; }));
   EXPECT_EQ(c.boundary_fraction, 0.0);
