@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/make_options.hpp"
+#include "palpable/draw/comparison_view.hpp"
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/session/compare_details.hpp"
 
 #include <chrono>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -17,6 +20,60 @@ struct Arguments {
   std::string as;
 };
 
+Json json_of(const session::ComparedDetail& compared) {
+  const auto or_null = [](double value) { return std::isnan(value) ? Json(nullptr) : Json(value); };
+  return {{"detail", sculpt::name_of(compared.detail)},
+          {"reversed_slopes_percent", compared.score.reversed_slopes_percent},
+          {"detail_correlation", or_null(compared.score.detail_correlation)},
+          {"wrong_order_percent", or_null(compared.score.wrong_order_percent)},
+          {"greatest_slope", compared.score.greatest_slope},
+          {"details_kept_percent", or_null(compared.score.details_kept_percent)},
+          {"sum", compared.score.sum()},
+          {"seconds", compared.seconds}};
+}
+
+std::string or_dash(double value, int digits, const char* unit) {
+  return std::isnan(value) ? "–" : fmt::format("{:.{}f}{}", value, digits, unit);
+}
+
+/// All detail operators' reliefs in one picture, with what each costs the hand.
+Result<Answer> compare(const session::MakeOptions& options, const std::string& output, Console& console) {
+  auto compared = session::compare_details(options, console.work());
+  if (!compared) return compared.error();
+  if (interrupted()) return Work::interrupted();
+  Answer answer;
+  answer.json = {{"output", output}, {"operators", Json::array()}};
+  answer.text = fmt::format("{:<11}{:>10}{:>13}{:>13}{:>8}{:>14}{:>8}\n", "", "reversed", "correlation",
+                            "wrong order", "slope", "details kept", "sum");
+  std::vector<draw::ComparedRelief> panels;
+  for (session::ComparedDetail& c : *compared) {
+    const measure::ReliefScore& s = c.score;
+    answer.json["operators"].push_back(json_of(c));
+    answer.text += fmt::format("{:<11}{:>10}{:>13}{:>13}{:>8.2f}{:>14}{:>8.2f}\n", sculpt::name_of(c.detail),
+                               or_dash(s.reversed_slopes_percent, 3, " %"),
+                               or_dash(s.detail_correlation, 3, ""), or_dash(s.wrong_order_percent, 2, " %"),
+                               s.greatest_slope, or_dash(s.details_kept_percent, 1, " %"), s.sum());
+    panels.push_back(
+        {std::string(sculpt::name_of(c.detail)),
+         std::move(c.relief),
+         {fmt::format("reversed slopes {}, wrong order {}", or_dash(s.reversed_slopes_percent, 3, " %"),
+                      or_dash(s.wrong_order_percent, 2, " %")),
+          fmt::format("detail correlation {}, details kept {}", or_dash(s.detail_correlation, 3, ""),
+                      or_dash(s.details_kept_percent, 1, " %")),
+          fmt::format("greatest slope {:.2f}, sum {:.2f} (0 is perfect)", s.greatest_slope, s.sum())}});
+  }
+  const std::string from = options.inputs.front().filename().string();
+  const auto written = draw::write_figure(
+      draw::comparison_figure(std::move(panels),
+                              {"How depth becomes a relief: " + from,
+                               fmt::format("All detail operators at {:g} : 1, against the depth in its own "
+                                           "proportions",
+                                           options.relief.compression)}),
+      output);
+  if (!written) return written.error();
+  return answer;
+}
+
 Result<Answer> make(const Arguments& arguments, Console& console) {
   auto options = make_options(arguments.make);
   if (!options) return options.error();
@@ -24,6 +81,7 @@ Result<Answer> make(const Arguments& arguments, Console& console) {
   if (arguments.as == "contours") options->as = session::MakeAs::contours;
   if (arguments.as == "field") options->as = session::MakeAs::field;
   if (options->inputs.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
+  if (arguments.make.detail == kCompareDetails) return compare(*options, arguments.output, console);
   const auto begin = std::chrono::steady_clock::now();
   const auto made = session::make_scene(*options, console.work());
   if (!made) return made.error();
@@ -53,6 +111,7 @@ void add_make(Program& program) {
       "  palpable make left.png right.png -o room.palp\n"
       "  palpable make left.png right.png -o room.palp --calibration calib.txt --size 150x100x30\n"
       "  palpable make depth.png -o room.palp --kind depth\n"
+      "  palpable make depth.png -o details.png --kind depth --detail compare\n"
       "  palpable make scan.png -o scan.palp --as contours\n"
       "  palpable make house.obj -o house.palp --size 100x100x50",
       [arguments](Console& console) { return make(*arguments, console); });

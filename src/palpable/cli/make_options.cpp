@@ -64,7 +64,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
   std::vector<std::string> details;
   for (const auto detail : sculpt::kDetailOperators) details.emplace_back(sculpt::name_of(detail));
-  options.choice("--detail", arguments.detail, details, "How depth becomes height (docs/relief.md)");
+  details.emplace_back(kCompareDetails);
+  options.choice("--detail", arguments.detail, details,
+                 "How depth becomes height (docs/relief.md); compare = all side by side, as a picture");
   options.number("--compression", arguments.compression, {1.5, 100.0},
                  "How many times higher the scene would be in its own proportions");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");

@@ -12,6 +12,9 @@
 
 namespace palpable::cli {
 
+/// The word for --detail that asks for all operators side by side.
+inline constexpr const char* kCompareDetails = "compare";
+
 /// What a scene is made from, and how, as given on the command line; shared by make and touch.
 struct MakeArguments {
   std::vector<std::string> inputs;

@@ -3,6 +3,7 @@
 #include "palpable/draw/height_view.hpp"
 
 #include "palpable/draw/colour_map.hpp"
+#include "palpable/draw/relief_shading.hpp"
 #include "palpable/draw/sheet.hpp"
 
 #include <algorithm>
@@ -40,22 +41,6 @@ Raster<Rgb8> rendered(const models::Relief& relief, const Plot& plot, Colour col
 
 double position(double value, double low, double high) {
   return high > low ? (value - low) / (high - low) : 0.5;
-}
-
-/// Lambert's shading by a light from the upper left, 45 degrees high, half of it ambient; slopes count
-/// double, as map makers do, and the caption says so.
-double shade_of(const models::HeightSample& s) {
-  constexpr double kSlopeGain = 2.0;
-  const Vec3 normal = unit({-kSlopeGain * s.dzdx, -kSlopeGain * s.dzdy, 1.0});
-  const Vec3 light = unit({-1.0, 1.0, std::sqrt(2.0)});
-  return 0.45 + 0.55 * std::max(0.0, dot(normal, light)) / light.z;
-}
-
-Rgb8 shaded(Rgb8 c, double shade) {
-  const auto lit = [shade](std::uint8_t v) {
-    return static_cast<std::uint8_t>(std::clamp(std::lround(v * shade), 0L, 255L));
-  };
-  return {lit(c.r), lit(c.g), lit(c.b)};
 }
 
 /// Where the surface crosses `level_mm`, as short strokes: marching squares over a grid of the plot.

@@ -27,10 +27,12 @@ constexpr float kLeastSpread = 0.1F;
 constexpr float kHalf = 1.0F;
 /// Where the finest scale is trusted less than the first, the boxes alone decide; from the second on, the
 /// standard method does.
-constexpr float kGrain = 0.35F;
-constexpr float kClear = 0.60F;
-/// Boxes answer everywhere in grain; a difference of one and a half times the spread is a boundary.
-constexpr float kBoundary = 1.5F / (1.5F + kHalf);
+constexpr float kGrain = 0.58F;
+constexpr float kClear = 0.70F;
+/// Boxes answer everywhere in grain; a difference of one and a half times the spread at every height is a
+/// boundary.
+constexpr float kAnswer = 1.5F / (1.5F + kHalf);
+constexpr float kBoundary = kAnswer * kAnswer * kAnswer;
 /// Strengths below this are nothing: it keeps logarithms finite.
 constexpr float kFloor = 1e-3F;
 /// Each direction's answers are smoothed by this, so that a line is one ridge.
@@ -81,7 +83,7 @@ void add_difference(const cv::Mat& turned, const cv::Mat& turned_squared, double
   }
 }
 
-/// How strongly an edge along one direction shows at each pixel, 0 ... 1: the geometric mean over the boxes'
+/// How strongly an edge along one direction shows at each pixel, 0 ... 1: the product over the boxes'
 /// heights, so that it has to show in the small and in the large.
 cv::Mat answers_along(const std::vector<WeightedChannel>& channels, double degrees) {
   const cv::Size size(channels[0].values.width(), channels[0].values.height());
@@ -101,7 +103,7 @@ cv::Mat answers_along(const std::vector<WeightedChannel>& channels, double degre
     cv::sqrt(sum, sum);
     sum = sum / (sum + kHalf) + 1e-3F;
     cv::log(sum, sum);
-    logarithms += sum * (1.0 / static_cast<double>(kBoxHeights.size()));
+    logarithms += sum;
   }
   cv::exp(logarithms, logarithms);
   cv::Mat back;

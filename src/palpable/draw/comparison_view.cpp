@@ -1,0 +1,75 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/comparison_view.hpp"
+
+#include "palpable/draw/canvas.hpp"
+#include "palpable/draw/relief_shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpable::draw {
+namespace {
+
+constexpr int kColumns = 3;
+constexpr double kPanel_px = 380.0;
+constexpr double kMargin_px = 28.0;
+constexpr double kTop_px = 96.0;
+constexpr double kName_px = 26.0;
+constexpr double kLine_px = 18.0;
+
+/// Where panels stand.
+struct Grid {
+  double picture_height = 0.0;
+  double panel_height = 0.0;
+  int rows = 0;
+
+  Spot corner(std::size_t i) const {
+    const auto column = static_cast<double>(i % kColumns);
+    const auto row = static_cast<double>(i / kColumns);
+    return {kMargin_px + column * (kPanel_px + kMargin_px), kTop_px + row * (panel_height + kMargin_px)};
+  }
+};
+
+Grid grid_for(const std::vector<ComparedRelief>& reliefs) {
+  const models::Relief& first = reliefs.front().relief;
+  std::size_t lines = 0;
+  for (const ComparedRelief& r : reliefs) lines = std::max(lines, r.lines.size());
+  Grid grid;
+  grid.picture_height = std::round(kPanel_px / std::clamp(first.width_m() / first.depth_m(), 1.0 / 3.0, 3.0));
+  grid.panel_height = kName_px + grid.picture_height + 8.0 + kLine_px * static_cast<double>(lines);
+  grid.rows = static_cast<int>((reliefs.size() + kColumns - 1) / kColumns);
+  return grid;
+}
+
+void draw_panel(Canvas& canvas, const ComparedRelief& compared, Spot corner, double picture_height) {
+  const Rect picture{corner.x, corner.y + kName_px, kPanel_px, picture_height};
+  canvas.text(compared.name, corner, {.size_px = 16.0, .bold = true});
+  canvas.picture(
+      shaded_relief(compared.relief, static_cast<int>(picture.width), static_cast<int>(picture.height)),
+      picture);
+  double y = picture.bottom() + 8.0;
+  for (const std::string& line : compared.lines) {
+    canvas.text(line, {corner.x, y}, {.size_px = 12.5, .colour = {60, 60, 60}});
+    y += kLine_px;
+  }
+}
+
+}  // namespace
+
+Figure comparison_figure(std::vector<ComparedRelief> reliefs, const Heading& heading) {
+  const Grid grid = grid_for(reliefs);
+  const int width = static_cast<int>(kMargin_px + kColumns * (kPanel_px + kMargin_px));
+  const int height = static_cast<int>(kTop_px + grid.rows * (grid.panel_height + kMargin_px));
+  return {width, height, [reliefs = std::move(reliefs), heading, grid, width](Canvas& canvas) {
+            const double room = width - 2.0 * kMargin_px;
+            canvas.text(heading.title, {kMargin_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = room});
+            canvas.text(heading.subtitle, {kMargin_px, 58.0},
+                        {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = room});
+            for (std::size_t i = 0; i < reliefs.size(); ++i)
+              draw_panel(canvas, reliefs[i], grid.corner(i), grid.picture_height);
+          }};
+}
+
+}  // namespace palpable::draw

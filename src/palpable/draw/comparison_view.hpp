@@ -1,0 +1,24 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/draw/figure.hpp"
+#include "palpable/draw/heading.hpp"
+#include "palpable/models/relief.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::draw {
+
+/// One relief of several that stand side by side, with a few short lines of text below it.
+struct ComparedRelief {
+  std::string name;
+  models::Relief relief;
+  std::vector<std::string> lines;
+};
+
+/// Reliefs side by side, three a row, each tinted by height and shaded as relief_figure() does. At least one.
+Figure comparison_figure(std::vector<ComparedRelief> reliefs, const Heading& heading);
+
+}  // namespace palpable::draw
