@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/best.hpp"
 
-#include "palpable/vision/census.hpp"
 #include "palpable/vision/left_right.hpp"
 #include "palpable/vision/median.hpp"
 #include "palpable/vision/plane_search.hpp"
 #include "palpable/vision/sgm.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace palpable::vision {
 namespace {
@@ -30,10 +31,6 @@ struct View {
   PlaneMap start;
   PlaneMap map;
 };
-
-MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
-  return {colour_planes(picture), census_9x7(luma, work)};
-}
 
 void start_view(View& view, const MatchView& there, CostVolume& scratch, const Work& work) {
   pixel_costs(view.picture, there, view.costs, work);
@@ -66,6 +63,61 @@ Raster<float> confidence(const View& view, const Raster<float>& other, const Wor
       }
   });
   return out;
+}
+
+/// Whether the right view's surface stands in front of the left one's at the match: what is hidden there is
+/// no disagreement.
+bool is_hidden(const Raster<float>& left, const Raster<float>& right, int x, int y) {
+  const int there = static_cast<int>(std::floor(static_cast<float>(x) - left(x, y) + 0.5F));
+  return !right.contains(there, y) || right(there, y) > left(x, y);
+}
+
+/// What the two views disagree about, without one hiding it from the other, takes the weighted median of the
+/// planes of the agreed pixels around it, carried on to it: those near and alike in colour weigh most (after
+/// Bleyer, Rhemann & Rother 2011, section 3.4).
+void settle_disagreed(const View& view, const Raster<float>& right, Raster<float>& disparity,
+                      const Work& work) {
+  constexpr int kReach_px = 15;
+  constexpr int kStep_px = 2;
+  constexpr float kLikeColour = 10.0F;
+  constexpr float kNear_px = 12.0F;
+  constexpr float kFewestVotes = 0.5F;
+  struct Vote {
+    float disparity, weight;
+  };
+  const ColourPlanes& colour = view.picture.colour;
+  const PlaneMap& map = view.map;
+  const Raster<float> agreed = agreement(map.disparity, right);
+  parallel_for(work, disparity.height(), 4, [&](int begin, int end) {
+    std::vector<Vote> votes;
+    for (int y = begin; y < end && !work.cancelled(); ++y)
+      for (int x = 0; x < disparity.width(); ++x) {
+        if (agreed(x, y) > 0.0F || is_hidden(map.disparity, right, x, y)) continue;
+        votes.clear();
+        float total = 0.0F;
+        for (int dy = -kReach_px; dy <= kReach_px; dy += kStep_px)
+          for (int dx = -kReach_px; dx <= kReach_px; dx += kStep_px) {
+            const int u = x + dx;
+            const int v = y + dy;
+            if (!disparity.contains(u, v) || agreed(u, v) <= 0.0F) continue;
+            const float weight = std::exp(-static_cast<float>(colour.difference(x, y, u, v)) / kLikeColour -
+                                          static_cast<float>(std::abs(dx) + std::abs(dy)) / kNear_px);
+            votes.push_back({map.disparity(u, v) - map.slope_x(u, v) * static_cast<float>(dx) -
+                                 map.slope_y(u, v) * static_cast<float>(dy),
+                             weight});
+            total += weight;
+          }
+        if (total < kFewestVotes) continue;
+        std::sort(votes.begin(), votes.end(),
+                  [](const Vote& a, const Vote& b) { return a.disparity < b.disparity; });
+        float sum = 0.0F;
+        for (const Vote& vote : votes) {
+          sum += vote.weight;
+          disparity(x, y) = vote.disparity;
+          if (2.0F * sum >= total) break;
+        }
+      }
+  });
 }
 
 }  // namespace
@@ -120,7 +172,9 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
 
   MatchOutput out;
   out.confidence = confidence(left, mirrored(right.map.disparity), work);
-  out.disparity_px = median_3x3(left.map.disparity, work);
+  Raster<float> disparity = left.map.disparity;
+  settle_disagreed(left, mirrored(right.map.disparity), disparity, work);
+  out.disparity_px = median_3x3(disparity, work);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "palpable/core/vectorize.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace palpable::vision {
 namespace {
@@ -19,7 +20,38 @@ PALPABLE_VECTORIZE void census_row(const Raster<std::uint8_t>& padded, int y, in
   }
 }
 
+PALPABLE_VECTORIZE void add_bit(const std::uint8_t* __restrict difference, std::uint8_t limit, int width,
+                                std::uint64_t* __restrict out) {
+  for (int x = 0; x < width; ++x) out[x] = (out[x] << 1U) | (difference[x] < limit ? 1U : 0U);
+}
+
 }  // namespace
+
+Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work) {
+  constexpr std::uint8_t kLevels = 16;
+  constexpr int kFewest = 16;
+  constexpr std::uint64_t kAll = (std::uint64_t{1} << kCensusPixels) - 1;
+  Raster<std::uint64_t> out(picture.width(), picture.height());
+  const int width = out.width();
+  parallel_for(work, out.height(), 16, [&](int begin, int end) {
+    std::vector<std::uint8_t> difference(static_cast<std::size_t>(width));
+    for (int y = begin; y < end; ++y) {
+      for (int v = -kCensusHalfY; v <= kCensusHalfY; ++v)
+        for (int u = -kCensusHalfX; u <= kCensusHalfX; ++u) {
+          // Beyond the border all counts, as the census repeats it.
+          std::fill(difference.begin(), difference.end(), std::uint8_t{0});
+          const int first = std::max(0, -u);
+          if (y + v >= 0 && y + v < out.height())
+            colour_differences(picture, first, y, first + u, y + v, std::min(width, width - u) - first,
+                               difference.data() + first);
+          add_bit(difference.data(), kLevels, width, out.row(y).data());
+        }
+      for (std::uint64_t& alike : out.row(y))
+        if (std::popcount(alike) < kFewest) alike = kAll;
+    }
+  });
+  return out;
+}
 
 Raster<std::uint64_t> census_9x7(const Raster<std::uint8_t>& grey, const Work& work) {
   Raster<std::uint8_t> padded(grey.width() + 2 * kCensusHalfX, grey.height() + 2 * kCensusHalfY);

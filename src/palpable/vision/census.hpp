@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/raster.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/colour_planes.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 
 namespace palpable::vision {
@@ -17,6 +19,20 @@ inline constexpr int kCensusPixels = (2 * kCensusHalfX + 1) * (2 * kCensusHalfY 
 /// (Zabih & Woodfill 1994); the border's pixels are repeated. The Hamming distance of two says how unlike
 /// they are, whatever the exposure.
 Raster<std::uint64_t> census_9x7(const Raster<std::uint8_t>& grey, const Work& work);
+
+/// For each pixel, the bits of its census signature that stand for pixels of like colour, of its own surface
+/// mostly. Only they should count: else a strong edge beside a plain surface gives that surface the edge's
+/// disparity as far as the window reaches. Where hardly anything is alike, as in fine texture, all bits
+/// count.
+Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work);
+
+/// A Hamming distance over the bits of `alike`, times census_scale(alike) / kCensusScaleUnit, compares with
+/// one over all bits. Few bits say little and are scaled less.
+inline constexpr int kCensusScaleUnit = 64;
+inline int census_scale(std::uint64_t alike) {
+  constexpr int kFewest = 16;
+  return kCensusScaleUnit * kCensusPixels / std::max(kFewest, std::popcount(alike));
+}
 
 /// Whether the pixel's census window has contrast enough to be found again; false near the border.
 bool has_texture(const Raster<std::uint8_t>& grey, int x, int y);

@@ -3,6 +3,7 @@
 #include "palpable/vision/cost_volume.hpp"
 
 #include "palpable/core/vectorize.hpp"
+#include "palpable/vision/census.hpp"
 #include "palpable/vision/cross_window.hpp"
 
 #include <array>
@@ -40,7 +41,7 @@ struct ReversedRow {
 
 struct CostTables {
   std::array<std::uint16_t, 766> colour{};
-  std::array<std::uint16_t, 65> census{};
+  std::array<std::uint16_t, 64> census{};
 
   CostTables() {
     const auto cost = [](float ratio) {
@@ -55,16 +56,18 @@ struct CostTables {
 PALPABLE_VECTORIZE
 void compare(const std::uint8_t* __restrict r, const std::uint8_t* __restrict g,
              const std::uint8_t* __restrict b, const std::uint64_t* __restrict census, Rgb8 centre,
-             std::uint64_t signature, int count, std::uint16_t* __restrict colour_difference,
-             std::uint16_t* __restrict distance) {
+             std::uint64_t signature, std::uint64_t alike, int count,
+             std::uint16_t* __restrict colour_difference, std::uint16_t* __restrict distance) {
   const int cr = centre.r;
   const int cg = centre.g;
   const int cb = centre.b;
   for (int d = 0; d < count; ++d)
     colour_difference[d] =
         static_cast<std::uint16_t>(std::abs(cr - r[d]) + std::abs(cg - g[d]) + std::abs(cb - b[d]));
+  const int scale = census_scale(alike);
   for (int d = 0; d < count; ++d)
-    distance[d] = static_cast<std::uint16_t>(__builtin_popcountll(signature ^ census[d]));
+    distance[d] = static_cast<std::uint16_t>(__builtin_popcountll((signature ^ census[d]) & alike) * scale /
+                                             kCensusScaleUnit);
 }
 
 void fill_out_of_view(std::uint16_t* cost, int known, int stride) {
@@ -108,6 +111,12 @@ CostVolume::CostVolume(int width_, int height_, int disparities_)
       cost(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
            static_cast<std::size_t>(stride)) {}
 
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
+  MatchView view{colour_planes(picture), census_9x7(luma, work), {}};
+  view.alike = alike_9x7(view.colour, work);
+  return view;
+}
+
 void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume& out, const Work& work) {
   const CostTables tables;
   const auto& [r, g, b] = reference.colour;
@@ -120,8 +129,8 @@ void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume&
         const int known = std::min(out.disparities, x + 1);
         const int first = out.width - 1 - x;
         compare(row.r.data() + first, row.g.data() + first, row.b.data() + first, row.census.data() + first,
-                {r(x, y), g(x, y), b(x, y)}, reference.census(x, y), known, difference.data(),
-                distance.data());
+                {r(x, y), g(x, y), b(x, y)}, reference.census(x, y), reference.alike(x, y), known,
+                difference.data(), distance.data());
         std::uint16_t* cost = out.at(x, y);
         for (int d = 0; d < known; ++d) {
           const auto i = static_cast<std::size_t>(d);

@@ -50,6 +50,7 @@ using Bytes = std::vector<std::uint8_t>;
 struct Pictures {
   ColourPlanes left;
   Raster<std::uint64_t> left_census;
+  Raster<std::uint64_t> left_alike;
   ColourPlanes right;
   Raster<std::uint64_t> right_census;
 };
@@ -66,9 +67,11 @@ Raster<T> reversed(const Raster<T>& picture, int more) {
 }
 
 Pictures pictures_of(const MatchInput& input, int stride, const Work& work) {
+  const ColourPlanes left = colour_planes(input.left);
   const ColourPlanes right = colour_planes(input.right);
-  return {colour_planes(input.left),
+  return {left,
           census_9x7(input.left_grey, work),
+          alike_9x7(left, work),
           {reversed(right.r, stride), reversed(right.g, stride), reversed(right.b, stride)},
           reversed(census_9x7(input.right_grey, work), stride)};
 }
@@ -82,10 +85,11 @@ struct RightPixels {
   return static_cast<std::uint8_t>(a > b ? a - b : b - a);
 }
 
-PALPABLE_VECTORIZE void pixel_costs(std::uint64_t census, Rgb8 colour, const RightPixels& right, int count,
-                                    std::uint8_t* __restrict out) {
+PALPABLE_VECTORIZE void pixel_costs(std::uint64_t census, std::uint64_t alike, Rgb8 colour,
+                                    const RightPixels& right, int count, std::uint8_t* __restrict out) {
   for (int d = 0; d < count; ++d)
-    out[d] = static_cast<std::uint8_t>(__builtin_popcountll(census ^ right.census[d]));
+    out[d] = static_cast<std::uint8_t>(__builtin_popcountll((census ^ right.census[d]) & alike));
+  const int scale = census_scale(alike);
   const std::uint8_t* __restrict r = right.r;
   const std::uint8_t* __restrict g = right.g;
   const std::uint8_t* __restrict b = right.b;
@@ -96,7 +100,7 @@ PALPABLE_VECTORIZE void pixel_costs(std::uint64_t census, Rgb8 colour, const Rig
     std::uint8_t difference = dr > dg ? dr : dg;
     difference = difference > db ? difference : db;
     difference = difference < kColourLimit ? difference : std::uint8_t{kColourLimit};
-    out[d] = static_cast<std::uint8_t>((out[d] + kColourWeight * difference) / 2);
+    out[d] = static_cast<std::uint8_t>((out[d] * scale / kCensusScaleUnit + kColourWeight * difference) / 2);
   }
 }
 
@@ -199,7 +203,7 @@ class StripeMatcher {
     for (int x = 0; x < width_; ++x) {
       const int from = width_ - 1 - x;
       const auto right = [&](const auto& raster) { return raster.row(y).data() + from; };
-      pixel_costs(pictures_.left_census(x, y), {r(x, y), g(x, y), b(x, y)},
+      pixel_costs(pictures_.left_census(x, y), pictures_.left_alike(x, y), {r(x, y), g(x, y), b(x, y)},
                   {right(pictures_.right_census), right(pictures_.right.r), right(pictures_.right.g),
                    right(pictures_.right.b)},
                   stride_, out.data() + at(x));

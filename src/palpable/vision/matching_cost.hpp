@@ -9,7 +9,8 @@
 
 namespace palpable::vision {
 
-/// How the cost of a pixel pair is made: census distance (robust to exposure) and truncated absolute
+/// How the cost of a pixel pair is made: census distance over the pixels of like colour
+/// (robust to exposure) and truncated absolute
 /// difference of colour (sharp at edges), added in 8 bits.
 struct CostOptions {
   /// Weight of each of the 62 census bits that differ.
@@ -33,6 +34,7 @@ class MatchingCost {
   const MatchInput& input_;
   CostOptions options_;
   Raster<std::uint64_t> left_census_;
+  Raster<std::uint64_t> left_alike_;
   Raster<std::uint64_t> right_census_;
 };
 

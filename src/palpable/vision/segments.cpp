@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/segments.hpp"
 
-#include "palpable/vision/census.hpp"
 #include "palpable/vision/colour_segments.hpp"
 #include "palpable/vision/consistency.hpp"
 #include "palpable/vision/cross_window.hpp"
@@ -314,8 +313,8 @@ PlaneMap settle_borders(const MatchInput& input, const ColourSegments& segments,
                         const std::vector<Plane>& planes, const std::vector<std::size_t>& plane_of,
                         Raster<float> start, const Work& work) {
   constexpr int kRounds = 2;
-  const MatchView left{colour_planes(input.left), census_9x7(input.left_grey, work)};
-  const MatchView right{colour_planes(input.right), census_9x7(input.right_grey, work)};
+  const MatchView left = match_view(input.left, input.left_grey, work);
+  const MatchView right = match_view(input.right, input.right_grey, work);
   const int w = input.left.width();
   const int h = input.left.height();
   CostVolume costs(w, h, input.disparities);

@@ -27,7 +27,7 @@ MatchView moved_texture(int shift, double gain) {
       colour(x, y) = {level, level, level};
       luma(x, y) = level;
     }
-  return {colour_planes(colour), census_9x7(luma, {})};
+  return match_view(colour, luma, {});
 }
 
 TEST(PixelCosts, AreLeastAtTheTrueDisparityAndMostlySoWhereExposuresWereNotLevelled) {
@@ -55,10 +55,31 @@ TEST(PixelCosts, NeitherFavourNorForbidAMatchOutOfView) {
   }
 }
 
+TEST(PixelCosts, OfAPlainSurfaceDoNotSpeakForTheEdgeBesideIt) {
+  // A bright bar that moves by kShift before a plain wall: at the wall's pixels beside the bar the census
+  // sees the bar move, but none of the bits that count do.
+  const auto bar = [](int shift) {
+    Raster<Rgb8> colour(kWidth, kHeight, Rgb8{90, 90, 90});
+    Raster<std::uint8_t> luma(kWidth, kHeight, 90);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 40; x < 60; ++x) {
+        colour(x - shift, y) = {200, 200, 200};
+        luma(x - shift, y) = 200;
+      }
+    return match_view(colour, luma, {});
+  };
+  CostVolume costs(kWidth, kHeight, 20);
+  pixel_costs(bar(0), bar(kShift), costs, {});
+  for (const int beside : {1, 2, 3}) {
+    const std::uint16_t* cost = costs.at(59 + beside, kHeight / 2);
+    EXPECT_EQ(cost[0], cost[kShift]) << beside;
+  }
+}
+
 TEST(AveragedCosts, OfAUniformPictureAreThoseOfOnePixel) {
   const MatchView flat{ColourPlanes{Raster<std::uint8_t>(20, 12, 50), Raster<std::uint8_t>(20, 12, 50),
                                     Raster<std::uint8_t>(20, 12, 50)},
-                       Raster<std::uint64_t>(20, 12)};
+                       Raster<std::uint64_t>(20, 12), Raster<std::uint64_t>(20, 12)};
   CostVolume costs(20, 12, 4);
   CostVolume scratch = costs;
   std::fill(costs.cost.begin(), costs.cost.end(), std::uint16_t{4096});
