@@ -159,6 +159,34 @@ TEST_F(SceneCommands, BenchTimesOnePathTickByTick) {
   EXPECT_GT(b["memory_bytes"], 0);
 }
 
+TEST_F(SceneCommands, MakeComparesTheDetailOperatorsInOnePicture) {
+  const Outcome outcome = palpable({"make", in("truth.pfm"), "--kind", "depth", "--depth-as", "disparity",
+                                    "--detail", "compare", "-o", in("details.png"), "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(read_text(in("details.png")), StartsWith("\x89PNG"));
+  const auto operators = outcome.json()["operators"];
+  ASSERT_THAT(operators, SizeIs(9));
+  EXPECT_EQ(operators[0]["detail"], "relief");
+  for (const auto& o : operators) EXPECT_LE(o["greatest_slope"], 3.01) << o["detail"];
+  EXPECT_EQ(palpable({"touch", in("truth.pfm"), "--detail", "compare", "--headless", "--seconds", "1"}).exit_code,
+            2);
+}
+
+TEST_F(SceneCommands, ScoreComparesContoursWithWhatIsDrawn) {
+  ASSERT_EQ(palpable({"make", in("left.png"), "--as", "contours", "-o", in("c.palp")}).exit_code, 0);
+  ASSERT_EQ(palpable({"export", in("c.palp"), "-o", in("c.npz")}).exit_code, 0);
+  const Outcome same = palpable({"score", "orientation", in("c.palp"), in("c.npz"), "--json"});
+  ASSERT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_LT(same.json()["max_deg"], 0.1);
+  ASSERT_EQ(palpable({"export", in("c.palp"), "-o", in("c.png")}).exit_code, 0);
+  const Outcome lines =
+      palpable({"score", "boundary", in("c.palp"), in("c.png"), "--truth", "lines", "--json"});
+  ASSERT_EQ(lines.exit_code, 0) << lines.err;
+  EXPECT_GT(lines.json()["best"]["f"], 0.95);
+  EXPECT_EQ(palpable({"score", "boundary", in("a.palp"), in("c.png")}).exit_code, 3);
+  EXPECT_EQ(palpable({"score", "orientation", in("c.palp"), in("none.npz")}).exit_code, 3);
+}
+
 TEST_F(SceneCommands, ShowDrawsEveryView) {
   for (const char* view : {"relief", "depth", "force", "section"}) {
     const std::string picture = in(std::string(view) + ".png");

@@ -221,6 +221,9 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
 Result<Answer> touch(const Arguments& arguments, Console& console) {
   Plan plan;
   plan.begin_ns = haptics::monotonic_ns();
+  if (arguments.make.detail == kCompareDetails)
+    return Error{ErrorCode::usage, "all operators at once cannot be touched: compare them with palpable make",
+                 "--detail"};
   const auto make = arguments.make.inputs.empty() ? sample_options() : make_options(arguments.make);
   if (!make) return make.error();
   plan.make = *make;
