@@ -168,8 +168,9 @@ TEST_F(SceneCommands, MakeComparesTheDetailOperatorsInOnePicture) {
   ASSERT_THAT(operators, SizeIs(9));
   EXPECT_EQ(operators[0]["detail"], "relief");
   for (const auto& o : operators) EXPECT_LE(o["greatest_slope"], 3.01) << o["detail"];
-  EXPECT_EQ(palpable({"touch", in("truth.pfm"), "--detail", "compare", "--headless", "--seconds", "1"}).exit_code,
-            2);
+  EXPECT_EQ(
+      palpable({"touch", in("truth.pfm"), "--detail", "compare", "--headless", "--seconds", "1"}).exit_code,
+      2);
 }
 
 TEST_F(SceneCommands, ScoreComparesContoursWithWhatIsDrawn) {
