@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/bench_field.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/path_file.hpp"
@@ -84,7 +85,26 @@ std::vector<haptics::PathSample> own_path(const models::Scene& scene) {
   return path;
 }
 
-Result<std::vector<Benchmark>> own_set() {
+/// The field alone, then every law on it that moves in space.
+Result<void> add_field_set(std::vector<Benchmark>& benchmarks, const Work& work) {
+  const auto scene = own_field_scene(work);
+  if (!scene) return scene.error();
+  const auto& field = *std::get<std::shared_ptr<const models::Field>>(scene->model);
+  const auto path = own_field_path(field.distance);
+  benchmarks.push_back({fmt::format("field/value-gradient/{}", size_text(*scene)), path.size(),
+                        time_samples(field.distance, path), field.distance.memory_bytes()});
+  for (const haptics::Law law : {haptics::Law::proxy, haptics::Law::penalty}) {
+    haptics::LawParameters parameters;
+    parameters.law = law;
+    if (interrupted()) return Work::interrupted();
+    auto benchmark = time_one(*scene, parameters, path);
+    if (!benchmark) return benchmark.error();
+    benchmarks.push_back(std::move(*benchmark));
+  }
+  return {};
+}
+
+Result<std::vector<Benchmark>> own_set(const Work& work) {
   const auto scene = own_scene();
   if (!scene) return scene.error();
   const auto path = own_path(*scene);
@@ -97,6 +117,7 @@ Result<std::vector<Benchmark>> own_set() {
     if (!benchmark) return benchmark.error();
     benchmarks.push_back(std::move(*benchmark));
   }
+  if (const auto added = add_field_set(benchmarks, work); !added) return added.error();
   return benchmarks;
 }
 
@@ -134,12 +155,12 @@ Answer answer_of(const std::vector<Benchmark>& benchmarks) {
   return answer;
 }
 
-Result<Answer> bench(const Arguments& arguments) {
+Result<Answer> bench(const Arguments& arguments, const Work& work) {
   if (arguments.scene.empty() != arguments.path.empty())
     return Error{ErrorCode::usage, "--scene and --path belong together", {}};
   if (arguments.scene.empty() && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--law needs --scene and --path; without them every law is timed", {}};
-  const auto benchmarks = arguments.scene.empty() ? own_set() : given_set(arguments);
+  const auto benchmarks = arguments.scene.empty() ? own_set(work) : given_set(arguments);
   if (!benchmarks) return benchmarks.error();
   return answer_of(*benchmarks);
 }
@@ -153,7 +174,7 @@ void add_bench(Program& program) {
                   "Time the force computation tick by tick; without options, every law on our own surface",
                   "  palpable bench\n"
                   "  palpable bench --scene aloe.palp --path path.csv --law proxy --radius 1",
-                  [arguments](Console& /*console*/) { return bench(*arguments); });
+                  [arguments](Console& console) { return bench(*arguments, console.work()); });
   options.text("--scene", arguments->scene, "A .palp scene");
   options.text("--path", arguments->path, "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres)");
   add_law_options(options, arguments->law);

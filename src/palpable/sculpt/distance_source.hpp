@@ -24,10 +24,18 @@ class DistanceSource {
   DistanceSource& operator=(const DistanceSource&) = delete;
   virtual ~DistanceSource() = default;
 
+  /// A source's own memory from one call to the next, a start for places near each other. New at first, one
+  /// for each thread.
+  struct Hint {
+    std::uint32_t triangle = 0;
+    /// The last place and its distance (0: none yet): nearer to it than that, nothing changes its side.
+    Vec3 place_m;
+    double distance_m = 0.0;
+  };
+
   /// Euclidean distance to the surface at any finite place, negative inside, and its gradient: a unit vector
-  /// (on edges and medial sheets that of one side). `hint` is the source's own memory from one call to the
-  /// next, a start for places near each other; 0 at first, one for each thread.
-  virtual models::FieldSample at(Vec3 place_m, std::uint32_t& hint) const = 0;
+  /// (on edges and medial sheets that of one side).
+  virtual models::FieldSample at(Vec3 place_m, Hint& hint) const = 0;
   /// Of the solid's surface.
   virtual Box bounds() const = 0;
 };

@@ -145,7 +145,7 @@ class BranchBuilder {
   const FitBounds& bounds_;
   const Work& work_;
   int longest_on_surface_ = 1;
-  std::uint32_t hint_ = 0;
+  DistanceSource::Hint hint_;
 };
 
 std::vector<Branch> branches_of(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
@@ -209,7 +209,7 @@ models::FieldErrors measured(const DistanceField& field, const DistanceSource& s
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const Vec3 size = field.grid().size_m();
   std::vector<double> errors;
-  std::uint32_t hint = 0;
+  DistanceSource::Hint hint;
   for (int i = 0; i < kTries && errors.size() < kEnough; ++i) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     const Vec3 p = field.grid().origin_m + Vec3{x * size.x, y * size.y, z * size.z};

@@ -18,7 +18,7 @@ namespace {
 class Ball final : public DistanceSource {
  public:
   explicit Ball(double radius_m) : radius_m_(radius_m) {}
-  models::FieldSample at(Vec3 p, std::uint32_t&) const override {
+  models::FieldSample at(Vec3 p, Hint&) const override {
     return {norm(p) - radius_m_, norm(p) > 0.0 ? unit(p) : Vec3{1.0, 0.0, 0.0}};
   }
   Box bounds() const override {
@@ -124,7 +124,7 @@ TEST(MeshSolid, TurnsAnInsideOutMesh) {
   const auto solid = solid_from_mesh(mesh, 0.01, {});
   ASSERT_TRUE(solid);
   EXPECT_EQ(solid->repair.turned_parts, 1U);
-  std::uint32_t hint = 0;
+  DistanceSource::Hint hint;
   EXPECT_NEAR(solid->distance->at({0.2, 0.1, 0.5}, hint).distance_m, -0.5, 1e-9);
   EXPECT_NEAR(solid->distance->at({0, 0, 3}, hint).distance_m, 2.0, 1e-9);
 }
@@ -135,7 +135,7 @@ TEST(MeshSolid, ClosesAnOpenMesh) {
   const auto solid = solid_from_mesh(mesh, 0.02, {});
   ASSERT_TRUE(solid);
   EXPECT_EQ(solid->repair.closed_holes, 1U);
-  std::uint32_t hint = 0;
+  DistanceSource::Hint hint;
   EXPECT_NEAR(solid->distance->at({0.7, 0.1, 0.2}, hint).distance_m, -0.3, 1e-6);
   EXPECT_NEAR(solid->distance->at({1.5, 0.1, 0.2}, hint).distance_m, 0.5, 1e-6);
 }
@@ -151,7 +151,7 @@ TEST(MeshSolid, JoinsBodiesThatOverlap) {
   const auto solid = solid_from_mesh(mesh, 0.04, {});
   ASSERT_TRUE(solid);
   EXPECT_GT(solid->repair.inner, 0U);
-  std::uint32_t hint = 0;
+  DistanceSource::Hint hint;
   // On the hidden top face of the slab the nearest surface is the tower's side, or the slab's open top.
   EXPECT_NEAR(solid->distance->at({0, 0, -0.01}, hint).distance_m, -0.4, 0.05);
   EXPECT_NEAR(solid->distance->at({0.1, 0, 0.5}, hint).distance_m, -0.3, 1e-3);

@@ -45,9 +45,37 @@ class PseudoNormals {
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 a = unit(v[(k + 1) % 3] - v[k]), b = unit(v[(k + 2) % 3] - v[k]);
         corners_[t[k]] += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * n;
-        edges_[key(t[k], t[(k + 1) % 3])] += n;
+        Edge& edge = edges_[key(t[k], t[(k + 1) % 3])];
+        edge.normal += n;
+        edge.balance += t[k] < t[(k + 1) % 3] ? 1 : -1;
+        ++edge.users;
       }
     }
+    rim_.resize(mesh.vertices_m.size());
+    for (const auto& [ends, edge] : edges_)
+      if (!edge.closed()) rim_[ends >> 32U] = rim_[ends & 0xFFFFFFFFU] = true;
+  }
+
+  /// Whether at() tells the side there: not on a rim, where the surface was cut or left open.
+  bool tells_the_side(std::uint32_t triangle, TrianglePart part) const {
+    const Triangle& t = triangles_[triangle];
+    switch (part) {
+      case TrianglePart::face:
+        return true;
+      case TrianglePart::edge_01:
+        return edges_.at(key(t[0], t[1])).closed();
+      case TrianglePart::edge_12:
+        return edges_.at(key(t[1], t[2])).closed();
+      case TrianglePart::edge_20:
+        return edges_.at(key(t[2], t[0])).closed();
+      case TrianglePart::corner_0:
+        return !rim_[t[0]];
+      case TrianglePart::corner_1:
+        return !rim_[t[1]];
+      case TrianglePart::corner_2:
+        return !rim_[t[2]];
+    }
+    return false;
   }
 
   Vec3 face(std::uint32_t triangle) const { return faces_[triangle]; }
@@ -57,11 +85,11 @@ class PseudoNormals {
       case TrianglePart::face:
         return faces_[triangle];
       case TrianglePart::edge_01:
-        return edges_.at(key(t[0], t[1]));
+        return edges_.at(key(t[0], t[1])).normal;
       case TrianglePart::edge_12:
-        return edges_.at(key(t[1], t[2]));
+        return edges_.at(key(t[1], t[2])).normal;
       case TrianglePart::edge_20:
-        return edges_.at(key(t[2], t[0]));
+        return edges_.at(key(t[2], t[0])).normal;
       case TrianglePart::corner_0:
         return corners_[t[0]];
       case TrianglePart::corner_1:
@@ -79,11 +107,18 @@ class PseudoNormals {
   std::vector<Triangle> triangles_;
   std::vector<Vec3> faces_;
   std::vector<Vec3> corners_;
-  std::unordered_map<std::uint64_t, Vec3> edges_;
+  struct Edge {
+    Vec3 normal;
+    int users = 0;
+    int balance = 0;
+    bool closed() const { return users == 2 && balance == 0; }
+  };
+  std::unordered_map<std::uint64_t, Edge> edges_;
+  std::vector<bool> rim_;
 };
 
-/// The distance to a mesh's triangles; the side from pseudo-normals where the mesh is closed, else from the
-/// winding number of `whole`, the mesh that the triangles were taken from.
+/// The distance to a mesh's triangles; the side from pseudo-normals, and on rims from the winding number of
+/// `whole`, the mesh that the triangles were taken from.
 class MeshDistance final : public DistanceSource {
  public:
   MeshDistance(const Mesh& surface, std::optional<TriangleTree> whole)
@@ -92,22 +127,34 @@ class MeshDistance final : public DistanceSource {
     touching_m_ = 1e-9 * norm(size);
   }
 
-  models::FieldSample at(Vec3 p, std::uint32_t& hint) const override {
-    const NearestTriangle near = tree_.nearest(p, hint);
-    hint = near.triangle;
+  models::FieldSample at(Vec3 p, Hint& hint) const override {
+    const NearestTriangle near = tree_.nearest(p, hint.triangle);
+    const models::FieldSample sample = sample_at(p, near, hint);
+    hint = {near.triangle, p, sample.distance_m};
+    return sample;
+  }
+  Box bounds() const override { return bounds_; }
+
+ private:
+  models::FieldSample sample_at(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
     const Vec3 way = p - near.point_m;
     const Vec3 face = normals_.face(near.triangle);
     if (near.part == TrianglePart::face) return {dot(way, face), face};
     const double distance = std::sqrt(near.squared_distance_m2);
     if (distance <= touching_m_) return {0.0, unit(normals_.at(near.triangle, near.part))};
-    const bool inside =
-        whole_ ? whole_->winding(p) > 0.5 : dot(way, normals_.at(near.triangle, near.part)) < 0.0;
+    const bool inside = whole_ && !normals_.tells_the_side(near.triangle, near.part)
+                            ? winds_round(p, hint)
+                            : dot(way, normals_.at(near.triangle, near.part)) < 0.0;
     const double sign = inside ? -1.0 : 1.0;
     return {sign * distance, (sign / distance) * way};
   }
-  Box bounds() const override { return bounds_; }
+  /// Whether p is inside, where no normal tells: as the last place, if that is nearer than any surface.
+  bool winds_round(Vec3 p, const Hint& hint) const {
+    if (squared_norm(p - hint.place_m) < 0.99 * hint.distance_m * hint.distance_m)
+      return hint.distance_m < 0.0;
+    return whole_->winding(p) > 0.5;
+  }
 
- private:
   TriangleTree tree_;
   PseudoNormals normals_;
   std::optional<TriangleTree> whole_;
@@ -224,7 +271,7 @@ SurfaceSorter::Sorted sorted_surface(const Mesh& mesh, const TriangleTree& whole
                                      const Work& work) {
   const SurfaceSorter sorter(mesh, whole, finest_m);
   const auto count = static_cast<int>(mesh.triangles.size());
-  constexpr int kChunk = 256;
+  constexpr int kChunk = 8;
   std::vector<SurfaceSorter::Sorted> parts(static_cast<std::size_t>((count + kChunk - 1) / kChunk));
   parallel_for(work, static_cast<int>(parts.size()), 1, [&](int begin, int end) {
     for (int part = begin; part < end && !work.cancelled(); ++part)
