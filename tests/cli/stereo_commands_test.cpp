@@ -3,6 +3,7 @@
 #include "palpable/formats/picture.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 #include "program.hpp"
 #include "test_pictures.hpp"
@@ -109,6 +110,83 @@ TEST_F(StereoCommands, TheFrontViewIsAPictureBetweenTheTwo) {
               0);
   EXPECT_NE(read_text(path("left.palp")), read_text(path("front.palp")));
   EXPECT_LT(std::filesystem::file_size(path("none.palp")), std::filesystem::file_size(path("left.palp")));
+}
+
+TEST_F(StereoCommands, CompareRunsEveryMethodIntoOneTableAndOnePicture) {
+  const Outcome compared = palpable({"compare", path("left.png"), path("right.png"), "--truth",
+                                     path("truth.pfm"), "-o", path("all.png"), "--json"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  const auto methods = compared.json()["methods"];
+  ASSERT_EQ(methods.size(), 6U);
+  for (const auto& method : methods) {
+    EXPECT_LT(method["score"]["bad"]["2"], 40.0) << method["method"];
+    EXPECT_TRUE(method["score"]["normal_error_deg"].is_number()) << method["method"];
+    EXPECT_TRUE(method["score"]["spurious_steps_per_cm"].is_number()) << method["method"];
+  }
+  EXPECT_TRUE(std::filesystem::exists(path("all.png")));
+}
+
+TEST_F(StereoCommands, FitSaysOneSentenceAndDrawsOnePicture) {
+  const Outcome fit = palpable({"fit", path("left.png"), path("right.png"), "-o", path("fit.png"), "--json"});
+  ASSERT_EQ(fit.exit_code, 0) << fit.err;
+  EXPECT_THAT(fit.json()["sentence"].get<std::string>(), HasSubstr("fit to touch"));
+  EXPECT_GT(fit.json()["agreement"], 0.6);
+  EXPECT_TRUE(std::filesystem::exists(path("fit.png")));
+}
+
+TEST_F(StereoCommands, ACameraThatDidNotMoveIsSaidWithTheFigure) {
+  const Pair pair = textured_pair(320, 240);
+  ASSERT_TRUE(formats::write_png(path("left.png"), pair.left));
+  const Outcome still = palpable({"depth", path("left.png"), path("left.png"), "-o", path("d.pfm"),
+                                  "--method", "fast", "--moved", "50", "--json"});
+  ASSERT_EQ(still.exit_code, 0) << still.err;
+  EXPECT_THAT(still.err, HasSubstr("hardly moved"));
+  EXPECT_THAT(still.err, HasSubstr("0.00 pixels"));
+}
+
+TEST_F(StereoCommands, CalibrateSaysWhatIsWrongWithAFolder) {
+  for (const auto& [folder, board, code, reason] :
+       {std::tuple{path(""), "9x6", 3, "was found in 0 of"},
+        std::tuple{path("none"), "9x6", 3, "No such file"}, std::tuple{path(""), "9", 2, "is not a board"}}) {
+    const Outcome outcome = palpable({"calibrate", folder, "-o", path("c.yml"), "--board", board});
+    EXPECT_EQ(outcome.exit_code, code) << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+    EXPECT_FALSE(std::filesystem::exists(path("c.yml")));
+  }
+}
+
+TEST_F(StereoCommands, RectifyTakesCornersOrLinesAndRefusesWhatIsNone) {
+  const Outcome cut = palpable({"rectify", path("left.png"), "-o", path("r.png"), "--corners",
+                                "20,20 140,30 150,110 10,100", "--aspect", "3:2", "--json"});
+  ASSERT_EQ(cut.exit_code, 0) << cut.err;
+  EXPECT_NEAR(cut.json()["width"].get<double>() / cut.json()["height"].get<double>(), 1.5, 0.02);
+  const Outcome lines = palpable({"rectify", path("left.png"), "-o", path("r.png"), "--lines",
+                                  "0,20,150,30 0,110,150,100 10,0,20,110 150,0,140,110"});
+  EXPECT_EQ(lines.exit_code, 0) << lines.err;
+  for (const auto& [option, value, code] :
+       {std::tuple{"--corners", "1,2 3,4", 2}, std::tuple{"--corners", "20,20 20,20 20,20 20,20", 3},
+        std::tuple{"--lines", "0,0,9,9 0,0,9,9 0,0,9,9 0,0,9,9", 3}}) {
+    const Outcome outcome = palpable({"rectify", path("left.png"), "-o", path("bad.png"), option, value});
+    EXPECT_EQ(outcome.exit_code, code) << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_FALSE(std::filesystem::exists(path("bad.png")));
+  }
+}
+
+TEST_F(StereoCommands, BackgroundIsRemovedNamedAndShown) {
+  const Outcome made = palpable({"make", path("left.png"), path("right.png"), "-o", path("s.palp"),
+                                 "--method", "fast", "--background", "remove", "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("The background covers"));
+  EXPECT_THAT(palpable({"info", path("s.palp"), "--json"}).out, HasSubstr("background"));
+  EXPECT_EQ(palpable({"show", path("s.palp"), "-o", path("s.png"), "--view", "regions"}).exit_code, 0);
+  ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("t.palp"), "--method", "fast"})
+                .exit_code,
+            0);
+  const Outcome none = palpable({"show", path("t.palp"), "-o", path("t.png"), "--view", "regions"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("has no regions"));
 }
 
 TEST_F(StereoCommands, AnUnknownMethodIsNamedWithThoseThatThereAre) {

@@ -5,41 +5,17 @@
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/depth_file.hpp"
 #include "palpable/sources/picture.hpp"
+#include "palpable/vision/ground_scene.hpp"
 #include "palpable/vision/stereo.hpp"
 
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 
 namespace palpable::vision {
 namespace {
-
-/// What is seen at a pixel of a scene with known ground.
-enum class Seen : std::uint8_t { nothing, ground, object };
-
-struct Shares {
-  double ground_found = 0.0;
-  double object_lost = 0.0;
-};
-
-Shares shares_of(const Raster<std::uint8_t>& mask, const Raster<Seen>& seen) {
-  double ground = 0, found = 0, object = 0, lost = 0;
-  for (std::size_t i = 0; i < seen.count(); ++i) {
-    const bool marked = mask.values()[i] != 0;
-    ground += seen.values()[i] == Seen::ground ? 1 : 0;
-    found += seen.values()[i] == Seen::ground && marked ? 1 : 0;
-    object += seen.values()[i] == Seen::object ? 1 : 0;
-    lost += seen.values()[i] == Seen::object && marked ? 1 : 0;
-  }
-  return {found / ground, lost / object};
-}
-
-double degrees_between(Vec3 a, Vec3 b) {
-  return 180.0 / std::numbers::pi * std::acos(std::min(1.0, dot(unit(a), unit(b))));
-}
 
 /// The rendered heads stand on a table before a wall; the table's truth follows from its exact disparity and
 /// its pose.

@@ -39,13 +39,17 @@ Options add_command_below(Program& program, const std::string& parent, const std
                           const std::string& description, const std::string& examples, Action action);
 
 void add_bench(Program& program);
+void add_calibrate(Program& program);
+void add_compare(Program& program);
 void add_depth(Program& program);
 void add_devices(Program& program);
 void add_doctor(Program& program);
 void add_export(Program& program);
+void add_fit(Program& program);
 void add_info(Program& program);
 void add_make(Program& program);
 void add_probe(Program& program);
+void add_rectify(Program& program);
 void add_sample(Program& program);
 void add_score(Program& program);
 /// score boundary and score orientation.

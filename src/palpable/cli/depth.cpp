@@ -1,13 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/score_json.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/formats/picture.hpp"
 #include "palpable/session/make_scene.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -28,23 +27,9 @@ Result<void> write_aligned(const std::string& prefix, const vision::StereoPair& 
   return formats::write_png(prefix + "_right.png", rgb8(pair.right));
 }
 
-Json alignment_json(const session::ReadyPair& ready) {
-  const auto figure = [](double px) { return std::isfinite(px) ? Json(px) : Json(nullptr); };
-  return {{"by", session::name_of(ready.aligned_by)},
-          {"residual_before_px", figure(ready.residual_before_px)},
-          {"residual_px", figure(ready.residual_px)},
-          {"features", ready.features}};
-}
-
 Result<void> write_disparity(const std::filesystem::path& output, const Raster<float>& disparity_px) {
   if (output.extension() == ".pfm") return formats::write_disparity_pfm(output, disparity_px);
   return formats::write_disparity_png(output, disparity_px);
-}
-
-double coverage_of(const Raster<float>& disparity_px) {
-  const auto known = std::count_if(disparity_px.values().begin(), disparity_px.values().end(),
-                                   [](float d) { return std::isfinite(d); });
-  return static_cast<double>(known) / static_cast<double>(disparity_px.count());
 }
 
 Result<Answer> depth(const Arguments& arguments, Console& console) {

@@ -71,6 +71,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "How many times higher the scene would be in its own proportions");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
   options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
+  options.choice("--background", arguments.background, {"keep", "remove"},
+                 "Of a pair: what stands behind its things");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on it; front = as from between a pair's cameras");
   options.under("Fields of a mesh");
@@ -115,6 +117,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.max_disparity_px = arguments.stereo.max_disparity_px;
   options.align = align_of(arguments.stereo);
   options.moved_m = moved_m_of(arguments.stereo);
+  if (arguments.background == "remove") options.background = session::BackgroundTreatment::remove;
   if (arguments.texture == "front") options.texture = session::Texture::front;
   if (arguments.texture == "none") options.texture = session::Texture::none;
   options.depth = depth_settings(arguments);

@@ -37,6 +37,7 @@ struct MakeArguments {
   std::string ground;
   int resolution = 512;
   std::optional<double> max_error_mm;
+  std::string background = "keep";
   std::string texture = "left";
 };
 

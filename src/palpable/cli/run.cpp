@@ -120,6 +120,10 @@ void describe(Program& program) {
   add_touch(program);
   add_make(program);
   add_depth(program);
+  add_compare(program);
+  add_fit(program);
+  add_calibrate(program);
+  add_rectify(program);
   add_probe(program);
   add_sample(program);
   add_bench(program);

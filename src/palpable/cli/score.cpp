@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/disparity_file.hpp"
+#include "palpable/cli/score_json.hpp"
 #include "palpable/formats/scene_file.hpp"
-#include "palpable/measure/disparity_score.hpp"
 #include "palpable/measure/relief_score.hpp"
 #include "palpable/sources/depth_file.hpp"
 
@@ -20,23 +20,19 @@ struct Arguments {
   std::optional<double> result_scale, truth_scale;
 };
 
-Answer answer_of(const measure::DisparityScore& score) {
-  Answer answer;
-  Json bad;
+Answer answer_of(const DisparityScores& scores) {
+  const measure::DisparityScore& score = scores.pixels;
   std::string shares;
-  for (std::size_t i = 0; i < measure::kBadThresholds_px.size(); ++i) {
-    const std::string threshold = fmt::format("{:g}", measure::kBadThresholds_px[i]);
-    bad[threshold] = score.bad_percent[i];
-    shares += fmt::format("{}over {} px {:.2f} %", i == 0 ? "" : ", ", threshold, score.bad_percent[i]);
-  }
-  answer.json = {{"pixels", score.pixels},
-                 {"coverage", score.coverage},
-                 {"bad", bad},
-                 {"rms_px", score.rms_px},
-                 {"rms_percent_of_range", score.rms_percent_of_range}};
+  for (std::size_t i = 0; i < measure::kBadThresholds_px.size(); ++i)
+    shares += fmt::format("{}over {:g} px {:.2f} %", i == 0 ? "" : ", ", measure::kBadThresholds_px[i],
+                          score.bad_percent[i]);
+  Answer answer;
+  answer.json = json_of(scores);
   answer.text = fmt::format(
-      "{} pixels scored, {:.1f} % of them known\nbad: {}\nRMS {:.3f} px, {:.2f} % of the truth's range\n",
-      score.pixels, 100.0 * score.coverage, shares, score.rms_px, score.rms_percent_of_range);
+      "{} pixels scored, {:.1f} % of them known\nbad: {}\nRMS {:.3f} px, {:.2f} % of the truth's range\n"
+      "as a relief of 100 mm, 15 mm high: normals off by {:.2f}°, {:.3f} steps in a cm that are not there\n",
+      score.pixels, 100.0 * score.coverage, shares, score.rms_px, score.rms_percent_of_range,
+      scores.touch.normal_error_deg, scores.touch.spurious_steps_per_cm);
   return answer;
 }
 
@@ -51,7 +47,7 @@ Result<Answer> score_disparity(const Arguments& arguments) {
     if (!read) return read.error();
     mask = std::move(*read);
   }
-  const auto score = measure::score_disparity(*result, *truth, mask);
+  const auto score = scores_of(*result, *truth, mask);
   if (!score) return Error{score.error().code, score.error().message, arguments.result};
   return answer_of(*score);
 }

@@ -5,10 +5,12 @@
 #include "palpable/draw/contours_view.hpp"
 #include "palpable/draw/force_view.hpp"
 #include "palpable/draw/height_view.hpp"
+#include "palpable/draw/marks_view.hpp"
 #include "palpable/draw/section_view.hpp"
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -22,6 +24,7 @@ struct Arguments {
   std::string view;
   LawArguments law;
   std::optional<double> cut_mm;
+  bool picture = false;
 };
 
 draw::Heading heading_of(const Arguments& arguments, const models::Scene& scene, const std::string& what) {
@@ -89,10 +92,34 @@ Result<draw::Figure> contours_picture(const Arguments& arguments, const models::
       heading_of(arguments, scene, fmt::format("contours from strength {:.2f}", map.origin().threshold)));
 }
 
+Result<draw::Figure> regions_picture(const Arguments& arguments, const models::Scene& scene) {
+  if (scene.labels.empty())
+    return Error{ErrorCode::usage, "this scene has no regions; make it with --ground or --background",
+                 "--view"};
+  constexpr std::array<Rgb8, 4> kColours{Rgb8{60, 120, 215}, Rgb8{225, 120, 40}, Rgb8{40, 150, 90},
+                                         Rgb8{160, 80, 180}};
+  std::vector<draw::Mark> kinds;
+  for (std::size_t k = 1; k < scene.materials.size(); ++k)
+    kinds.push_back({scene.materials[k].name, kColours[(k - 1) % kColours.size()]});
+  Raster<Rgb8> picture(scene.labels.width(), scene.labels.height(), {215, 215, 215});
+  const Raster<Rgb8>& texture = scene.texture;
+  if (!texture.empty())
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        picture(x, y) =
+            texture(x * texture.width() / picture.width(), y * texture.height() / picture.height());
+  return draw::marks_figure(
+      std::move(picture), scene.labels, std::move(kinds), heading_of(arguments, scene, "regions"),
+      "What was told apart in the picture; what has no tint are the things themselves.");
+}
+
 Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene& scene,
                                 const models::Relief& relief) {
   if (arguments.view == "contours") return contours_picture(arguments, scene);
-  if (arguments.view == "relief") return draw::relief_figure(relief, heading_of(arguments, scene, "relief"));
+  if (arguments.view == "regions") return regions_picture(arguments, scene);
+  if (arguments.view == "relief")
+    return draw::relief_figure(relief, heading_of(arguments, scene, "relief"),
+                               arguments.picture ? scene.texture : Raster<Rgb8>());
   if (arguments.view == "depth") return draw::height_figure(relief, heading_of(arguments, scene, "heights"));
   if (arguments.view == "force") return force_picture(arguments, scene, relief);
   const double cut_m = arguments.cut_mm ? *arguments.cut_mm / 1000.0 : cut_through_the_top_m(relief);
@@ -133,10 +160,11 @@ void add_show(Program& program) {
                   [arguments](Console& /*console*/) { return show(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
-  options.choice("--view", arguments->view, {"relief", "depth", "force", "section", "contours"},
+  options.choice("--view", arguments->view, {"relief", "depth", "force", "section", "contours", "regions"},
                  "What is drawn");
   options.number("--at", arguments->cut_mm, {-500.0, 500.0},
                  "Section: where to cut, mm above the middle (else through the top)");
+  options.flag("--picture", arguments->picture, "Relief: lay the scene's picture on it");
   add_law_options(options, arguments->law);
 }
 

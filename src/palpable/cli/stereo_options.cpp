@@ -5,6 +5,7 @@
 #include "palpable/cli/suggest.hpp"
 #include "palpable/session/make_scene.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +16,11 @@ void add_stereo_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
   options.text("--method", arguments.method,
                "How the pair is matched (docs/stereo.md); else the best there is");
+  add_pair_options(options, arguments);
+}
+
+void add_pair_options(Options& options, StereoArguments& arguments) {
+  options.under("Stereo pairs");
   options.integer("--max-disparity", arguments.max_disparity_px, {0, 4096},
                   "Greatest disparity searched, px; 0 = found");
   options.text("--calibration", arguments.calibration,
@@ -23,6 +29,14 @@ void add_stereo_options(Options& options, StereoArguments& arguments) {
                  "Bring the pictures to common scanlines where they are not");
   options.number("--moved", arguments.moved_mm, {0.1, 1e6},
                  "One camera, moved sideways by so many mm between the pictures");
+}
+
+Json alignment_json(const session::ReadyPair& ready) {
+  const auto figure = [](double px) { return std::isfinite(px) ? Json(px) : Json(nullptr); };
+  return {{"by", session::name_of(ready.aligned_by)},
+          {"residual_before_px", figure(ready.residual_before_px)},
+          {"residual_px", figure(ready.residual_px)},
+          {"features", ready.features}};
 }
 
 session::Align align_of(const StereoArguments& arguments) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/cli/command.hpp"
 #include "palpable/cli/options.hpp"
 #include "palpable/session/stereo_input.hpp"
 #include "palpable/vision/stereo.hpp"
@@ -26,6 +27,9 @@ struct StereoArguments {
 /// Adds --method, --max-disparity, --calibration, --align and --moved. `arguments` must outlive the parsing.
 void add_stereo_options(Options& options, StereoArguments& arguments);
 
+/// The same without --method, for commands that run every method or one of their own.
+void add_pair_options(Options& options, StereoArguments& arguments);
+
 /// The pair named by these files, to be read as the arguments say.
 session::StereoInput stereo_input(std::vector<std::filesystem::path> pictures,
                                   const StereoArguments& arguments);
@@ -33,6 +37,9 @@ session::StereoInput stereo_input(std::vector<std::filesystem::path> pictures,
 session::Align align_of(const StereoArguments& arguments);
 /// --moved in metres.
 std::optional<double> moved_m_of(const StereoArguments& arguments);
+
+/// How the pair was aligned: `by`, `residual_before_px`, `residual_px` (null where not measured), `features`.
+Json alignment_json(const session::ReadyPair& ready);
 
 /// The method asked for, or session::default_method(). Errors: usage, for a method that there is not.
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);

@@ -5,6 +5,7 @@
 #include "palpable/draw/colour_map.hpp"
 #include "palpable/draw/relief_shading.hpp"
 #include "palpable/draw/sheet.hpp"
+#include "palpable/draw/value_range.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,6 +26,7 @@ Plot plot_of(const models::Relief& relief, Rect area) {
 
 /// A raster of the surface itself, asked at every pixel of the plot (the samples are its control values
 /// only).
+/// `colour` takes a sample and its fractions of the plot's width and height.
 template <class Colour>
 Raster<Rgb8> rendered(const models::Relief& relief, const Plot& plot, Colour colour) {
   Raster<Rgb8> pixels(static_cast<int>(plot.area.width), static_cast<int>(plot.area.height));
@@ -33,10 +35,17 @@ Raster<Rgb8> rendered(const models::Relief& relief, const Plot& plot, Colour col
   for (int y = 0; y < pixels.height(); ++y) {
     for (int x = 0; x < pixels.width(); ++x) {
       const double x_mm = plot.left + (x + 0.5) * step_x, y_mm = plot.top - (y + 0.5) * step_y;
-      pixels(x, y) = colour(relief.sample(x_mm / kMm, y_mm / kMm));
+      pixels(x, y) = colour(relief.sample(x_mm / kMm, y_mm / kMm), (x + 0.5) / pixels.width(),
+                            (y + 0.5) / pixels.height());
     }
   }
   return pixels;
+}
+
+/// The picture's pixel at a fraction of its width and height.
+Rgb8 colour_at(const Raster<Rgb8>& picture, double u, double v) {
+  return picture(std::min(picture.width() - 1, static_cast<int>(u * picture.width())),
+                 std::min(picture.height() - 1, static_cast<int>(v * picture.height())));
 }
 
 double position(double value, double low, double high) {
@@ -95,35 +104,22 @@ void draw_relief(Canvas& canvas, const models::Relief& relief, const Sheet& shee
                   "height above\nthe base, mm", colour);
 }
 
-/// The values between which nearly all of a map lies: a few wild pixels must not use up the colours.
-std::pair<float, float> usual_range(const Raster<float>& values) {
-  std::vector<float> known;
-  known.reserve(values.count());
-  for (const float v : values.values())
-    if (std::isfinite(v)) known.push_back(v);
-  if (known.empty()) return {0.0F, 1.0F};
-  const auto quantile = [&known](double q) {
-    const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(known.size() - 1));
-    std::nth_element(known.begin(), known.begin() + k, known.end());
-    return known[static_cast<std::size_t>(k)];
-  };
-  const float low = quantile(0.005), high = quantile(0.995);
-  return high > low ? std::pair{low, high} : std::pair{low - 0.5F, low + 0.5F};
-}
-
 Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
 
 }  // namespace
 
-Figure relief_figure(models::Relief relief, const Heading& heading) {
+Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
   return {
-      sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
+      sheet.width_px, sheet.height_px,
+      [relief = std::move(relief), picture = std::move(picture), heading, sheet](Canvas& canvas) {
         const Plot plot = plot_of(relief, sheet.plot);
         const double low = relief.lowest_m(), high = relief.highest_m();
         canvas.picture(rendered(relief, plot,
-                                [&](const models::HeightSample& s) {
-                                  return shaded(tint_colour(position(s.z_m, low, high)), shade_of(s));
+                                [&](const models::HeightSample& s, double u, double v) {
+                                  const Rgb8 own = picture.empty() ? tint_colour(position(s.z_m, low, high))
+                                                                   : colour_at(picture, u, v);
+                                  return shaded(own, shade_of(s));
                                 }),
                        sheet.plot);
         draw_contours(canvas, relief, plot);
@@ -142,10 +138,11 @@ Figure height_figure(models::Relief relief, const Heading& heading) {
   return {
       sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
         const double low = relief.lowest_m(), high = relief.highest_m();
-        canvas.picture(
-            rendered(relief, plot_of(relief, sheet.plot),
-                     [&](const models::HeightSample& s) { return depth_colour(position(s.z_m, low, high)); }),
-            sheet.plot);
+        canvas.picture(rendered(relief, plot_of(relief, sheet.plot),
+                                [&](const models::HeightSample& s, double, double) {
+                                  return depth_colour(position(s.z_m, low, high));
+                                }),
+                       sheet.plot);
         draw_relief(canvas, relief, sheet, depth_colour);
         draw_words(
             canvas, sheet, heading,

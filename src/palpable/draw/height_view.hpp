@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/image.hpp"
 #include "palpable/draw/figure.hpp"
 #include "palpable/draw/heading.hpp"
 #include "palpable/models/relief.hpp"
@@ -10,7 +11,8 @@ namespace palpable::draw {
 
 /// A relief as a map of its heights: tinted by height and shaded as if lit from the upper left, with contour
 /// lines, axes and scale in millimetres and the light's direction said.
-Figure relief_figure(models::Relief relief, const Heading& heading);
+/// With a `picture` (covering the relief's rectangle) its colours take the tints' place.
+Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture = {});
 
 /// The heights of a relief in evenly stepping colours, without shading, so that values can be read off.
 Figure height_figure(models::Relief relief, const Heading& heading);

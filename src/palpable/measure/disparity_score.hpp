@@ -26,8 +26,8 @@ struct DisparityScore {
   double rms_percent_of_range = 0.0;
 };
 
-/// `result_px` and `truth_px`: disparities, non-finite = unknown. `mask`: empty (every pixel), or a value >
-/// 127 where a pixel counts. Errors: invalid_input for sizes that differ or a truth without a known pixel.
+/// `result_px` and `truth_px`: disparities, non-finite = unknown. `mask`: empty (every pixel), or 255 (white)
+/// where a pixel counts. Errors: invalid_input for sizes that differ or a truth without a known pixel.
 Result<DisparityScore> score_disparity(const Raster<float>& result_px, const Raster<float>& truth_px,
                                        const Raster<std::uint8_t>& mask = {});
 

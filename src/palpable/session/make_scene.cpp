@@ -7,6 +7,8 @@
 #include "palpable/session/make_field.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/picture.hpp"
+#include "palpable/vision/background.hpp"
+#include "palpable/vision/fit_to_touch.hpp"
 #include "palpable/vision/front_view.hpp"
 
 #include <algorithm>
@@ -55,10 +57,37 @@ Result<void> look_from_the_front(vision::StereoPair& pair, DisparityMap& dispari
   return {};
 }
 
-/// Says in a note what the ground is, or that there is none.
-DisparityMap with_ground_treated(const DisparityMap& disparity, const vision::StereoPair& pair,
-                                 const MakeOptions& options, const Work& work,
-                                 std::vector<std::string>& notes) {
+/// Materials of a scene whose regions were told apart; they feel alike, and have names.
+enum Region : std::uint8_t { kThings, kGround, kBackground };
+
+void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region) {
+  if (scene.labels.empty()) {
+    scene.labels = Raster<std::uint8_t>(mask.width(), mask.height(), kThings);
+    scene.materials.resize(3);
+    scene.materials[kGround].name = "ground";
+    scene.materials[kBackground].name = "background";
+  }
+  for (std::size_t i = 0; i < mask.count(); ++i)
+    if (mask.values()[i] != 0) scene.labels.values()[i] = region;
+}
+
+/// The disparity with ground and background treated. The scene's labels say where they are; a note says how
+/// much they cover, or that there is none.
+DisparityMap with_regions_treated(DisparityMap disparity, const vision::StereoPair& pair,
+                                  const MakeOptions& options, const Work& work, models::Scene& scene,
+                                  std::vector<std::string>& notes) {
+  if (options.background == BackgroundTreatment::remove) {
+    work.report(0.9, "finding the background");
+    if (const auto background = vision::find_background(rgb8(pair.left), disparity.disparity_px, work)) {
+      notes.push_back(fmt::format(
+          "The background covers {:.0f} % of the picture: what moves less than {:.1f} px, {} of {} regions.",
+          100.0 * background->share, background->threshold_px, background->removed, background->regions));
+      mark(scene, background->mask, kBackground);
+      disparity = vision::lowered(disparity, background->mask);
+    } else {
+      notes.emplace_back("Near and far do not part in this picture: there is no background to remove.");
+    }
+  }
   if (options.ground == vision::GroundTreatment::keep) return disparity;
   work.report(0.9, "finding the ground");
   const auto ground = vision::find_ground(rgb8(pair.left), disparity.disparity_px, work);
@@ -68,6 +97,7 @@ DisparityMap with_ground_treated(const DisparityMap& disparity, const vision::St
   }
   notes.push_back(fmt::format("The ground covers {:.0f} % of the picture, {:.2f} px from a plane.",
                               100.0 * ground->share, ground->rms_px));
+  mark(scene, ground->mask, kGround);
   return vision::treat_ground(disparity, *ground, options.ground);
 }
 
@@ -77,15 +107,20 @@ Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method,
   if (!match) return at_place(match.error(), names_of(options.inputs));
   std::vector<std::string> notes = ready.notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
+  if (method == vision::StereoMethod::fast)
+    notes.push_back(vision::sentence_of(vision::fit_to_touch(ready.pair, *match)));
   vision::StereoPair pair = ready.pair;
   if (options.texture == Texture::front)
     if (const auto looked = look_from_the_front(pair, match->disparity, work); !looked)
       return at_place(looked.error(), names_of(options.inputs));
-  const auto shaped = with_ground_treated(match->disparity, pair, options, work, notes);
+  models::Scene regions;
+  const auto shaped = with_regions_treated(match->disparity, pair, options, work, regions, notes);
   auto relief = sculpt::relief_from_disparity(shaped, options.relief, work);
   if (!relief) return at_place(relief.error(), names_of(options.inputs));
   models::Scene scene = scene_of(std::move(*relief), options, pair.left.width, pair.left.height,
                                  "stereo, " + std::string(vision::name_of(method)));
+  scene.materials = std::move(regions.materials);
+  scene.labels = std::move(regions.labels);
   if (options.texture != Texture::none) scene.texture = rgb8(pair.left);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};
 }

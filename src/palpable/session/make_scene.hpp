@@ -36,6 +36,13 @@ enum class Texture {
   none
 };
 
+/// What becomes of what stands behind the things of a pair's scene.
+enum class BackgroundTreatment {
+  keep,
+  /// It falls to the level of the farthest thing that is left.
+  remove
+};
+
 /// What a scene is made from, and how.
 struct MakeOptions {
   MakeAs as = MakeAs::by_input;
@@ -60,6 +67,7 @@ struct MakeOptions {
   Texture texture = Texture::left;
   /// For a pair: what becomes of the plane that things stand on.
   vision::GroundTreatment ground = vision::GroundTreatment::keep;
+  BackgroundTreatment background = BackgroundTreatment::keep;
   sculpt::ReliefOptions relief;
   /// Of one picture: its contours.
   vision::ContourOptions contours;

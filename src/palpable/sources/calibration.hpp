@@ -51,6 +51,10 @@ Result<Calibration> read_calibration(const std::filesystem::path& path);
 /// The same from memory; errors without a place.
 Result<Calibration> decode_calibration(std::span<const std::byte> file);
 
+/// The calibration as OpenCV's yml, as read_calibration() takes it: M1, D1, M2, D2, R, T for two cameras,
+/// else camera_matrix and distortion_coefficients. `reprojection_px` is noted in it.
+std::string encode_calibration(const Calibration& calibration, double reprojection_px);
+
 /// The calibration for pictures of this size. Another size of the same shape: scaled, and a note says so; of
 /// another shape, or with a principal point outside the pictures: invalid_input.
 Result<Calibration> calibration_for(Calibration calibration, int width, int height);

@@ -172,5 +172,30 @@ TEST(Calibration, OfRealFilesIsRead) {
   EXPECT_FALSE(one->right);
 }
 
+TEST(Calibration, WrittenAsYmlComesBackTheSame) {
+  Calibration c;
+  c.left = {{500.25, 0, 319.5, 0, 501, 239, 0, 0, 1}, {0.1, -0.2, 0, 1e-5, 0.03}, 640, 480};
+  c.right = c.left;
+  c.right->matrix[2] = 300.125;
+  c.rotation = std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  c.translation_m = Vec3{-0.0832, 0.001, 1e-7};
+  const std::string yml = encode_calibration(c, 0.215);
+  const auto back = decode_calibration(std::as_bytes(std::span(yml)));
+  ASSERT_TRUE(back) << back.error().sentence();
+  EXPECT_EQ(back->left.matrix, c.left.matrix);
+  EXPECT_EQ(back->left.distortion, c.left.distortion);
+  EXPECT_EQ(back->left.width, 640);
+  EXPECT_EQ(back->right->matrix, c.right->matrix);
+  EXPECT_EQ(back->translation_m->x, c.translation_m->x);
+  EXPECT_EQ(back->translation_m->z, c.translation_m->z);
+  Calibration single;
+  single.left = c.left;
+  const std::string one = encode_calibration(single, 0.3);
+  const auto alone = decode_calibration(std::as_bytes(std::span(one)));
+  ASSERT_TRUE(alone) << alone.error().sentence();
+  EXPECT_FALSE(alone->right);
+  EXPECT_EQ(alone->left.matrix, single.left.matrix);
+}
+
 }  // namespace
 }  // namespace palpable::sources

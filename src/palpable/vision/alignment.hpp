@@ -88,4 +88,14 @@ struct ChessboardCalibration {
 Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<StereoPair>& pairs,
                                                          const ChessboardOptions& options, const Work& work);
 
+struct CameraCalibration {
+  LensCamera camera;
+  double reprojection_px = 0.0;
+  int pictures_used = 0;
+};
+
+/// Calibrates one camera from pictures of a chessboard. Errors: as calibrate_from_chessboards().
+Result<CameraCalibration> calibrate_camera(const std::vector<Image>& pictures,
+                                           const ChessboardOptions& options, const Work& work);
+
 }  // namespace palpable::vision

@@ -34,11 +34,62 @@ LensCamera lens_of(const cv::Mat& matrix, const cv::Mat& distortion) {
   return out;
 }
 
+constexpr int kLeastBoards = 3;
+
+Error too_few(const ChessboardOptions& options, std::size_t found, std::size_t given, const char* what) {
+  return invalid_input(
+      fmt::format("a chessboard of {}x{} inner corners was found in {} of {} {}, but {} are needed",
+                  options.columns, options.rows, found, given, what, kLeastBoards));
+}
+
+/// The same flat board, once for each time it was seen.
+std::vector<std::vector<cv::Point3f>> boards_of(const ChessboardOptions& options, std::size_t count) {
+  std::vector<cv::Point3f> board;
+  for (int r = 0; r < options.rows; ++r)
+    for (int c = 0; c < options.columns; ++c)
+      board.emplace_back(static_cast<float>(c * options.square_m), static_cast<float>(r * options.square_m),
+                         0.0F);
+  return std::vector(count, board);
+}
+
 }  // namespace
+
+Result<CameraCalibration> calibrate_camera(const std::vector<Image>& pictures,
+                                           const ChessboardOptions& options, const Work& work) {
+  try {
+    std::vector<Corners> seen;
+    cv::Size size;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+      if (work.cancelled()) return Work::interrupted();
+      work.report(0.7 * static_cast<double>(i) / static_cast<double>(pictures.size()),
+                  "looking for the chessboard");
+      const cv::Size here(pictures[i].width, pictures[i].height);
+      if (i > 0 && here != size)
+        return invalid_input("pictures for a calibration must all have the same size");
+      size = here;
+      if (Corners corners = find_corners(pictures[i], options); !corners.empty())
+        seen.push_back(std::move(corners));
+    }
+    if (static_cast<int>(seen.size()) < kLeastBoards)
+      return too_few(options, seen.size(), pictures.size(), "pictures");
+    cv::Mat matrix;
+    cv::Mat distortion;
+    std::vector<cv::Mat> turns;
+    std::vector<cv::Mat> shifts;
+    work.report(0.8, "calibrating");
+    CameraCalibration out;
+    out.reprojection_px =
+        cv::calibrateCamera(boards_of(options, seen.size()), seen, size, matrix, distortion, turns, shifts);
+    out.pictures_used = static_cast<int>(seen.size());
+    out.camera = lens_of(matrix, distortion);
+    return out;
+  } catch (const cv::Exception& e) {
+    return Error{ErrorCode::failed, std::string("the camera could not be calibrated: ") + e.what(), {}};
+  }
+}
 
 Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<StereoPair>& pairs,
                                                          const ChessboardOptions& options, const Work& work) {
-  constexpr int kLeastPairs = 3;
   try {
     std::vector<Corners> left;
     std::vector<Corners> right;
@@ -58,16 +109,9 @@ Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<Stere
       left.push_back(std::move(in_left));
       right.push_back(std::move(in_right));
     }
-    if (static_cast<int>(left.size()) < kLeastPairs)
-      return invalid_input(
-          fmt::format("a chessboard of {}x{} inner corners was found in {} of {} pairs, but {} are needed",
-                      options.columns, options.rows, left.size(), pairs.size(), kLeastPairs));
-    std::vector<cv::Point3f> board;
-    for (int r = 0; r < options.rows; ++r)
-      for (int c = 0; c < options.columns; ++c)
-        board.emplace_back(static_cast<float>(c * options.square_m), static_cast<float>(r * options.square_m),
-                           0.0F);
-    const std::vector<std::vector<cv::Point3f>> boards(left.size(), board);
+    if (static_cast<int>(left.size()) < kLeastBoards)
+      return too_few(options, left.size(), pairs.size(), "pairs");
+    const auto boards = boards_of(options, left.size());
     cv::Mat m1;
     cv::Mat d1;
     cv::Mat m2;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/ground.hpp"
 
+#include "palpable/vision/background.hpp"
 #include "palpable/vision/regions.hpp"
 
 #include <algorithm>
@@ -312,22 +313,16 @@ DisparityMap treat_ground(const DisparityMap& disparity, const Ground& ground, G
   if (treatment == GroundTreatment::keep) return disparity;
   DisparityMap out = disparity;
   if (treatment == GroundTreatment::flatten) out.rig.reset();
-  float farthest_left = std::numeric_limits<float>::infinity();
   Raster<std::uint8_t> goes(ground.mask.width(), ground.mask.height());
   for (int y = 0; y < out.disparity_px.height(); ++y) {
     for (int x = 0; x < out.disparity_px.width(); ++x) {
-      const float d = disparity.disparity_px(x, y);
-      const double above_px = d - ground.plane.at(x, y);
+      const double above_px = disparity.disparity_px(x, y) - ground.plane.at(x, y);
       goes(x, y) = ground.mask(x, y) != 0 || above_px < 0.0 ? 1 : 0;
       if (treatment == GroundTreatment::flatten)
         out.disparity_px(x, y) = goes(x, y) != 0 ? 0.0F : static_cast<float>(above_px);
-      if (goes(x, y) == 0 && d < farthest_left) farthest_left = d;
     }
   }
-  if (treatment == GroundTreatment::remove && std::isfinite(farthest_left))
-    for (std::size_t i = 0; i < goes.count(); ++i)
-      if (goes.values()[i] != 0) out.disparity_px.values()[i] = farthest_left;
-  return out;
+  return treatment == GroundTreatment::remove ? lowered(out, goes) : out;
 }
 
 }  // namespace palpable::vision

@@ -1,0 +1,136 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/formats/picture.hpp"
+#include "palpable/sources/picture.hpp"
+#include "palpable/vision/plane_rectification.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string picture, output;
+  std::string corners, aspect, lines, orthogonal;
+};
+
+/// Exactly `count` numbers parted by commas, colons, semicolons or spaces. Errors: usage.
+Result<std::vector<double>> numbers_of(const std::string& text, std::size_t count, const char* option,
+                                       const char* example) {
+  const Error wrong{ErrorCode::usage,
+                    fmt::format("'{}' are not {} numbers: write them as {}", text, count, example), option};
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  while (true) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" ,;:"), rest.size()));
+    if (rest.empty()) break;
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+    if (fault != std::errc{} || !std::isfinite(value)) return wrong;
+    numbers.push_back(value);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  }
+  if (numbers.size() != count) return wrong;
+  return numbers;
+}
+
+vision::PictureLine line_at(const std::vector<double>& numbers, std::size_t i) {
+  return {{numbers[4 * i], numbers[4 * i + 1]}, {numbers[4 * i + 2], numbers[4 * i + 3]}};
+}
+
+Result<vision::PlaneLines> lines_of(const Arguments& arguments, const Image& picture, const Work& work) {
+  vision::PlaneLines lines;
+  if (arguments.lines.empty()) {
+    auto found = vision::find_plane_lines(picture, work);
+    if (!found) return Error{found.error().code, found.error().message, arguments.picture};
+    lines = *found;
+  } else {
+    const auto given = numbers_of(arguments.lines, 16, "--lines", "x1,y1,x2,y2 for each of four lines");
+    if (!given) return given.error();
+    lines.along = {line_at(*given, 0), line_at(*given, 1)};
+    lines.across = {line_at(*given, 2), line_at(*given, 3)};
+  }
+  if (arguments.orthogonal.empty()) return lines;
+  const auto given =
+      numbers_of(arguments.orthogonal, 16, "--orthogonal", "x1,y1,x2,y2 for each of four lines");
+  if (!given) return given.error();
+  lines.orthogonal = {{line_at(*given, 0), line_at(*given, 1)}, {line_at(*given, 2), line_at(*given, 3)}};
+  return lines;
+}
+
+Result<vision::RectifiedPlane> rectified_by_corners(const Arguments& arguments, const Image& picture) {
+  const auto corners =
+      numbers_of(arguments.corners, 8, "--corners", "x,y of each corner, from the upper left clockwise");
+  if (!corners) return corners.error();
+  vision::PlaneRectangle rectangle;
+  for (std::size_t i = 0; i < 4; ++i) rectangle.corners[i] = {(*corners)[2 * i], (*corners)[2 * i + 1]};
+  if (!arguments.aspect.empty()) {
+    const auto sides = numbers_of(arguments.aspect, 2, "--aspect", "WIDTH:HEIGHT");
+    if (!sides) return sides.error();
+    if (!((*sides)[0] > 0.0 && (*sides)[1] > 0.0))
+      return Error{ErrorCode::usage, "width and height must be positive", "--aspect"};
+    rectangle.aspect = (*sides)[0] / (*sides)[1];
+  }
+  return vision::rectify_rectangle(picture, rectangle);
+}
+
+Result<Answer> rectify(const Arguments& arguments, Console& console) {
+  if (std::filesystem::path(arguments.output).extension() != ".png")
+    return Error{ErrorCode::usage, "the straightened picture is written as .png", arguments.output};
+  if (!arguments.corners.empty() && !(arguments.lines.empty() && arguments.orthogonal.empty()))
+    return Error{ErrorCode::usage, "give the corners or the lines, not both", "--corners"};
+  const auto picture = sources::read_picture(arguments.picture);
+  if (!picture) return picture.error();
+  auto plane = [&]() -> Result<vision::RectifiedPlane> {
+    if (!arguments.corners.empty()) return rectified_by_corners(arguments, *picture);
+    const auto lines = lines_of(arguments, *picture, console.work());
+    if (!lines) return lines.error();
+    return vision::rectify_plane(*picture, *lines);
+  }();
+  if (!plane) {
+    if (plane.error().place.empty()) plane.error().place = arguments.picture;
+    return plane.error();
+  }
+  for (const std::string& note : plane->notes) console.note(note);
+  if (const auto written = formats::write_png(arguments.output, plane->picture); !written)
+    return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output},
+                 {"width", plane->picture.width},
+                 {"height", plane->picture.height},
+                 {"output_from_input", plane->picture_from_input},
+                 {"notes", plane->notes}};
+  answer.text =
+      fmt::format("{}: {} x {} pixels\n", arguments.output, plane->picture.width, plane->picture.height);
+  return answer;
+}
+
+}  // namespace
+
+void add_rectify(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options = add_command(
+      program, "rectify", "Straighten a photographed map or painting, as seen from straight above",
+      "  palpable rectify photo.jpg -o map.png\n"
+      "  palpable rectify photo.jpg -o map.png --corners '120,80 900,60 980,700 60,720' --aspect 4:3\n"
+      "  palpable rectify photo.jpg -o map.png --lines '0,10,600,30 0,400,600,380 10,0,60,400 500,0,480,400'",
+      [arguments](Console& console) { return rectify(*arguments, console); });
+  options.argument("PICTURE", arguments->picture, "A picture of something flat");
+  options.required_text("-o,--output", arguments->output, "Picture to write (.png)");
+  options.text("--corners", arguments->corners,
+               "Of a rectangle on it: four x,y in pixels, from the upper left clockwise");
+  options.text("--aspect", arguments->aspect, "That rectangle's WIDTH:HEIGHT; else from the perspective");
+  options.text("--lines", arguments->lines,
+               "Four lines x1,y1,x2,y2: two that are parallel on it, and two across; else found");
+  options.text("--orthogonal", arguments->orthogonal,
+               "Four lines: two pairs at right angles, for the proportions; else from the perspective");
+}
+
+}  // namespace palpable::cli

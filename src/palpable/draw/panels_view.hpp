@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/draw/figure.hpp"
+#include "palpable/draw/heading.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace palpable::draw {
+
+/// One of several maps side by side.
+struct Panel {
+  std::string name;
+  /// A line below it.
+  std::string caption;
+  /// A picture, or a map of disparities in pixels, unknown = not finite (hatched).
+  std::variant<Raster<Rgb8>, Raster<float>> content;
+};
+
+/// All panels at one size, three in a row, the maps in one scale of colours (pale is near), which runs over
+/// the usual range of the first map. At least one panel.
+Figure panels_figure(std::vector<Panel> panels, const Heading& heading);
+
+}  // namespace palpable::draw
