@@ -39,7 +39,7 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
   std::vector<std::string> notes = ready->notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   for (const std::string& note : notes) console.note(note);
-  const vision::FitToTouch fit = vision::fit_to_touch(ready->pair, *match);
+  const vision::FitToTouch fit = vision::fit_to_touch(ready->pair, *match, console.work());
   const std::string sentence = vision::sentence_of(fit);
   if (!arguments.output.empty())
     if (const auto written =

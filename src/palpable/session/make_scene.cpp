@@ -12,6 +12,7 @@
 #include "palpable/vision/front_view.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -71,34 +72,68 @@ void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region)
     if (mask.values()[i] != 0) scene.labels.values()[i] = region;
 }
 
-/// The disparity with ground and background treated. The scene's labels say where they are; a note says how
+/// The ground, where something asks for it, and a note of it.
+std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const Raster<Rgb8>& picture,
+                                        const MakeOptions& options, const Work& work,
+                                        std::vector<std::string>& notes) {
+  const bool wanted = options.ground != vision::GroundTreatment::keep;
+  if (!wanted && options.background == BackgroundTreatment::keep) return std::nullopt;
+  work.report(0.9, "finding the ground");
+  auto ground = vision::find_ground(picture, disparity.disparity_px, work);
+  if (ground)
+    notes.push_back(fmt::format("The ground covers {:.0f} % of the picture, {:.2f} px from a plane.",
+                                100.0 * ground->share, ground->rms_px));
+  else if (wanted)
+    notes.emplace_back("No ground was found in this picture: the relief is as it would be without --ground.");
+  return ground;
+}
+
+/// The background, where it is to be removed, and a note of it. The ground is none: it is near and far at
+/// once, and would part what stands on it.
+std::optional<vision::Background> background_of(DisparityMap disparity,
+                                                const std::optional<vision::Ground>& ground,
+                                                const Raster<Rgb8>& picture, const MakeOptions& options,
+                                                const Work& work, std::vector<std::string>& notes) {
+  if (options.background == BackgroundTreatment::keep) return std::nullopt;
+  work.report(0.92, "finding the background");
+  const auto without = [&](Raster<std::uint8_t>* mask) {
+    for (std::size_t i = 0; ground && i < ground->mask.count(); ++i) {
+      if (ground->mask.values()[i] == 0) continue;
+      if (mask != nullptr) mask->values()[i] = 0;
+      disparity.disparity_px.values()[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  };
+  without(nullptr);
+  auto background = vision::find_background(picture, disparity.disparity_px, work);
+  if (!background) {
+    notes.emplace_back("Near and far do not part in this picture: there is no background to remove.");
+    return std::nullopt;
+  }
+  without(&background->mask);
+  notes.push_back(
+      fmt::format("The background moves less than {:.1f} px: {} of {} regions were removed with it.",
+                  background->threshold_px, background->removed, background->regions));
+  return background;
+}
+
+/// The disparity with ground and background treated. The scene's labels say where they are; notes say how
 /// much they cover, or that there is none.
-DisparityMap with_regions_treated(DisparityMap disparity, const vision::StereoPair& pair,
+DisparityMap with_regions_treated(const DisparityMap& disparity, const vision::StereoPair& pair,
                                   const MakeOptions& options, const Work& work, models::Scene& scene,
                                   std::vector<std::string>& notes) {
-  if (options.background == BackgroundTreatment::remove) {
-    work.report(0.9, "finding the background");
-    if (const auto background = vision::find_background(rgb8(pair.left), disparity.disparity_px, work)) {
-      notes.push_back(fmt::format(
-          "The background covers {:.0f} % of the picture: what moves less than {:.1f} px, {} of {} regions.",
-          100.0 * background->share, background->threshold_px, background->removed, background->regions));
-      mark(scene, background->mask, kBackground);
-      disparity = vision::lowered(disparity, background->mask);
-    } else {
-      notes.emplace_back("Near and far do not part in this picture: there is no background to remove.");
-    }
-  }
-  if (options.ground == vision::GroundTreatment::keep) return disparity;
-  work.report(0.9, "finding the ground");
-  const auto ground = vision::find_ground(rgb8(pair.left), disparity.disparity_px, work);
-  if (!ground) {
-    notes.emplace_back("No ground was found in this picture: the relief is as it would be without --ground.");
-    return disparity;
-  }
-  notes.push_back(fmt::format("The ground covers {:.0f} % of the picture, {:.2f} px from a plane.",
-                              100.0 * ground->share, ground->rms_px));
-  mark(scene, ground->mask, kGround);
-  return vision::treat_ground(disparity, *ground, options.ground);
+  const Raster<Rgb8> picture = rgb8(pair.left);
+  const auto ground = ground_of(disparity, picture, options, work, notes);
+  const auto background = background_of(disparity, ground, picture, options, work, notes);
+  if (background) mark(scene, background->mask, kBackground);
+  if (ground) mark(scene, ground->mask, kGround);
+  DisparityMap treated = disparity;
+  if (ground && (!background || options.ground == vision::GroundTreatment::flatten))
+    treated = vision::treat_ground(disparity, *ground, options.ground);
+  if (!background) return treated;
+  Raster<std::uint8_t> goes = background->mask;
+  if (ground && options.ground == vision::GroundTreatment::remove)
+    for (std::size_t i = 0; i < goes.count(); ++i) goes.values()[i] |= ground->mask.values()[i];
+  return vision::lowered(treated, goes);
 }
 
 Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method, const MakeOptions& options,
@@ -108,7 +143,7 @@ Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method,
   std::vector<std::string> notes = ready.notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   if (method == vision::StereoMethod::fast)
-    notes.push_back(vision::sentence_of(vision::fit_to_touch(ready.pair, *match)));
+    notes.push_back(vision::sentence_of(vision::fit_to_touch(ready.pair, *match, work)));
   vision::StereoPair pair = ready.pair;
   if (options.texture == Texture::front)
     if (const auto looked = look_from_the_front(pair, match->disparity, work); !looked)

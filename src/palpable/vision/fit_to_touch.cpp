@@ -102,9 +102,9 @@ Advice advice_for(const Place& place, const FitToTouch& fit) {
 
 }  // namespace
 
-FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match) {
+FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work) {
   PALPABLE_CHECK(!match.confidence.empty());
-  MatchInput input = prepare_pictures(pair);
+  MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
   sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
   sizes.fine = std::move(input.left_grey);

@@ -39,7 +39,7 @@ struct FitToTouch {
 
 /// Judges a match by the method `fast`, whose confidence is what the right picture confirms. `match` belongs
 /// to `pair` and has a confidence.
-FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match);
+FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work);
 
 /// For a teacher, one sentence: whether it is fit, with the figure; where it will feel wrong and why; what to
 /// do about it.

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 FitToTouch judged(const StereoPair& pair) {
   const auto match = vision::match(pair, StereoMethod::fast, {}, Work{});
   EXPECT_TRUE(match);
-  return fit_to_touch(pair, *match);
+  return fit_to_touch(pair, *match, Work{});
 }
 
 SyntheticScene scene() {
@@ -48,7 +48,7 @@ TEST(FitToTouch, SaysWhereThereIsNoTexture) {
   const FitToTouch fit = judged(pair);
   EXPECT_LT(fit.textured, 0.8);
   EXPECT_THAT(sentence_of(fit), HasSubstr("no texture"));
-  EXPECT_THAT(sentence_of(fit), HasSubstr("lower"));
+  EXPECT_THAT(sentence_of(fit), HasSubstr("at the bottom"));
 }
 
 TEST(FitToTouch, SaysThatUnrelatedPicturesAreNot) {
