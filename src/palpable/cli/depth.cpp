@@ -18,7 +18,19 @@ struct Arguments {
   std::string left, right, output;
   std::string aligned;
   StereoArguments stereo;
+  bool features = false;
+  double surface_weight = static_cast<double>(vision::PyramidOptions{}.surface_weight);
+  int iterations = vision::PyramidOptions{}.iterations;
 };
+
+vision::StereoOptions options_of(const Arguments& arguments) {
+  vision::StereoOptions options;
+  options.max_disparity_px = arguments.stereo.max_disparity_px;
+  options.pyramid.surface_weight = static_cast<float>(arguments.surface_weight);
+  options.pyramid.iterations = arguments.iterations;
+  if (arguments.features) options.pyramid.edges = vision::PyramidEdges::features;
+  return options;
+}
 
 /// The aligned pictures as PREFIX_left.png and PREFIX_right.png.
 Result<void> write_aligned(const std::string& prefix, const vision::StereoPair& pair) {
@@ -45,7 +57,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   if (const auto written = write_aligned(arguments.aligned, ready->pair); !written) return written.error();
 
   const auto begin = std::chrono::steady_clock::now();
-  const auto match = vision::match(ready->pair, *method, {arguments.stereo.max_disparity_px}, console.work());
+  const auto match = vision::match(ready->pair, *method, options_of(arguments), console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!match) return Error{match.error().code, match.error().message, match.error().place};
   for (const std::string& note : match->notes) console.note(note);
@@ -87,6 +99,11 @@ void add_depth(Program& program) {
   options.text("--aligned", arguments->aligned,
                "Also write the aligned pictures, as PREFIX_left.png and PREFIX_right.png");
   add_stereo_options(options, arguments->stereo);
+  options.under("The method pyramid");
+  options.flag("--features", arguments->features, "Move steps of disparity to the picture's edges");
+  options.number("--surface-weight", arguments->surface_weight, {0.001, 100.0},
+                 "Weight of a smooth surface; the picture has 0 to 1");
+  options.integer("--iterations", arguments->iterations, {0, 1000}, "Rounds of the refinement");
 }
 
 }  // namespace palpable::cli

@@ -278,7 +278,9 @@ void move_steps_to_edges(const Raster<std::uint8_t>& grey, Raster<float>& map) {
 
 }  // namespace
 
-Result<MatchOutput> match_pyramid(const MatchInput& input, const PyramidOptions& options, const Work& work) {
+Result<MatchOutput> match_pyramid(const MatchInput& input, const StereoOptions& all_options,
+                                  const Work& work) {
+  const PyramidOptions& options = all_options.pyramid;
   work.report(0.1, "matching from coarse to fine");
   const Maps maps = match_level(input, work);
   if (work.cancelled()) return Work::interrupted();
@@ -292,10 +294,6 @@ Result<MatchOutput> match_pyramid(const MatchInput& input, const PyramidOptions&
   refine({left, right, 1, input.disparities}, options, output.disparity_px, work);
   if (work.cancelled()) return Work::interrupted();
   return output;
-}
-
-Result<MatchOutput> match_pyramid(const MatchInput& input, const StereoOptions&, const Work& work) {
-  return match_pyramid(input, PyramidOptions{}, work);
 }
 
 }  // namespace palpable::vision

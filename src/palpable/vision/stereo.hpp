@@ -30,9 +30,22 @@ std::optional<StereoMethod> stereo_method_from(std::string_view name);
 /// The methods that this program holds.
 std::vector<StereoMethod> available_stereo_methods();
 
+/// Where disparity steps: as correlation finds it, or moved to the picture's edges (Cochran & Medioni 1992).
+enum class PyramidEdges { area, features };
+
+/// What the method pyramid alone heeds.
+struct PyramidOptions {
+  /// Weight of a smooth surface against that of the picture, which lies between 0 and 1; > 0.
+  float surface_weight = 0.05F;
+  /// Rounds of the refinement; >= 0.
+  int iterations = 20;
+  PyramidEdges edges = PyramidEdges::area;
+};
+
 struct StereoOptions {
   /// Disparities 0 … max_disparity_px are searched; 0 = found automatically (find_disparity_range).
   int max_disparity_px = 0;
+  PyramidOptions pyramid = {};
 };
 
 struct StereoMatch {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo.hpp"
 
+#include "palpable/vision/match_input.hpp"
 #include "palpable/vision/synthetic_pair.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -87,6 +89,57 @@ INSTANTIATE_TEST_SUITE_P(Stereo, EveryMethod,
                                          StereoMethod::segments, StereoMethod::pyramid, StereoMethod::fast,
                                          StereoMethod::best),
                          test_name);
+
+double roughness(const Raster<float>& map) {
+  double sum = 0.0;
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 1; x + 1 < map.width(); ++x)
+      sum += std::abs(static_cast<double>(map(x - 1, y) - 2.0F * map(x, y) + map(x + 1, y)));
+  return sum;
+}
+
+void darken_rows(Image& image, int rows) {
+  const auto samples = static_cast<std::ptrdiff_t>(image.width) * image.channels * rows;
+  for (auto v = image.samples.begin(); v != image.samples.begin() + samples; ++v) *v *= 0.05F;
+}
+
+TEST(PreparedPictures, LoseADarkFrameThatBothHaveAndKeepDarknessThatOneHas) {
+  SyntheticScene scene;
+  scene.height = 130;
+  StereoPair pair = render(scene);
+  darken_rows(pair.left, 2);
+  const MatchInput one = prepare_pictures(pair, {});
+  EXPECT_LT(one.left_grey(80, 0), 20);
+  darken_rows(pair.right, 2);
+  const MatchInput both = prepare_pictures(pair, {});
+  for (const int x : {0, 80, 159})
+    for (const int y : {0, 1}) {
+      EXPECT_EQ(both.left_grey(x, y), both.left_grey(x, 2));
+      EXPECT_EQ(both.right_grey(x, y), both.right_grey(x, 2));
+    }
+}
+
+TEST(Stereo, SmoothsAPyramidMoreWithAGreaterSurfaceWeight) {
+  const StereoPair pair = render({});
+  StereoOptions strong;
+  strong.pyramid.surface_weight = 0.5F;
+  const auto plain = match(pair, StereoMethod::pyramid, {}, {});
+  const auto smooth = match(pair, StereoMethod::pyramid, strong, {});
+  ASSERT_TRUE(plain && smooth);
+  EXPECT_LT(roughness(smooth->disparity.disparity_px), 0.9 * roughness(plain->disparity.disparity_px));
+}
+
+TEST(Stereo, KeepsAPyramidsDepthWhenItsStepsMoveToEdges) {
+  SyntheticScene scene;
+  StereoOptions features;
+  features.pyramid.edges = PyramidEdges::features;
+  const StereoPair pair = render(scene);
+  const auto area = match(pair, StereoMethod::pyramid, {}, {});
+  const auto edges = match(pair, StereoMethod::pyramid, features, {});
+  ASSERT_TRUE(area && edges);
+  EXPECT_FALSE(area->disparity.disparity_px == edges->disparity.disparity_px);
+  EXPECT_LE(bad_fraction(scene, edges->disparity.disparity_px, 1.0, 4), 0.08);
+}
 
 TEST(Stereo, LevelsPicturesOfDifferentExposure) {
   SyntheticScene scene;
