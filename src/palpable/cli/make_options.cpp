@@ -69,6 +69,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "How depth becomes height (docs/relief.md); compare = all side by side, as a picture");
   options.number("--compression", arguments.compression, {1.5, 100.0},
                  "How many times higher the scene would be in its own proportions");
+  options.number("--smooth", arguments.smooth_mm, {0.0, 10.0},
+                 "Forms narrower than this are smoothed away, mm: your device's resolution");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
   options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
   options.choice("--background", arguments.background, {"keep", "remove"},
@@ -126,6 +128,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.relief.far = arguments.far;
   options.relief.exaggerate = arguments.exaggerate;
   options.relief.compression = arguments.compression;
+  options.relief.smooth_m = arguments.smooth_mm / 1000.0;
   options.relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(options.relief.detail);
   options.relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
   if (arguments.quality == "best") options.contours.method = vision::ContourMethod::best;

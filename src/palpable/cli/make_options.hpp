@@ -27,6 +27,7 @@ struct MakeArguments {
   std::string layout;
   double exaggerate = 1.0;
   double compression = 10.0;
+  double smooth_mm = 0.0;
   std::string detail = "relief";
   bool engrave = false;
   std::string contour_method;

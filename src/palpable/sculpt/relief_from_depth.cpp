@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <opencv2/imgproc.hpp>
+
 namespace palpable::sculpt {
 namespace {
 
@@ -29,6 +31,8 @@ Result<void> check(const ReliefOptions& options) {
     return usage("the steepest slope must be 0.1 to 100");
   if (!(options.compression >= 1.5 && options.compression <= 100.0))
     return usage("the compression must be 1.5 to 100");
+  if (!(options.smooth_m >= 0.0 && options.smooth_m <= 0.01))
+    return usage("the smoothing must be 0 to 10 mm");
   if (options.most_pixels_on_a_side < 2) return usage("a relief needs at least 2 pixels on a side");
   for (const auto& end : {options.near, options.far})
     if (end && !std::isfinite(*end)) return usage("the depth window's ends must be finite");
@@ -80,6 +84,16 @@ void stretch(Raster<float>& nearness, Window window) {
   }
 }
 
+/// By a Gaussian of this full width at half its height; below a third of a pixel it does nothing.
+void smooth(Raster<float>& heights, double width_px) {
+  constexpr double kWidthOfDeviation = 2.3548;
+  constexpr double kLeast_px = 1.0 / 3.0;
+  if (width_px < kLeast_px) return;
+  cv::Mat values(heights.height(), heights.width(), CV_32F, heights.data());
+  const double deviation_px = width_px / kWidthOfDeviation;
+  cv::GaussianBlur(values, values, {}, deviation_px, deviation_px, cv::BORDER_REPLICATE);
+}
+
 /// `nearness`: greater is nearer, NaN unknown; in any unit.
 Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window window,
                                             const ReliefOptions& options, const Work& work) {
@@ -102,6 +116,8 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
 
   work.report(0.8, "limiting slopes");
   models::limit_slope(*heights, pixel_m, options.steepest_slope);
+  // A mean of slopes is no steeper than the steepest of them: the limit holds.
+  if (options.smooth_m > 0.0) smooth(*heights, options.smooth_m / pixel_m);
   if (work.cancelled()) return Work::interrupted();
   const float lowest = *std::min_element(heights->values().begin(), heights->values().end());
   for (float& z : heights->values()) z -= lowest;

@@ -38,6 +38,9 @@ struct ReliefOptions {
   double compression = 10.0;
   /// No place of the relief becomes steeper than this (rise over run), 0.1 ... 100.
   double steepest_slope = 3.0;
+  /// Forms narrower than this are smoothed away (width of a Gaussian at half its height): what the device
+  /// cannot place the hand on. 0 = none, at most 0.01 m.
+  double smooth_m = 0.0;
   /// Longer sides than this are averaged down first.
   int most_pixels_on_a_side = 2048;
 };

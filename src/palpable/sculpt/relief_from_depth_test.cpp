@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,43 @@ TEST(ReliefFromDepth, ObeysTheGivenSize) {
   EXPECT_NEAR(relief->width_m(), 0.100, 1e-9);
   EXPECT_NEAR(relief->depth_m(), 0.050, 1e-9);
   EXPECT_NEAR(relief->highest_m(), 0.030, 1e-6);
+}
+
+TEST(ReliefFromDepth, SmoothsAwayWhatIsNarrowerThanTheDeviceCanPlaceAHandOn) {
+  DepthMap waves;
+  waves.depth_m = Raster<float>(160, 120);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) waves.depth_m(x, y) = static_cast<float>(2.0 - x / 160.0 + 0.05 * (x % 2));
+  const auto height_of_waves = [&](double smooth_m) {
+    ReliefOptions options;
+    options.detail = DetailOperator::linear;
+    options.smooth_m = smooth_m;
+    const auto relief = relief_from_depth(waves, options, {});
+    EXPECT_TRUE(relief);
+    const auto& z = relief->samples_m();
+    return std::abs(z(81, 60) - 0.5F * (z(80, 60) + z(82, 60)));
+  };
+  EXPECT_GT(height_of_waves(0.0), 2e-4F);
+  EXPECT_LT(height_of_waves(0.002), 2e-6F);
+  ReliefOptions options;
+  options.smooth_m = 0.02;
+  EXPECT_EQ(relief_from_depth(waves, options, {}).error().code, ErrorCode::usage);
+}
+
+TEST(ReliefFromDepth, TakesStripesOfNoiseAndHolesOverHalfThePicture) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> depth(0.1F, 30.0F);
+  DepthMap wild;
+  wild.depth_m = Raster<float>(120, 90, 2.0F);
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 120; ++x) {
+      if (y % 10 < 3) wild.depth_m(x, y) = depth(random);
+      if (x % 5 < 3) wild.depth_m(x, y) = std::numeric_limits<float>::quiet_NaN();
+    }
+  wild.depth_m(60, 45) = 1e6F;
+  const auto relief = relief_from_depth(wild, {}, {});
+  ASSERT_TRUE(relief);
+  for (const float z : relief->samples_m().values()) ASSERT_TRUE(z >= 0.0F && z <= 0.0151F);
 }
 
 TEST(ReliefFromDepth, LimitsTheSlopeOfACliff) {
