@@ -41,14 +41,15 @@ constexpr double kGainScale = 0.08;
 constexpr double kDetailScale = 0.04;
 /// Detail keeps this much of its height, wherever the order of heights allows it.
 constexpr float kDetailGain = 0.30F;
-/// Slopes below this cannot be felt: where the scene is so level, the relief may lean so much either way.
+/// Where the scene is so level (the measures of touch count no slope below it), the relief may lean as much
+/// either way.
 constexpr float kFeltSlope = 0.02F;
 /// Each round goes this much of the way to its Poisson solution: over-relaxation, which needs fewer rounds.
 constexpr float kOnward = 1.6F;
 constexpr int kRounds = 28;
 constexpr double kLeastKnee = 0.005;
 constexpr double kGreatestKnee = 20.0;
-/// After each of these the gain is corrected.
+/// Until the first of these rounds the gain is corrected, whenever as many as the second have passed.
 constexpr int kCorrectedUntil = 20;
 constexpr int kCorrectedEvery = 4;
 

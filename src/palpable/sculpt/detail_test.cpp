@@ -93,8 +93,7 @@ TEST(MapDetail, ReliefKeepsTheOrderOfStepsInACrowd) {
       turned += given * ((*relief)(x + 1, y) - (*relief)(x, y)) <= 0.0F ? 1 : 0;
     }
   EXPECT_GT(edges, 30);
-  // Steps of a ninth of the height beside steps of the whole come out a hundredth as high as they are; the
-  // rounds leave an error of that size at a corner here and there.
+  // A low step beside high ones comes out very low, and the rounds end before the last of them is settled.
   EXPECT_LE(turned, edges / 30);
 }
 
