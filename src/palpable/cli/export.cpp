@@ -142,6 +142,31 @@ Result<Answer> export_model(const models::Field& field, const models::Scene& /*s
   return answer;
 }
 
+/// occupied[i, j, k] (0 or 1) stands at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.
+Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*scene*/,
+                            const Arguments& arguments) {
+  const std::filesystem::path output(arguments.output);
+  if (output.extension() != ".npz")
+    return Error{ErrorCode::usage, "a grid is exported as .npz", arguments.output};
+  const models::OccupancyGrid& o = grid.occupancy;
+  formats::NpyArray occupied;
+  occupied.type = formats::NpyType::u1;
+  for (const int count : o.counts()) occupied.shape.push_back(static_cast<std::size_t>(count));
+  for (int i = 0; i < o.counts()[0]; ++i)
+    for (int j = 0; j < o.counts()[1]; ++j)
+      for (int k = 0; k < o.counts()[2]; ++k)
+        occupied.bytes.push_back(std::byte{o.occupied(i, j, k) ? std::uint8_t{1} : std::uint8_t{0}});
+  const std::array<double, 3> origin_m{o.origin_m().x, o.origin_m().y, o.origin_m().z};
+  const formats::Npz arrays{{"occupied", std::move(occupied)},
+                            {"origin_m", formats::npy_array(std::span<const double>(origin_m))},
+                            {"spacing_m", formats::npy_array(o.spacing_m())}};
+  if (const auto written = formats::write_npz(output, arrays); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output}, {"spacing_m", o.spacing_m()}, {"grid", o.counts()}};
+  answer.text = fmt::format("{}\n", arguments.output);
+  return answer;
+}
+
 /// Unit tangents in image axes (x right, y down; their sign is free) and strength of the averaged map (eq.
 /// 7), and the one-pixel-wide lines.
 Result<Answer> export_model(const models::Contours& contours, const models::Scene& /*scene*/,

@@ -67,6 +67,15 @@ void add_model(Answer& answer, const models::Field& field) {
       1e6 * distance.errors().bound_m, 1e6 * distance.errors().p99_m, 1e6 * distance.errors().max_m);
 }
 
+void add_model(Answer& answer, const models::Grid& grid) {
+  const models::OccupancyGrid& o = grid.occupancy;
+  answer.json["points"] = o.counts();
+  answer.json["occupied"] = o.occupied_points();
+  answer.json["spacing_m"] = o.spacing_m();
+  answer.text += fmt::format("  {} x {} x {} points every {:.3f} mm, {} of them occupied\n", o.counts()[0],
+                             o.counts()[1], o.counts()[2], 1000.0 * o.spacing_m(), o.occupied_points());
+}
+
 /// In pixels of the input picture.
 void add_model(Answer& answer, const models::Contours& contours) {
   const models::BoundaryMap& map = contours.boundaries;

@@ -80,6 +80,7 @@ Result<Answer> make(const Arguments& arguments, Console& console) {
   if (arguments.as == "relief") options->as = session::MakeAs::relief;
   if (arguments.as == "contours") options->as = session::MakeAs::contours;
   if (arguments.as == "field") options->as = session::MakeAs::field;
+  if (arguments.as == "grid") options->as = session::MakeAs::grid;
   if (options->inputs.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
   if (arguments.make.detail == kCompareDetails) return compare(*options, arguments.output, console);
   const auto begin = std::chrono::steady_clock::now();
@@ -116,7 +117,7 @@ void add_make(Program& program) {
       "  palpable make house.obj -o house.palp --size 100x100x50",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
-  options.choice("--as", arguments->as, {"relief", "contours", "field"},
+  options.choice("--as", arguments->as, {"relief", "contours", "field", "grid"},
                  "What it becomes; else contours of one picture, a field of a mesh, a relief of all else");
   add_make_options(options, arguments->make);
 }

@@ -78,6 +78,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on it; front = as from between a pair's cameras");
   options.under("Fields of a mesh");
+  options.integer("--grid-points", arguments.grid_points, {8, 512},
+                  "Of a grid: points along its longest side");
   options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
                  "Bound of the distance's error near the surface, mm; else 1/10000 of the longest side");
@@ -136,6 +138,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.threshold) options.contours.threshold = *arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;
   options.field.resolution = arguments.resolution;
+  options.grid.resolution = arguments.grid_points;
   if (arguments.max_error_mm) options.field.max_error_m = *arguments.max_error_mm / 1000.0;
   options.grooves.width_m = arguments.groove_mm / 1000.0;
   if (!arguments.kind.empty()) {

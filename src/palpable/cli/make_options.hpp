@@ -37,6 +37,7 @@ struct MakeArguments {
   double groove_mm = 4.0;
   std::string ground;
   int resolution = 512;
+  int grid_points = 160;
   std::optional<double> max_error_mm;
   std::string background = "keep";
   std::string texture = "left";

@@ -31,9 +31,19 @@ Value ask(const models::DistanceField& field, Vec3 place_m) {
   return models::ClosestPoint{{place_m - s.distance_m * normal}, s.distance_m, {normal}};
 }
 
+/// A grid knows distances only inside, and up to half its spacing outside.
+Value ask(const models::OccupancyGrid& grid, Vec3 place_m) {
+  if (!is_finite(place_m)) return std::nullopt;
+  const models::GridSample s = grid.sample(place_m);
+  if (s.normal == Vec3{}) return std::nullopt;
+  return models::ClosestPoint{{place_m + s.depth_m * s.normal}, -s.depth_m, {s.normal}};
+}
+
 Value ask(const models::Scene& scene, Vec3 place_m) {
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
     return ask((*field)->distance, place_m);
+  if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model))
+    return ask((*grid)->occupancy, place_m);
   return models::closest_point(*models::relief_of(scene), {place_m});
 }
 

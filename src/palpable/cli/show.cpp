@@ -134,8 +134,10 @@ Result<Answer> show(Arguments arguments) {
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  if (arguments.view.empty())
-    arguments.view = models::kind_of(scene.model) == "field" ? "section" : models::kind_of(scene.model);
+  if (arguments.view.empty()) {
+    const std::string kind = models::kind_of(scene.model);
+    arguments.view = kind == "field" || kind == "grid" ? "section" : kind;
+  }
   const auto figure = picture_of(arguments, scene, *models::relief_of(scene));
   if (!figure) return figure.error();
   if (const auto written = draw::write_figure(*figure, arguments.output); !written) return written.error();

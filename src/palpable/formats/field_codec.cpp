@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/byte_reader.hpp"
+#include "palpable/formats/byte_block.hpp"
 #include "palpable/formats/model_codec.hpp"
 #include "palpable/models/field_leaf.hpp"
 
@@ -12,7 +13,6 @@
 #include <string>
 
 #include <nlohmann/json.hpp>
-#include <zstd.h>
 
 namespace palpable::formats {
 namespace {
@@ -29,27 +29,7 @@ using models::LeafHead;
 constexpr const char* kCells = "cells.field.zst";
 constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
 
-Result<std::vector<std::byte>> packed(std::span<const std::uint8_t> bytes) {
-  constexpr int kLevel = 17;
-  std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kLevel);
-  if (ZSTD_isError(size) != 0U)
-    return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(size), {}};
-  out.resize(size);
-  return out;
-}
-
 Error damaged() { return invalid_input("holds a field that is damaged or cut off"); }
-
-Result<std::vector<std::uint8_t>> unpacked(std::span<const std::byte> bytes) {
-  const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
-  // Nothing that zstd makes is smaller than a 40000th of its content.
-  if (size > kMostBytes || size > 40000ULL * (bytes.size() + 16)) return damaged();
-  std::vector<std::uint8_t> out(size);
-  const std::size_t got = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
-  if (ZSTD_isError(got) != 0U || got != out.size()) return damaged();
-  return out;
-}
 
 /// Seven bits a byte, the last one without its high bit.
 void put_count(std::vector<std::uint8_t>& out, std::uint32_t value) {
@@ -209,7 +189,7 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
                                                            planes};
   nlohmann::json sizes = nlohmann::json::array();
   for (const auto part : parts) {
-    const auto bytes = packed(part);
+    const auto bytes = pack_bytes(part);
     if (!bytes) return bytes.error();
     sizes.push_back(bytes->size());
     member.insert(member.end(), bytes->begin(), bytes->end());
@@ -232,7 +212,7 @@ Result<models::Model> read_field(const nlohmann::json& description, const ZipMem
   std::span<const std::byte> left(member->second);
   for (std::size_t i = 0; i < 4; ++i) {
     if (sizes[i] > left.size()) return damaged();
-    auto bytes = unpacked(left.first(sizes[i]));
+    auto bytes = unpack_bytes(left.first(sizes[i]), kMostBytes);
     if (!bytes) return bytes.error();
     parts[i] = std::move(*bytes);
     left = left.subspan(sizes[i]);

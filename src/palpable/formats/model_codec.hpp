@@ -19,6 +19,9 @@ namespace palpable::formats {
 Result<void> write_relief(const models::Relief& relief, nlohmann::json& description, ZipMembers& members);
 Result<models::Model> read_relief(const nlohmann::json& description, const ZipMembers& members);
 
+Result<void> write_grid(const models::Grid& grid, nlohmann::json& description, ZipMembers& members);
+Result<models::Model> read_grid(const nlohmann::json& description, const ZipMembers& members);
+
 Result<void> write_contours(const models::Contours& contours, nlohmann::json& description,
                             ZipMembers& members);
 Result<models::Model> read_contours(const nlohmann::json& description, const ZipMembers& members);

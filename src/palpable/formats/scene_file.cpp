@@ -35,14 +35,16 @@ struct Reader {
   Result<models::Model> (*read)(const json& description, const ZipMembers& members);
 };
 /// A kind that joins models::Model is entered here and in write_model().
-constexpr std::array<Reader, 3> kReaders{
-    {{"relief", read_relief}, {"contours", read_contours}, {"field", read_field}}};
+constexpr std::array<Reader, 4> kReaders{
+    {{"relief", read_relief}, {"contours", read_contours}, {"field", read_field}, {"grid", read_grid}}};
 
 Result<void> write_model(const models::Model& model, json& description, ZipMembers& members) {
   if (const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&model))
     return write_relief(**relief, description, members);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&model))
     return write_field(**field, description, members);
+  if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&model))
+    return write_grid(**grid, description, members);
   return write_contours(*std::get<std::shared_ptr<const models::Contours>>(model), description, members);
 }
 

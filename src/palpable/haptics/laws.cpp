@@ -3,6 +3,7 @@
 #include "palpable/haptics/laws.hpp"
 
 #include "palpable/haptics/field_laws.hpp"
+#include "palpable/haptics/grid_law.hpp"
 #include "palpable/haptics/proxy.hpp"
 #include "palpable/haptics/rolling.hpp"
 #include "palpable/haptics/sobel.hpp"
@@ -30,7 +31,7 @@ struct Name {
 constexpr std::array kNames{Name{Law::proxy, "proxy"},       Name{Law::rolling, "rolling"},
                             Name{Law::sobel, "sobel"},       Name{Law::penalty, "penalty"},
                             Name{Law::averaged, "averaged"}, Name{Law::tracing, "tracing"},
-                            Name{Law::groove, "groove"}};
+                            Name{Law::groove, "groove"},     Name{Law::grid, "grid"}};
 
 // What Shi & Pai's laws take where nothing is given: a slope of 1 pushes with 1 N.
 constexpr double kRollingWeight_N = 1.0;
@@ -74,6 +75,7 @@ void read_pages(const models::DistanceField& field) noexcept {
     for (std::size_t at = 0; at < part->size(); at += kPage / sizeof(*words)) static_cast<void>(words[at]);
   }
 }
+void read_pages(const models::OccupancyGrid& grid) noexcept { grid.touch_pages(); }
 void read_pages(const Relief& relief) noexcept { read_pages(relief.samples_m()); }
 void read_pages(const models::BoundaryMap& map) noexcept { read_pages(map.averaged()); }
 void read_pages(const SobelSlopes& slopes) noexcept { read_pages(slopes.slopes()); }
@@ -172,6 +174,7 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
     case Law::averaged:
     case Law::tracing:
     case Law::groove:
+    case Law::grid:
       break;
   }
   auto surface = surface_for(relief, p.radius_m);
@@ -201,6 +204,16 @@ Result<std::shared_ptr<const Touchable>> on_field(const models::Scene& scene,
                                                             p.penalty == PenaltyDirection::normal),
                      family);
   return touchable(FieldProxyLaw<models::DistanceField>(surface, std::move(materials), p.radius_m), family);
+}
+
+Result<std::shared_ptr<const Touchable>> on_grid(const models::Scene& scene,
+                                                 const std::shared_ptr<const models::Grid>& grid,
+                                                 const LawParameters& p) {
+  if (p.radius_m > 0.0) return usage("the law grid touches with a point: give no radius");
+  const std::shared_ptr<const models::OccupancyGrid> surface(grid, &grid->occupancy);
+  const std::uint64_t family = mixed(mixed(static_cast<std::uint64_t>(p.law), surface->occupied_points()),
+                                     content_hash(*grid->from_above));
+  return touchable(GridLaw(surface, materials_of(scene, *grid->from_above, p)), family);
 }
 
 /// The map as made, or averaged anew over another neighbourhood.
@@ -245,6 +258,8 @@ std::vector<Law> laws_for(const models::Scene& scene) {
     return {Law::proxy, Law::rolling, Law::penalty, Law::averaged, Law::sobel};
   if (std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model))
     return {Law::proxy, Law::penalty, Law::rolling};
+  if (std::holds_alternative<std::shared_ptr<const models::Grid>>(scene.model))
+    return {Law::grid, Law::rolling};
   return {Law::tracing, Law::groove, Law::rolling};
 }
 
@@ -259,6 +274,10 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
     return on_relief(scene, *relief, parameters);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
     return on_field(scene, *field, parameters);
+  if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model)) {
+    if (parameters.law == Law::grid) return on_grid(scene, *grid, parameters);
+    return on_relief(scene, (*grid)->from_above, parameters);
+  }
   const auto& contours = std::get<std::shared_ptr<const models::Contours>>(scene.model);
   if (parameters.law == Law::tracing) return on_boundaries(contours, parameters);
   return on_relief(scene, contours->grooves, parameters);

@@ -31,7 +31,9 @@ enum class Law {
   /// A push along the boundary for a hand that moves along it. Graphic-haptic display 2006, eq. 8, corrected.
   tracing,
   /// The boundaries as grooves in a plate, felt by `proxy`: passive, for exploring by touch alone.
-  groove
+  groove,
+  /// Spring and damper on an occupancy grid, nearest surface and normal table. Park & Howard 2012.
+  grid
 };
 
 /// The name on the command line; and back, nullopt for an unknown name.

@@ -283,6 +283,14 @@ Occupancy OccupancyGrid::occupancy() const {
   return o;
 }
 
+void OccupancyGrid::touch_pages() const noexcept {
+  for (const auto& block : cells_)
+    static_cast<void>(*static_cast<const volatile std::uint8_t*>(&block.front().occupied));
+  constexpr std::size_t kPage = 4096 / sizeof(std::uint32_t);
+  const volatile std::uint32_t* blocks = block_of_.data();
+  for (std::size_t at = 0; at < block_of_.size(); at += kPage) static_cast<void>(blocks[at]);
+}
+
 std::size_t OccupancyGrid::memory_bytes() const noexcept {
   return sizeof(*this) + block_of_.size() * sizeof(std::uint32_t) + cells_.size() * sizeof(cells_.front());
 }

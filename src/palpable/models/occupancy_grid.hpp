@@ -65,6 +65,8 @@ class OccupancyGrid {
   }
   std::size_t occupied_points() const noexcept { return occupied_points_; }
   std::size_t memory_bytes() const noexcept;
+  /// Reads every page once, so that the first touch does not wait for them.
+  void touch_pages() const noexcept;
 
  private:
   OccupancyGrid() = default;

@@ -20,7 +20,8 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 std::string kind_of(const Model& model) {
   return std::visit(Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); },
                                [](const std::shared_ptr<const Contours>&) { return std::string("contours"); },
-                               [](const std::shared_ptr<const Field>&) { return std::string("field"); }},
+                               [](const std::shared_ptr<const Field>&) { return std::string("field"); },
+                               [](const std::shared_ptr<const Grid>&) { return std::string("grid"); }},
                     model);
 }
 
@@ -40,6 +41,7 @@ const std::shared_ptr<const Relief>& relief_of(const Scene& scene) {
     return (*contours)->grooves;
   if (const auto* field = std::get_if<std::shared_ptr<const Field>>(&scene.model))
     return (*field)->from_above;
+  if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&scene.model)) return (*grid)->from_above;
   return std::get<std::shared_ptr<const Relief>>(scene.model);
 }
 
@@ -51,7 +53,11 @@ Vec3 size_m(const Scene& scene) {
                  [](const std::shared_ptr<const Contours>& contours) {
                    return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(), 0.0};
                  },
-                 [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; }},
+                 [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; },
+                 [](const std::shared_ptr<const Grid>& grid) {
+                   return Vec3{grid->from_above->width_m(), grid->from_above->depth_m(),
+                               grid->from_above->highest_m()};
+                 }},
       scene.model);
 }
 

@@ -6,6 +6,7 @@
 #include "palpable/core/image.hpp"
 #include "palpable/models/contours.hpp"
 #include "palpable/models/field.hpp"
+#include "palpable/models/grid.hpp"
 #include "palpable/models/material.hpp"
 #include "palpable/models/relief.hpp"
 
@@ -20,9 +21,9 @@ namespace palpable::models {
 /// mesh's own metres.
 struct InputFrame;
 
-/// What can be touched. Later kinds join here (grid, map).
+/// What can be touched. Later kinds join here (map).
 using Model = std::variant<std::shared_ptr<const Relief>, std::shared_ptr<const Contours>,
-                           std::shared_ptr<const Field>>;
+                           std::shared_ptr<const Field>, std::shared_ptr<const Grid>>;
 
 /// "relief", "field", … as `palpable info` prints it.
 std::string kind_of(const Model& model);
@@ -53,7 +54,8 @@ struct Scene {
 /// scene the nearest place's. Any thread; never allocates.
 std::size_t label_at(const Scene& scene, Point<SceneFrame> place);
 
-/// The surface of a scene: a relief itself, the grooves of contours, or a field seen from above. Never null.
+/// The surface of a scene: a relief itself, the grooves of contours, or a field or grid seen from above.
+/// Never null.
 const std::shared_ptr<const Relief>& relief_of(const Scene& scene);
 
 /// Width, height and depth in metres of the box that the scene fills.

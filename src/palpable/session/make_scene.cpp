@@ -209,6 +209,25 @@ std::string contour_source(vision::ContourMethod method) {
   return "contours";
 }
 
+/// A relief as it is, or the volume under it where a grid is wanted (Park & Howard 2012).
+Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, const Work& work) {
+  if (!made || options.as != MakeAs::grid) return made;
+  models::Scene scene = *made->scene;
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
+  if (relief == nullptr)
+    return Error{ErrorCode::usage,
+                 "a grid is filled under a relief, and this is a " + models::kind_of(scene.model),
+                 names_of(options.inputs)};
+  work.report(0.95, "filling the grid");
+  const auto filled = sculpt::occupancy_from_relief(**relief, options.grid);
+  if (!filled) return filled.error();
+  auto occupancy = models::OccupancyGrid::from(*filled, work);
+  if (!occupancy) return at_place(occupancy.error(), names_of(options.inputs));
+  scene.model = std::make_shared<const models::Grid>(models::Grid{*std::move(occupancy), *relief});
+  scene.source.method += ", filled into a grid";
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(made->notes)};
+}
+
 Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
   if (options.inputs.size() != 1) return Error{ErrorCode::usage, "contours are made of one picture", {}};
   const auto& file = options.inputs.front();
@@ -278,13 +297,14 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
     case sources::InputKind::mesh:
       return field_from_mesh_file(options, input->files.front(), work);
     case sources::InputKind::scene:
-      return from_scene_file(options);
+      return as_wanted(from_scene_file(options), options, work);
     case sources::InputKind::depth:
-      return from_depth(options, input->files, work);
+      return as_wanted(from_depth(options, input->files, work), options, work);
     case sources::InputKind::stereo: {
       const auto pair = read_stereo_pair(stereo_input(options), work);
       if (!pair) return pair.error();
-      return from_pair(*pair, options.method.value_or(default_method()), options, work);
+      return as_wanted(from_pair(*pair, options.method.value_or(default_method()), options, work), options,
+                       work);
     }
     default:
       return not_yet(*input);
@@ -303,7 +323,7 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
   const auto pair = read_stereo_pair(stereo_input(options), work);
   if (!pair) return pair.error();
   for (const vision::StereoMethod method : methods_of_a_touch(options)) {
-    auto made = from_pair(*pair, method, options, work);
+    auto made = as_wanted(from_pair(*pair, method, options, work), options, work);
     if (!made) return made.error();
     take(std::move(*made));
   }

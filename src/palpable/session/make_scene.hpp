@@ -6,6 +6,7 @@
 #include "palpable/models/scene.hpp"
 #include "palpable/sculpt/field_from_source.hpp"
 #include "palpable/sculpt/grooves.hpp"
+#include "palpable/sculpt/occupancy_from_depth.hpp"
 #include "palpable/sculpt/relief_from_depth.hpp"
 #include "palpable/session/stereo_input.hpp"
 #include "palpable/sources/depth_picture.hpp"
@@ -24,7 +25,7 @@
 namespace palpable::session {
 
 /// What the input becomes: one picture contours, a mesh a field, all else a relief, unless it is said.
-enum class MakeAs { by_input, relief, contours, field };
+enum class MakeAs { by_input, relief, contours, field, grid };
 
 /// The picture on a pair's relief.
 enum class Texture {
@@ -74,6 +75,8 @@ struct MakeOptions {
   /// Radius of the contours' neighbourhood (eq. 7), 1 ... 32 px.
   double neighbourhood_px = 3.0;
   sculpt::GrooveOptions grooves;
+  /// Of a volume filled under a relief.
+  sculpt::OccupancyOptions grid;
   /// Of a solid.
   sculpt::FieldOptions field;
   /// Written into the scene's provenance: "palpable 0.1.0".

@@ -59,6 +59,12 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Field>& field) {
     for (const std::uint32_t word : *part) hash.add(word);
 }
 
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Grid>& grid) {
+  const models::Occupancy o = grid->occupancy.occupancy();
+  for (const double v : {o.origin_m.x, o.origin_m.y, o.origin_m.z, o.spacing_m}) hash.add(v);
+  for (const std::uint8_t on : o.occupied) hash.add(std::uint32_t{on});
+}
+
 }  // namespace
 
 std::string scene_hash(const models::Scene& scene) {
