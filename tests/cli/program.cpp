@@ -55,6 +55,21 @@ Running::~Running() {
 }
 
 void Running::send(int signal) const { kill(pid_, signal); }
+
+bool Running::catches(int signal, std::chrono::seconds patience) const {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < end) {
+    // The process's caught signals, as a hexadecimal mask.
+    const std::string status = read_text("/proc/" + std::to_string(pid_) + "/status");
+    const auto at = status.find("SigCgt:");
+    if (at != std::string::npos &&
+        (std::stoull(status.substr(at + 7), nullptr, 16) >> static_cast<unsigned>(signal - 1) & 1U) != 0)
+      return true;
+    usleep(2000);
+  }
+  return false;
+}
+
 std::string Running::out() const { return read_text(folder_ / "out"); }
 std::string Running::err() const { return read_text(folder_ / "err"); }
 

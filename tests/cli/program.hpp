@@ -32,6 +32,8 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void send(int signal) const;
+  /// Waits until it has a handler for `signal` of its own; false after `patience`.
+  bool catches(int signal, std::chrono::seconds patience) const;
   /// What it has written so far.
   std::string out() const;
   std::string err() const;

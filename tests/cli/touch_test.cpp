@@ -49,12 +49,38 @@ TEST_F(Touch, RecordsWhatItFelt) {
   EXPECT_GT(std::filesystem::file_size(path("touch.rec")), 1000U);
 }
 
+TEST_F(Touch, AsPublishedTakesAPapersLawAndRate) {
+  const Outcome shi = palpable({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "1",
+                                "--as-published", "shi", "--record", path("shi.rec"), "--json"});
+  ASSERT_EQ(shi.exit_code, 0) << shi.err;
+  const auto recorded = read_text(path("shi.rec"));
+  EXPECT_THAT(recorded, HasSubstr("\"as_published\":\"shi\""));
+  EXPECT_THAT(recorded, HasSubstr("\"rate_hz\":500"));
+  EXPECT_THAT(recorded, HasSubstr("sobel"));
+  const Outcome field =
+      palpable({"touch", path("left.png"), path("right.png"), "--headless", "--as-published", "moustakas"});
+  EXPECT_EQ(field.exit_code, 2);
+  EXPECT_THAT(field.err, HasSubstr("field"));
+}
+
 TEST_F(Touch, EndsWhenItIsInterruptedAndStillTellsWhatItMeasured) {
   Running running({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "60", "--json"});
-  usleep(1500000);
+  ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
   running.send(SIGINT);
   const Outcome outcome = running.wait(std::chrono::seconds(20));
   EXPECT_EQ(outcome.exit_code, 130);
+}
+
+TEST_F(Touch, EndsAtOnceWhenItIsInterruptedTwice) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    Running running({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "60"});
+    ASSERT_TRUE(running.catches(signal, std::chrono::seconds(60)));
+    running.send(signal);
+    running.send(signal);
+    const Outcome outcome = running.wait(std::chrono::seconds(20));
+    // Two signals that come together are one to the system.
+    EXPECT_TRUE(outcome.exit_code == 1000 + signal || outcome.exit_code == 130) << outcome.exit_code;
+  }
 }
 
 TEST_F(Touch, ServesThePageAndSaysWhere) {

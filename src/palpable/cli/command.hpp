@@ -55,6 +55,7 @@ void add_score(Program& program);
 /// score boundary and score orientation.
 void add_score_contours(Program& program);
 void add_show(Program& program);
+void add_study_stability(Program& program);
 void add_touch(Program& program);
 
 }  // namespace palpable::cli

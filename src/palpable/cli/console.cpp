@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/console.hpp"
 
+#include "palpable/haptics/zero_force.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -22,16 +24,26 @@ constexpr std::chrono::seconds kProgressEvery{2};
 std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+constexpr int kServoPatience_ms = 200;
+
+/// The second one is the system's own answer, because work that does not poll must still be stoppable; but
+/// never with a force left on somebody's hand.
+void on_interrupt(int number) {
+  if (!interrupt_flag.exchange(true, std::memory_order_relaxed)) return;
+  haptics::end_every_servo(kServoPatience_ms);
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
 }  // namespace
 
 const std::atomic<bool>& interrupted() { return interrupt_flag; }
 
 void catch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = [](int) { interrupt_flag.store(true, std::memory_order_relaxed); };
-  // The second one is the system's own answer: work that does not poll must still be stoppable.
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_handler = on_interrupt;
   sigemptyset(&action.sa_mask);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, number);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
 }

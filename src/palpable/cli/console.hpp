@@ -46,7 +46,7 @@ class Console {
 };
 
 /// Set by the first SIGINT, SIGTERM or SIGHUP once catch_interrupts() was called; a second signal ends the
-/// program at once.
+/// program at once, after every servo has written zero force.
 const std::atomic<bool>& interrupted();
 void catch_interrupts();
 

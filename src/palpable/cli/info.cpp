@@ -22,11 +22,18 @@ Json matrix_of(const Transform<SceneFrame, models::InputFrame>& transform) {
 }
 
 Json json_of(const models::Material& material) {
-  return {{"name", material.name},
-          {"stiffness_N_per_m", material.stiffness_N_per_m},
-          {"damping_Ns_per_m", material.damping_Ns_per_m},
-          {"static_friction", material.static_friction},
-          {"dynamic_friction", material.dynamic_friction}};
+  Json json{{"name", material.name},
+            {"stiffness_N_per_m", material.stiffness_N_per_m},
+            {"damping_Ns_per_m", material.damping_Ns_per_m},
+            {"static_friction", material.static_friction},
+            {"dynamic_friction", material.dynamic_friction}};
+  const auto& texture = material.texture;
+  if (texture.kind != models::TouchTexture::Kind::none)
+    json["texture"] = {{"kind", models::name_of(texture.kind)},
+                       {"pitch_m", texture.pitch_m},
+                       {"height_m", texture.height_m},
+                       {"angle_rad", texture.angle_rad}};
+  return json;
 }
 
 Json laws_of(const models::Scene& scene) {

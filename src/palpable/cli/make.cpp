@@ -1,7 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/as_published.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/make_options.hpp"
+#include "palpable/cli/material_options.hpp"
 #include "palpable/draw/comparison_view.hpp"
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/session/compare_details.hpp"
@@ -16,6 +18,8 @@ namespace {
 
 struct Arguments {
   MakeArguments make;
+  MaterialArguments material;
+  std::string as_published;
   std::string output;
   std::string as;
 };
@@ -74,7 +78,10 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
   return answer;
 }
 
-Result<Answer> make(const Arguments& arguments, Console& console) {
+Result<Answer> make(Arguments arguments, Console& console) {
+  const auto published = published_as(arguments.as_published);
+  if (!published) return published.error();
+  if (*published) apply_published(**published, arguments.make);
   auto options = make_options(arguments.make);
   if (!options) return options.error();
   if (arguments.as == "relief") options->as = session::MakeAs::relief;
@@ -88,7 +95,8 @@ Result<Answer> make(const Arguments& arguments, Console& console) {
   if (!made) return made.error();
   for (const std::string& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
-  const models::Scene& scene = *made->scene;
+  models::Scene scene = *made->scene;
+  if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
@@ -114,12 +122,21 @@ void add_make(Program& program) {
       "  palpable make depth.png -o room.palp --kind depth\n"
       "  palpable make depth.png -o details.png --kind depth --detail compare\n"
       "  palpable make scan.png -o scan.palp --as contours\n"
+      "  palpable make depth.png -o cloth.palp --kind depth --material "
+      "0:texture=ridges,pitch=2,friction=0.4\n"
       "  palpable make house.obj -o house.palp --size 100x100x50",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
   options.choice("--as", arguments->as, {"relief", "contours", "field", "grid"},
                  "What it becomes; else contours of one picture, a field of a mesh, a relief of all else");
   add_make_options(options, arguments->make);
+  add_as_published(options, arguments->as_published);
+  options.under("What it is made of");
+  options.texts("--material", arguments->material.materials,
+                "LABEL:key=value,… with name, stiffness, damping, friction, sliding, texture "
+                "(none, grain, ridges, bumps), pitch and height (mm), angle (degrees); may be repeated");
+  options.text("--labels", arguments->material.labels,
+               "8-bit grey picture of the scene's shape: each value is a material's LABEL");
 }
 
 }  // namespace palpable::cli

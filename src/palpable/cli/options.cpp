@@ -23,6 +23,10 @@ void Options::text(const std::string& name, std::string& value, const std::strin
   app_.add_option(name, value, help)->group(heading_);
 }
 
+void Options::texts(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+  app_.add_option(name, values, help)->group(heading_)->allow_extra_args(false);
+}
+
 void Options::required_text(const std::string& name, std::string& value, const std::string& help) {
   app_.add_option(name, value, help)->group(heading_)->required();
 }

@@ -35,6 +35,8 @@ class Options {
 
   void flag(const std::string& name, bool& value, const std::string& help);
   void text(const std::string& name, std::string& value, const std::string& help);
+  /// May be given several times, one value each.
+  void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
   void required_text(const std::string& name, std::string& value, const std::string& help);
   /// One of `words`; the help shows the value that holds if nothing is said.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& words,

@@ -132,6 +132,7 @@ void describe(Program& program) {
   add_export(program);
   program.app.add_subcommand("score", "Compare a result with the truth")->require_subcommand(1);
   add_score(program);
+  add_study_stability(program);
   add_devices(program);
   add_doctor(program);
 }

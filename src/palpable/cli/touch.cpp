@@ -1,9 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/as_published.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/make_options.hpp"
 #include "palpable/haptics/pacing.hpp"
+#include "palpable/haptics/zero_force.hpp"
 #include "palpable/page/server.hpp"
 #include "palpable/page/touch_host.hpp"
 #include "palpable/session/headless.hpp"
@@ -38,14 +40,19 @@ struct Arguments {
   bool no_browser = false;
   bool speak = false;
   double seconds = 10.0;
-  double rate_hz = 1000.0;
+  std::optional<double> rate_hz;
+  std::string as_published;
 };
 
-Result<session::TouchSettings> settings_of(const Arguments& arguments) {
-  const auto law = law_parameters(arguments.law, session::default_law().law);
+Result<session::TouchSettings> settings_of(const Arguments& arguments,
+                                           const std::optional<Published>& published) {
+  if (published && !arguments.law.law.empty())
+    return Error{ErrorCode::usage, "--as-published sets the law: leave --law out", {}};
+  const auto law = law_parameters(arguments.law, published ? published->law : session::default_law().law);
   if (!law) return law.error();
   session::TouchSettings settings;
   settings.law = *law;
+  if (published) settings.law.penalty = published->penalty;
   return settings;
 }
 
@@ -218,8 +225,16 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
   return answer_of(session.statistics());
 }
 
-Result<Answer> touch(const Arguments& arguments, Console& console) {
+Result<Answer> touch(Arguments arguments, Console& console) {
+  haptics::write_zero_force_on_crash();
+  const auto published = published_as(arguments.as_published);
+  if (!published) return published.error();
   Plan plan;
+  if (*published) {
+    apply_published(**published, arguments.make);
+    plan.options.as_published = (*published)->name;
+    console.note((*published)->differs);
+  }
   plan.begin_ns = haptics::monotonic_ns();
   if (arguments.make.detail == kCompareDetails)
     return Error{ErrorCode::usage, "all operators at once cannot be touched: compare them with palpable make",
@@ -227,11 +242,13 @@ Result<Answer> touch(const Arguments& arguments, Console& console) {
   const auto make = arguments.make.inputs.empty() ? sample_options() : make_options(arguments.make);
   if (!make) return make.error();
   plan.make = *make;
-  const auto settings = settings_of(arguments);
+  const auto settings = settings_of(arguments, *published);
   if (!settings) return settings.error();
   plan.settings = *settings;
   plan.options.seed = console.options().seed;
-  plan.options.servo.rate_hz = arguments.rate_hz;
+  constexpr double kRate_Hz = 1000.0;
+  plan.options.servo.rate_hz =
+      arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);
   return arguments.headless ? touch_without_page(arguments, plan, console)
                             : touch_with_page(arguments, plan, console);
 }
@@ -252,6 +269,7 @@ void add_touch(Program& program) {
   add_make_options(options, arguments->make);
   add_law_options(options, arguments->law);
   options.under("The touch");
+  add_as_published(options, arguments->as_published);
   options.text("--device", arguments->device,
                "Device (palpable devices lists them); else the page's pointer");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
@@ -259,7 +277,8 @@ void add_touch(Program& program) {
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
   options.flag("--speak", arguments->speak, "Say faults and labels aloud in a headless touch");
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
-  options.number("--rate", arguments->rate_hz, {100.0, 4000.0}, "Servo rate in Hz");
+  options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
+                 "Servo rate in Hz (1000 unless a paper states another)");
   options.text("--record", arguments->recording, "Write everything at servo rate into this file");
 }
 

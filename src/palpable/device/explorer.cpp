@@ -65,7 +65,9 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
       break;
     case Phase::lift:
       stroke_along(dt_s, force_N);
-      goal_m_.z = std::min(std::max(goal_m_.z, hand_m.z) + kLift_m_per_s * dt_s, ceiling_m);
+      // The intention moves as fast as an arm does: from as deep as it pressed, it takes its time to let go.
+      goal_m_.z = std::min(goal_m_.z + kLift_m_per_s * dt_s, ceiling_m);
+      if (norm(force_N) > kNoticed_N) phase_s_ = 0.0;
       if (phase_s_ > kLift_s) begin(Phase::approach);
       break;
   }

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/frame.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/device/device.hpp"
+#include "palpable/device/touch_sample.hpp"
 
 #include <cstdint>
 #include <cstdio>
@@ -16,27 +15,6 @@
 
 namespace palpable::device {
 
-/// One tick as a recording keeps it (docs/recording.md); the meaning of the fields is TouchSample's.
-struct RecordedTick {
-  std::uint64_t tick = 0;
-  double t_s = 0.0;
-  double dt_s = 0.0;
-  Point<DeviceFrame> device_position;
-  Point<SceneFrame> position;
-  Vector<SceneFrame> velocity_m_per_s;
-  Point<SceneFrame> proxy;
-  Vector<SceneFrame> raw_force_N;
-  Vector<SceneFrame> written_force_N;
-  double energy_J = 0.0;
-  std::uint32_t flags = 0;
-  std::uint32_t buttons = 0;
-  std::uint32_t program = 0;
-  std::uint16_t label = 0;
-  Status status = Status::ok;
-
-  bool operator==(const RecordedTick&) const = default;
-};
-
 /// What was touched, and how, from a tick on. Text in JSON: scene hash, law, parameters, scene_from_device.
 struct RecordedProgram {
   std::uint32_t id = 0;
@@ -47,7 +25,7 @@ struct Recording {
   /// What holds for the whole session, JSON: format, made_by, seed, rate_hz, device, as_published.
   std::string header_json;
   std::vector<RecordedProgram> programs;
-  std::vector<RecordedTick> ticks;
+  std::vector<TouchSample> ticks;
   /// Ticks that the recorder lost because the disk was too slow, as far as the file could say.
   std::uint64_t lost = 0;
   /// False if the program was killed, or the file cut, before its end was written; everything before is
@@ -75,7 +53,7 @@ class RecordingWriter {
 
   /// Errors (failed): the disk is full, or the like. After an error the file ends with its last whole chunk.
   Result<void> write(const RecordedProgram& program);
-  Result<void> write(std::span<const RecordedTick> ticks);
+  Result<void> write(std::span<const TouchSample> ticks);
   /// Writes the end mark and flushes to the disk. At most once, as the last call.
   Result<void> finish(std::uint64_t lost);
 

@@ -36,8 +36,8 @@ Vec3 vec3(ByteReader& in) {
   return {x, y, in.f64()};
 }
 
-RecordedTick tick(ByteReader& in) {
-  RecordedTick tick;
+TouchSample tick(ByteReader& in) {
+  TouchSample tick;
   tick.tick = in.u64();
   tick.t_s = in.f64();
   tick.dt_s = in.f64();

@@ -17,9 +17,9 @@
 namespace palpable::device {
 namespace {
 
-RecordedTick tick_number(std::uint64_t n) {
+TouchSample tick_number(std::uint64_t n) {
   const auto x = 1e-4 * static_cast<double>(n);
-  RecordedTick tick;
+  TouchSample tick;
   tick.tick = n;
   tick.t_s = 1e-3 * static_cast<double>(n);
   tick.dt_s = 0.001;
@@ -43,7 +43,7 @@ std::filesystem::path written(std::uint64_t ticks, std::string_view name) {
   auto writer = RecordingWriter::create(file, R"({"format":1,"seed":7})");
   EXPECT_TRUE(writer);
   EXPECT_TRUE((*writer)->write(RecordedProgram{1, R"({"law":"proxy"})"}));
-  std::vector<RecordedTick> all;
+  std::vector<TouchSample> all;
   for (std::uint64_t n = 0; n < ticks; ++n) all.push_back(tick_number(n));
   const auto half = static_cast<std::ptrdiff_t>(ticks / 2);
   EXPECT_TRUE((*writer)->write(std::span(all.begin(), all.begin() + half)));

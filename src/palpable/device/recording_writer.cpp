@@ -23,7 +23,7 @@ void put(ByteWriter& out, Vec3 v) {
   out.f64(v.z);
 }
 
-void put(ByteWriter& out, const RecordedTick& tick) {
+void put(ByteWriter& out, const TouchSample& tick) {
   out.u64(tick.tick);
   out.f64(tick.t_s);
   out.f64(tick.dt_s);
@@ -69,7 +69,7 @@ Result<void> RecordingWriter::write(const RecordedProgram& program) {
   return write_chunk(format::kProgram, payload.bytes());
 }
 
-Result<void> RecordingWriter::write(std::span<const RecordedTick> ticks) {
+Result<void> RecordingWriter::write(std::span<const TouchSample> ticks) {
   while (!ticks.empty()) {
     const auto part = ticks.first(std::min(ticks.size(), format::kMostTicks));
     ByteWriter payload;

@@ -9,14 +9,14 @@
 
 namespace palpable::device {
 
-ReplayDevice::ReplayDevice(std::vector<RecordedTick> ticks, const Traits& traits)
+ReplayDevice::ReplayDevice(std::vector<TouchSample> ticks, const Traits& traits)
     : traits_(traits), ticks_(std::move(ticks)) {
   PALPABLE_CHECK(!ticks_.empty());
 }
 
 Reading ReplayDevice::read() noexcept {
   const bool ended = next_ >= ticks_.size();
-  const RecordedTick& tick = ended ? ticks_.back() : ticks_[next_++];
+  const TouchSample& tick = ended ? ticks_.back() : ticks_[next_++];
   return {tick.device_position, ended ? Status::stale : tick.status, tick.buttons};
 }
 

@@ -18,7 +18,7 @@ struct OpenOptions;
 class ReplayDevice final : public Device {
  public:
   /// `ticks` must not be empty.
-  ReplayDevice(std::vector<RecordedTick> ticks, const Traits& traits);
+  ReplayDevice(std::vector<TouchSample> ticks, const Traits& traits);
 
   const Traits& traits() const noexcept override { return traits_; }
   Reading read() noexcept override;
@@ -27,7 +27,7 @@ class ReplayDevice final : public Device {
 
  private:
   Traits traits_;
-  std::vector<RecordedTick> ticks_;
+  std::vector<TouchSample> ticks_;
   std::size_t next_ = 0;
 };
 

@@ -49,17 +49,35 @@ Result<void> write_model(const models::Model& model, json& description, ZipMembe
 }
 
 json to_json(const models::Material& m) {
-  return {{"name", m.name},
-          {"stiffness_N_per_m", m.stiffness_N_per_m},
-          {"damping_Ns_per_m", m.damping_Ns_per_m},
-          {"static_friction", m.static_friction},
-          {"dynamic_friction", m.dynamic_friction}};
+  json j{{"name", m.name},
+         {"stiffness_N_per_m", m.stiffness_N_per_m},
+         {"damping_Ns_per_m", m.damping_Ns_per_m},
+         {"static_friction", m.static_friction},
+         {"dynamic_friction", m.dynamic_friction}};
+  const models::TouchTexture& t = m.texture;
+  if (t.kind != models::TouchTexture::Kind::none)
+    j["texture"] = {{"kind", std::string(models::name_of(t.kind))},
+                    {"pitch_m", t.pitch_m},
+                    {"height_m", t.height_m},
+                    {"angle_rad", t.angle_rad}};
+  return j;
+}
+
+/// A kind that a later version may know is none here: the scene is felt without it.
+models::TouchTexture touch_texture_from(const json& j) {
+  const auto kind = models::texture_kind_from(j.at("kind").get<std::string>());
+  if (!kind) return {};
+  return {*kind, j.at("pitch_m").get<double>(), j.at("height_m").get<double>(),
+          j.at("angle_rad").get<double>()};
 }
 
 models::Material material_from(const json& j) {
-  return {j.at("name").get<std::string>(), j.at("stiffness_N_per_m").get<double>(),
-          j.at("damping_Ns_per_m").get<double>(), j.at("static_friction").get<double>(),
-          j.at("dynamic_friction").get<double>()};
+  return {j.at("name").get<std::string>(),
+          j.at("stiffness_N_per_m").get<double>(),
+          j.at("damping_Ns_per_m").get<double>(),
+          j.at("static_friction").get<double>(),
+          j.at("dynamic_friction").get<double>(),
+          j.contains("texture") ? touch_texture_from(j.at("texture")) : models::TouchTexture{}};
 }
 
 using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
@@ -80,7 +98,8 @@ SceneFromInput transform_from(const json& j) {
 bool is_sound(const models::Material& m) {
   const std::array<double, 4> values{m.stiffness_N_per_m, m.damping_Ns_per_m, m.static_friction,
                                      m.dynamic_friction};
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v >= 0.0; });
+  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v >= 0.0; }) &&
+         models::is_sound(m.texture);
 }
 
 bool is_sound(const SceneFromInput& t) {
@@ -182,7 +201,9 @@ Result<void> check_scene(const models::Scene& scene) {
   if (scene.materials.empty() || scene.materials.size() > kMaxMaterials)
     return invalid_input("a scene has between 1 and 256 materials");
   if (!std::all_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return is_sound(m); }))
-    return invalid_input("a material's stiffness, damping or friction is negative or not a number");
+    return invalid_input(
+        "a material's stiffness, damping or friction is negative or not a number, or its texture out of "
+        "range");
   if (!is_sound(scene.scene_from_input))
     return invalid_input("the scene's place in its input is not a number");
   const bool labelled = std::all_of(scene.labels.values().begin(), scene.labels.values().end(),

@@ -31,7 +31,8 @@ models::Scene sample(int width = 40, int height = 30) {
   scene.model =
       std::make_shared<const models::Relief>(*models::Relief::from_samples(hills(width, height), 0.0025));
   scene.texture = Raster<Rgb8>(8, 6, {10, 20, 30});
-  scene.materials = {{"stone", 900.0, 1.0, 0.5, 0.4}, {"glass \xC3\xA4", 1200.5, 0.1, 0.05, 0.03}};
+  scene.materials = {{"stone", 900.0, 1.0, 0.5, 0.4, {models::TouchTexture::Kind::grain, 0.0015, 2e-5, 0.25}},
+                     {"glass \xC3\xA4", 1200.5, 0.1, 0.05, 0.03, {}}};
   scene.labels = Raster<std::uint8_t>(8, 6, 1);
   scene.scene_from_input.translation_m = {0.1, -1.0 / 3.0, 0.25};
   scene.scene_from_input.scale = 1e-4;

@@ -46,6 +46,7 @@ class FieldPenaltyLaw {
     const double length = norm(s.gradient);
     if (!(length > 0.0)) return feel;
     const Vec3 outward = s.gradient / length;
+    feel.spring_N.v = contact.stiffness_N_per_m * depth * outward;
     const double spring = contact.stiffness_N_per_m * depth * (shaded_ ? 1.0 : length);
     const double damper = contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, outward);
     feel.force_N.v = std::max(0.0, spring - damper) * outward;
@@ -105,6 +106,7 @@ class FieldProxyLaw {
     if (!feel.contact) return feel;
     const Vec3 stretch = proxy.place_m - hand.position.v;
     feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
+    feel.spring_N.v = contact.stiffness_N_per_m * stretch;
     const double damper = contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, proxy.normal);
     const double spring = contact.stiffness_N_per_m * dot(stretch, proxy.normal);
     // The damper may take all of the push along the normal, and never pulls.

@@ -182,7 +182,8 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
   family = mixed(family, std::bit_cast<std::uint64_t>(p.radius_m));
   MaterialMap materials = materials_of(scene, *relief, p);
   if (p.law == Law::proxy || p.law == Law::groove)
-    return touchable(ProxyLaw<Relief>(*std::move(surface), std::move(materials)), family);
+    return touchable(ProxyLaw<Relief>(*std::move(surface), std::move(materials), Textures(scene.materials)),
+                     family);
   if (p.law == Law::penalty)
     return touchable(
         PenaltyLaw<Relief>(*std::move(surface), std::move(materials), p.penalty == PenaltyDirection::normal),

@@ -4,191 +4,16 @@
 
 #include "palpable/core/allocations.hpp"
 #include "palpable/haptics/probe_path.hpp"
-#include "palpable/models/relief_shaping.hpp"
+#include "palpable/haptics/test_scenes.hpp"
 
 #include <cmath>
 #include <memory>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 namespace palpable::haptics {
 namespace {
-
-constexpr double kPixel_m = 0.0002;
-
-models::Scene scene_of(Raster<float> samples, double pixel_m = kPixel_m) {
-  auto relief = models::Relief::from_samples(std::move(samples), pixel_m);
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Relief>(*std::move(relief));
-  return scene;
-}
-
-models::Scene flat_ground(float z_m = 0.005F) { return scene_of(Raster<float>(100, 80, z_m)); }
-
-Raster<float> random_hills(int width, int height, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Raster<float> z(width, height);
-  for (int k = 0; k < 40; ++k) {
-    const double x = unit(random) * width;
-    const double y = unit(random) * height;
-    const double s = 4 + 12 * unit(random);
-    const double a = 0.006 * (unit(random) - 0.3);
-    for (int j = 0; j < height; ++j)
-      for (int i = 0; i < width; ++i)
-        z(i, j) += static_cast<float>(a * std::exp(-((i - x) * (i - x) + (j - y) * (j - y)) / (2 * s * s)));
-  }
-  models::limit_slope(z, kPixel_m, 3.0);
-  return z;
-}
-
-std::shared_ptr<const Touchable> made(const models::Scene& scene, const LawParameters& parameters) {
-  auto touchable = make_touchable(scene, parameters);
-  EXPECT_TRUE(touchable);
-  return touchable ? *touchable : nullptr;
-}
-
-LawParameters frictionless(double radius_m = 0.0) {
-  LawParameters p;
-  p.stiffness_N_per_m = 500.0;
-  p.damping_Ns_per_m = 0.0;
-  p.static_friction = 0.0;
-  p.radius_m = radius_m;
-  return p;
-}
-
-Feel feel_at(const Touchable& t, TouchState& state, Vec3 p) {
-  Hand hand;
-  hand.position = {p};
-  return t.feel(hand, state);
-}
-
-TEST(ProxyLaw, PushesFromFlatGroundWithExactlyTheSpringsForce) {
-  for (const double radius_m : {0.0, 0.001}) {
-    const auto law = made(flat_ground(), frictionless(radius_m));
-    TouchState state;
-    feel_at(*law, state, {0, 0, 0.02});
-    const Vec3 pressed{0.001, 0, 0.005 + radius_m - 0.002};
-    // 15 mm in one tick is farther than a tick looks: the proxy arrives in the next.
-    feel_at(*law, state, pressed);
-    const Feel feel = feel_at(*law, state, pressed);
-    EXPECT_TRUE(feel.contact);
-    EXPECT_NEAR(feel.force_N.v.z, 1.0, 0.005);
-    EXPECT_NEAR(feel.force_N.v.x, 0.0, 1e-6);
-  }
-}
-
-TEST(ProxyLaw, IsSilentAboveTheSurface) {
-  const auto law = made(scene_of(random_hills(100, 80, 3)), frictionless());
-  TouchState state;
-  for (double x = -0.02; x < 0.02; x += 0.0003) {
-    const Feel feel = feel_at(*law, state, {x, 0.001, 0.02});
-    EXPECT_FALSE(feel.contact);
-    EXPECT_EQ(norm(feel.force_N), 0.0);
-    EXPECT_EQ(feel.proxy.v, (Vec3{x, 0.001, 0.02}));
-  }
-}
-
-TEST(ProxyLaw, FindsANewTouchUnderTheSurface) {
-  const auto law = made(flat_ground(), frictionless());
-  TouchState state;
-  EXPECT_TRUE(feel_at(*law, state, {0, 0, 0.004}).contact);
-}
-
-TEST(ProxyLaw, SticksInsideTheConeAndSlidesOutsideIt) {
-  LawParameters p = frictionless();
-  p.static_friction = 0.5;
-  p.dynamic_friction = 0.4;
-  const auto law = made(flat_ground(), p);
-  TouchState state;
-  feel_at(*law, state, {0, 0, 0.006});
-  feel_at(*law, state, {0, 0, 0.003});
-  Feel feel = feel_at(*law, state, {0.00099, 0, 0.003});
-  EXPECT_NEAR(feel.proxy.v.x, 0.0, 1e-9) << "2 mm deep, the cone is 1 mm wide";
-  feel = feel_at(*law, state, {0.0015, 0, 0.003});
-  EXPECT_NEAR(feel.proxy.v.x, 0.0015 - 0.4 * 0.002, 1e-6) << "now the dynamic coefficient holds";
-  EXPECT_NEAR(-feel.force_N.v.x / feel.force_N.v.z, 0.4, 1e-3);
-  const double rests = feel.proxy.v.x;
-  for (int k = 0; k < 1000; ++k) feel = feel_at(*law, state, {0.0015, 0, 0.003});
-  EXPECT_EQ(feel.proxy.v.x, rests) << "nothing drifts";
-  feel = feel_at(*law, state, {rests + 0.00098, 0, 0.003});
-  EXPECT_NEAR(feel.proxy.v.x, rests, 1e-9) << "at rest, the static coefficient holds again";
-}
-
-TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
-  const models::Scene scene = scene_of(random_hills(200, 160, 5));
-  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
-  LawParameters p = frictionless();
-  p.static_friction = 0.6;
-  p.dynamic_friction = 0.3;
-  const auto law = made(scene, p);
-  TouchState state;
-  for (int k = 0; k < 20000; ++k) {
-    const double t = 0.001 * k;
-    const double x = 0.017 * std::sin(2.0 * t);
-    const double y = 0.013 * std::sin(3.1 * t);
-    const Feel feel = feel_at(*law, state, {x, y, relief.sample(x, y).z_m - 0.0007});
-    if (!feel.contact) continue;
-    const auto s = relief.sample(feel.proxy.v.x, feel.proxy.v.y);
-    const Vec3 n = unit(Vec3{-s.dzdx, -s.dzdy, 1.0});
-    const double normal = dot(feel.force_N.v, n);
-    const double along = norm(feel.force_N.v - normal * n);
-    ASSERT_GE(normal, -1e-9);
-    ASSERT_LE(along, 0.6 * normal + 2e-3);
-  }
-}
-
-TEST(ProxyLaw, FeelsTheSameWhenSceneAndProbeAreTurnedTogether) {
-  const Raster<float> hills = random_hills(120, 120, 7);
-  Raster<float> turned(120, 120);
-  // A quarter turn to the left: what was at (x, y) comes to (-y, x).
-  for (int j = 0; j < 120; ++j)
-    for (int i = 0; i < 120; ++i) turned(j, 119 - i) = hills(i, j);
-  LawParameters p = frictionless(0.0006);
-  p.static_friction = 0.3;
-  const auto law = made(scene_of(hills), p);
-  const auto law_turned = made(scene_of(turned), p);
-  TouchState a;
-  TouchState b;
-  for (int k = 0; k < 4000; ++k) {
-    const double t = 0.001 * k;
-    const Vec3 at{0.009 * std::sin(2 * t), 0.008 * std::sin(3 * t + 1), 0.003 + 0.002 * std::sin(5 * t)};
-    const Vec3 f = feel_at(*law, a, at).force_N.v;
-    const Vec3 g = feel_at(*law_turned, b, {-at.y, at.x, at.z}).force_N.v;
-    ASSERT_NEAR(norm(Vec3{-f.y, f.x, f.z} - g), 0.0, 2e-4) << k;
-  }
-}
-
-TEST(ProxyLaw, MakesNoEnergyRoundClosedLoopsOfAPress) {
-  // Without friction and damping the force is the gradient of half the stiffness times the distance squared.
-  const models::Scene scene = scene_of(random_hills(200, 160, 11));
-  const auto law = made(scene, frictionless());
-  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
-  TouchState state;
-  double work = 0.0;
-  double low = 0.0;
-  double high = 0.0;
-  Vec3 last{};
-  Vec3 last_force{};
-  const int n = 200000;
-  for (int k = 0; k <= 2 * n; ++k) {
-    const double t = 2 * M_PI * k / n;
-    const double x = 0.012 * std::sin(t);
-    const double y = 0.009 * std::sin(2 * t);
-    const Vec3 p{x, y, relief.sample(x, y).z_m - 0.0002 - 0.0001 * std::sin(3 * t)};
-    const Vec3 f = feel_at(*law, state, p).force_N.v;
-    if (k > n) {
-      work += dot(0.5 * (f + last_force), p - last);
-      low = std::min(low, work);
-      high = std::max(high, work);
-    }
-    last = p;
-    last_force = f;
-  }
-  EXPECT_LE(std::abs(work), 2e-5 * (high - low));
-}
 
 TEST(RollingLaw, DoesNoWorkRoundClosedLoopsWhereSobelDoes) {
   const models::Scene scene = scene_of(random_hills(200, 160, 13));
@@ -242,21 +67,6 @@ TEST(RollingLaw, IsTheWeightOfABallOnASlope) {
     EXPECT_TRUE(feel.contact);
     EXPECT_FALSE(feel.has_proxy);
   }
-}
-
-TEST(ProxyLaw, DampsAlongTheNormalAndNeverPulls) {
-  LawParameters p = frictionless();
-  p.damping_Ns_per_m = 2.0;
-  const auto law = made(flat_ground(), p);
-  TouchState state;
-  Hand hand;
-  hand.position = {{0, 0, 0.004}};
-  hand.velocity_m_per_s = {{0.3, 0, -0.1}};
-  const Feel pressing = law->feel(hand, state);
-  EXPECT_NEAR(pressing.force_N.v.z, 0.5 + 0.2, 1e-6);
-  EXPECT_NEAR(pressing.force_N.v.x, 0.0, 1e-9);
-  hand.velocity_m_per_s = {{0, 0, 1.0}};
-  EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
 }
 
 TEST(PenaltyLaw, PushesFromFlatGroundAsASpringAndNeverPulls) {
@@ -317,33 +127,6 @@ TEST(AveragedLaw, WithAllWeightAtTheCentreIsTheShadedPenalty) {
     ASSERT_NEAR(norm(feel_at(*averaged, state, at).force_N - feel_at(*penalty, state, at).force_N), 0.0,
                 1e-12);
   }
-}
-
-TEST(ProxyLaw, TakesEachRegionsMaterial) {
-  models::Scene scene = flat_ground();
-  models::Material soft;
-  soft.stiffness_N_per_m = 100.0;
-  soft.static_friction = soft.dynamic_friction = soft.damping_Ns_per_m = 0.0;
-  models::Material hard = soft;
-  hard.stiffness_N_per_m = 800.0;
-  scene.materials = {soft, hard};
-  scene.labels = Raster<std::uint8_t>(100, 80);
-  for (int j = 0; j < 80; ++j)
-    for (int i = 50; i < 100; ++i) scene.labels(i, j) = 1;
-  const auto law = made(scene, {});
-  TouchState state;
-  feel_at(*law, state, {-0.005, 0, 0.006});
-  Feel feel = feel_at(*law, state, {-0.005, 0, 0.004});
-  EXPECT_NEAR(feel.force_N.v.z, 0.1, 1e-6);
-  EXPECT_EQ(feel.label, 0);
-  double last = feel.force_N.v.z;
-  for (int k = 0; k < 200; ++k) {
-    feel = feel_at(*law, state, {-0.005 + 0.00005 * k, 0, 0.004});
-    EXPECT_LT(std::abs(feel.force_N.v.z - last), 0.08) << "a border is no kick";
-    last = feel.force_N.v.z;
-  }
-  EXPECT_EQ(feel.label, 1);
-  EXPECT_NEAR(feel.force_N.v.z, 0.8, 0.01);
 }
 
 TEST(Laws, ContinueEachOthersStateOnlyOnTheSameSurface) {

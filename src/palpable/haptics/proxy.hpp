@@ -4,6 +4,7 @@
 
 #include "palpable/haptics/material_map.hpp"
 #include "palpable/haptics/surface_proxy.hpp"
+#include "palpable/haptics/texture.hpp"
 #include "palpable/haptics/touchable.hpp"
 
 #include <algorithm>
@@ -26,10 +27,13 @@ class ProxyLaw {
     Contact contact;
     std::uint16_t label;
     bool knows_contact;
+    /// Whose texture is felt, and how much of it: it comes in as smoothly as a material does.
+    std::uint16_t texture_label;
+    double texture_share;
   };
 
-  ProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials)
-      : surface_(std::move(surface)), materials_(std::move(materials)) {}
+  ProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, Textures textures = Textures({}))
+      : surface_(std::move(surface)), materials_(std::move(materials)), textures_(std::move(textures)) {}
 
   Feel feel(const Hand& hand, State& state) const noexcept {
     const Contact contact = contact_here(hand.dt_s, state);
@@ -44,7 +48,10 @@ class ProxyLaw {
     feel.stored_J = 0.0;
     if (feel.contact) {
       feel.force_N.v = force(hand, contact, state.proxy, before);
-      feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(state.proxy.place_m - hand.position.v);
+      const Vec3 stretched = state.proxy.place_m - hand.position.v;
+      feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
+      feel.spring_N.v = contact.stiffness_N_per_m * stretched;
+      if (textures_.any()) add_texture(hand, contact, state, feel);
     }
     return feel;
   }
@@ -94,6 +101,37 @@ class ProxyLaw {
            grip(hand, contact, proxy, before, normal, pressing);
   }
 
+  /// A texture of height h under the proxy is a surface that stands h higher: the potential k·depth·h more,
+  /// and its gradient as force (height maps after Minsky 1995). The push is never taken away altogether.
+  void add_texture(const Hand& hand, const Contact& contact, State& state, Feel& feel) const noexcept {
+    const SurfaceProxy& proxy = state.proxy;
+    const models::TexturePattern* pattern = textures_.of(state.label);
+    if (pattern == nullptr || proxy.phase != SurfaceProxy::Phase::touching) {
+      state.texture_share = 0.0;
+      return;
+    }
+    if (state.texture_label != state.label) state.texture_share = 0.0;
+    state.texture_label = state.label;
+    state.texture_share += hand.dt_s / (hand.dt_s + kMaterialEase_s) * (1.0 - state.texture_share);
+    const models::CurvedSample& s = proxy.surface;
+    const double length2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+    const Vec3 normal = (1.0 / std::sqrt(length2)) * Vec3{-s.dzdx, -s.dzdy, 1.0};
+    const double depth = dot(proxy.place_m - hand.position.v, normal);
+    if (!(depth > 0.0)) return;
+    const double share =
+        state.texture_share * Textures::carried(norm(hand.velocity_m_per_s.v), hand.dt_s, pattern->pitch_m());
+    const models::HeightSample h = pattern->sample(proxy.place_m.x, proxy.place_m.y);
+    // The slope over the ground, laid along the surface.
+    const Vec3 over{h.dzdx, h.dzdy, 0.0};
+    const Vec3 slope = over - dot(over, normal) * normal;
+    const double k = share * contact.stiffness_N_per_m;
+    const double higher_N = std::max(k * h.z_m, -dot(feel.force_N.v, normal));
+    const Vec3 pushed_N = higher_N * normal - (k * depth) * slope;
+    feel.force_N.v += pushed_N;
+    feel.spring_N.v += pushed_N;
+    feel.stored_J += k * depth * h.z_m;
+  }
+
   /// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it
   /// needs a damper, or it makes energy. Where the proxy slides along with the hand nothing stretches and
   /// nothing is damped. Friction carries it: at most as much as the cone allows.
@@ -111,6 +149,7 @@ class ProxyLaw {
 
   std::shared_ptr<const Surface> surface_;
   MaterialMap materials_;
+  Textures textures_;
 };
 
 }  // namespace palpable::haptics

@@ -27,6 +27,7 @@ class RollingLaw {
     Feel feel;
     feel.contact = true;
     feel.stored_J = weight_N_ * s.z_m;
+    feel.spring_N.v = {-weight_N_ * s.dzdx, -weight_N_ * s.dzdy, 0.0};
     feel.force_N.v = {-weight_N_ * s.dzdx - damping_Ns_per_m_ * v.x,
                       -weight_N_ * s.dzdy - damping_Ns_per_m_ * v.y, 0.0};
     return feel;

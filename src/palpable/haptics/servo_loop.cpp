@@ -6,6 +6,7 @@
 #include "palpable/core/hand_off.hpp"
 #include "palpable/haptics/latency_recorder.hpp"
 #include "palpable/haptics/pacing.hpp"
+#include "palpable/haptics/zero_force.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -118,6 +119,7 @@ struct ServoLoop::Inside {
 };
 
 void ServoLoop::Inside::serve() {
+  const RunningServo self(*device);
   {
     std::string priority = request_priority(options.realtime_priority);
     const std::lock_guard lock(mutex);
@@ -130,7 +132,7 @@ void ServoLoop::Inside::serve() {
   begin_ns = monotonic_ns();
   std::int64_t before_ns = begin_ns;
   // From here to the end of the loop nothing allocates: what does is counted tick by tick and reported.
-  while (!ending.load(std::memory_order_relaxed)) {
+  while (!ending.load(std::memory_order_relaxed) && !self.must_end()) {
     const Pacer::Wake wake = pacer.wait();
     const AllocationScope allocations;
     const std::int64_t period_ns = wake.now_ns - before_ns;

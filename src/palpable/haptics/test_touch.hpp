@@ -43,6 +43,7 @@ class SpringSurface final : public Touchable {
     if (depth_m <= 0.0) return feel;
     feel.contact = true;
     feel.stored_J = 0.5 * stiffness_ * depth_m * depth_m;
+    feel.spring_N = {stiffness_ * depth_m * normal};
     const double push_N = stiffness_ * depth_m - damping_ * dot(hand.velocity_m_per_s.v, normal);
     feel.force_N = {std::max(0.0, push_N) * normal};
     feel.label = p.x > 0.0 ? 1 : 0;

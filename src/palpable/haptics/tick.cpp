@@ -88,19 +88,18 @@ bool Tick::ask_law(Side& side, double dt_s) noexcept {
   return true;
 }
 
-Vec3 Tick::device_force_N(const Side& side) const noexcept {
+Vec3 Tick::device_force_N(const Side& side, Vec3 f) const noexcept {
   // The rotation's transpose: a force keeps its size when the scene is shown larger or smaller.
   const auto& r = side.program->scene_from_device.rotation;
-  const Vec3 f = side.feel.force_N.v;
   return {r[0] * f.x + r[3] * f.y + r[6] * f.z, r[1] * f.x + r[4] * f.y + r[7] * f.z,
           planar_ ? 0.0 : r[2] * f.x + r[5] * f.y + r[8] * f.z};
 }
 
 double Tick::device_stored_J() const noexcept {
-  // The law knows the reading; within the sensor's step the hand is elsewhere, and the force is the slope
-  // between.
+  // The law knows the reading; within the sensor's step the hand is elsewhere, and the spring is the slope
+  // between. (A damper is none: its jumps with the sensor's steps would look like energy.)
   return now_.feel.stored_J / now_.program->scene_from_device.scale -
-         dot(device_force_N(now_), fine_.place_m() - position_m_);
+         dot(device_force_N(now_, now_.feel.spring_N.v), fine_.place_m() - position_m_);
 }
 
 bool Tick::feel(double dt_s) noexcept {
@@ -111,7 +110,7 @@ bool Tick::feel(double dt_s) noexcept {
     flags_ |= flag::kNotFinite;
     return false;
   }
-  law_force_N_ = device_force_N(now_);
+  law_force_N_ = device_force_N(now_, now_.feel.force_N.v);
   if (fading()) fade(dt_s);
   return true;
 }
@@ -128,7 +127,7 @@ void Tick::begin_touch() noexcept {
 void Tick::fade(double dt_s) noexcept {
   flags_ |= flag::kFading;
   faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
-  law_force_N_ += faded_ * (device_force_N(coming_) - law_force_N_);
+  law_force_N_ += faded_ * (device_force_N(coming_, coming_.feel.force_N.v) - law_force_N_);
   if (faded_ < 1.0) return;
   retired_ = now_.program;
   now_ = coming_;

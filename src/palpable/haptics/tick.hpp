@@ -65,7 +65,7 @@ class Tick {
   };
   bool accept(const device::Reading& reading, double dt_s) noexcept;
   bool ask_law(Side& side, double dt_s) noexcept;
-  Vec3 device_force_N(const Side& side) const noexcept;
+  Vec3 device_force_N(const Side& side, Vec3 force_N) const noexcept;
   double device_stored_J() const noexcept;
   bool feel(double dt_s) noexcept;
   void fade(double dt_s) noexcept;

@@ -30,6 +30,9 @@ struct Feel {
   /// weight on a slope. Only differences count. It lets the observer (passivity.hpp) tell energy given back
   /// from energy made; a law without a potential leaves it NaN, and is not watched.
   double stored_J = std::numeric_limits<double>::quiet_NaN();
+  /// The part of the force that this energy makes: minus its gradient, without dampers. 0 where none is
+  /// stored.
+  Vector<SceneFrame> spring_N;
   bool contact = false;
   bool has_proxy = false;
   /// Index of the material or region touched.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/models/touch_texture.hpp"
+
 #include <string>
 
 namespace palpable::models {
@@ -14,6 +16,7 @@ struct Material {
   double damping_Ns_per_m = 0.5;
   double static_friction = 0.3;
   double dynamic_friction = 0.25;
+  TouchTexture texture;
 };
 
 }  // namespace palpable::models

@@ -12,37 +12,37 @@
 namespace palpable::session {
 namespace {
 
-using device::RecordedTick;
+using device::TouchSample;
 
 /// Three columns of a tick, and what they are called.
 struct VectorColumn {
   const char* name;
   const char* unit;
-  Vec3 (*of)(const RecordedTick&);
+  Vec3 (*of)(const TouchSample&);
 };
 constexpr VectorColumn kVectors[] = {
-    {"device", "_m", [](const RecordedTick& t) { return t.device_position.v; }},
-    {"position", "_m", [](const RecordedTick& t) { return t.position.v; }},
-    {"velocity", "_m_per_s", [](const RecordedTick& t) { return t.velocity_m_per_s.v; }},
-    {"proxy", "_m", [](const RecordedTick& t) { return t.proxy.v; }},
-    {"raw_force", "_N", [](const RecordedTick& t) { return t.raw_force_N.v; }},
-    {"written_force", "_N", [](const RecordedTick& t) { return t.written_force_N.v; }},
+    {"device", "_m", [](const TouchSample& t) { return t.device_position.v; }},
+    {"position", "_m", [](const TouchSample& t) { return t.position.v; }},
+    {"velocity", "_m_per_s", [](const TouchSample& t) { return t.velocity_m_per_s.v; }},
+    {"proxy", "_m", [](const TouchSample& t) { return t.proxy.v; }},
+    {"raw_force", "_N", [](const TouchSample& t) { return t.raw_force_N.v; }},
+    {"written_force", "_N", [](const TouchSample& t) { return t.written_force_N.v; }},
 };
 
 struct NumberColumn {
   const char* name;
-  double (*of)(const RecordedTick&);
+  double (*of)(const TouchSample&);
 };
 constexpr NumberColumn kNumbers[] = {
-    {"tick", [](const RecordedTick& t) { return static_cast<double>(t.tick); }},
-    {"t_s", [](const RecordedTick& t) { return t.t_s; }},
-    {"dt_s", [](const RecordedTick& t) { return t.dt_s; }},
-    {"energy_J", [](const RecordedTick& t) { return t.energy_J; }},
-    {"flags", [](const RecordedTick& t) { return static_cast<double>(t.flags); }},
-    {"buttons", [](const RecordedTick& t) { return static_cast<double>(t.buttons); }},
-    {"program", [](const RecordedTick& t) { return static_cast<double>(t.program); }},
-    {"label", [](const RecordedTick& t) { return static_cast<double>(t.label); }},
-    {"status", [](const RecordedTick& t) { return static_cast<double>(t.status); }},
+    {"tick", [](const TouchSample& t) { return static_cast<double>(t.tick); }},
+    {"t_s", [](const TouchSample& t) { return t.t_s; }},
+    {"dt_s", [](const TouchSample& t) { return t.dt_s; }},
+    {"energy_J", [](const TouchSample& t) { return t.energy_J; }},
+    {"flags", [](const TouchSample& t) { return static_cast<double>(t.flags); }},
+    {"buttons", [](const TouchSample& t) { return static_cast<double>(t.buttons); }},
+    {"program", [](const TouchSample& t) { return static_cast<double>(t.program); }},
+    {"label", [](const TouchSample& t) { return static_cast<double>(t.label); }},
+    {"status", [](const TouchSample& t) { return static_cast<double>(t.status); }},
 };
 
 formats::Npz recording_npz(const device::Recording& recording) {

@@ -74,8 +74,8 @@ TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
   ASSERT_TRUE(prepared) << prepared.error().sentence();
   Ring<haptics::TouchEvent> events(4096);
   haptics::Tick tick(**device, prepared->program, {}, events);
-  std::vector<device::RecordedTick> ticks;
-  for (int n = 0; n < 3000; ++n) ticks.push_back(recorded_tick(tick.step(0.001 * n, 0.001)));
+  std::vector<device::TouchSample> ticks;
+  for (int n = 0; n < 3000; ++n) ticks.push_back(tick.step(0.001 * n, 0.001));
   const auto file = std::filesystem::path(testing::TempDir()) / "again.rec";
   auto writer = device::RecordingWriter::create(file, "{}");
   ASSERT_TRUE(writer);

@@ -3,6 +3,7 @@
 #include "palpable/session/program.hpp"
 
 #include "palpable/haptics/stability.hpp"
+#include "palpable/haptics/texture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,38 @@ namespace {
 bool is_wall(haptics::Law law) {
   return law == haptics::Law::proxy || law == haptics::Law::penalty || law == haptics::Law::averaged ||
          law == haptics::Law::groove;
+}
+
+/// Leaves out textures that this loop and device cannot carry, and says so of those and of lowered ones.
+void make_carried(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
+                  PreparedProgram& prepared) {
+  if (prepared.law.law != haptics::Law::proxy && prepared.law.law != haptics::Law::groove) return;
+  const double step_m =
+      std::isfinite(device.position_resolution_m) ? device.position_resolution_m * scale : 0.0;
+  const double finest_m = haptics::finest_pitch_m(rate_hz, step_m);
+  for (auto& material : scene.materials) {
+    auto& texture = material.texture;
+    if (texture.kind == models::TouchTexture::Kind::none) continue;
+    if (std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model)) {
+      prepared.notices.push_back("The texture of " + material.name + " is not felt: fields carry none yet.");
+      texture = {};
+      continue;
+    }
+    const double most_m = haptics::most_height_m(texture.pitch_m);
+    if (texture.pitch_m < finest_m) {
+      prepared.notices.push_back(fmt::format(
+          "The texture of {} was left out: its forms stand {:.2g} mm apart, and this loop and device "
+          "carry none finer than {:.2g} mm.",
+          material.name, 1e3 * texture.pitch_m, 1e3 * finest_m));
+      texture = {};
+    } else if (texture.height_m > most_m) {
+      prepared.notices.push_back(fmt::format(
+          "The texture of {} was lowered from {:.0f} to {:.0f} micrometres: higher, it would make the wall "
+          "too stiff.",
+          material.name, 1e6 * texture.height_m, 1e6 * most_m));
+      texture.height_m = most_m;
+    }
+  }
 }
 
 /// Lowers what the person or the materials ask for to what the device can render without making energy.
@@ -102,6 +135,7 @@ Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchS
   auto deep = with_depth(scene, settings.depth);
   if (!deep) return std::move(deep).error();
   make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
+  make_carried(*deep, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = deep->materials;
   auto touchable = haptics::make_touchable(*deep, prepared.law);
   if (!touchable) return std::move(touchable).error();

@@ -17,24 +17,6 @@ constexpr auto kInterval = std::chrono::milliseconds(50);
 
 }  // namespace
 
-device::RecordedTick recorded_tick(const haptics::TouchSample& sample) {
-  return {sample.tick,
-          sample.t_s,
-          sample.dt_s,
-          sample.device_position,
-          sample.position,
-          sample.velocity_m_per_s,
-          sample.proxy,
-          sample.raw_force_N,
-          sample.written_force_N,
-          sample.energy_J,
-          sample.flags,
-          sample.buttons,
-          sample.program,
-          sample.label,
-          sample.status};
-}
-
 struct Recorder::Inside {
   void run();
   void write_what_came();
@@ -46,7 +28,7 @@ struct Recorder::Inside {
   bool ending = false;
   std::vector<device::RecordedProgram> programs;
   // The thread's own.
-  std::vector<device::RecordedTick> ticks;
+  std::vector<device::TouchSample> ticks;
   Result<void> outcome;
   std::uint64_t lost_before = 0;
   std::thread thread;
@@ -72,7 +54,7 @@ void Recorder::Inside::write_what_came() {
   for (const auto& program : noted)
     if (outcome) outcome = writer->write(program);
   ticks.clear();
-  while (const auto sample = loop->take_recorded()) ticks.push_back(recorded_tick(*sample));
+  while (const auto sample = loop->take_recorded()) ticks.push_back(*sample);
   if (outcome && !ticks.empty()) outcome = writer->write(ticks);
 }
 

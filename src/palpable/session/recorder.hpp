@@ -12,8 +12,6 @@
 
 namespace palpable::session {
 
-device::RecordedTick recorded_tick(const haptics::TouchSample& sample);
-
 /// Writes what a servo loop's recording ring holds into a file, from a thread of its own, until it is ended.
 /// The loop must outlive it.
 class Recorder {

@@ -1,0 +1,50 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/as_published.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace palpable::cli {
+namespace {
+
+using haptics::Law;
+using haptics::PenaltyDirection;
+
+// Loop rates: Shi & Pai 1997, Gomez 2012 and GHD 2006 state 500, 997 and 400 Hz; Park & Howard 2012 state how
+// long a force took, and no rate.
+constexpr std::array kPublished{
+    Published{"shi", Law::sobel, PenaltyDirection::gradient, 500.0, "scanline", "",
+              "Their force image is mapped to the scene's own size, not to 10 x 15 cm."},
+    Published{"park", Law::penalty, PenaltyDirection::normal, std::nullopt, "graph-cut", "",
+              "Their volume of voxels does not exist here yet: the surface is the relief's."},
+    Published{"gomez", Law::averaged, PenaltyDirection::normal, 997.0, "pyramid", "",
+              "The weights of the average are corrected; the offset is 1 mm."},
+    Published{"ghd", Law::tracing, PenaltyDirection::gradient, 400.0, "", "paper",
+              "Eq. 8 is corrected so that it does not push a resting hand."}};
+
+}  // namespace
+
+void add_as_published(Options& options, std::string& name) {
+  options.choice("--as-published", name, {"shi", "park", "gomez", "ghd", "moustakas"},
+                 "One paper's method, law and loop rate together");
+}
+
+Result<std::optional<Published>> published_as(const std::string& name) {
+  if (name.empty()) return std::optional<Published>{};
+  const auto* found = std::find_if(kPublished.begin(), kPublished.end(),
+                                   [&name](const Published& p) { return p.name == name; });
+  if (found == kPublished.end())
+    return Error{
+        ErrorCode::usage,
+        "the law of " + name + " needs a force field made of superquadrics, which scenes do not hold yet",
+        "--as-published"};
+  return std::optional(*found);
+}
+
+void apply_published(const Published& published, MakeArguments& arguments) {
+  if (arguments.stereo.method.empty()) arguments.stereo.method = published.stereo_method;
+  if (arguments.contour_method.empty()) arguments.contour_method = published.contour_method;
+}
+
+}  // namespace palpable::cli

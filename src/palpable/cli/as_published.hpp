@@ -1,0 +1,38 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/cli/make_options.hpp"
+#include "palpable/haptics/laws.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace palpable::cli {
+
+/// What one of the five papers set together, as far as this program holds it.
+struct Published {
+  std::string_view name;
+  haptics::Law law;
+  haptics::PenaltyDirection penalty;
+  /// Of the servo; not given where the paper states none.
+  std::optional<double> rate_hz;
+  /// How it made its scene: a stereo method or a contour method, empty where it had no other than ours.
+  std::string_view stereo_method;
+  std::string_view contour_method;
+  /// What of the paper is not the same here, one sentence.
+  std::string_view differs;
+};
+
+/// Adds --as-published. `name` must outlive the parsing.
+void add_as_published(Options& options, std::string& name);
+
+/// The paper's settings; nothing for an empty name. Errors: usage, for the paper whose law does not exist
+/// yet.
+Result<std::optional<Published>> published_as(const std::string& name);
+
+/// Sets how the scene is made where `arguments` leave it open.
+void apply_published(const Published& published, MakeArguments& arguments);
+
+}  // namespace palpable::cli

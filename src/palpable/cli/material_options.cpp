@@ -1,0 +1,130 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/material_options.hpp"
+
+#include "palpable/sources/picture.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+Error usage(std::string message) { return {ErrorCode::usage, std::move(message), "--material"}; }
+
+std::optional<double> number_from(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
+             ? std::optional(value)
+             : std::nullopt;
+}
+
+struct Property {
+  std::string_view key;
+  double least;
+  double most;
+  /// Sets the value in the material's own unit.
+  void (*set)(models::Material& material, double value);
+};
+
+constexpr Property kProperties[]{
+    {"stiffness", 1e-6, 1e6, [](models::Material& m, double v) { m.stiffness_N_per_m = v; }},
+    {"damping", 0.0, 1e4, [](models::Material& m, double v) { m.damping_Ns_per_m = v; }},
+    {"friction", 0.0, 10.0,
+     [](models::Material& m, double v) {
+       m.static_friction = v;
+       m.dynamic_friction = std::min(m.dynamic_friction, v);
+     }},
+    {"sliding", 0.0, 10.0, [](models::Material& m, double v) { m.dynamic_friction = v; }},
+    {"pitch", 0.1, 20.0, [](models::Material& m, double v) { m.texture.pitch_m = 1e-3 * v; }},
+    {"height", 0.0, 1.0, [](models::Material& m, double v) { m.texture.height_m = 1e-3 * v; }},
+    {"angle", -360.0, 360.0,
+     [](models::Material& m, double v) { m.texture.angle_rad = v / 180.0 * std::numbers::pi; }}};
+
+Result<void> apply_pair(std::string_view pair, models::Material& material) {
+  const auto equals = pair.find('=');
+  if (equals == std::string_view::npos) return usage(fmt::format("{} is no key=value", pair));
+  const std::string_view key = pair.substr(0, equals);
+  const std::string_view value = pair.substr(equals + 1);
+  if (key == "name") {
+    material.name = value;
+    return {};
+  }
+  if (key == "texture") {
+    const auto kind = models::texture_kind_from(value);
+    if (!kind)
+      return usage(fmt::format("there is no texture {}; there are none, grain, ridges, bumps", value));
+    material.texture.kind = *kind;
+    return {};
+  }
+  const auto* property = std::find_if(std::begin(kProperties), std::end(kProperties),
+                                      [key](const Property& p) { return p.key == key; });
+  if (property == std::end(kProperties)) return usage(fmt::format("a material has no {}", key));
+  const auto number = number_from(value);
+  if (!number || *number < property->least || *number > property->most)
+    return usage(fmt::format("{} must be {:g} to {:g}", key, property->least, property->most));
+  property->set(material, *number);
+  return {};
+}
+
+Result<void> apply_material(std::string_view text, models::Scene& scene) {
+  const auto colon = text.find(':');
+  const auto label = number_from(text.substr(0, colon));
+  if (colon == std::string_view::npos || !label || *label < 0 || *label > 255 || *label != std::floor(*label))
+    return usage(fmt::format("{} does not begin with a label 0 to 255 and a colon", text));
+  const auto index = static_cast<std::size_t>(*label);
+  if (scene.materials.size() <= index)
+    scene.materials.resize(index + 1, models::Material(scene.materials.front()));
+  std::string_view rest = text.substr(colon + 1);
+  while (!rest.empty()) {
+    const auto comma = rest.find(',');
+    if (auto applied = apply_pair(rest.substr(0, comma), scene.materials[index]); !applied) return applied;
+    rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
+  }
+  return {};
+}
+
+Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::Scene& scene) {
+  const auto picture = sources::read_picture(file);
+  if (!picture) return picture.error();
+  const auto invalid = [&file](std::string message) {
+    return Error{ErrorCode::invalid_input, std::move(message), file};
+  };
+  if (picture->channels != 1 || picture->bits != 8)
+    return invalid("a label picture is 8-bit grey: each value is a material's number");
+  const auto& samples = models::relief_of(scene)->samples_m();
+  // The same shape to within a pixel.
+  const double height = static_cast<double>(picture->width) * samples.height() / samples.width();
+  if (std::abs(height - picture->height) > 1.0)
+    return invalid(fmt::format("the label picture is {}x{}, but the scene's surface has the shape {}x{}",
+                               picture->width, picture->height, samples.width(), samples.height()));
+  Raster<std::uint8_t> labels(picture->width, picture->height);
+  std::transform(picture->samples.begin(), picture->samples.end(), labels.values().begin(),
+                 [](float v) { return static_cast<std::uint8_t>(std::lround(255.0F * v)); });
+  const auto highest = *std::max_element(labels.values().begin(), labels.values().end());
+  if (highest >= scene.materials.size())
+    return invalid(fmt::format("the label picture names the material {}, but the last one is {}", highest,
+                               scene.materials.size() - 1));
+  return labels;
+}
+
+}  // namespace
+
+Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene) {
+  for (const std::string& text : arguments.materials)
+    if (auto applied = apply_material(text, scene); !applied) return applied;
+  if (arguments.labels.empty()) return {};
+  auto labels = labels_from(arguments.labels, scene);
+  if (!labels) return labels.error();
+  scene.labels = std::move(*labels);
+  return {};
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/models/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::cli {
+
+/// What a scene's surfaces are made of, as given on the command line.
+struct MaterialArguments {
+  /// "LABEL:key=value,…" each; see apply_materials().
+  std::vector<std::string> materials;
+  /// An 8-bit grey picture of the scene's shape whose values are labels.
+  std::string labels;
+};
+
+/// Gives `scene` the materials and label picture. Each text is LABEL (0 … 255), a colon and pairs of
+/// name=TEXT, stiffness=N/m, damping=N·s/m, friction=MU, sliding=MU, texture=none|grain|ridges|bumps,
+/// pitch=MM, height=MM, angle=DEGREES; what is not given stays. Labels between take the first material's
+/// values. Errors: usage for a text that is wrong; invalid_input for a picture of another shape or with
+/// labels without a material.
+Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene);
+
+}  // namespace palpable::cli

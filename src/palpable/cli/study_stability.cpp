@@ -1,0 +1,97 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/draw/traces_view.hpp"
+#include "palpable/haptics/groove_study.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string output;
+  double rate_hz = 1000.0;
+  int delay = 1;
+  double resolution_um = 10.0;
+};
+
+/// A light hand with an ordinary grip, as friction-free as a device can be: what vibrates, vibrates.
+haptics::GrooveStudyOptions options_of(const Arguments& arguments) {
+  haptics::GrooveStudyOptions options;
+  options.rate_hz = arguments.rate_hz;
+  options.hand.device_mass_kg = 0.05;
+  options.hand.arm_mass_kg = 0.1;
+  options.hand.arm_damping_Ns_per_m = 3.0;
+  options.hand.arm_stiffness_N_per_m = 300.0;
+  options.hand.max_force_N = 10.0;
+  options.hand.delay_samples = arguments.delay;
+  options.hand.resolution_m = 1e-6 * arguments.resolution_um;
+  return options;
+}
+
+/// The hand's place across the groove over the last fifth of a second, a row a law, a column a stiffness.
+draw::Figure figure_of(const std::vector<haptics::GrooveResult>& results, int columns,
+                       const Arguments& arguments) {
+  std::vector<draw::Trace> traces;
+  for (const auto& result : results) {
+    traces.push_back({fmt::format("{}, {:g} N/m: {:.0f} µm", haptics::name_of(result.law),
+                                  result.stiffness_N_per_m, 1e6 * result.across_m),
+                      result.end_m, 1.0 / arguments.rate_hz});
+    for (double& place : traces.back().values) place *= 1000.0;
+  }
+  const std::string delay =
+      arguments.delay == 1 ? std::string("1 tick") : fmt::format("{} ticks", arguments.delay);
+  return draw::traces_figure(
+      std::move(traces), columns, "across, mm",
+      {"A hand at rest in a V-shaped groove",
+       fmt::format(
+           "Walls of 45 degrees, a simulated hand of 0.15 kg pressed to the bottom, {:g} Hz, {} of delay, "
+           "sensor steps of {:g} µm, no friction on the surface. Where it swings, it vibrates.",
+           arguments.rate_hz, delay, arguments.resolution_um)});
+}
+
+Result<Answer> study(const Arguments& arguments) {
+  const auto options = options_of(arguments);
+  const auto results = haptics::study_groove(options);
+  if (!results) return results.error();
+  Answer answer;
+  answer.json["results"] = Json::array();
+  answer.text = fmt::format("{:10}{:>12}{:>12}{:>12}{:>12}{:>14}\n", "law", "N/m", "across µm", "height µm",
+                            "turns/s", "step of force");
+  for (const auto& r : *results) {
+    answer.json["results"].push_back({{"law", haptics::name_of(r.law)},
+                                      {"stiffness_N_per_m", r.stiffness_N_per_m},
+                                      {"across_m", r.across_m},
+                                      {"height_m", r.height_m},
+                                      {"turns_per_s", r.turns_per_s},
+                                      {"force_step_N", r.force_step_N}});
+    answer.text +=
+        fmt::format("{:10}{:>12g}{:>12.1f}{:>12.1f}{:>12.0f}{:>12.3f} N\n", haptics::name_of(r.law),
+                    r.stiffness_N_per_m, 1e6 * r.across_m, 1e6 * r.height_m, r.turns_per_s, r.force_step_N);
+  }
+  if (arguments.output.empty()) return answer;
+  const auto figure = figure_of(*results, static_cast<int>(options.stiffnesses_N_per_m.size()), arguments);
+  if (const auto written = draw::write_figure(figure, arguments.output); !written) return written.error();
+  answer.json["output"] = arguments.output;
+  return answer;
+}
+
+}  // namespace
+
+void add_study_stability(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options = add_command(program, "study-stability",
+                                "Which laws vibrate in a groove: a simulated hand rests in one, law by law",
+                                "  palpable study-stability\n"
+                                "  palpable study-stability --delay 2 -o groove.png",
+                                [arguments](Console&) { return study(*arguments); });
+  options.text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
+  options.number("--rate", arguments->rate_hz, {100.0, 4000.0}, "Servo rate in Hz");
+  options.integer("--delay", arguments->delay, {0, 8}, "Ticks from a reading to the force that answers it");
+  options.number("--resolution-um", arguments->resolution_um, {0.0, 1000.0}, "The sensor's step");
+}
+
+}  // namespace palpable::cli

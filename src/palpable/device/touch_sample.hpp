@@ -1,0 +1,40 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+#include "palpable/device/device.hpp"
+
+#include <cstdint>
+
+namespace palpable::device {
+
+/// Everything about one tick: what the page shows and what a recording holds.
+struct TouchSample {
+  std::uint64_t tick = 0;
+  /// Since the loop began; and since the tick before.
+  double t_s = 0.0;
+  double dt_s = 0.0;
+  /// As read, before any plausibility check: may be NaN.
+  Point<DeviceFrame> device_position;
+  Point<SceneFrame> position;
+  Vector<SceneFrame> velocity_m_per_s;
+  /// Meaningful only with haptics::flag::kHasProxy.
+  Point<SceneFrame> proxy;
+  /// The law's, before caps, ramps and passivity.
+  Vector<SceneFrame> raw_force_N;
+  /// As written to the device, turned into the scene's frame.
+  Vector<SceneFrame> written_force_N;
+  /// The observer's balance (passivity.hpp): what the hand received, with what the law still stores.
+  double energy_J = 0.0;
+  std::uint32_t flags = 0;
+  std::uint32_t buttons = 0;
+  std::uint32_t program = 0;
+  std::uint16_t label = 0;
+  Status status = Status::ok;
+
+  bool has(std::uint32_t wanted) const { return (flags & wanted) != 0; }
+  bool operator==(const TouchSample&) const = default;
+};
+
+}  // namespace palpable::device

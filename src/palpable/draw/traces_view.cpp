@@ -1,0 +1,56 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/traces_view.hpp"
+
+#include "palpable/draw/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpable::draw {
+namespace {
+
+constexpr double kLeft_px = 70, kTop_px = 130, kWidth_px = 250, kHeight_px = 130, kGap_px = 74;
+constexpr double kMs = 1000.0;
+constexpr double kLeast = 0.05;
+
+void draw_trace(Canvas& canvas, const Trace& trace, const Plot& plot, const std::string& value_name) {
+  std::vector<Spot> path;
+  for (std::size_t i = 0; i < trace.values.size(); ++i)
+    path.push_back(plot.at(kMs * trace.period_s * static_cast<double>(i), trace.values[i]));
+  canvas.line({plot.area.x, plot.y(0.0)}, {plot.area.right(), plot.y(0.0)}, {{215, 215, 215}, 1.0});
+  canvas.path(path, {{160, 40, 30}, 1.6});
+  draw_axes(canvas, plot, "ms", value_name);
+  canvas.text(trace.title, {plot.area.x, plot.area.y - 20.0}, {.size_px = 13.0, .bold = true});
+}
+
+}  // namespace
+
+Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& value_name,
+                     const Heading& heading) {
+  const int rows = (static_cast<int>(traces.size()) + columns - 1) / columns;
+  double most = kLeast;
+  for (const Trace& trace : traces)
+    for (const double value : trace.values) most = std::max(most, 1.1 * std::abs(value));
+  const double width_px = columns * (kWidth_px + kGap_px);
+  return {static_cast<int>(kLeft_px + width_px), static_cast<int>(kTop_px + rows * (kHeight_px + kGap_px)),
+          [=, traces = std::move(traces)](Canvas& canvas) {
+            canvas.text(heading.title, {kLeft_px, 22.0}, {.size_px = 23.0, .bold = true});
+            canvas.text(heading.subtitle, {kLeft_px, 56.0},
+                        {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width_px - kGap_px});
+            for (std::size_t k = 0; k < traces.size(); ++k) {
+              const int row = static_cast<int>(k) / columns, column = static_cast<int>(k) % columns;
+              const Trace& trace = traces[k];
+              const Plot plot{{kLeft_px + column * (kWidth_px + kGap_px),
+                               kTop_px + row * (kHeight_px + kGap_px), kWidth_px, kHeight_px},
+                              0.0,
+                              kMs * trace.period_s * static_cast<double>(trace.values.size()),
+                              -most,
+                              most};
+              draw_trace(canvas, trace, plot, column == 0 ? value_name : "");
+            }
+          }};
+}
+
+}  // namespace palpable::draw
