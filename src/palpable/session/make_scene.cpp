@@ -80,6 +80,9 @@ std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const Ras
   if (!wanted && options.background == BackgroundTreatment::keep) return std::nullopt;
   work.report(0.9, "finding the ground");
   auto ground = vision::find_ground(picture, disparity.disparity_px, work);
+  // A plane that is everywhere has nothing on it: it must not swallow the background that is asked for.
+  constexpr double kEverywhere = 0.95;
+  if (ground && !wanted && ground->share > kEverywhere) return std::nullopt;
   if (ground)
     notes.push_back(fmt::format("The ground covers {:.0f} % of the picture, {:.2f} px from a plane.",
                                 100.0 * ground->share, ground->rms_px));
