@@ -10,3 +10,11 @@
 #else
 #define PALPABLE_VECTORIZE
 #endif
+
+/// Before a loop: its turns are independent, so the compiler need not check whether many arrays overlap (it
+/// gives up beyond a few). The arrays must not overlap.
+#if defined(__GNUC__) && !defined(__clang__)
+#define PALPABLE_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define PALPABLE_INDEPENDENT
+#endif

@@ -133,7 +133,7 @@ PALPABLE_VECTORIZE void stand_all(const models::Superquadric& shape, const Colum
   double* __restrict ox = out.outward.x.data();
   double* __restrict oy = out.outward.y.data();
   double* __restrict oz = out.outward.z.data();
-#pragma GCC ivdep
+  PALPABLE_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i) {
     const Gauged g = gauged(s, x[i], y[i], z[i]);
     const double gx = (x[i] < 0.0 ? -1.0 : 1.0) * (g.along_x / g.x);
@@ -163,7 +163,7 @@ PALPABLE_VECTORIZE void radial_rows(const KernelShape& at, const Columns& places
   const double* __restrict w = weights.data();
   double* __restrict out = residuals;
   if (jacobian == nullptr) {
-#pragma GCC ivdep
+    PALPABLE_INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
       const double dx = px[i] - t.x;
       const double dy = py[i] - t.y;
@@ -175,7 +175,7 @@ PALPABLE_VECTORIZE void radial_rows(const KernelShape& at, const Columns& places
     return;
   }
   double* __restrict j = jacobian;
-#pragma GCC ivdep
+  PALPABLE_INDEPENDENT
   for (std::size_t i = 0; i < n; ++i) {
     const double dx = px[i] - t.x;
     const double dy = py[i] - t.y;
