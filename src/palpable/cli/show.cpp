@@ -3,6 +3,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/draw/contours_view.hpp"
+#include "palpable/draw/field_view.hpp"
 #include "palpable/draw/force_view.hpp"
 #include "palpable/draw/height_view.hpp"
 #include "palpable/draw/marks_view.hpp"
@@ -113,9 +114,25 @@ Result<draw::Figure> regions_picture(const Arguments& arguments, const models::S
       "What was told apart in the picture; what has no tint are the things themselves.");
 }
 
+/// Through the middle, or where `--at` says.
+Result<draw::Figure> field_section(const Arguments& arguments, const models::Scene& scene,
+                                   const std::shared_ptr<const models::Field>& field) {
+  const double cut_m =
+      arguments.cut_mm ? *arguments.cut_mm / 1000.0 : 0.5 * (field->least_m.y + field->most_m.y);
+  if (!(cut_m >= field->least_m.y && cut_m <= field->most_m.y))
+    return Error{ErrorCode::usage,
+                 fmt::format("the solid reaches from {:.1f} to {:.1f} mm", 1000.0 * field->least_m.y,
+                             1000.0 * field->most_m.y),
+                 "--at"};
+  return draw::field_section_figure(field, cut_m, heading_of(arguments, scene, "cut from left to right"));
+}
+
 Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene& scene,
                                 const models::Relief& relief) {
   if (arguments.view == "contours") return contours_picture(arguments, scene);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
+      field != nullptr && arguments.view == "section")
+    return field_section(arguments, scene, *field);
   if (arguments.view == "regions") return regions_picture(arguments, scene);
   if (arguments.view == "relief")
     return draw::relief_figure(relief, heading_of(arguments, scene, "relief"),

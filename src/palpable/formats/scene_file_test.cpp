@@ -6,6 +6,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/formats/float_block.hpp"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -92,6 +93,61 @@ TEST(SceneFile, GivesBackContoursAndTheirGroovesExactly) {
   EXPECT_EQ((*contours)->boundaries.origin().threshold, 0.3);
   EXPECT_EQ((*contours)->boundaries.origin().boundary_fraction, 0.125);
   EXPECT_EQ((*contours)->grooves->samples_m(), hills(24, 18));
+}
+
+/// A field of two roots, one of them cut, with a plane that two leaves share, an edge and a curved leaf.
+models::Scene field_scene() {
+  const auto w = [](float v) { return std::bit_cast<std::uint32_t>(v); };
+  constexpr std::uint32_t kLeaf = models::FieldTree::kLeaf;
+  models::FieldTree tree;
+  tree.words = {
+      0U,         w(0), w(0), w(1), w(-0.004F), 1U, w(0.7071068F), w(0.7071068F), w(0),        w(0), w(1),
+      w(-0.004F), w(1), w(0), w(0), w(-0.005F), 4U, w(0.5F),       0x10002000U,   0x30004000U, 0U,   0xFFF0U,
+      7U};
+  tree.nodes = {kLeaf, kLeaf | 5U, kLeaf, kLeaf | 16U, kLeaf, kLeaf, kLeaf | 5U, kLeaf};
+  tree.roots = {0U, kLeaf};
+  auto distance = models::DistanceField::from_tree({{-0.008, -0.004, 0.0}, 0.001, 3, {2, 1, 1}}, tree,
+                                                   {1e-5, 2e-5, 3e-5});
+  models::Scene scene = sample();
+  scene.model = std::make_shared<const models::Field>(
+      *models::field_of(*std::move(distance), {-0.005, -0.003, 0.001}, {0.005, 0.003, 0.004}));
+  return scene;
+}
+
+TEST(SceneFile, GivesBackAFieldsDistancesExactly) {
+  const models::Scene scene = field_scene();
+  const auto back = decode_scene(*encode_scene(scene));
+  ASSERT_TRUE(back) << back.error().sentence();
+  const auto& before = *std::get<std::shared_ptr<const models::Field>>(scene.model);
+  const auto& after = *std::get<std::shared_ptr<const models::Field>>(back->scene.model);
+  EXPECT_EQ(after.distance.leaves(), before.distance.leaves());
+  EXPECT_EQ(after.distance.memory_bytes(), before.distance.memory_bytes());
+  EXPECT_EQ(after.distance.errors().max_m, 3e-5);
+  EXPECT_EQ(after.most_m, before.most_m);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p{-0.008 + 0.016 * (i % 10) / 9.0, -0.004 + 0.008 * (i / 10 % 10) / 9.0,
+                 0.008 * (i / 100) / 9.0};
+    ASSERT_EQ(after.distance.sample(p).distance_m, before.distance.sample(p).distance_m);
+    ASSERT_EQ(after.distance.sample(p).gradient, before.distance.sample(p).gradient);
+  }
+}
+
+TEST(SceneFile, WithADamagedFieldIsRefusedOrHarmless) {
+  const auto members = unzip(*encode_scene(field_scene()));
+  ASSERT_TRUE(members);
+  const Bytes& sound = members->at("cells.field.zst");
+  int refused = 0;
+  for (std::size_t i = 0; i < sound.size(); ++i)
+    for (const int bit : {0, 3, 7}) {
+      ZipMembers damaged = *members;
+      damaged.at("cells.field.zst")[i] ^= static_cast<std::byte>(1U << static_cast<unsigned>(bit));
+      const auto scene = decode_scene(*zip(damaged));
+      refused += scene ? 0 : 1;
+    }
+  EXPECT_GT(refused, static_cast<int>(sound.size()));
+  ZipMembers cut = *members;
+  cut.at("cells.field.zst").resize(sound.size() / 2);
+  EXPECT_FALSE(decode_scene(*zip(cut)));
 }
 
 TEST(SceneFile, GivesTheSameBytesForTheSameScene) {

@@ -1,0 +1,118 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/draw/field_view.hpp"
+
+#include "palpable/draw/plot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::draw {
+namespace {
+
+using models::DistanceField;
+
+constexpr double kMm = 1000.0;
+constexpr double kWidth_px = 1000.0;
+constexpr double kLeft_px = 92.0;
+constexpr double kTop_px = 110.0;
+constexpr double kColourSpan_m = 0.005;
+
+/// Brown inside, blue outside, both deeper with the distance, white at the surface; t from -1 to 1.
+Rgb8 distance_colour(double t) {
+  const double strength = std::sqrt(std::min(std::abs(t), 1.0));
+  const auto mix = [&](double to) {
+    return static_cast<std::uint8_t>(std::lround(255.0 + strength * (to - 255.0)));
+  };
+  return t < 0.0 ? Rgb8{mix(166), mix(98), mix(28)} : Rgb8{mix(66), mix(128), mix(190)};
+}
+Rgb8 bar_colour(double t) { return distance_colour(2.0 * t - 1.0); }
+
+Raster<Rgb8> distances(const DistanceField& field, double y_m, const Plot& plot) {
+  Raster<Rgb8> picture(static_cast<int>(plot.area.width) * 2, static_cast<int>(plot.area.height) * 2);
+  const double step_m = (plot.right - plot.left) / kMm / picture.width();
+  for (int j = 0; j < picture.height(); ++j)
+    for (int i = 0; i < picture.width(); ++i) {
+      const double x_m = plot.left / kMm + (i + 0.5) * step_m, z_m = plot.top / kMm - (j + 0.5) * step_m;
+      const double d = field.sample({x_m, y_m, z_m}).distance_m;
+      Rgb8 colour = distance_colour(d / kColourSpan_m);
+      // A line at every whole millimetre, the surface itself black.
+      const double from_line_m = std::abs(d - 1e-3 * std::round(d / 1e-3));
+      if (from_line_m < 0.6 * step_m) colour = {130, 130, 130};
+      if (std::abs(d) < 1.2 * step_m) colour = {0, 0, 0};
+      picture(i, j) = colour;
+    }
+  return picture;
+}
+
+/// The leaves that the cut goes through, those that are large enough to be seen.
+void draw_cells(Canvas& canvas, const DistanceField& field, double y_m, const Plot& plot) {
+  const models::FieldGrid& grid = field.grid();
+  const int y = std::clamp(static_cast<int>((y_m - grid.origin_m.y) / grid.cell_m), 0, grid.cells(1) - 1);
+  const double cell_px = kMm * grid.cell_m / (plot.right - plot.left) * plot.area.width;
+  constexpr double kLeast_px = 2.5;
+  for (int z = 0; z < grid.cells(2); ++z)
+    for (int x = 0; x < grid.cells(0);) {
+      const DistanceField::Leaf leaf = field.leaf_of(x, y, z);
+      if (leaf.corner[2] == z && leaf.side * cell_px >= kLeast_px) {
+        const Spot low = plot.at(kMm * (grid.origin_m.x + grid.cell_m * leaf.corner[0]),
+                                 kMm * (grid.origin_m.z + grid.cell_m * (leaf.corner[2] + leaf.side)));
+        canvas.frame({low.x, low.y, leaf.side * cell_px, leaf.side * cell_px}, {{40, 40, 40}, 0.4, 0.5});
+      }
+      x = leaf.corner[0] + leaf.side;
+    }
+}
+
+void draw_forces(Canvas& canvas, const DistanceField& field, double y_m, const Plot& plot) {
+  constexpr double kArrowsAcross = 40.0, kPixelsPerN = 8.0, kLongest_px = 26.0;
+  const double spacing_mm = (plot.right - plot.left) / kArrowsAcross;
+  for (double z = plot.bottom + 0.5 * spacing_mm; z < plot.top; z += spacing_mm)
+    for (double x = plot.left + 0.5 * spacing_mm; x < plot.right; x += spacing_mm) {
+      const models::FieldSample s = field.sample({x / kMm, y_m, z / kMm});
+      if (s.distance_m >= 0.0) continue;
+      const double length = std::min(kLongest_px, -s.distance_m * kMm * kPixelsPerN);
+      const Spot from = plot.at(x, z);
+      canvas.arrow(from, {from.x + length * s.gradient.x, from.y - length * s.gradient.z},
+                   {{150, 20, 40}, 1.6});
+    }
+}
+
+}  // namespace
+
+Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m, const Heading& heading) {
+  const models::FieldGrid& grid = field->distance.grid();
+  const Vec3 size = grid.size_m();
+  Plot plot;
+  plot.left = kMm * grid.origin_m.x;
+  plot.right = kMm * (grid.origin_m.x + size.x);
+  plot.bottom = kMm * grid.origin_m.z;
+  plot.top = kMm * (grid.origin_m.z + size.z);
+  const double height_px = std::clamp(kWidth_px * size.z / size.x, 60.0, 1400.0);
+  const double width_px = height_px * size.x / size.z;
+  plot.area = {kLeft_px, kTop_px, width_px, height_px};
+  const Rect bar{plot.area.right() + 30.0, kTop_px, 18.0, std::clamp(height_px, 60.0, 260.0)};
+  const double note_y = std::max(plot.area.bottom(), bar.bottom()) + 70.0;
+  return {
+      static_cast<int>(bar.right() + 110.0), static_cast<int>(note_y + 60.0),
+      [=, field = std::move(field)](Canvas& canvas) {
+        canvas.text(heading.title, {kLeft_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = kWidth_px});
+        canvas.text(heading.subtitle, {kLeft_px, 58.0},
+                    {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = kWidth_px});
+        canvas.picture(distances(field->distance, y_m, plot), plot.area);
+        draw_cells(canvas, field->distance, y_m, plot);
+        draw_forces(canvas, field->distance, y_m, plot);
+        draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
+        draw_colour_bar(canvas, bar, -kMm * kColourSpan_m, kMm * kColourSpan_m, "distance, mm", bar_colour);
+        canvas.text(
+            fmt::format("Cut at {} mm of the height. Black: the surface; grey lines: every millimetre; "
+                        "thin squares: cells; arrows: the force of a spring of 1 N/mm inside, 8 pixels a "
+                        "newton, at most 26.",
+                        label_of(kMm * y_m, 0.1)),
+            {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
+      }};
+}
+
+}  // namespace palpable::draw
