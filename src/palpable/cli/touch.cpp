@@ -4,6 +4,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/make_options.hpp"
+#include "palpable/device/open.hpp"
 #include "palpable/haptics/pacing.hpp"
 #include "palpable/haptics/zero_force.hpp"
 #include "palpable/page/server.hpp"
@@ -227,6 +228,8 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
 
 Result<Answer> touch(Arguments arguments, Console& console) {
   haptics::write_zero_force_on_crash();
+  if (!arguments.device.empty())
+    if (auto known = device::check_device_url(arguments.device); !known) return known.error();
   const auto published = published_as(arguments.as_published);
   if (!published) return published.error();
   Plan plan;

@@ -27,17 +27,31 @@ constexpr std::array kDrivers{
     Driver{"replay", open_replay, "replay", "The movements of a recording once more: replay:FILE."},
 };
 
+Result<const Driver*> driver_of(const DeviceUrl& url) {
+  std::string known;
+  for (const auto& driver : kDrivers) {
+    if (driver.scheme == url.scheme()) return &driver;
+    known += (known.empty() ? "" : ", ") + std::string(driver.scheme) + ":";
+  }
+  return Error{ErrorCode::usage, "there is no device " + url.scheme() + ": (known: " + known + ")", {}};
+}
+
 }  // namespace
+
+Result<void> check_device_url(std::string_view url) {
+  const auto parsed = DeviceUrl::parse(url);
+  if (!parsed) return parsed.error();
+  const auto driver = driver_of(*parsed);
+  if (!driver) return driver.error();
+  return {};
+}
 
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options) {
   auto parsed = DeviceUrl::parse(url);
   if (!parsed) return std::move(parsed).error();
-  std::string known;
-  for (const auto& driver : kDrivers) {
-    if (driver.scheme == parsed->scheme()) return driver.open(*parsed, options);
-    known += (known.empty() ? "" : ", ") + std::string(driver.scheme) + ":";
-  }
-  return Error{ErrorCode::usage, "there is no device " + parsed->scheme() + ": (known: " + known + ")", {}};
+  const auto driver = driver_of(*parsed);
+  if (!driver) return driver.error();
+  return (*driver)->open(*parsed, options);
 }
 
 std::vector<DeviceKind> list_devices() {

@@ -31,6 +31,10 @@ struct OpenOptions {
 /// permission, no answer), invalid_input (a recording that cannot be read).
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options);
 
+/// Whether a URL is well formed and names a kind of device that there is, without opening one: said before
+/// long work begins. Errors: usage.
+Result<void> check_device_url(std::string_view url);
+
 /// A kind of device that can be opened, for `palpable devices`.
 struct DeviceKind {
   /// What open_device() takes: "sim:".
