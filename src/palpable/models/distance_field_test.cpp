@@ -35,6 +35,15 @@ FieldTree quarrelling_tree() {
 
 FieldGrid small_grid() { return {{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}}; }
 
+TEST(FieldLeaf, FacesBackToBackHaveNoEdge) {
+  for (const float cosine : {0.0F, 1e-8F}) {
+    double da = 0.0, db = 0.0;
+    EXPECT_DOUBLE_EQ(convex_meeting(3e-3, 1e-3, {cosine, 1.0F}, 1e-4, da, db), 3e-3);
+    EXPECT_DOUBLE_EQ(da, 1.0);
+    EXPECT_DOUBLE_EQ(db, 0.0);
+  }
+}
+
 TEST(DistanceField, IsContinuousWithItsGradientWhateverItsLeavesHold) {
   const auto field = DistanceField::from_tree(small_grid(), quarrelling_tree(), {});
   ASSERT_TRUE(field) << field.error().sentence();

@@ -46,7 +46,9 @@ inline double convex_meeting(double a, double b, HalfAngle half, double round_m,
   double by_mean = 1.0;
   double by_across = sine * dv;
   double distance = mean + v * sine;
-  if (mean > 0.0 && v * cosine * cosine < mean * sine) {
+  // Faces back to back have no edge, and no fan over it.
+  constexpr double kLeastCosine = 1e-6;
+  if (mean > 0.0 && cosine > kLeastCosine && v * cosine * cosine < mean * sine) {
     const double u = mean / cosine;
     distance = std::sqrt(u * u + v * v);
     by_mean = u / (distance * cosine);

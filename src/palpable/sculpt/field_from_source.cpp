@@ -214,7 +214,7 @@ models::FieldErrors measured(const DistanceField& field, const DistanceSource& s
     const double x = uniform(random), y = uniform(random), z = uniform(random);
     const Vec3 p = field.grid().origin_m + Vec3{x * size.x, y * size.y, z * size.z};
     const double felt = field.sample(p).distance_m;
-    if (felt > bounds.outside_m || felt < -bounds.inside_m) continue;
+    if (!(felt <= bounds.outside_m && felt >= -bounds.inside_m)) continue;
     errors.push_back(std::abs(felt - source.at(p, hint).distance_m));
   }
   models::FieldErrors result;

@@ -86,6 +86,26 @@ TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
   EXPECT_LT(worst, 0.4 * field->cell_m());
 }
 
+/// Beside an opening as wide as a hair, the nearest faces stand back to back.
+class Ridge final : public DistanceSource {
+ public:
+  models::FieldSample at(Vec3 p, Hint&) const override {
+    return {0.001 + std::abs(p.x), {p.x < 0.0 ? -1.0 : 1.0, 0.0, 0.0}};
+  }
+  Box bounds() const override { return {{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}}; }
+};
+
+TEST(FieldFromSource, GivesANumberWhereFacesStandBackToBack) {
+  FieldOptions options;
+  options.resolution = 32;
+  const auto field = field_from_source(Ridge{}, options, {});
+  ASSERT_TRUE(field);
+  for (int i = -90; i <= 90; ++i) {
+    const double x = 1e-4 * i;
+    EXPECT_NEAR(field->sample({x, 0.002, -0.003}).distance_m, 0.001 + std::abs(x), 2e-4) << x;
+  }
+}
+
 TEST(FieldFromSource, IsTheSameForAnyNumberOfThreads) {
   const Ball ball(0.02);
   FieldOptions options;

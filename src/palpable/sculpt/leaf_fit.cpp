@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace palpable::sculpt {
 namespace {
@@ -80,12 +81,15 @@ class Judge {
     return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
   }
 
-  /// Over all places; gives up above `enough`.
+  /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
   double error(const LeafFit& leaf, double enough) const {
     double worst = 0.0;
     Squares squares;
-    for (std::size_t k = 0; k < kFitPlaces && worst <= enough; ++k)
-      worst = std::max(worst, at(leaf, fit_place(k), samples_.at[k], squares));
+    for (std::size_t k = 0; k < kFitPlaces && worst <= enough; ++k) {
+      const double here = at(leaf, fit_place(k), samples_.at[k], squares);
+      if (!std::isfinite(here)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, here);
+    }
     return std::max(worst, std::sqrt(std::max(squares.value, squares.gradient) / kFitPlaces));
   }
 
@@ -275,8 +279,8 @@ class Search {
 
   bool try_leaf(LeafFit leaf) {
     leaf.error = judge_.error(leaf, std::max(1.0, best_.error));
-    if (best_.count == 0 || leaf.error < best_.error) best_ = leaf;
-    return best_.error <= 1.0;
+    if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
+    return best_.count > 0 && best_.error <= 1.0;
   }
   bool try_pair(const Piece& a, const Piece& b, HalfAngle half) {
     if (!meet_well(half)) return false;
