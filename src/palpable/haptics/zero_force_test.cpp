@@ -35,7 +35,7 @@ class TellingDevice final : public device::Device {
   }
   void write(Vector<DeviceFrame> force_N) noexcept override {
     last_N = norm(force_N);
-    if (last_N > 0.5) pushed = true;
+    if (last_N > 0.5 && !pushed.exchange(true)) pushed.notify_all();
   }
   void stop() noexcept override {
     constexpr char kText[] = "zero force\n";
@@ -68,7 +68,7 @@ struct Wall {
   }
   /// The force rises in a quarter of a second.
   bool comes_to_push() const {
-    for (int i = 0; i < 1000 && !device->pushed; ++i) std::this_thread::sleep_for(10ms);
+    device->pushed.wait(false);
     return device->pushed;
   }
   TellingDevice* device = nullptr;
