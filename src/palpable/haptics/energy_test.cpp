@@ -1,13 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // What the default law makes of energy in hands of every kind, at the stiffness limit and far above it.
-#include "palpable/device/simulated_hand.hpp"
 #include "palpable/haptics/stability.hpp"
+#include "palpable/haptics/test_hands.hpp"
 #include "palpable/haptics/test_scenes.hpp"
 #include "palpable/haptics/tick.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -39,21 +38,10 @@ double made_by(const device::HandOptions& options, double times_the_limit, doubl
 }
 
 TEST(Energy, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
-  // Masses, stiffnesses and dampings over the ranges of docs/devices.md; sensors of 7 to 64 µm; delay 0 to 2.
-  std::mt19937_64 random(17);
-  const auto uniform = [&](double least, double most) {
-    return least + (most - least) * static_cast<double>(random() >> 11) * 0x1.0p-53;
-  };
+  Hands hands(17);
   double most_above_J = 0.0;
   for (int round = 0; round < 6; ++round) {
-    device::HandOptions hand;
-    hand.device_mass_kg = uniform(0.05, 0.2);
-    hand.arm_mass_kg = uniform(0.0, 0.3);
-    hand.arm_stiffness_N_per_m = uniform(50.0, 1000.0);
-    hand.arm_damping_Ns_per_m = uniform(2.0, 20.0);
-    hand.resolution_m = uniform(7e-6, 64e-6);
-    hand.delay_samples = round % 3;
-    hand.max_force_N = 10.0;
+    device::HandOptions hand = hands.next();
     hand.explorer.script = device::ExplorerOptions::Script::random;
     hand.explorer.workspace_m = {0.04, 0.03, 0.03};
     hand.explorer.seed = static_cast<std::uint64_t>(round) + 1;

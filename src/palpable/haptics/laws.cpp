@@ -148,17 +148,20 @@ MaterialMap materials_of(const models::Scene& scene, const Relief& relief, const
 
 /// The relief itself for a point; dilated for a ball. The relief's slopes bound the dilated one's.
 Result<std::shared_ptr<const Relief>> surface_for(const std::shared_ptr<const Relief>& relief,
-                                                  double radius_m) {
+                                                  double radius_m, DilatedRelief* kept) {
   if (radius_m == 0.0) return relief;
+  if (kept != nullptr && kept->of == relief && kept->radius_m == radius_m) return kept->surface;
   auto dilated = Relief::from_samples(
       models::dilate_by_ball(relief->samples_m(), relief->pixel_m(), radius_m, Work{}), relief->pixel_m());
   if (!dilated) return dilated.error();
-  return std::make_shared<const Relief>(std::move(*dilated));
+  auto surface = std::make_shared<const Relief>(std::move(*dilated));
+  if (kept != nullptr) *kept = {relief, radius_m, surface};
+  return surface;
 }
 
 Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
                                                    const std::shared_ptr<const Relief>& relief,
-                                                   const LawParameters& p) {
+                                                   const LawParameters& p, DilatedRelief* kept) {
   std::uint64_t family = mixed(static_cast<std::uint64_t>(p.law), content_hash(*relief));
   switch (p.law) {
     case Law::rolling:
@@ -177,7 +180,7 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
     case Law::grid:
       break;
   }
-  auto surface = surface_for(relief, p.radius_m);
+  auto surface = surface_for(relief, p.radius_m, kept);
   if (!surface) return surface.error();
   family = mixed(family, std::bit_cast<std::uint64_t>(p.radius_m));
   MaterialMap materials = materials_of(scene, *relief, p);
@@ -195,7 +198,7 @@ Result<std::shared_ptr<const Touchable>> on_field(const models::Scene& scene,
                                                   const std::shared_ptr<const models::Field>& field,
                                                   const LawParameters& p) {
   // Seen from above it is a relief: for devices that move in a plane.
-  if (p.law == Law::rolling) return on_relief(scene, field->from_above, p);
+  if (p.law == Law::rolling) return on_relief(scene, field->from_above, p, nullptr);
   const std::shared_ptr<const models::DistanceField> surface(field, &field->distance);
   MaterialMap materials = materials_of(scene, *field->from_above, p);
   const std::uint64_t family = mixed(mixed(static_cast<std::uint64_t>(p.law), content_hash(*surface)),
@@ -265,23 +268,24 @@ std::vector<Law> laws_for(const models::Scene& scene) {
 }
 
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
-                                                        const LawParameters& parameters) {
+                                                        const LawParameters& parameters,
+                                                        DilatedRelief* kept) {
   if (const auto sound = check(parameters); !sound) return sound.error();
   const auto laws = laws_for(scene);
   if (std::find(laws.begin(), laws.end(), parameters.law) == laws.end())
     return usage("the law " + std::string(name_of(parameters.law)) + " does not exist for a " +
                  models::kind_of(scene.model));
   if (const auto* relief = std::get_if<std::shared_ptr<const Relief>>(&scene.model))
-    return on_relief(scene, *relief, parameters);
+    return on_relief(scene, *relief, parameters, kept);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
     return on_field(scene, *field, parameters);
   if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model)) {
     if (parameters.law == Law::grid) return on_grid(scene, *grid, parameters);
-    return on_relief(scene, (*grid)->from_above, parameters);
+    return on_relief(scene, (*grid)->from_above, parameters, kept);
   }
   const auto& contours = std::get<std::shared_ptr<const models::Contours>>(scene.model);
   if (parameters.law == Law::tracing) return on_boundaries(contours, parameters);
-  return on_relief(scene, contours->grooves, parameters);
+  return on_relief(scene, contours->grooves, parameters, kept);
 }
 
 }  // namespace palpable::haptics

@@ -70,10 +70,19 @@ struct LawParameters {
   Averaging averaging;
 };
 
+/// A relief dilated by the ball that touches it: what make_touchable() took long to make, kept by who changes
+/// parameters while somebody touches. Empty at first. One thread at a time.
+struct DilatedRelief {
+  std::shared_ptr<const models::Relief> of;
+  double radius_m = 0.0;
+  std::shared_ptr<const models::Relief> surface;
+};
+
 /// Surface + law, ready for the servo loop. Work that a law needs once (dilating a relief by the ball)
-/// happens here, outside the tick: up to a second for large radii. Errors: usage for a parameter out of its
-/// range or a law that this kind of scene does not have.
+/// happens here, outside the tick: up to a second for large radii; not again where `kept` already has it.
+/// Errors: usage for a parameter out of its range or a law that this kind of scene does not have.
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
-                                                        const LawParameters& parameters);
+                                                        const LawParameters& parameters,
+                                                        DilatedRelief* kept = nullptr);
 
 }  // namespace palpable::haptics

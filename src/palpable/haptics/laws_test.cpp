@@ -21,27 +21,10 @@ TEST(RollingLaw, DoesNoWorkRoundClosedLoopsWhereSobelDoes) {
     LawParameters p;
     p.law = kind;
     p.damping_Ns_per_m = 0.0;
-    const auto law = made(scene, p);
-    TouchState state;
-    double work = 0.0;
-    double low = 0.0;
-    double high = 0.0;
-    Vec3 last{};
-    Vec3 last_force{};
-    const int n = 400000;
-    for (int k = 0; k <= n; ++k) {
-      const double t = 2 * M_PI * k / n;
-      const Vec3 p_m{0.015 * std::sin(t) + 0.003 * std::sin(3 * t), 0.012 * std::sin(2 * t + 0.3), 0};
-      const Vec3 f = feel_at(*law, state, p_m).force_N.v;
-      if (k > 0) {
-        work += dot(0.5 * (f + last_force), p_m - last);
-        low = std::min(low, work);
-        high = std::max(high, work);
-      }
-      last = p_m;
-      last_force = f;
-    }
-    return std::abs(work) / (high - low);
+    const LoopWork loop = work_round(*made(scene, p), 400000, 0, [](double t) {
+      return Vec3{0.015 * std::sin(t) + 0.003 * std::sin(3 * t), 0.012 * std::sin(2 * t + 0.3), 0};
+    });
+    return std::abs(loop.net_J) / loop.swing_J;
   };
   EXPECT_LE(net_of(Law::rolling), 1e-6);
   EXPECT_GE(net_of(Law::sobel), 1e-3);

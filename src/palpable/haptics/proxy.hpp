@@ -69,6 +69,14 @@ class ProxyLaw {
     bool touching = false;
   };
 
+  /// A surface's upward normal (-dz/dx, -dz/dy, 1), and one over its length's square.
+  struct Upward {
+    explicit Upward(const models::CurvedSample& s) noexcept
+        : v{-s.dzdx, -s.dzdy, 1.0}, per_length2(1.0 / (1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))) {}
+    Vec3 v;
+    double per_length2;
+  };
+
   Contact contact_here(double dt_s, State& state) const noexcept {
     if (!materials_.has_labels()) return materials_.contact(0);
     state.label = materials_.label_at(state.proxy.place_m.x, state.proxy.place_m.y);
@@ -89,16 +97,15 @@ class ProxyLaw {
                     const Before& before) noexcept {
     const Vec3 spring = contact.stiffness_N_per_m * (proxy.place_m - hand.position.v);
     if (proxy.phase != SurfaceProxy::Phase::touching) return spring;
-    const models::CurvedSample& s = proxy.surface;
-    const Vec3 normal =
-        (1.0 / std::sqrt(1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy))) * Vec3{-s.dzdx, -s.dzdy, 1.0};
-    const double spring_normal = dot(spring, normal);
-    const double damper = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, normal);
+    // The upward normal is left as long as it comes: the push does not wait for a root.
+    const Upward up(proxy.surface);
+    const double spring_up = dot(spring, up.v);
+    const double damper_up = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, up.v);
     // The damper may take the push away but never turns it into a pull. A proxy that the surface let go of in
     // this very tick is followed by the spring alone.
-    const double pressing = spring_normal > 0.0 ? std::max(0.0, spring_normal + damper) : spring_normal;
-    return spring + (pressing - spring_normal) * normal +
-           grip(hand, contact, proxy, before, normal, pressing);
+    const double pressing_up = spring_up > 0.0 ? std::max(0.0, spring_up + damper_up) : spring_up;
+    return spring + ((pressing_up - spring_up) * up.per_length2) * up.v +
+           grip(hand, contact, proxy, before, up, pressing_up);
   }
 
   /// A texture of height h under the proxy is a surface that stands h higher: the potential k·depth·h more,
@@ -113,9 +120,8 @@ class ProxyLaw {
     if (state.texture_label != state.label) state.texture_share = 0.0;
     state.texture_label = state.label;
     state.texture_share += hand.dt_s / (hand.dt_s + kMaterialEase_s) * (1.0 - state.texture_share);
-    const models::CurvedSample& s = proxy.surface;
-    const double length2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
-    const Vec3 normal = (1.0 / std::sqrt(length2)) * Vec3{-s.dzdx, -s.dzdy, 1.0};
+    const Upward up(proxy.surface);
+    const Vec3 normal = std::sqrt(up.per_length2) * up.v;
     const double depth = dot(proxy.place_m - hand.position.v, normal);
     if (!(depth > 0.0)) return;
     const double share =
@@ -136,13 +142,14 @@ class ProxyLaw {
   /// needs a damper, or it makes energy. Where the proxy slides along with the hand nothing stretches and
   /// nothing is damped. Friction carries it: at most as much as the cone allows.
   static Vec3 grip(const Hand& hand, const Contact& contact, const SurfaceProxy& proxy, const Before& before,
-                   Vec3 normal, double pressing_N) noexcept {
+                   const Upward& up, double pressing_up) noexcept {
     if (!before.touching) return {};
     const Vec3 v = hand.velocity_m_per_s.v;
-    const Vec3 along = v - dot(v, normal) * normal;
+    const Vec3 along = v - (dot(v, up.v) * up.per_length2) * up.v;
     const double speed = norm(along);
     const double held = speed - norm(proxy.place_m - before.place_m) / hand.dt_s;
     if (held <= 0.0) return {};
+    const double pressing_N = pressing_up * std::sqrt(up.per_length2);
     const double drag_N = std::min(contact.damping_Ns_per_m * held, contact.static_friction * pressing_N);
     return (-drag_N / speed) * along;
   }

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/stability.hpp"
 
-#include "palpable/device/simulated_hand.hpp"
+#include "palpable/haptics/test_hands.hpp"
 #include "palpable/haptics/test_touch.hpp"
 #include "palpable/haptics/tick.hpp"
 
 #include <algorithm>
 #include <memory>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -76,24 +75,13 @@ TEST(SafeContact, BoundsNothingWithoutMotors) {
 }
 
 TEST(SafeContact, ComesToRestInEveryHandThatWeTried) {
-  // Masses, stiffnesses and dampings over the ranges of docs/devices.md; sensors of 7 to 64 µm; delay 0 to 2.
-  std::mt19937_64 random(11);
-  const auto uniform = [&](double least, double most) {
-    return least + (most - least) * static_cast<double>(random() >> 11) * 0x1.0p-53;
-  };
+  Hands hands(11);
   for (int round = 0; round < 60; ++round) {
-    device::HandOptions hand;
-    hand.device_mass_kg = uniform(0.05, 0.2);
-    hand.arm_mass_kg = uniform(0.0, 0.3);
-    hand.arm_stiffness_N_per_m = uniform(50.0, 1000.0);
-    hand.arm_damping_Ns_per_m = uniform(2.0, 20.0);
-    hand.resolution_m = uniform(7e-6, 64e-6);
-    hand.delay_samples = round % 3;
-    hand.max_force_N = 10.0;
+    device::HandOptions hand = hands.next();
     hand.explorer.script = device::ExplorerOptions::Script::hold;
     device::SimulatedHand simulated(hand);
-    const auto safe =
-        safe_contact(simulated.traits(), hand.rate_hz, 1.0, uniform(100.0, 5000.0), uniform(0.0, 2.0));
+    const auto safe = safe_contact(simulated.traits(), hand.rate_hz, 1.0, hands.uniform(100.0, 5000.0),
+                                   hands.uniform(0.0, 2.0));
     Program program;
     program.touchable = std::make_shared<SpringSurface>(flat, safe.stiffness_N_per_m, safe.damping_Ns_per_m);
     TickOptions options;

@@ -7,6 +7,7 @@
 #include "palpable/haptics/laws.hpp"
 #include "palpable/models/relief_shaping.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -63,6 +64,37 @@ inline Feel feel_at(const Touchable& t, TouchState& state, Vec3 p) {
   Hand hand;
   hand.position = {p};
   return t.feel(hand, state);
+}
+
+/// What a hand's force does round a closed loop: its work, and how far that work swung on the way.
+struct LoopWork {
+  double net_J = 0.0;
+  double swing_J = 0.0;
+};
+
+/// `place(angle)` runs round once in `ticks` ticks; what happens in the `settling` rounds before does not
+/// count.
+template <class Place>
+LoopWork work_round(const Touchable& touchable, int ticks, int settling, Place place) {
+  TouchState state;
+  LoopWork loop;
+  double low_J = 0.0;
+  double high_J = 0.0;
+  Vec3 last_m{};
+  Vec3 last_N{};
+  for (int k = 0; k <= (settling + 1) * ticks; ++k) {
+    const Vec3 at_m = place(2 * M_PI * k / ticks);
+    const Vec3 force_N = feel_at(touchable, state, at_m).force_N.v;
+    if (k > settling * ticks) {
+      loop.net_J += dot(0.5 * (force_N + last_N), at_m - last_m);
+      low_J = std::min(low_J, loop.net_J);
+      high_J = std::max(high_J, loop.net_J);
+    }
+    last_m = at_m;
+    last_N = force_N;
+  }
+  loop.swing_J = high_J - low_J;
+  return loop;
 }
 
 }  // namespace palpable::haptics

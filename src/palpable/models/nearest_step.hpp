@@ -41,9 +41,10 @@ inline GroundStep step_towards_nearest(Vec3 d, const CurvedSample& s, double par
   const double determinant = bends_rightly ? bent_determinant : kLeast * level_determinant;
   const double x = yy * down_x - xy * down_y;
   const double y = xx * down_y - xy * down_x;
-  // The shorter of the two steps, neither of which waits for the other; infinite where there is none to make.
-  const double longest = longest_m / std::sqrt(x * x + y * y);
-  const double along = std::min(part / determinant, longest);
+  // Divided before `part` is known, and its length taken only where it is too long: a tick waits for this.
+  double along = part * (1.0 / determinant);
+  const double whole2 = x * x + y * y;
+  if (along * along * whole2 > longest_m * longest_m) along = longest_m / std::sqrt(whole2);
   return {along * x, along * y};
 }
 

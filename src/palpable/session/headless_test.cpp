@@ -70,7 +70,8 @@ TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
   const auto device = device::open_device("sim:", {});
   ASSERT_TRUE(device);
   const auto& traits = (*device)->traits();
-  const auto prepared = prepare_program(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits));
+  KeptSurfaces kept;
+  const auto prepared = prepare_program(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits), kept);
   ASSERT_TRUE(prepared) << prepared.error().sentence();
   Ring<haptics::TouchEvent> events(4096);
   haptics::Tick tick(**device, prepared->program, {}, events);

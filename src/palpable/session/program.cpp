@@ -106,11 +106,27 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
   if (!lowered.empty()) prepared.notices.push_back(std::move(lowered));
 }
 
+Result<models::Scene> with_kept_depth(const models::Scene& scene, double depth, KeptSurfaces& kept) {
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
+  if (relief == nullptr || depth == 1.0) return with_depth(scene, depth);
+  if (kept.of != *relief || kept.depth != depth) {
+    auto deep = with_depth(scene, depth);
+    if (!deep) return deep;
+    kept.of = *relief;
+    kept.depth = depth;
+    kept.deep = std::get<std::shared_ptr<const models::Relief>>(deep->model);
+  }
+  models::Scene result = scene;
+  result.model = kept.deep;
+  return result;
+}
+
 }  // namespace
 
 Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
                                         const device::Traits& device, double rate_hz,
-                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device) {
+                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                        KeptSurfaces& kept) {
   PreparedProgram prepared;
   prepared.law = settings.law;
   const auto laws = haptics::laws_for(scene);
@@ -132,12 +148,12 @@ Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchS
     prepared.law.stiffness_N_per_m.reset();
     prepared.law.damping_Ns_per_m.reset();
   }
-  auto deep = with_depth(scene, settings.depth);
+  auto deep = with_kept_depth(scene, settings.depth, kept);
   if (!deep) return std::move(deep).error();
   make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
   make_carried(*deep, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = deep->materials;
-  auto touchable = haptics::make_touchable(*deep, prepared.law);
+  auto touchable = haptics::make_touchable(*deep, prepared.law, &kept.dilated);
   if (!touchable) return std::move(touchable).error();
   prepared.program.touchable = std::move(*touchable);
   prepared.program.scene_from_device = scene_from_device;

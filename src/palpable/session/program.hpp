@@ -33,10 +33,20 @@ Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, con
 /// -4…4, or not 1 for a scene that is no relief.
 Result<models::Scene> with_depth(const models::Scene& scene, double depth);
 
+/// What preparing took long to make of a scene, kept from change to change of one touch. Empty at first.
+struct KeptSurfaces {
+  std::shared_ptr<const models::Relief> of;
+  double depth = 1.0;
+  std::shared_ptr<const models::Relief> deep;
+  haptics::DilatedRelief dilated;
+};
+
 /// Law on scene for a device, its walls no stiffer than the device can render at that rate
-/// (haptics/stability.hpp). Errors: as make_touchable() and with_depth().
+/// (haptics/stability.hpp). A change of parameters alone finds its surface in `kept`. Errors: as
+/// make_touchable() and with_depth().
 Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
                                         const device::Traits& device, double rate_hz,
-                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device);
+                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                        KeptSurfaces& kept);
 
 }  // namespace palpable::session

@@ -44,6 +44,8 @@ struct TouchSession::Inside {
   std::unique_ptr<haptics::ServoLoop> loop;
 
   std::mutex changing;
+  /// Read and written under `changing`.
+  KeptSurfaces kept;
   mutable std::mutex state;
   std::shared_ptr<const models::Scene> scene;
   TouchSettings settings;
@@ -82,7 +84,7 @@ Result<void> TouchSession::Inside::change(std::shared_ptr<const models::Scene> t
                                           const TouchSettings& to_settings,
                                           const Transform<SceneFrame, DeviceFrame>& to_place) {
   auto prepared =
-      prepare_program(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place);
+      prepare_program(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
   if (!prepared) return std::move(prepared).error();
   const std::lock_guard lock(state);
   prepared->program.id = ++programs;
@@ -112,7 +114,8 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   auto device = device::open_device(device_url, {options.seed, options.servo.rate_hz, inside->pointer});
   if (!device) return std::move(device).error();
   const auto place = fit_workspace(*scene, (*device)->traits());
-  auto prepared = prepare_program(*scene, settings, (*device)->traits(), options.servo.rate_hz, place);
+  auto prepared =
+      prepare_program(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, inside->kept);
   if (!prepared) return std::move(prepared).error();
   prepared->program.id = ++inside->programs;
   inside->described_now = inside->described(*prepared, *scene, settings.depth);
