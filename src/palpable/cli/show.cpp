@@ -80,8 +80,8 @@ Result<draw::Figure> force_picture(const Arguments& arguments, const models::Sce
 double cut_through_the_top_m(const models::Relief& relief) {
   const auto& heights = relief.samples_m();
   const auto top = std::max_element(heights.values().begin(), heights.values().end());
-  const auto row = static_cast<double>((top - heights.values().begin()) / heights.width());
-  return -(row - 0.5 * (heights.height() - 1)) * relief.pixel_m();
+  const auto row = (top - heights.values().begin()) / heights.width();
+  return -(static_cast<double>(row) - 0.5 * (heights.height() - 1)) * relief.pixel_m();
 }
 
 Result<draw::Figure> contours_picture(const Arguments& arguments, const models::Scene& scene) {

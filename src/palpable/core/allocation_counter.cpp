@@ -10,7 +10,7 @@
 
 namespace {
 // Runs while the program starts, before any thread of ours.
-const bool declared = (palpable::allocation_counter::declare_linked(), true);
+const bool kDeclared = (palpable::allocation_counter::declare_linked(), true);
 }  // namespace
 
 #ifdef PALPABLE_SANITIZED

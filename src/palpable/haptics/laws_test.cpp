@@ -169,6 +169,7 @@ TEST(ProbePath, GivesTheSameForcesEachTimeAndChecksItsInput) {
   const models::Scene scene = scene_of(random_hills(100, 80, 17));
   const auto law = made(scene, {});
   std::vector<PathSample> path;
+  path.reserve(3000);
   for (int k = 0; k < 3000; ++k)
     path.push_back({0.001 * k, {{0.008 * std::sin(0.004 * k), 0.006 * std::sin(0.007 * k), 0.002}}});
   ASSERT_TRUE(check_path(path));

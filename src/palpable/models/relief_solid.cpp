@@ -53,6 +53,7 @@ Mesh solid_of(const Relief& relief, const SolidOptions& options) {
     }
   const auto top = border_of(columns, rows);
   std::vector<std::uint32_t> bottom;
+  bottom.reserve(top.size());
   for (const std::uint32_t k : top)
     bottom.push_back(add(mesh.vertices_m[k].x, mesh.vertices_m[k].y, -options.base_plate_m));
   const std::uint32_t centre = add(0.0, 0.0, -options.base_plate_m);
