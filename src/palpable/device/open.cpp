@@ -56,6 +56,7 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
 
 std::vector<DeviceKind> list_devices() {
   std::vector<DeviceKind> kinds;
+  kinds.reserve(kDrivers.size());
   for (const auto& driver : kDrivers)
     kinds.push_back({std::string(driver.scheme) + ":",
                      std::string(driver.name),
