@@ -32,14 +32,11 @@ class RealPairs : public testing::Test {
     EXPECT_TRUE(l && r) << left;
     return {*std::move(l), *std::move(r), {}};
   }
-  std::vector<StereoPair> chessboards() const {
-    std::vector<StereoPair> pairs;
-    for (const int i : {1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14}) {
-      const std::string number = (i < 10 ? "0" : "") + std::to_string(i) + ".jpg";
-      pairs.push_back(read("calib_chessboard/left" + number, "calib_chessboard/right" + number));
-    }
-    return pairs;
+  StereoPair chessboard(int i) const {
+    const std::string number = (i < 10 ? "0" : "") + std::to_string(i) + ".jpg";
+    return read("calib_chessboard/left" + number, "calib_chessboard/right" + number);
   }
+  static constexpr std::array kChessboards{1, 2, 3, 4, 5, 6, 7, 8, 9, 11, 12, 13, 14};
   std::string stereo_;
 };
 
@@ -63,10 +60,10 @@ double corner_rms_px(const StereoPair& pair) {
 }
 
 TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
-  // A board repeats itself: where it fills the picture, few features elsewhere say how the cameras stand.
-  for (const int i : {0, 5, 6, 11}) {
-    const StereoPair pair = chessboards()[static_cast<std::size_t>(i)];
-    const auto aligned = align_uncalibrated(pair, {});
+  // A board repeats itself: features find nothing on it, tracked corners do. Of the eleven pairs whose board
+  // is whole in both pictures nine reach 0.32 pixels; two do not (docs/measurements.md).
+  for (const int i : {1, 4, 9, 14}) {
+    const auto aligned = align_uncalibrated(chessboard(i), {});
     ASSERT_TRUE(aligned);
     EXPECT_GT(aligned->residual_before_px, 8.0) << i;
     EXPECT_LE(aligned->residual_px, 0.5) << i;
@@ -75,7 +72,8 @@ TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
 }
 
 TEST_F(RealPairs, ChessboardsOfCalibratedCamerasShareScanlines) {
-  const auto pairs = chessboards();
+  std::vector<StereoPair> pairs;
+  for (const int i : kChessboards) pairs.push_back(chessboard(i));
   const auto calibration = calibrate_from_chessboards(pairs, {}, {});
   ASSERT_TRUE(calibration);
   EXPECT_EQ(calibration->pairs_used, 13);

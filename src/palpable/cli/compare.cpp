@@ -16,7 +16,7 @@ namespace palpable::cli {
 namespace {
 
 struct Arguments {
-  std::string left, right, output = "comparison.png";
+  std::string output = "comparison.png";
   std::string truth, mask;
   std::optional<double> truth_scale;
   StereoArguments stereo;
@@ -53,8 +53,7 @@ Result<Outcome> outcome_of(vision::StereoMethod method, const vision::StereoPair
   const auto begin = std::chrono::steady_clock::now();
   auto match = vision::match(pair, method, {arguments.stereo.max_disparity_px}, console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  if (!match)
-    return Error{match.error().code, match.error().message, arguments.left + " and " + arguments.right};
+  if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   Outcome out{method, seconds.count(), std::move(match->disparity), {}};
   // Every method sees the same pair and says the same of it.
   if (method == vision::available_stereo_methods().front())
@@ -91,8 +90,7 @@ std::string table_of(const std::vector<Outcome>& outcomes, bool scored) {
 draw::Figure picture_of(const vision::StereoPair& pair, const std::vector<Outcome>& outcomes,
                         const std::optional<Truth>& truth, const Arguments& arguments) {
   std::vector<draw::Panel> panels;
-  panels.push_back(
-      {"left picture", std::filesystem::path(arguments.left).filename().string(), rgb8(pair.left)});
+  panels.push_back({"left picture", names_of(arguments.stereo), rgb8(pair.left)});
   if (truth)
     panels.push_back(
         {"truth", std::filesystem::path(arguments.truth).filename().string(), truth->disparity_px});
@@ -124,8 +122,7 @@ Json json_of(const std::vector<Outcome>& outcomes) {
 Result<Answer> compare(const Arguments& arguments, Console& console) {
   const auto truth = read_truth(arguments);
   if (!truth) return truth.error();
-  const auto ready = session::read_stereo_pair(
-      stereo_input({arguments.left, arguments.right}, arguments.stereo), console.work());
+  const auto ready = session::read_stereo_pair(stereo_input(arguments.stereo), console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
   if (*truth && ready->aligned_by != session::AlignedBy::nothing)
@@ -159,8 +156,7 @@ void add_compare(Program& program) {
                   "  palpable compare imL.png imR.png --truth groundtruth.png --truth-scale 4 --mask "
                   "nonocc.png -o all.png",
                   [arguments](Console& console) { return compare(*arguments, console); });
-  options.argument("LEFT", arguments->left, "Left picture");
-  options.argument("RIGHT", arguments->right, "Right picture");
+  add_pair_arguments(options, arguments->stereo);
   options.text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf); else comparison.png");
   options.text("--truth", arguments->truth, "True disparity of the left picture");
   options.number("--truth-scale", arguments->truth_scale, {1e-6, 1e6},

@@ -15,7 +15,7 @@ namespace palpable::cli {
 namespace {
 
 struct Arguments {
-  std::string left, right, output;
+  std::string output;
   std::string aligned;
   StereoArguments stereo;
   bool features = false;
@@ -50,8 +50,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
     return Error{ErrorCode::usage, "disparity is written as .pfm or .png", arguments.output};
   const auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
-  const auto ready = session::read_stereo_pair(
-      stereo_input({arguments.left, arguments.right}, arguments.stereo), console.work());
+  const auto ready = session::read_stereo_pair(stereo_input(arguments.stereo), console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
   if (const auto written = write_aligned(arguments.aligned, ready->pair); !written) return written.error();
@@ -59,7 +58,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   const auto match = vision::match(ready->pair, *method, options_of(arguments), console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  if (!match) return Error{match.error().code, match.error().message, match.error().place};
+  if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   for (const std::string& note : match->notes) console.note(note);
   const Raster<float>& disparity_px = match->disparity.disparity_px;
   if (const auto written = write_disparity(output, disparity_px); !written) return written.error();
@@ -89,10 +88,10 @@ void add_depth(Program& program) {
   Options options =
       add_command(program, "depth", "Disparity of a stereo pair, left picture as the reference",
                   "  palpable depth left.png right.png -o depth.pfm\n"
-                  "  palpable depth left.png right.png -o depth.png --method scanline --max-disparity 64",
+                  "  palpable depth left.png right.png -o depth.png --method scanline --max-disparity 64\n"
+                  "  palpable depth camera.mpo -o depth.pfm",
                   [arguments](Console& console) { return depth(*arguments, console); });
-  options.argument("LEFT", arguments->left, "Left picture");
-  options.argument("RIGHT", arguments->right, "Right picture");
+  add_pair_arguments(options, arguments->stereo);
   options.required_text(
       "-o,--output", arguments->output,
       "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");

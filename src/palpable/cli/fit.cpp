@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/say_aloud.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/draw/marks_view.hpp"
 #include "palpable/vision/fit_to_touch.hpp"
@@ -13,29 +14,29 @@ namespace palpable::cli {
 namespace {
 
 struct Arguments {
-  std::string left, right, output;
+  std::string output;
   StereoArguments stereo;
+  bool speak = false;
 };
 
 draw::Figure picture_of(const vision::StereoPair& pair, const vision::FitToTouch& fit,
                         const Arguments& arguments, const std::string& sentence) {
-  const std::string names = std::filesystem::path(arguments.left).filename().string() + " and " +
-                            std::filesystem::path(arguments.right).filename().string();
   return draw::marks_figure(rgb8(pair.left), fit.trouble,
                             {{"seen by one camera only", {225, 120, 40}},
                              {"no texture to go by", {60, 120, 215}},
                              {"the pictures contradict each other", {200, 40, 120}}},
-                            {"Is this pair fit to touch?", names}, sentence);
+                            {"Is this pair fit to touch?", names_of(arguments.stereo)}, sentence);
 }
 
 Result<Answer> fit(const Arguments& arguments, Console& console) {
-  const auto ready = session::read_stereo_pair(
-      stereo_input({arguments.left, arguments.right}, arguments.stereo), console.work());
+  auto method = stereo_method(arguments.stereo);
+  if (!method) return method.error();
+  if (arguments.stereo.method.empty()) method = vision::StereoMethod::fast;
+  const auto ready = session::read_stereo_pair(stereo_input(arguments.stereo), console.work());
   if (!ready) return ready.error();
-  const auto match = vision::match(ready->pair, vision::StereoMethod::fast,
-                                   {arguments.stereo.max_disparity_px}, console.work());
-  if (!match)
-    return Error{match.error().code, match.error().message, arguments.left + " and " + arguments.right};
+  const auto match =
+      vision::match_confirmed(ready->pair, *method, {arguments.stereo.max_disparity_px}, console.work());
+  if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   std::vector<std::string> notes = ready->notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   for (const std::string& note : notes) console.note(note);
@@ -47,7 +48,9 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
         !written)
       return written.error();
   Answer answer;
+  if (arguments.speak) say_aloud(sentence, console);
   answer.json = {{"sentence", sentence},
+                 {"method", vision::name_of(*method)},
                  {"agreement", fit.agreement},
                  {"coverage", fit.coverage},
                  {"textured", fit.textured},
@@ -68,10 +71,10 @@ void add_fit(Program& program) {
                                 "  palpable fit left.jpg right.jpg\n"
                                 "  palpable fit left.jpg right.jpg -o fit.png",
                                 [arguments](Console& console) { return fit(*arguments, console); });
-  options.argument("LEFT", arguments->left, "Left picture");
-  options.argument("RIGHT", arguments->right, "Right picture");
+  add_pair_arguments(options, arguments->stereo);
   options.text("-o,--output", arguments->output, "Picture of where it will feel wrong (.png, .svg, .pdf)");
-  add_pair_options(options, arguments->stereo);
+  options.flag("--speak", arguments->speak, "Say the sentence aloud");
+  add_stereo_options(options, arguments->stereo);
 }
 
 }  // namespace palpable::cli

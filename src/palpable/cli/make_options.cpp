@@ -29,15 +29,6 @@ sources::DepthSettings depth_settings(const MakeArguments& arguments) {
   return settings;
 }
 
-sources::StereoLayout layout_from(const std::string& name) {
-  using Layout = sources::StereoLayout;
-  if (name == "side-by-side") return Layout::side_by_side;
-  if (name == "side-by-side-crossed") return Layout::side_by_side_crossed;
-  if (name == "over-under") return Layout::over_under;
-  if (name == "over-under-crossed") return Layout::over_under_crossed;
-  return Layout::automatic;
-}
-
 }  // namespace
 
 void add_make_options(Options& options, MakeArguments& arguments) {
@@ -55,9 +46,6 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "What the numbers of a depth map mean (docs/formats.md)");
   options.number("--near-plane", arguments.near_plane, {1e-6, 1e6}, "Of the depth buffer, m");
   options.number("--far-plane", arguments.far_plane, {1e-6, 1e9}, "Of the depth buffer, m; else infinite");
-  options.choice("--layout", arguments.layout,
-                 {"side-by-side", "side-by-side-crossed", "over-under", "over-under-crossed"},
-                 "How one picture holds a pair; crossed = the right eye's first");
   options.number("--near", arguments.near, kDepthUnits,
                  "Nothing counts as nearer (m; px of disparity without calibration)");
   options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
@@ -125,7 +113,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.texture == "front") options.texture = session::Texture::front;
   if (arguments.texture == "none") options.texture = session::Texture::none;
   options.depth = depth_settings(arguments);
-  options.layout = layout_from(arguments.layout);
+  options.layout = layout_of(arguments.stereo);
   options.relief.near = arguments.near;
   options.relief.far = arguments.far;
   options.relief.exaggerate = arguments.exaggerate;

@@ -24,7 +24,6 @@ struct MakeArguments {
   std::string depth_as;
   /// A renderer's planes, metres.
   std::optional<double> near_plane, far_plane;
-  std::string layout;
   double exaggerate = 1.0;
   double compression = 10.0;
   double smooth_mm = 0.0;

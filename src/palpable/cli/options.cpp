@@ -10,6 +10,10 @@ void Options::argument(const std::string& name, std::string& value, const std::s
   app_.add_option(name, value, help)->required();
 }
 
+void Options::optional_argument(const std::string& name, std::string& value, const std::string& help) {
+  app_.add_option(name, value, help);
+}
+
 void Options::arguments(const std::string& name, std::vector<std::string>& values, int most,
                         const std::string& help) {
   app_.add_option(name, values, help)->expected(1, most);

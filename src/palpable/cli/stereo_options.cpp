@@ -12,6 +12,11 @@
 
 namespace palpable::cli {
 
+void add_pair_arguments(Options& options, StereoArguments& arguments) {
+  options.argument("LEFT", arguments.left, "Left picture, or one file that holds both (MPO, JPS, --layout)");
+  options.optional_argument("RIGHT", arguments.right, "Right picture");
+}
+
 void add_stereo_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
   options.text("--method", arguments.method,
@@ -29,6 +34,9 @@ void add_pair_options(Options& options, StereoArguments& arguments) {
                  "Bring the pictures to common scanlines where they are not");
   options.number("--moved", arguments.moved_mm, {0.1, 1e6},
                  "One camera, moved sideways by so many mm between the pictures");
+  options.choice("--layout", arguments.layout,
+                 {"side-by-side", "side-by-side-crossed", "over-under", "over-under-crossed"},
+                 "How one picture holds a pair; crossed = the right eye's first");
 }
 
 Json alignment_json(const session::ReadyPair& ready) {
@@ -48,14 +56,34 @@ std::optional<double> moved_m_of(const StereoArguments& arguments) {
   return *arguments.moved_mm / 1000.0;
 }
 
-session::StereoInput stereo_input(std::vector<std::filesystem::path> pictures,
-                                  const StereoArguments& arguments) {
+sources::StereoLayout layout_of(const StereoArguments& arguments) {
+  using Layout = sources::StereoLayout;
+  if (arguments.layout == "side-by-side") return Layout::side_by_side;
+  if (arguments.layout == "side-by-side-crossed") return Layout::side_by_side_crossed;
+  if (arguments.layout == "over-under") return Layout::over_under;
+  if (arguments.layout == "over-under-crossed") return Layout::over_under_crossed;
+  return Layout::automatic;
+}
+
+session::StereoInput stereo_input(const StereoArguments& arguments) {
   session::StereoInput input;
-  input.pictures = std::move(pictures);
+  input.pictures.emplace_back(arguments.left);
+  if (!arguments.right.empty()) input.pictures.emplace_back(arguments.right);
   input.calibration = arguments.calibration;
+  input.layout = layout_of(arguments);
   input.align = align_of(arguments);
   input.moved_m = moved_m_of(arguments);
   return input;
+}
+
+std::string places_of(const StereoArguments& arguments) {
+  return arguments.right.empty() ? arguments.left : arguments.left + " and " + arguments.right;
+}
+
+std::string names_of(const StereoArguments& arguments) {
+  const auto name = [](const std::string& file) { return std::filesystem::path(file).filename().string(); };
+  return arguments.right.empty() ? name(arguments.left)
+                                 : name(arguments.left) + " and " + name(arguments.right);
 }
 
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments) {

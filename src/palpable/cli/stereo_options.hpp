@@ -14,8 +14,13 @@
 
 namespace palpable::cli {
 
-/// How a pair is matched, as given on the command line.
+/// A pair and how it is matched, as given on the command line.
 struct StereoArguments {
+  /// `right` is empty where one file holds both pictures. Commands that take other input too leave both
+  /// empty.
+  std::string left, right;
+  /// How one file holds both; empty: as it states itself.
+  std::string layout;
   /// Empty: the command chooses.
   std::string method;
   int max_disparity_px = 0;
@@ -24,15 +29,22 @@ struct StereoArguments {
   std::optional<double> moved_mm;
 };
 
-/// Adds --method, --max-disparity, --calibration, --align and --moved. `arguments` must outlive the parsing.
+/// Adds LEFT and RIGHT, the second of which may be left out. `arguments` must outlive the parsing.
+void add_pair_arguments(Options& options, StereoArguments& arguments);
+
+/// Adds --method, --max-disparity, --calibration, --align, --moved and --layout.
 void add_stereo_options(Options& options, StereoArguments& arguments);
 
 /// The same without --method, for commands that run every method or one of their own.
 void add_pair_options(Options& options, StereoArguments& arguments);
 
-/// The pair named by these files, to be read as the arguments say.
-session::StereoInput stereo_input(std::vector<std::filesystem::path> pictures,
-                                  const StereoArguments& arguments);
+/// The pair of LEFT and RIGHT, to be read as the arguments say.
+session::StereoInput stereo_input(const StereoArguments& arguments);
+/// LEFT and RIGHT for an error's place or a picture's heading; by their names without folders for the latter.
+std::string places_of(const StereoArguments& arguments);
+std::string names_of(const StereoArguments& arguments);
+/// --layout.
+sources::StereoLayout layout_of(const StereoArguments& arguments);
 /// --align.
 session::Align align_of(const StereoArguments& arguments);
 /// --moved in metres.

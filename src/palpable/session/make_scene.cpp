@@ -301,8 +301,11 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
       return field_from_mesh_file(options, input->files.front(), work);
     case sources::InputKind::scene:
       return as_wanted(from_scene_file(options), options, work);
-    case sources::InputKind::depth:
-      return as_wanted(from_depth(options, input->files, work), options, work);
+    case sources::InputKind::depth: {
+      auto made = from_depth(options, input->files, work);
+      if (made) made->notes.insert(made->notes.begin(), input->notes.begin(), input->notes.end());
+      return as_wanted(std::move(made), options, work);
+    }
     case sources::InputKind::stereo: {
       const auto pair = read_stereo_pair(stereo_input(options), work);
       if (!pair) return pair.error();

@@ -123,6 +123,11 @@ Result<Image> decode_heif(std::span<const std::byte> file) {
   return image;
 }
 
+bool heif_announces_depth(std::span<const std::byte> file) {
+  const auto opened = open(file);
+  return opened && heif_image_handle_get_number_of_depth_images(opened->primary.get()) > 0;
+}
+
 Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file) {
   const auto opened = open(file);
   if (!opened) return opened.error();

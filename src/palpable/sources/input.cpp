@@ -5,6 +5,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/zip.hpp"
+#include "palpable/sources/photo_depth.hpp"
 #include "palpable/sources/picture.hpp"
 #include "palpable/sources/stereo_file.hpp"
 
@@ -174,6 +175,16 @@ Result<Input> recognise_two(std::span<const fs::path> paths, std::optional<Input
   return input;
 }
 
+/// One picture is a picture, unless a phone has put depth inside.
+Result<Input> recognise_photograph(const fs::path& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  if (!announces_depth(*file)) return Input{InputKind::picture, {path}, {}};
+  return Input{InputKind::depth,
+               {path},
+               {"The photograph holds depth, which was taken; say --kind picture for its contours."}};
+}
+
 }  // namespace
 
 std::string_view name_of(InputKind kind) { return kNames[static_cast<std::size_t>(kind)].second; }
@@ -217,6 +228,7 @@ Result<Input> recognise_input(std::span<const fs::path> paths, std::optional<Inp
   }
   const auto kind = kind_of_file(paths[0]);
   if (!kind) return kind.error();
+  if (!wanted && *kind == InputKind::picture) return recognise_photograph(paths[0]);
   return Input{wanted.value_or(*kind), {paths[0]}, {}};
 }
 

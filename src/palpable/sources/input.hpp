@@ -39,10 +39,10 @@ struct Input {
 /// Errors: invalid_input, naming the file, for what cannot be read or is none of these.
 Result<InputKind> kind_of_file(const std::filesystem::path& path);
 
-/// Recognises what was named together: one file by its content, two pictures as a stereo pair, left first, a
-/// picture and a file of numbers as depth with its colour picture, a folder as a sequence. `wanted` overrides
-/// where it is possible. Errors: usage for a number of files that makes no sense; invalid_input as
-/// kind_of_file(), and for a folder without pictures.
+/// Recognises what was named together: one file by its content, a photograph with depth inside as depth, two
+/// pictures as a stereo pair, left first, a picture and a file of numbers as depth with its colour picture, a
+/// folder as a sequence. `wanted` overrides where it is possible. Errors: usage for a number of files that
+/// makes no sense; invalid_input as kind_of_file(), and for a folder without pictures.
 Result<Input> recognise_input(std::span<const std::filesystem::path> paths,
                               std::optional<InputKind> wanted = std::nullopt);
 

@@ -142,6 +142,13 @@ std::optional<Bytes> container_item(Bytes file, std::string_view xml, std::strin
 
 }  // namespace
 
+bool announces_depth(std::span<const std::byte> file) {
+  if (is_heif(file)) return heif_announces_depth(file);
+  if (!has_magic(file, "\xFF\xD8")) return false;
+  const std::string xml = xmp_of(file);
+  return property(xml, "GDepth:Data") || property(xml, "DepthMap:DepthURI");
+}
+
 Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file) {
   const std::string xml = xmp_of(file);
   if (const auto data = property(xml, "GDepth:Data")) {

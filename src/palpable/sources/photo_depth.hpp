@@ -36,6 +36,9 @@ struct PhotoDepth {
 /// picture). nullopt: the picture holds none. Errors: invalid_input for depth that is announced but damaged.
 Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file);
 
+/// Whether a photograph, JPEG or HEIF, announces depth inside; its pixels are not decoded.
+bool announces_depth(std::span<const std::byte> file);
+
 /// Whether the bytes begin a HEIF picture (HEIC or AVIF brands are told apart by libheif itself).
 bool is_heif(std::span<const std::byte> file);
 
@@ -43,6 +46,7 @@ bool is_heif(std::span<const std::byte> file);
 Result<Image> decode_heif(std::span<const std::byte> file);
 
 /// The auxiliary depth of a HEIF file's primary picture. Otherwise as depth_in_jpeg().
+bool heif_announces_depth(std::span<const std::byte> file);
 Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file);
 
 }  // namespace palpable::sources

@@ -5,11 +5,17 @@
 #include "palpable/vision/camera_turns.hpp"
 #include "palpable/vision/feature_matches.hpp"
 #include "palpable/vision/opencv_image.hpp"
+#include "palpable/vision/rolling_rows.hpp"
+#include "palpable/vision/tracked_matches.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <opencv2/calib3d.hpp>
@@ -38,12 +44,15 @@ Error failure(const char* what, const cv::Exception& e) {
 
 cv::Matx33d matrix_of(const std::array<double, 9>& m) { return cv::Matx33d(m.data()); }
 
-Image warped(const Image& image, const Straightening& by, const cv::Matx33d& homography) {
+/// The picture as `homography` straightens it, its rows evened where they roll.
+Image warped(const Image& image, const Straightening& by, const cv::Matx33d& homography,
+             const RollingRows* rolling = nullptr) {
   const cv::Matx33d back = homography.inv();
   cv::Mat from(image.height, image.width, CV_32FC2);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
-      const cv::Point2d p = bent_back(by, back, {1.0 * x, 1.0 * y});
+      const double lower = rolling != nullptr ? rolling->offset_px(x, y) : 0.0;
+      const cv::Point2d p = bent_back(by, back, {1.0 * x, y + lower});
       from.at<cv::Point2f>(y, x) = {static_cast<float>(p.x), static_cast<float>(p.y)};
     }
   cv::Mat out;
@@ -71,30 +80,123 @@ AlignedPair untouched(const StereoPair& pair, const std::vector<FeatureMatch>& m
   out.residual_px = out.residual_before_px;
   if (out.features < kLeastFeatures)
     out.notes.push_back(fmt::format(
-        "only {} points were found again in the other picture, too few to see whether the two are aligned",
+        "Only {} points were found again in the other picture, too few to see whether the two are aligned.",
         out.features));
   return out;
 }
 
+/// How a pair is brought to common scanlines: its cameras are turned; or, where no turn explains what the
+/// matches say, the right picture's rows are moved up and down.
+struct Way {
+  TurnedCameras cameras;
+  std::optional<RollingRows> rolling;
+  /// The greatest offset of a rolling picture.
+  double greatest_px = 0.0;
+
+  /// The matches that agree, as they lie then.
+  std::vector<FeatureMatch> straight_matches() const {
+    std::vector<FeatureMatch> straight = moved(cameras.matches, cameras.how);
+    if (rolling)
+      for (FeatureMatch& m : straight) m = rolling->evened(m);
+    return straight;
+  }
+  double residual_px() const { return vertical_rms_px(straight_matches()); }
+};
+
+/// What the matches say of a pair.
+struct Evidence {
+  std::vector<FeatureMatch> matches;
+  Way way;
+};
+
+/// Turns, unless moving rows explains far more: then the left picture stays as it is.
+Way way_of(const std::vector<FeatureMatch>& matches, TurnedCameras turns, const Image& picture) {
+  const double tolerance_px = feature_tolerance_px(picture.width, picture.height);
+  const RollingGain gain = rolling_gain(matches, picture.width, picture.height, tolerance_px);
+  auto rolling = gain.worth_it(turns.matches.size(), vertical_rms_px(moved(turns.matches, turns.how)))
+                     ? RollingRows::through(matches, picture.width, picture.height)
+                     : std::nullopt;
+  if (!rolling) return {std::move(turns), {}, 0.0};
+  TurnedCameras none;
+  for (const FeatureMatch& m : matches)
+    if (const FeatureMatch evened = rolling->evened(m);
+        std::abs(evened.right_y - evened.left_y) <= tolerance_px)
+      none.matches.push_back(m);
+  return {std::move(none), std::move(rolling), gain.greatest_px};
+}
+
+StereoPair straightened(const StereoPair& pair, const Way& way) {
+  const Straightening& how = way.cameras.how;
+  return {warped(pair.left, how, how.left),
+          warped(pair.right, how, how.right, way.rolling ? &*way.rolling : nullptr),
+          {}};
+}
+
+/// The match in the pictures before they were straightened.
+FeatureMatch as_it_came(FeatureMatch m, const Way& way) {
+  const Straightening& how = way.cameras.how;
+  if (way.rolling) m.right_y += way.rolling->offset_px(m.right_x, m.right_y);
+  const cv::Point2d p = bent_back(how, how.left.inv(), {m.left_x, m.left_y}),
+                    q = bent_back(how, how.right.inv(), {m.right_x, m.right_y});
+  return {p.x, p.y, q.x, q.y};
+}
+
+double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_px) {
+  const auto on = std::count_if(matches.begin(), matches.end(), [tolerance_px](const FeatureMatch& m) {
+    return std::abs(m.left_y - m.right_y) <= tolerance_px;
+  });
+  return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(1, matches.size()));
+}
+
+/// Once features have made the pictures about straight, corners are tracked between them: features alone are
+/// few, and none lie where a pattern repeats itself.
+Result<Evidence> evidence_of(const StereoPair& pair, const Eye& eye,
+                             const std::vector<FeatureMatch>& features, TurnedCameras first,
+                             const Work& work) {
+  constexpr int kRounds = 2;
+  const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height);
+  Evidence out{features, way_of(features, std::move(first), pair.left)};
+  for (int round = 0; round < kRounds; ++round) {
+    if (out.way.cameras.matches.size() < kLeastFeatures) return out;
+    if (work.cancelled()) return Work::interrupted();
+    const auto tracked = tracked_matches(straightened(pair, out.way), out.way.straight_matches(), work);
+    if (!tracked) return tracked.error();
+    const double share = share_on_rows(*tracked, 0.5 * tolerance_px);
+    out.matches = features;
+    for (const FeatureMatch& m : *tracked) out.matches.push_back(as_it_came(m, out.way));
+    out.way = way_of(out.matches, turns_to_scanlines(out.matches, eye, tolerance_px, work.seed), pair.left);
+    if (share > kNearlyAll) break;
+  }
+  return out;
+}
+
 /// Straightens the pair unless that leaves too much; `out` is the pair as it came.
-void straighten(AlignedPair& out, const TurnedCameras& cameras) {
-  const double residual_px = vertical_rms_px(moved(cameras.matches, cameras.how));
+void straighten(AlignedPair& out, const Evidence& evidence) {
+  const Way& way = evidence.way;
+  const double residual_px = way.residual_px();
   if (!(residual_px <= kTooMuch_px && residual_px <= out.residual_before_px)) {
     out.notes.push_back(
-        fmt::format("the pictures could not be aligned: matched points lie {:.1f} pixels (RMS) above or "
-                    "below each other, and {:.1f} at best",
+        fmt::format("The pictures could not be aligned: matched points lie {:.1f} pixels (RMS) above or "
+                    "below each other, and {:.1f} at best.",
                     out.residual_before_px, residual_px));
     return;
   }
-  out.pair.left = warped(out.pair.left, cameras.how, cameras.how.left);
-  out.pair.right = warped(out.pair.right, cameras.how, cameras.how.right);
+  StereoPair straight = straightened(out.pair, way);
+  out.pair.left = std::move(straight.left);
+  out.pair.right = std::move(straight.right);
   out.residual_px = residual_px;
   out.changed = true;
-  if (out.residual_before_px > kAligned_px)
+  if (out.residual_before_px <= kAligned_px) return;
+  out.notes.push_back(
+      fmt::format("The pictures were aligned: matched points lay {:.1f} pixels (RMS) above or below each "
+                  "other, now {:.2f} over {} of {} points.",
+                  out.residual_before_px, out.residual_px, out.features, evidence.matches.size()));
+  if (way.rolling)
     out.notes.push_back(
-        fmt::format("the pictures were aligned: matched points lay {:.1f} pixels (RMS) above or below each "
-                    "other, now {:.2f}",
-                    out.residual_before_px, out.residual_px));
+        fmt::format("The pictures' rows roll against each other by up to {:.1f} pixels, which no turn of a "
+                    "camera explains "
+                    "(a rolling shutter, a loose scan): the right one's were moved onto the left one's.",
+                    way.greatest_px));
 }
 
 /// What is left after a calibration's rectification, over the matches that agree on any turn at all.
@@ -154,8 +256,8 @@ Result<AlignedPair> rectify_calibrated(const StereoPair& pair, const LensPair& c
     out.changed = true;
     if (out.residual_px > kTooMuch_px)
       out.notes.push_back(
-          fmt::format("after rectification matched points still lie {:.1f} pixels (RMS) above or below each "
-                      "other: the calibration does not belong to these pictures",
+          fmt::format("After rectification matched points still lie {:.1f} pixels (RMS) above or below each "
+                      "other: the calibration does not belong to these pictures.",
                       out.residual_px));
     return out;
   } catch (const cv::Exception& e) {
@@ -167,18 +269,20 @@ Result<AlignedPair> align_uncalibrated(const StereoPair& pair, const Work& work)
   if (const auto ok = same_size(pair); !ok) return ok.error();
   try {
     work.report(0.0, "looking for the same points in both pictures");
-    const std::vector<FeatureMatch> matches = match_features(pair);
+    const std::vector<FeatureMatch> features = match_features(pair);
     if (work.cancelled()) return Work::interrupted();
     const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height);
-    const TurnedCameras cameras =
-        turns_to_scanlines(matches, unknown_eye(pair.left.width, pair.left.height), tolerance_px, work.seed);
-    const auto as_they_are = within(matches, Straightening{}, tolerance_px);
+    const Eye eye = unknown_eye(pair.left.width, pair.left.height);
+    const auto as_they_are = within(features, Straightening{}, tolerance_px);
+    TurnedCameras first = turns_to_scanlines(features, eye, tolerance_px, work.seed);
     if (vertical_rms_px(as_they_are) <= kAligned_px &&
-        static_cast<double>(as_they_are.size()) >= kNearlyAll * static_cast<double>(cameras.matches.size()))
+        static_cast<double>(as_they_are.size()) >= kNearlyAll * static_cast<double>(first.matches.size()))
       return untouched(pair, as_they_are);
-    AlignedPair out = untouched(pair, cameras.matches);
+    const auto evidence = evidence_of(pair, eye, features, std::move(first), work);
+    if (!evidence) return evidence.error();
+    AlignedPair out = untouched(pair, evidence->way.cameras.matches);
     if (out.features < kLeastFeatures) return out;
-    straighten(out, cameras);
+    straighten(out, *evidence);
     if (out.changed) out.pair.rig.reset();
     return out;
   } catch (const cv::Exception& e) {
@@ -205,23 +309,25 @@ Result<AlignedPair> align_moved(const StereoPair& pair, const LensCamera& camera
   if (!straight) return straight.error();
   try {
     work.report(0.0, "looking for the same points in both pictures");
-    const std::vector<FeatureMatch> matches = match_features(*straight);
-    if (work.cancelled()) return Work::interrupted();
     // Pixels are square: one focal length serves both axes.
     const Eye eye{camera.matrix[0], camera.matrix[2], camera.matrix[5], true};
-    const TurnedCameras cameras =
-        turns_to_scanlines(matches, eye, feature_tolerance_px(pair.left.width, pair.left.height), work.seed);
-    AlignedPair out = untouched(*straight, cameras.matches);
+    const std::vector<FeatureMatch> features = match_features(*straight);
+    if (work.cancelled()) return Work::interrupted();
+    TurnedCameras first =
+        turns_to_scanlines(features, eye, feature_tolerance_px(pair.left.width, pair.left.height), work.seed);
+    const auto evidence = evidence_of(*straight, eye, features, std::move(first), work);
+    if (!evidence) return evidence.error();
+    AlignedPair out = untouched(*straight, evidence->way.cameras.matches);
     out.pair.rig = StereoRig{
         {eye.focal_px, eye.focal_px, eye.cx, eye.cy, pair.left.width, pair.left.height}, moved_m, 0.0};
     if (out.features < kLeastFeatures) return out;
-    const double parallax_px = parallax_rms_px(cameras.matches, eye);
+    const double parallax_px = parallax_rms_px(evidence->way.cameras.matches, eye);
     if (parallax_px < kLeastParallax_px)
       out.notes.push_back(fmt::format(
-          "the camera hardly moved between the two pictures: matched points shift by {:.2f} pixels (RMS) "
-          "beyond what turning explains, so their depth cannot be trusted; move it farther to the side",
+          "The camera hardly moved between the two pictures: matched points shift by {:.2f} pixels (RMS) "
+          "beyond what turning explains, so their depth cannot be trusted; move it farther to the side.",
           parallax_px));
-    straighten(out, cameras);
+    straighten(out, *evidence);
     return out;
   } catch (const cv::Exception& e) {
     return failure("aligned", e);

@@ -66,7 +66,7 @@ cv::Vec<double, Count> least_squares(const Residuals& residuals, cv::Vec<double,
     if (!(gain > 0.0)) continue;
     at = candidate;
     now = std::move(then);
-    if (gain < 1e-9 * squares_of(now)) break;
+    if (gain < 1e-6 * squares_of(now)) break;
   }
   return at;
 }
@@ -124,20 +124,23 @@ Turns first_turns(const std::vector<FeatureMatch>& matches, const Eye& eye, doub
                   std::uint64_t seed) {
   constexpr int kTrials = 1000;
   constexpr double kMostTurn = 0.35;
+  // So many tell which turns most agree with.
+  constexpr std::size_t kAsked = 400;
   std::mt19937_64 random(seed);
+  std::vector<FeatureMatch> asked = matches;
+  std::shuffle(asked.begin(), asked.end(), random);
+  asked.resize(std::min(asked.size(), kAsked));
   Turns best = Turns::all(0.0);
   // The first question is whether they are aligned as they are.
-  std::size_t most = within(matches, straightening_of(best, eye), tolerance_px).size();
+  std::size_t most = within(asked, straightening_of(best, eye), tolerance_px).size();
   std::array<FeatureMatch, 5> sample{};
   for (int trial = 0; trial < kTrials; ++trial) {
     for (FeatureMatch& m : sample) m = matches[random() % matches.size()];
     const Turns turns = small_turns(std::span(sample).first(trial % 2 == 0 ? 3 : 5), eye);
     if (cv::norm(turns, cv::NORM_INF) > kMostTurn) continue;
     const Straightening by = straightening_of(turns, eye);
-    const auto agree =
-        static_cast<std::size_t>(std::count_if(matches.begin(), matches.end(), [&](const auto& m) {
-          return std::abs(rise_px(by, m)) <= tolerance_px;
-        }));
+    const auto agree = static_cast<std::size_t>(std::count_if(
+        asked.begin(), asked.end(), [&](const auto& m) { return std::abs(rise_px(by, m)) <= tolerance_px; }));
     if (agree > most) {
       most = agree;
       best = turns;
@@ -259,9 +262,12 @@ std::vector<FeatureMatch> moved(const std::vector<FeatureMatch>& matches, const 
 
 double parallax_rms_px(const std::vector<FeatureMatch>& matches, const Eye& eye) {
   if (matches.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const cv::Matx33d camera = matrix_of(eye, eye.focal_px), back = camera.inv();
-  const auto residuals = [&](const cv::Vec3d& turn) {
-    const cv::Matx33d h = camera * turned(turn[0], turn[1], turn[2]) * back;
+  // Two shifts in pixels (angles times the focal length), an angle, and the logarithm of the true focal
+  // length over the eye's: an assumed one may be far off.
+  const auto residuals = [&](const cv::Vec4d& turn) {
+    const double focal_px = std::exp(turn[3]) * eye.focal_px;
+    const cv::Matx33d camera = matrix_of(eye, focal_px);
+    const cv::Matx33d h = camera * turned(turn[0] / focal_px, turn[1] / focal_px, turn[2]) * camera.inv();
     std::vector<double> out;
     out.reserve(2 * matches.size());
     for (const FeatureMatch& m : matches) {
@@ -271,7 +277,7 @@ double parallax_rms_px(const std::vector<FeatureMatch>& matches, const Eye& eye)
     }
     return out;
   };
-  return std::sqrt(squares_of(residuals(least_squares<3>(residuals, cv::Vec3d(0, 0, 0)))) /
+  return std::sqrt(squares_of(residuals(least_squares<4>(residuals, cv::Vec4d(0, 0, 0, 0)))) /
                    static_cast<double>(matches.size()));
 }
 

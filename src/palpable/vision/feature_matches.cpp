@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/feature_matches.hpp"
 
+#include "palpable/vision/levels.hpp"
 #include "palpable/vision/opencv_image.hpp"
 
 #include <algorithm>
@@ -33,8 +34,19 @@ int shrink_factor(int width, int height) {
   return (std::max(width, height) + kLongest_px - 1) / kLongest_px;
 }
 
+/// The luma as 8 bits; a picture that uses few levels, as a very dark one does, is stretched: features are
+/// told from grain by a fixed contrast.
 cv::Mat shrunk_grey8(const Image& image, int factor) {
+  constexpr float kFew = 0.4F, kMostGain = 8.0F;
+  const Quantiles levels = luma_quantiles(image);
+  const float low = levels[1], used = levels[kQuantiles - 2] - low;
   cv::Mat grey = grey8_of(image);
+  if (used > 0.0F && used < kFew) {
+    const float gain = std::min(1.0F / used, kMostGain);
+    const Raster<float> luma = palpable::grey(image);
+    cv::Mat(image.height, image.width, CV_32F, const_cast<float*>(luma.data()))
+        .convertTo(grey, CV_8U, 255.0 * static_cast<double>(gain), -255.0 * static_cast<double>(gain * low));
+  }
   if (factor > 1) cv::resize(grey, grey, {image.width / factor, image.height / factor}, 0, 0, cv::INTER_AREA);
   return grey;
 }

@@ -4,8 +4,10 @@
 
 #include "palpable/core/check.hpp"
 #include "palpable/vision/census.hpp"
+#include "palpable/vision/colour_planes.hpp"
 #include "palpable/vision/left_right.hpp"
 #include "palpable/vision/match_input.hpp"
+#include "palpable/vision/pair_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,13 +33,25 @@ struct Sizes {
   Raster<std::uint8_t> coarse;
 };
 
-Trouble trouble_at(int x, int y, const Sizes& grey, const StereoMatch& match) {
+/// A picture without texture but its grain has none in the small copy; where most is confirmed, fine texture
+/// is no grain.
+enum class Texture { fine_too, coarse_only };
+
+Texture texture_that_counts(const Raster<std::uint8_t>& grey, const Raster<float>& confidence) {
+  constexpr double kMost = 0.6;
+  const auto sure =
+      std::count_if(confidence.values().begin(), confidence.values().end(), [](float c) { return c > 0.0F; });
+  const bool confirmed = static_cast<double>(sure) > kMost * static_cast<double>(confidence.count());
+  return !confirmed && contrast_beyond_grain(grey) < kOnlyGrain ? Texture::coarse_only : Texture::fine_too;
+}
+
+Trouble trouble_at(int x, int y, const Sizes& grey, Texture counts, const StereoMatch& match) {
   const float d = match.disparity.disparity_px(x, y);
   const double there = x - static_cast<double>(d);
   if (!std::isfinite(d) || there < -0.5 || there > grey.fine.width() - 0.5) return Trouble::out_of_view;
   // Filled from its surroundings a plain surface is often right, but nothing says so.
-  if (!textured_at(grey.fine, x, y) && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor))
-    return Trouble::plain;
+  const bool fine = counts == Texture::fine_too && textured_at(grey.fine, x, y);
+  if (!fine && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor)) return Trouble::plain;
   return match.confidence(x, y) > 0.0F ? Trouble::none : Trouble::contradicted;
 }
 
@@ -100,19 +114,41 @@ Advice advice_for(const Place& place, const FitToTouch& fit) {
   }
 }
 
+/// As seen in a mirror.
+Image mirror_image(const Image& image) {
+  Image out = image;
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      std::copy_n(image.pixel(image.width - 1 - x, y), channels,
+                  out.samples.begin() + (image.pixel(x, y) - image.samples.data()));
+  return out;
+}
+
 }  // namespace
+
+Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
+                                    const Work& work) {
+  auto forth = match(pair, method, options, work);
+  if (!forth || method == StereoMethod::fast) return forth;
+  auto back = match({mirror_image(pair.right), mirror_image(pair.left), {}}, method, options, work);
+  if (!back) return back;
+  forth->confidence = agreement(forth->disparity.disparity_px, mirrored(back->disparity.disparity_px));
+  return forth;
+}
 
 FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work) {
   PALPABLE_CHECK(!match.confidence.empty());
   MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
   sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
+  const Texture counts = texture_that_counts(input.left_grey, match.confidence);
   sizes.fine = std::move(input.left_grey);
   FitToTouch fit;
   fit.trouble = Raster<std::uint8_t>(pair.left.width, pair.left.height);
   for (int y = 0; y < fit.trouble.height(); ++y)
     for (int x = 0; x < fit.trouble.width(); ++x)
-      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, match));
+      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, counts, match));
   const double good = share_of(fit.trouble, Trouble::none),
                contradicted = share_of(fit.trouble, Trouble::contradicted);
   fit.coverage = good;

@@ -37,8 +37,12 @@ struct FitToTouch {
   Raster<std::uint8_t> trouble;
 };
 
-/// Judges a match by the method `fast`, whose confidence is what the right picture confirms. `match` belongs
-/// to `pair` and has a confidence.
+/// A match whose confidence is 1 where the right picture, matched by itself, leads back within a pixel, else
+/// 0. `fast` gives that by itself; the other methods run twice. Errors: as match().
+Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
+                                    const Work& work);
+
+/// Judges a match_confirmed() of `pair`.
 FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work);
 
 /// For a teacher, one sentence: whether it is fit, with the figure; where it will feel wrong and why; what to

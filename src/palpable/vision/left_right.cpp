@@ -14,6 +14,7 @@ Raster<float> agreement(const Raster<float>& disparity, const Raster<float>& oth
   for (int y = 0; y < out.height(); ++y)
     for (int x = 0; x < out.width(); ++x) {
       const float d = disparity(x, y);
+      if (!std::isfinite(d)) continue;
       const int there = static_cast<int>(std::floor(static_cast<float>(x) - d + 0.5F));
       if (other.contains(there, y) && std::fabs(other(there, y) - d) <= kAgreement_px) out(x, y) = 1.0F;
     }

@@ -9,36 +9,7 @@
 namespace palpable::vision {
 namespace {
 
-constexpr std::size_t kLevels = 256;
-
 enum class Line { row, column };
-using Levels = std::array<float, kLevels>;
-
-/// The picture's levels at the quantiles 0, 1/255 … 1 of its luma.
-Levels quantiles(const Raster<float>& luma) {
-  std::vector<float> sorted(luma.values().begin(), luma.values().end());
-  std::erase_if(sorted, [](float v) { return !std::isfinite(v); });
-  Levels out{};
-  if (sorted.empty()) return out;
-  // Every pixel of a large picture adds nothing to 256 quantiles.
-  const std::size_t step = std::max<std::size_t>(1, sorted.size() / 16384);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < sorted.size(); i += step) sorted[kept++] = sorted[i];
-  sorted.resize(kept);
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t q = 0; q < kLevels; ++q) out[q] = sorted[(sorted.size() - 1) * q / (kLevels - 1)];
-  return out;
-}
-
-/// `v` mapped by the monotone curve through (from[q], to[q]); beyond its ends the curve goes on in parallel.
-float mapped(float v, const Levels& from, const Levels& to) {
-  if (v <= from.front()) return to.front() + (v - from.front());
-  if (v >= from.back()) return to.back() + (v - from.back());
-  const auto above = std::upper_bound(from.begin(), from.end(), v);
-  const auto i = static_cast<std::size_t>(above - from.begin());
-  const float t = (v - from[i - 1]) / (from[i] - from[i - 1]);
-  return to[i - 1] + t * (to[i] - to[i - 1]);
-}
 
 /// Levels of both pictures so that `low` becomes 0 and `high` 255.
 struct Stretch {
@@ -50,11 +21,11 @@ struct Stretch {
   }
 };
 
-Stretch stretch_for(const Levels& left, const Levels& right, int bits) {
+Stretch stretch_for(const Quantiles& left, const Quantiles& right, int bits) {
   // 8-bit pictures are taken as they are unless they are very dark; deeper ones are stretched to what they
   // use.
   const float low = std::min(left[1], right[1]);
-  const float high = std::max(left[kLevels - 2], right[kLevels - 2]);
+  const float high = std::max(left[kQuantiles - 2], right[kQuantiles - 2]);
   const bool as_it_is = bits == 8 && high - low > 0.4F;
   if (as_it_is || high <= low) return {};
   return {low, 255.0F / (high - low)};
@@ -113,18 +84,14 @@ void cut_frame(MatchInput& input) {
 
 }  // namespace
 
-MatchInput prepare_pictures(const StereoPair& pair, const Work& work, bool* levelled) {
-  const Levels left = quantiles(grey(pair.left));
-  const Levels right = quantiles(grey(pair.right));
-  // The middle of the histograms: their ends move with what only one of the cameras sees.
-  float difference = 0.0F;
-  for (std::size_t q = 26; q <= 230; ++q) difference += std::abs(left[q] - right[q]) / 205.0F;
-  const float used = std::max(left[230] - left[26], right[230] - right[26]);
-  const bool differs = difference > 0.08F * used;
-  if (levelled != nullptr) *levelled = differs;
-
-  const Stretch stretch = stretch_for(left, differs ? left : right, pair.left.bits);
-  const auto convert = [&](const Image& image, bool level, Raster<Rgb8>& colour, Raster<std::uint8_t>& luma) {
+MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure) {
+  const Levelling levelling = levelling_of(pair.left, pair.right);
+  if (exposure != nullptr) *exposure = levelling.exposure;
+  const Quantiles left = luma_quantiles(pair.left);
+  const Stretch stretch =
+      stretch_for(left, levelling.exposure.differs ? left : luma_quantiles(pair.right), pair.left.bits);
+  const auto convert = [&](const Image& image, const auto& level, Raster<Rgb8>& colour,
+                           Raster<std::uint8_t>& luma) {
     colour = Raster<Rgb8>(image.width, image.height);
     luma = Raster<std::uint8_t>(image.width, image.height);
     const int g = image.channels >= 3 ? 1 : 0;
@@ -134,16 +101,17 @@ MatchInput prepare_pictures(const StereoPair& pair, const Work& work, bool* leve
         for (int x = 0; x < image.width; ++x) {
           const float* p = image.pixel(x, y);
           std::array<float, 3> v{p[0], p[g], p[b]};
-          if (level)
-            for (float& c : v) c = mapped(c, right, left);
+          for (std::size_t c = 0; c < 3; ++c) v[c] = level(levelling.curves[c], v[c]);
           colour(x, y) = {stretch(v[0]), stretch(v[1]), stretch(v[2])};
           luma(x, y) = stretch(0.299F * v[0] + 0.587F * v[1] + 0.114F * v[2]);
         }
     });
   };
   MatchInput out;
-  convert(pair.left, false, out.left, out.left_grey);
-  convert(pair.right, differs, out.right, out.right_grey);
+  convert(
+      pair.left, [](const LevelCurve& curve, float v) { return curve.clip(v); }, out.left, out.left_grey);
+  convert(
+      pair.right, [](const LevelCurve& curve, float v) { return curve(v); }, out.right, out.right_grey);
   cut_frame(out);
   return out;
 }

@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/levels.hpp"
 #include "palpable/vision/stereo_method.hpp"
 
 namespace palpable::vision {
 
 /// The pair as 8-bit planes: levels stretched alike in both pictures to 0…255, and where the pictures'
-/// exposures differ (by their histograms), the right one's levels mapped onto the left one's; a dark frame of
-/// a few lines that both have is overwritten by what it frames. `disparities` is left 0. `levelled`, where
-/// given, says whether the exposures differed. Sizes must be equal and not 0.
-MatchInput prepare_pictures(const StereoPair& pair, const Work& work, bool* levelled = nullptr);
+/// exposures differ, the right one's levels mapped onto the left one's, colour by colour, and both clipped
+/// where the right one is; a dark frame of a few lines that both have is overwritten by what it frames.
+/// `disparities` is left 0. `exposure`, where given, says how the exposures differ. Sizes must be equal and
+/// not 0.
+MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure = nullptr);
 
 /// The picture moved so that result(x, y) = picture(x - shift_px, y), border columns repeated.
 template <class T>

@@ -93,32 +93,70 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
 
 bool looks_swapped(const DisparityRange& range) { return range.max_px <= 2 && range.min_px < -3; }
 
-std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset) {
+bool agree(const DisparityRange& range) {
   // From the pairs in docs/stereo.md: six pictures of one scene agree on 27 % and more. How little
   // unrelated photographs agree is not measured on real ones.
   constexpr double kLittleAgreement = 0.08;
+  return range.agreement >= kLittleAgreement;
+}
+
+namespace {
+
+/// Mean distance of a pixel from the mean of its window.
+double local_contrast(const Raster<std::uint8_t>& grey) {
+  double sum = 0.0;
+  int all = 0;
+  for (int y = kCensusHalfY; y < grey.height() - kCensusHalfY; y += 2)
+    for (int x = kCensusHalfX; x < grey.width() - kCensusHalfX; x += 2, ++all) {
+      int window = 0;
+      for (int v = y - kCensusHalfY; v <= y + kCensusHalfY; ++v)
+        for (int u = x - kCensusHalfX; u <= x + kCensusHalfX; ++u) window += grey(u, v);
+      sum += std::abs(static_cast<double>(window) / kCensusPixels - grey(x, y));
+    }
+  return all == 0 ? 0.0 : sum / all;
+}
+
+}  // namespace
+
+double contrast_beyond_grain(const Raster<std::uint8_t>& grey) {
+  const double own = local_contrast(grey), small = local_contrast(shrunk(grey, 4));
+  return own > 0.0 ? small / own : 0.0;
+}
+
+std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
+                                    double contrast) {
   constexpr double kLittleTexture = 0.02;
+  constexpr const char* kAdvice =
+      "so their depth is a guess: light the scene from the side, or lay something "
+      "patterned there.";
   std::vector<std::string> notes;
   if (range.textured < kLittleTexture) {
-    notes.push_back(fmt::format(
-        "the pictures show hardly any texture ({:.1f} % of the pixels), so their depth is a guess",
-        100.0 * range.textured));
+    notes.push_back(fmt::format("The pictures show hardly any texture ({:.1f} % of the pixels have some), {}",
+                                100.0 * range.textured, kAdvice));
+    return notes;
+  }
+  if (!agree(range) && contrast < kOnlyGrain) {
+    notes.push_back(
+        fmt::format("The pictures show hardly any texture but a camera's grain ({:.0f} % of their contrast "
+                    "is left in a copy "
+                    "four times smaller, where pictures of things keep most), {}",
+                    100.0 * contrast, kAdvice));
     return notes;
   }
   if (offset.found >= 15 && offset.spread_px >= 2.0)
     notes.push_back(fmt::format(
-        "the pictures are not aligned: the right one's content lies {:.0f} pixels {} at the median, "
-        "and three quarters of it within {:.0f} pixels of the left one's scanlines",
+        "The pictures are not aligned: the right one's content lies {:.0f} pixels {} at the median, "
+        "and three quarters of it within {:.0f} pixels of the left one's scanlines.",
         std::abs(offset.median_px), offset.median_px < 0.0 ? "higher" : "lower", offset.spread_px));
-  if (range.agreement < kLittleAgreement)
+  if (!agree(range))
     notes.push_back(
-        fmt::format("the two pictures show little agreement ({:.1f} % of the textured pixels are found again "
-                    "in the other picture), as pictures of different scenes would",
+        fmt::format("The two pictures show little agreement ({:.1f} % of the textured pixels are found again "
+                    "in the other picture), as pictures of different scenes would.",
                     100.0 * range.agreement));
   else if (looks_swapped(range))
     notes.push_back(fmt::format(
-        "left and right seem to be exchanged (disparities from {} to {} pixels); they were matched "
-        "the other way round",
+        "Left and right seem to be exchanged (disparities from {} to {} pixels); they were matched "
+        "the other way round.",
         range.min_px, range.max_px));
   return notes;
 }

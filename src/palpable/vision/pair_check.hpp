@@ -29,8 +29,18 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
 /// The disparities lie behind infinity as a whole: left and right were exchanged.
 bool looks_swapped(const DisparityRange& range);
 
+/// Whether the pictures agree as two of one scene do.
+bool agree(const DisparityRange& range);
+
+/// The contrast of a copy of the picture four times smaller over its own, each within windows of 9 x 7
+/// pixels: a quarter where there is nothing but a camera's grain, mostly above 1 where there are things.
+double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
+/// Below this there may be nothing but grain.
+inline constexpr double kOnlyGrain = 0.5;
+
 /// What the person should know about a pair before trusting its depth, one sentence each; empty for a good
-/// pair.
-std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset);
+/// pair. `contrast` is the left picture's contrast_beyond_grain().
+std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
+                                    double contrast);
 
 }  // namespace palpable::vision

@@ -71,15 +71,13 @@ Result<MatchOutput> match_mirrored(MatchInput& input, MethodFunction function, c
 
 Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction function,
                                    const StereoOptions& options, const Work& work) {
-  bool levelled = false;
-  MatchInput input = prepare_pictures(pair, work, &levelled);
+  Exposure exposure;
+  MatchInput input = prepare_pictures(pair, work, &exposure);
   work.report(0.0, "looking at the pair");
   DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, work);
   const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
-  std::vector<std::string> notes = pair_notes(range, offset);
-  if (levelled)
-    notes.emplace_back(
-        "the pictures were exposed differently; the right one's levels were matched to the left one's");
+  std::vector<std::string> notes = pair_notes(range, offset, contrast_beyond_grain(input.left_grey));
+  if (exposure.differs && agree(range)) notes.push_back(sentence_of(exposure));
   const bool exchanged = options.max_disparity_px == 0 && looks_swapped(range);
   if (exchanged) range = {std::max(0, -range.max_px), -range.min_px, range.agreement, range.textured};
   if (options.max_disparity_px > 0) range = {0, options.max_disparity_px, range.agreement, range.textured};

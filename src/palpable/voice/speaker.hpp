@@ -22,6 +22,9 @@ class Speaker {
   /// Hands a sentence (UTF-8, one line) over and returns before it is spoken; a sentence that is being spoken
   /// gives way. Errors: whoever speaks is gone.
   virtual Result<void> say(std::string_view sentence) = 0;
+  /// Waits until what was handed over has been spoken, where whoever speaks would fall silent with us; says
+  /// nothing after that.
+  virtual void finish() {}
 };
 
 /// The desktop's own voice, with the person's settings (speech-dispatcher). Errors: no server answers.

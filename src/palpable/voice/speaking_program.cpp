@@ -55,11 +55,21 @@ class SpeakingProgram final : public Speaker {
  public:
   SpeakingProgram(std::vector<std::string> command, Child child)
       : command_(std::move(command)), child_(child) {}
-  ~SpeakingProgram() override { end(child_); }
+  ~SpeakingProgram() override {
+    if (child_.id != 0) end(child_);
+  }
+
+  void finish() override {
+    if (child_.id == 0) return;
+    close(child_.input);
+    waitpid(child_.id, nullptr, 0);
+    child_ = {};
+  }
 
   // A program that reads lines speaks each to its end; what is being spoken gives way only by starting it
   // anew.
   Result<void> say(std::string_view sentence) override {
+    if (child_.id == 0) return Error{ErrorCode::failed, "has finished speaking", command_.front()};
     if (spoke_) {
       auto again = start(command_);
       if (!again) return again.error();

@@ -106,6 +106,20 @@ TEST(Speaker, HandsEachSentenceToItsProgramAsOneLine) {
   std::filesystem::remove(file);
 }
 
+TEST(Speaker, FinishesOnlyWhenItsProgramHasSpoken) {
+  const auto file = std::filesystem::temp_directory_path() / ("palpable-spoken-" + std::to_string(getpid()));
+  auto speaker =
+      open_speaking_program({"sh", "-c", "read line; sleep 0.2; echo \"$line\" >\"$0\"", file.string()});
+  ASSERT_TRUE(speaker);
+  ASSERT_TRUE((*speaker)->say("to the end"));
+  (*speaker)->finish();
+  std::string line;
+  std::getline(std::ifstream(file), line);
+  EXPECT_EQ(line, "to the end");
+  EXPECT_FALSE((*speaker)->say("again"));
+  std::filesystem::remove(file);
+}
+
 TEST(Speaker, SaysThatAProgramIsNotThere) {
   const auto speaker = open_speaking_program({"palpable-has-no-such-program"});
   ASSERT_FALSE(speaker);
