@@ -65,7 +65,7 @@ std::optional<RollingRows> RollingRows::through(const std::vector<FeatureMatch>&
                                                 int height) {
   constexpr std::size_t kLeast = 100;
   constexpr int kControls = kAcross * kDown;
-  constexpr double kSmooth = 0.3, kWiden = 0.8, kFirst_px = 6.0, kLast_px = 0.5;
+  constexpr double kSmooth = 0.03, kWiden = 0.8, kFirst_px = 6.0, kLast_px = 0.5;
   if (matches.size() < kLeast) return std::nullopt;
   RollingRows rows(width, height);
   std::vector<double> offsets;
