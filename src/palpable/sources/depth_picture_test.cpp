@@ -7,6 +7,7 @@
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/picture.hpp"
 #include "palpable/formats/png.hpp"
+#include "palpable/sources/made_files.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -243,28 +244,6 @@ std::string photograph() {
                {cv::IMWRITE_JPEG_QUALITY, 100});
   return {bytes.begin(), bytes.end()};
 }
-
-std::string base64(const std::string& data) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < data.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = (three << 8U) | (i + k < data.size() ? static_cast<unsigned char>(data[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > data.size() ? '=' : kDigits[(three >> (18 - 6 * k)) & 63U];
-  }
-  return text;
-}
-
-std::string segment(const std::string& content) {
-  const std::size_t length = content.size() + 2;
-  return std::string("\xFF\xE1") + static_cast<char>(length >> 8U) + static_cast<char>(length & 0xFFU) +
-         content;
-}
-
-const std::string kXmpName("http://ns.adobe.com/xap/1.0/\0", 29);
-const std::string kExtendedName("http://ns.adobe.com/xmp/extension/\0", 35);
 
 std::string with_segments(const std::string& segments) {
   const std::string picture = photograph();

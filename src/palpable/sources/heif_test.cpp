@@ -94,6 +94,7 @@ TEST_F(Heif, AuxiliaryDepthIsReadBesideThePicture) {
   const auto path = std::filesystem::path(testing::TempDir()) / "palpable-phone.heic";
   ASSERT_TRUE(write_file_atomically(path, as_bytes(file)));
   EXPECT_EQ(*kind_of_file(path), InputKind::picture);
+  EXPECT_EQ(recognise_input(std::vector{path})->kind, InputKind::depth);
   const auto picture = read_depth_picture(std::vector{path});
   ASSERT_TRUE(picture) << picture.error().sentence();
   const auto& disparity = std::get<DisparityMap>(picture->depth).disparity_px;

@@ -6,6 +6,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/formats/picture.hpp"
 #include "palpable/sources/input.hpp"
+#include "palpable/sources/made_files.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -25,41 +26,6 @@ std::string jpeg(int width, int height, int grey) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string big_endian(std::uint32_t value, int bytes) {
-  std::string text;
-  for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>((value >> (8 * i)) & 0xFFU);
-  return text;
-}
-
-/// A JPEG with a segment put behind its first marker.
-std::string with_segment(const std::string& picture, char marker, const std::string& content) {
-  return picture.substr(0, 2) + '\xFF' + marker +
-         big_endian(static_cast<std::uint32_t>(content.size() + 2), 2) + content + picture.substr(2);
-}
-
-/// A multi-picture file as CIPA DC-007 lays it out: the index in the first picture, the second behind it.
-std::string mpo(const std::string& first, const std::string& second, std::uint32_t kind) {
-  const auto index = [&](std::uint32_t first_size, std::uint32_t second_at) {
-    std::string block = std::string("MM\0*", 4) + big_endian(8, 4) + big_endian(3, 2);
-    block += big_endian(0xB000, 2) + big_endian(7, 2) + big_endian(4, 4) + "0100";
-    block += big_endian(0xB001, 2) + big_endian(4, 2) + big_endian(1, 4) + big_endian(2, 4);
-    block += big_endian(0xB002, 2) + big_endian(7, 2) + big_endian(32, 4) + big_endian(50, 4);
-    block += big_endian(0, 4);
-    block += big_endian(kind, 4) + big_endian(first_size, 4) + big_endian(0, 4) + big_endian(0, 4);
-    block += big_endian(kind, 4) + big_endian(static_cast<std::uint32_t>(second.size()), 4) +
-             big_endian(second_at, 4) + big_endian(0, 4);
-    return std::string("MPF\0", 4) + block;
-  };
-  const auto size = static_cast<std::uint32_t>(with_segment(first, '\xE2', index(0, 0)).size());
-  // The block begins behind the picture's marker, the segment's marker, its length and its name: at 2 + 2 + 2
-  // + 4.
-  return with_segment(first, '\xE2', index(size, size - 10)) + second;
-}
-
-std::string jps(const std::string& picture, std::uint32_t descriptor) {
-  return with_segment(picture, '\xE3', "_JPSJPS_" + big_endian(4, 2) + big_endian(descriptor, 4));
-}
-
 int grey_of(const Image& image) { return static_cast<int>(std::lround(255 * image.pixel(1, 1)[0])); }
 
 /// Left half dark, right half light.
@@ -70,8 +36,6 @@ std::string dark_and_light(int width, int height) {
   cv::imencode(".jpg", m, bytes, {cv::IMWRITE_JPEG_QUALITY, 100});
   return {bytes.begin(), bytes.end()};
 }
-
-constexpr std::uint32_t kDisparity = 0x020002;
 
 TEST(StereoFile, OfAMultiPictureCameraGivesItsTwoPictures) {
   const std::string file = mpo(jpeg(48, 32, 40), jpeg(48, 32, 200), kDisparity);

@@ -33,25 +33,26 @@ struct Sizes {
   Raster<std::uint8_t> coarse;
 };
 
-/// A picture without texture but its grain has none in the small copy; where most is confirmed, fine texture
-/// is no grain.
-enum class Texture { fine_too, coarse_only };
+/// Whether what looks like texture is one, or a camera's grain, which no two pictures share.
+enum class Texture { real, grain };
 
-Texture texture_that_counts(const Raster<std::uint8_t>& grey, const Raster<float>& confidence) {
+Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confidence) {
+  // Where most is confirmed, fine texture is no grain.
   constexpr double kMost = 0.6;
   const auto sure =
       std::count_if(confidence.values().begin(), confidence.values().end(), [](float c) { return c > 0.0F; });
   const bool confirmed = static_cast<double>(sure) > kMost * static_cast<double>(confidence.count());
-  return !confirmed && contrast_beyond_grain(grey) < kOnlyGrain ? Texture::coarse_only : Texture::fine_too;
+  return !confirmed && contrast_beyond_grain(grey) < kOnlyGrain ? Texture::grain : Texture::real;
 }
 
-Trouble trouble_at(int x, int y, const Sizes& grey, Texture counts, const StereoMatch& match) {
+Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const StereoMatch& match) {
   const float d = match.disparity.disparity_px(x, y);
   const double there = x - static_cast<double>(d);
   if (!std::isfinite(d) || there < -0.5 || there > grey.fine.width() - 0.5) return Trouble::out_of_view;
   // Filled from its surroundings a plain surface is often right, but nothing says so.
-  const bool fine = counts == Texture::fine_too && textured_at(grey.fine, x, y);
-  if (!fine && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor)) return Trouble::plain;
+  const bool plain =
+      !textured_at(grey.fine, x, y) && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor);
+  if (plain || texture == Texture::grain) return Trouble::plain;
   return match.confidence(x, y) > 0.0F ? Trouble::none : Trouble::contradicted;
 }
 
@@ -142,13 +143,13 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
   MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
   sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
-  const Texture counts = texture_that_counts(input.left_grey, match.confidence);
+  const Texture texture = texture_of(input.left_grey, match.confidence);
   sizes.fine = std::move(input.left_grey);
   FitToTouch fit;
   fit.trouble = Raster<std::uint8_t>(pair.left.width, pair.left.height);
   for (int y = 0; y < fit.trouble.height(); ++y)
     for (int x = 0; x < fit.trouble.width(); ++x)
-      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, counts, match));
+      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, texture, match));
   const double good = share_of(fit.trouble, Trouble::none),
                contradicted = share_of(fit.trouble, Trouble::contradicted);
   fit.coverage = good;
