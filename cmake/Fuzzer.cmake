@@ -1,5 +1,7 @@
 # palpable_fuzzer(NAME x SOURCES x_fuzz.cpp USES modules… LINKS libraries…): one libFuzzer program, build/fuzz/bin/fuzz_x.
 # Small inputs that it starts from stand in fuzz/corpus/x/: whatever once broke the parser, and one valid file.
+# The target palpable_fuzzers makes them all.
+add_custom_target(palpable_fuzzers)
 function(palpable_fuzzer)
   cmake_parse_arguments(F "" "NAME" "SOURCES;USES;LINKS" ${ARGN})
   add_executable(fuzz_${F_NAME} ${F_SOURCES})
@@ -9,4 +11,5 @@ function(palpable_fuzzer)
   target_link_libraries(fuzz_${F_NAME} PRIVATE palpable_options ${F_LINKS})
   target_compile_options(fuzz_${F_NAME} PRIVATE -fsanitize=fuzzer)
   target_link_options(fuzz_${F_NAME} PRIVATE -fsanitize=fuzzer)
+  add_dependencies(palpable_fuzzers fuzz_${F_NAME})
 endfunction()

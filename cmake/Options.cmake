@@ -15,8 +15,10 @@ find_package(Threads REQUIRED)
 target_link_libraries(palpable_options INTERFACE Threads::Threads)
 
 if(PALPABLE_SANITIZE)
-  # g++ 12 finds std::variant maybe uninitialized where a sanitizer has changed the code; other builds keep the warning.
-  target_compile_options(palpable_options INTERFACE -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # g++ 12 finds std::variant maybe uninitialized where a sanitizer has changed the code; other builds keep the warning.
+    target_compile_options(palpable_options INTERFACE -Wno-maybe-uninitialized)
+  endif()
   add_compile_options(-fsanitize=${PALPABLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   string(REPLACE "fuzzer-no-link," "" palpable_link_sanitize "${PALPABLE_SANITIZE}")
   add_link_options(-fsanitize=${palpable_link_sanitize})
