@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/alignment.hpp"
 
+#include "palpable/sources/depth_file.hpp"
 #include "palpable/sources/picture.hpp"
 #include "palpable/vision/opencv_image.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -85,12 +87,11 @@ TEST_F(RealPairs, ChessboardsOfCalibratedCamerasShareScanlines) {
   }
 }
 
-/// The picture of a camera that is turned by these angles, of a focal length of the picture's width.
-Image turned(const Image& picture, double about_x_deg, double about_y_deg, double about_z_deg) {
+/// The picture of a camera that is turned by these angles.
+Image turned(const Image& picture, double f, double about_x_deg, double about_y_deg, double about_z_deg) {
   const double degree = std::numbers::pi / 180.0;
   cv::Matx33d r;
   cv::Rodrigues(cv::Vec3d(about_x_deg, about_y_deg, about_z_deg) * degree, r);
-  const double f = picture.width;
   const cv::Matx33d k(f, 0, 0.5 * (picture.width - 1), 0, f, 0.5 * (picture.height - 1), 0, 0, 1);
   cv::Mat out;
   cv::warpPerspective(view_of(picture), out, k * r * k.inv(), {picture.width, picture.height},
@@ -105,7 +106,7 @@ TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
   for (const auto& [left, right] : files) {
     const StereoPair straight = read(left, right);
     for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{{0, 5, 0}, {-3, 3, 3}, {2, -4, 2}}) {
-      const StereoPair pair{straight.left, turned(straight.right, x, y, z), {}};
+      const StereoPair pair{straight.left, turned(straight.right, straight.right.width, x, y, z), {}};
       const auto aligned = align_uncalibrated(pair, {});
       ASSERT_TRUE(aligned);
       EXPECT_TRUE(aligned->changed) << left;
@@ -117,6 +118,34 @@ TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
       EXPECT_LE(again->residual_before_px, 0.5) << left;
     }
   }
+}
+
+TEST_F(RealPairs, ACameraMovedAndTurnedALittleGivesMetres) {
+  constexpr double kFocal_px = 820.0, kMoved_m = 0.06;
+  const StereoPair straight = read("rendered_heads/left.png", "rendered_heads/right.png");
+  const auto truth = sources::read_disparity(stereo_ + "rendered_heads/disp_left.pfm", 1.0,
+                                             sources::UnknownDisparity::not_finite);
+  ASSERT_TRUE(truth);
+  const Raster<float>& truth_px = truth->disparity.disparity_px;
+  const StereoPair pair{straight.left, turned(straight.right, kFocal_px, 0.5, -0.7, 0.6), {}};
+  const auto aligned =
+      align_moved(pair, {{kFocal_px, 0, 359.5, 0, kFocal_px, 239.5, 0, 0, 1}, {}}, kMoved_m, {});
+  ASSERT_TRUE(aligned && aligned->pair.rig);
+  const auto found = match(aligned->pair, StereoMethod::fast, {}, {});
+  ASSERT_TRUE(found);
+  const StereoRig& rig = *aligned->pair.rig;
+  std::vector<double> errors;
+  for (int y = 0; y < truth_px.height(); y += 3)
+    for (int x = 0; x < truth_px.width(); x += 3) {
+      const auto metres = [&](float d) {
+        return rig.baseline_m * rig.left.fx / (static_cast<double>(d) + rig.doffs_px);
+      };
+      const double real_m = kMoved_m * kFocal_px / static_cast<double>(truth_px(x, y));
+      errors.push_back(std::abs(metres(found->disparity.disparity_px(x, y)) / real_m - 1.0));
+    }
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2),
+                   errors.end());
+  EXPECT_LT(errors[errors.size() / 2], 0.02);
 }
 
 }  // namespace

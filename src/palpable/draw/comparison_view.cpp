@@ -4,6 +4,7 @@
 
 #include "palpable/draw/canvas.hpp"
 #include "palpable/draw/relief_shading.hpp"
+#include "palpable/draw/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,10 +64,7 @@ Figure comparison_figure(std::vector<ComparedRelief> reliefs, const Heading& hea
   const int width = static_cast<int>(kMargin_px + kColumns * (kPanel_px + kMargin_px));
   const int height = static_cast<int>(kTop_px + grid.rows * (grid.panel_height + kMargin_px));
   return {width, height, [reliefs = std::move(reliefs), heading, grid, width](Canvas& canvas) {
-            const double room = width - 2.0 * kMargin_px;
-            canvas.text(heading.title, {kMargin_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = room});
-            canvas.text(heading.subtitle, {kMargin_px, 58.0},
-                        {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = room});
+            draw_heading(canvas, heading, kMargin_px, width - 2.0 * kMargin_px);
             for (std::size_t i = 0; i < reliefs.size(); ++i)
               draw_panel(canvas, reliefs[i], grid.corner(i), grid.picture_height);
           }};

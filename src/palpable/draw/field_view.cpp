@@ -3,6 +3,7 @@
 #include "palpable/draw/field_view.hpp"
 
 #include "palpable/draw/plot.hpp"
+#include "palpable/draw/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,24 +96,22 @@ Figure field_section_figure(std::shared_ptr<const models::Field> field, double y
   plot.area = {kLeft_px, kTop_px, width_px, height_px};
   const Rect bar{plot.area.right() + 30.0, kTop_px, 18.0, std::clamp(height_px, 60.0, 260.0)};
   const double note_y = std::max(plot.area.bottom(), bar.bottom()) + 70.0;
-  return {
-      static_cast<int>(bar.right() + 110.0), static_cast<int>(note_y + 60.0),
-      [=, field = std::move(field)](Canvas& canvas) {
-        canvas.text(heading.title, {kLeft_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = kWidth_px});
-        canvas.text(heading.subtitle, {kLeft_px, 58.0},
-                    {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = kWidth_px});
-        canvas.picture(distances(field->distance, y_m, plot), plot.area);
-        draw_cells(canvas, field->distance, y_m, plot);
-        draw_forces(canvas, field->distance, y_m, plot);
-        draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
-        draw_colour_bar(canvas, bar, -kMm * kColourSpan_m, kMm * kColourSpan_m, "distance, mm", bar_colour);
-        canvas.text(
-            fmt::format("Cut at {} mm of the height. Black: the surface; grey lines: every millimetre; "
-                        "thin squares: cells; arrows: the force of a spring of 1 N/mm inside, 8 pixels a "
-                        "newton, at most 26.",
-                        label_of(kMm * y_m, 0.1)),
-            {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
-      }};
+  return {static_cast<int>(bar.right() + 110.0), static_cast<int>(note_y + 60.0),
+          [=, field = std::move(field)](Canvas& canvas) {
+            draw_heading(canvas, heading, kLeft_px, kWidth_px);
+            canvas.picture(distances(field->distance, y_m, plot), plot.area);
+            draw_cells(canvas, field->distance, y_m, plot);
+            draw_forces(canvas, field->distance, y_m, plot);
+            draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
+            draw_colour_bar(canvas, bar, -kMm * kColourSpan_m, kMm * kColourSpan_m, "distance, mm",
+                            bar_colour);
+            canvas.text(
+                fmt::format("Cut at {} mm of the height. Black: the surface; grey lines: every millimetre; "
+                            "thin squares: cells; arrows: the force of a spring of 1 N/mm inside, 8 pixels a "
+                            "newton, at most 26.",
+                            label_of(kMm * y_m, 0.1)),
+                {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
+          }};
 }
 
 }  // namespace palpable::draw

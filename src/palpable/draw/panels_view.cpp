@@ -6,6 +6,7 @@
 #include "palpable/draw/canvas.hpp"
 #include "palpable/draw/colour_map.hpp"
 #include "palpable/draw/plot.hpp"
+#include "palpable/draw/sheet.hpp"
 #include "palpable/draw/value_range.hpp"
 
 #include <algorithm>
@@ -66,10 +67,7 @@ Figure panels_figure(std::vector<Panel> panels, const Heading& heading) {
   const double width = 2.0 * kMargin_px + columns * kWidth_px + (columns - 1) * kGap_px + kBar_px;
   return {static_cast<int>(width), static_cast<int>(kTop_px + rows * (height + kGap_px) + 16.0),
           [=, panels = std::move(panels)](Canvas& canvas) {
-            canvas.text(heading.title, {kMargin_px, 20.0},
-                        {.size_px = 23.0, .bold = true, .wrap_px = width - 2.0 * kMargin_px});
-            canvas.text(heading.subtitle, {kMargin_px, 56.0},
-                        {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width - 2.0 * kMargin_px});
+            draw_heading(canvas, heading, kMargin_px, width - 2.0 * kMargin_px);
             const auto range = range_of(panels);
             for (int i = 0; i < count; ++i)
               draw_panel(canvas, panels[static_cast<std::size_t>(i)], range,

@@ -4,6 +4,7 @@
 
 #include "palpable/draw/colour_map.hpp"
 #include "palpable/draw/plot.hpp"
+#include "palpable/draw/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,27 +76,24 @@ Figure section_figure(models::Relief relief, double y_m, const Heading& heading)
   const Rect map{kLeft_px, plot.area.bottom() + 84.0, kMap_px, map_height};
   const int page_width = static_cast<int>(kLeft_px + kWidth_px + 50.0),
             page_height = static_cast<int>(map.bottom() + 30.0);
-  return {
-      page_width, page_height, [=, relief = std::move(relief)](Canvas& canvas) {
-        canvas.text(heading.title, {kLeft_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = kWidth_px});
-        canvas.text(heading.subtitle, {kLeft_px, 58.0},
-                    {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = kWidth_px});
-        draw_profile(canvas, relief, y_m, plot);
-        canvas.picture(small_map(relief, static_cast<int>(map.width) * 2, static_cast<int>(map.height) * 2),
-                       map);
-        canvas.frame(map, {{70, 70, 70}, 1.2});
-        const double cut_y = map.y + (0.5 - y_m / relief.depth_m()) * map.height;
-        canvas.line({map.x - 8.0, cut_y}, {map.right() + 8.0, cut_y}, {{255, 255, 255}, 4.0});
-        canvas.line({map.x - 8.0, cut_y}, {map.right() + 8.0, cut_y}, {kCut, 2.0});
-        const std::string stretched =
-            stretch > 1.0 ? fmt::format("heights are drawn {:g} times larger than widths", stretch)
-                          : std::string("heights and widths are drawn at the same scale");
-        canvas.text(
-            fmt::format("The red line shows where the relief is cut: {} mm {} its middle.\nAbove, {}. "
-                        "Pale is high, dark is low.",
-                        label_of(std::abs(kMm * y_m), 0.1), y_m >= 0.0 ? "above" : "below", stretched),
-            {map.right() + 30.0, map.y}, {.size_px = 14.0, .wrap_px = kWidth_px - kMap_px - 40.0});
-      }};
+  return {page_width, page_height, [=, relief = std::move(relief)](Canvas& canvas) {
+            draw_heading(canvas, heading, kLeft_px, kWidth_px);
+            draw_profile(canvas, relief, y_m, plot);
+            canvas.picture(
+                small_map(relief, static_cast<int>(map.width) * 2, static_cast<int>(map.height) * 2), map);
+            canvas.frame(map, {{70, 70, 70}, 1.2});
+            const double cut_y = map.y + (0.5 - y_m / relief.depth_m()) * map.height;
+            canvas.line({map.x - 8.0, cut_y}, {map.right() + 8.0, cut_y}, {{255, 255, 255}, 4.0});
+            canvas.line({map.x - 8.0, cut_y}, {map.right() + 8.0, cut_y}, {kCut, 2.0});
+            const std::string stretched =
+                stretch > 1.0 ? fmt::format("heights are drawn {:g} times larger than widths", stretch)
+                              : std::string("heights and widths are drawn at the same scale");
+            canvas.text(
+                fmt::format("The red line shows where the relief is cut: {} mm {} its middle.\nAbove, {}. "
+                            "Pale is high, dark is low.",
+                            label_of(std::abs(kMm * y_m), 0.1), y_m >= 0.0 ? "above" : "below", stretched),
+                {map.right() + 30.0, map.y}, {.size_px = 14.0, .wrap_px = kWidth_px - kMap_px - 40.0});
+          }};
 }
 
 }  // namespace palpable::draw

@@ -31,11 +31,14 @@ Sheet sheet_for(double aspect) {
   return sheet;
 }
 
+void draw_heading(Canvas& canvas, const Heading& heading, double left_px, double width_px) {
+  canvas.text(heading.title, {left_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = width_px});
+  canvas.text(heading.subtitle, {left_px, 58.0},
+              {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width_px});
+}
+
 void draw_words(Canvas& canvas, const Sheet& sheet, const Heading& heading, const std::string& caption) {
-  const double width = sheet.width_px - sheet.plot.x - 30.0;
-  canvas.text(heading.title, {sheet.plot.x, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = width});
-  canvas.text(heading.subtitle, {sheet.plot.x, 58.0},
-              {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width});
+  draw_heading(canvas, heading, sheet.plot.x, sheet.width_px - sheet.plot.x - 30.0);
   canvas.text(caption, {sheet.caption.x, sheet.caption.y},
               {.size_px = 13.0, .colour = {80, 80, 80}, .wrap_px = sheet.caption.width});
 }

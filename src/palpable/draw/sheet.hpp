@@ -22,6 +22,9 @@ struct Sheet {
 /// A sheet whose plot has this ratio of width to height (clamped to 1:3 … 3:1).
 Sheet sheet_for(double aspect);
 
+/// A page's heading, from its left edge on.
+void draw_heading(Canvas& canvas, const Heading& heading, double left_px, double width_px);
+
 /// Heading and caption in their places.
 void draw_words(Canvas& canvas, const Sheet& sheet, const Heading& heading, const std::string& caption);
 

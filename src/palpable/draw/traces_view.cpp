@@ -3,6 +3,7 @@
 #include "palpable/draw/traces_view.hpp"
 
 #include "palpable/draw/plot.hpp"
+#include "palpable/draw/sheet.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +37,7 @@ Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& 
   const double width_px = columns * (kWidth_px + kGap_px);
   return {static_cast<int>(kLeft_px + width_px), static_cast<int>(kTop_px + rows * (kHeight_px + kGap_px)),
           [=, traces = std::move(traces)](Canvas& canvas) {
-            canvas.text(heading.title, {kLeft_px, 22.0}, {.size_px = 23.0, .bold = true});
-            canvas.text(heading.subtitle, {kLeft_px, 56.0},
-                        {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width_px - kGap_px});
+            draw_heading(canvas, heading, kLeft_px, width_px - kGap_px);
             for (std::size_t k = 0; k < traces.size(); ++k) {
               const int row = static_cast<int>(k) / columns, column = static_cast<int>(k) % columns;
               const Trace& trace = traces[k];
