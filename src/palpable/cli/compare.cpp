@@ -122,7 +122,7 @@ Json json_of(const std::vector<Outcome>& outcomes) {
 Result<Answer> compare(const Arguments& arguments, Console& console) {
   const auto truth = read_truth(arguments);
   if (!truth) return truth.error();
-  const auto ready = session::read_stereo_pair(stereo_input(arguments.stereo), console.work());
+  const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
   if (*truth && ready->aligned_by != session::AlignedBy::nothing)

@@ -50,7 +50,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
     return Error{ErrorCode::usage, "disparity is written as .pfm or .png", arguments.output};
   const auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
-  const auto ready = session::read_stereo_pair(stereo_input(arguments.stereo), console.work());
+  const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
   if (const auto written = write_aligned(arguments.aligned, ready->pair); !written) return written.error();

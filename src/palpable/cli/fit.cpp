@@ -32,7 +32,7 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
   auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
   if (arguments.stereo.method.empty()) method = vision::StereoMethod::fast;
-  const auto ready = session::read_stereo_pair(stereo_input(arguments.stereo), console.work());
+  const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   const auto match =
       vision::match_confirmed(ready->pair, *method, {arguments.stereo.max_disparity_px}, console.work());

@@ -3,7 +3,10 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/haptics/laws.hpp"
+#include "palpable/sources/input.hpp"
 
+#include <filesystem>
+#include <span>
 #include <variant>
 
 #include <fmt/format.h>
@@ -96,9 +99,21 @@ void add_model(Answer& answer, const models::Contours& contours) {
                   map.edges().height(), 100.0 * map.origin().boundary_fraction, map.origin().threshold);
 }
 
+/// Of a file that is no scene, what it is: people ask this of what they have.
+Error not_a_scene(const std::string& path, Error reason) {
+  const std::filesystem::path file(path);
+  const auto input = sources::recognise_input(std::span(&file, 1));
+  if (!input || input->kind == sources::InputKind::scene) return reason;
+  return invalid_input(
+      fmt::format("is no scene but an input of the kind {}; palpable make {} -o SCENE.palp makes "
+                  "a scene of it",
+                  sources::name_of(input->kind), file.filename().string()),
+      path);
+}
+
 Result<Answer> info(const std::string& path) {
   const auto file = formats::read_scene(path);
-  if (!file) return file.error();
+  if (!file) return not_a_scene(path, file.error());
   const models::Scene& scene = file->scene;
   const Vec3 size = models::size_m(scene);
   const std::size_t memory = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);

@@ -4,6 +4,7 @@
 
 #include "palpable/cli/suggest.hpp"
 #include "palpable/session/make_scene.hpp"
+#include "palpable/sources/input.hpp"
 
 #include <cmath>
 #include <utility>
@@ -20,7 +21,7 @@ void add_pair_arguments(Options& options, StereoArguments& arguments) {
 void add_stereo_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
   options.text("--method", arguments.method,
-               "How the pair is matched (docs/stereo.md); else the best there is");
+               "How the pair is matched (docs/stereo.md); else the best there is, and fast to begin with");
   add_pair_options(options, arguments);
 }
 
@@ -65,15 +66,24 @@ sources::StereoLayout layout_of(const StereoArguments& arguments) {
   return Layout::automatic;
 }
 
-session::StereoInput stereo_input(const StereoArguments& arguments) {
+Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Work& work) {
   session::StereoInput input;
   input.pictures.emplace_back(arguments.left);
   if (!arguments.right.empty()) input.pictures.emplace_back(arguments.right);
+  if (arguments.right.empty() && arguments.layout.empty()) {
+    const auto kind = sources::kind_of_file(arguments.left);
+    if (!kind) return kind.error();
+    if (*kind != sources::InputKind::stereo)
+      return Error{ErrorCode::usage,
+                   "does not say that it holds a pair: name the right picture too, or say how it holds both "
+                   "(--layout)",
+                   arguments.left};
+  }
   input.calibration = arguments.calibration;
   input.layout = layout_of(arguments);
   input.align = align_of(arguments);
   input.moved_m = moved_m_of(arguments);
-  return input;
+  return session::read_stereo_pair(input, work);
 }
 
 std::string places_of(const StereoArguments& arguments) {

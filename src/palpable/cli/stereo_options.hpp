@@ -38,8 +38,9 @@ void add_stereo_options(Options& options, StereoArguments& arguments);
 /// The same without --method, for commands that run every method or one of their own.
 void add_pair_options(Options& options, StereoArguments& arguments);
 
-/// The pair of LEFT and RIGHT, to be read as the arguments say.
-session::StereoInput stereo_input(const StereoArguments& arguments);
+/// The pair of LEFT and RIGHT, read as the arguments say. Errors: as session::read_stereo_pair(), and usage
+/// where LEFT stands alone but is no stereo file and no --layout says how it holds two.
+Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Work& work);
 /// LEFT and RIGHT for an error's place or a picture's heading; by their names without folders for the latter.
 std::string places_of(const StereoArguments& arguments);
 std::string names_of(const StereoArguments& arguments);

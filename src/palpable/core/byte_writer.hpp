@@ -21,8 +21,8 @@ class ByteWriter {
   void u64(std::uint64_t value) { number(value); }
   void f64(double value) { number(std::bit_cast<std::uint64_t>(value)); }
   void text(std::string_view value) {
-    const auto raw = std::as_bytes(std::span(value.data(), value.size()));
-    bytes_.insert(bytes_.end(), raw.begin(), raw.end());
+    // One by one: g++ 12 warns wrongly of an overflow where a range is inserted behind numbers (-O3).
+    for (const char c : value) u8(static_cast<std::uint8_t>(c));
   }
 
   std::span<const std::byte> bytes() const { return bytes_; }
