@@ -10,19 +10,28 @@
 namespace palpable::vision {
 namespace {
 
-PALPABLE_VECTORIZE void census_row(const Raster<std::uint8_t>& padded, int y, int width, std::uint64_t* out) {
-  const std::uint8_t* centre = padded.row(y + kCensusHalfY).data() + kCensusHalfX;
-  for (int x = 0; x < width; ++x) out[x] = 0;
-  for (int v = 0; v <= 2 * kCensusHalfY; ++v) {
-    const std::uint8_t* row = padded.row(y + v).data();
-    for (int u = 0; u <= 2 * kCensusHalfX; ++u)
-      for (int x = 0; x < width; ++x) out[x] = (out[x] << 1U) | (row[x + u] < centre[x] ? 1U : 0U);
-  }
+/// The bits of one row of the window, nine for each pixel: short lanes, so that many fit a vector.
+using RowBits = std::vector<std::uint16_t>;
+
+PALPABLE_VECTORIZE void add_darker(const std::uint8_t* __restrict other,
+                                   const std::uint8_t* __restrict centre, int width,
+                                   std::uint16_t* __restrict bits) {
+  for (int x = 0; x < width; ++x)
+    bits[x] = static_cast<std::uint16_t>((bits[x] << 1U) | (other[x] < centre[x] ? 1U : 0U));
 }
 
-PALPABLE_VECTORIZE void add_bit(const std::uint8_t* __restrict difference, std::uint8_t limit, int width,
-                                std::uint64_t* __restrict out) {
-  for (int x = 0; x < width; ++x) out[x] = (out[x] << 1U) | (difference[x] < limit ? 1U : 0U);
+PALPABLE_VECTORIZE void add_alike(const std::uint8_t* __restrict difference, std::uint8_t limit, int width,
+                                  std::uint16_t* __restrict bits) {
+  for (int x = 0; x < width; ++x)
+    bits[x] = static_cast<std::uint16_t>((bits[x] << 1U) | (difference[x] < limit ? 1U : 0U));
+}
+
+/// Moves the bits of a row of the window to the end of the signatures, and clears them.
+PALPABLE_VECTORIZE void append(std::uint16_t* __restrict bits, int width, std::uint64_t* __restrict out) {
+  for (int x = 0; x < width; ++x) {
+    out[x] = (out[x] << (2 * kCensusHalfX + 1)) | bits[x];
+    bits[x] = 0;
+  }
 }
 
 }  // namespace
@@ -35,8 +44,9 @@ Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work) {
   const int width = out.width();
   parallel_for(work, out.height(), 16, [&](int begin, int end) {
     std::vector<std::uint8_t> difference(static_cast<std::size_t>(width));
+    RowBits bits(difference.size());
     for (int y = begin; y < end; ++y) {
-      for (int v = -kCensusHalfY; v <= kCensusHalfY; ++v)
+      for (int v = -kCensusHalfY; v <= kCensusHalfY; ++v) {
         for (int u = -kCensusHalfX; u <= kCensusHalfX; ++u) {
           // Beyond the border all counts, as the census repeats it.
           std::fill(difference.begin(), difference.end(), std::uint8_t{0});
@@ -44,8 +54,10 @@ Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work) {
           if (y + v >= 0 && y + v < out.height())
             colour_differences(picture, first, y, first + u, y + v, std::min(width, width - u) - first,
                                difference.data() + first);
-          add_bit(difference.data(), kLevels, width, out.row(y).data());
+          add_alike(difference.data(), kLevels, width, bits.data());
         }
+        append(bits.data(), width, out.row(y).data());
+      }
       for (std::uint64_t& alike : out.row(y))
         if (std::popcount(alike) < kFewest) alike = kAll;
     }
@@ -61,7 +73,15 @@ Raster<std::uint64_t> census_9x7(const Raster<std::uint8_t>& grey, const Work& w
                           std::clamp(y - kCensusHalfY, 0, grey.height() - 1));
   Raster<std::uint64_t> out(grey.width(), grey.height());
   parallel_for(work, grey.height(), 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) census_row(padded, y, grey.width(), out.row(y).data());
+    RowBits bits(static_cast<std::size_t>(grey.width()));
+    for (int y = begin; y < end; ++y) {
+      const std::uint8_t* centre = padded.row(y + kCensusHalfY).data() + kCensusHalfX;
+      for (int v = 0; v <= 2 * kCensusHalfY; ++v) {
+        for (int u = 0; u <= 2 * kCensusHalfX; ++u)
+          add_darker(padded.row(y + v).data() + u, centre, grey.width(), bits.data());
+        append(bits.data(), grey.width(), out.row(y).data());
+      }
+    }
   });
   return out;
 }

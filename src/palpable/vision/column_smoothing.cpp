@@ -89,18 +89,7 @@ class ColumnVotes {
 
   /// The weighted mean of the votes around (x, y) within one pixel of their weighted median.
   float reasonable(int x, int y) {
-    const float total = collect(x, y);
-    std::sort(votes_.begin(), votes_.end(),
-              [](const Vote& a, const Vote& b) { return a.disparity_px < b.disparity_px; });
-    float half = 0.0F;
-    float median = votes_.back().disparity_px;
-    for (const Vote& vote : votes_) {
-      half += vote.weight;
-      if (2.0F * half >= total) {
-        median = vote.disparity_px;
-        break;
-      }
-    }
+    const float median = weighted_median(collect(x, y));
     float sum = 0.0F;
     float weight = 0.0F;
     for (const Vote& vote : votes_) {
@@ -123,6 +112,30 @@ class ColumnVotes {
   VoteRow row(int x, int y) const {
     const auto at = [&](const auto& raster) { return raster.row(y).data() + x; };
     return {at(colour_.r), at(colour_.g), at(colour_.b), at(disparity_px_), at(trust_)};
+  }
+
+  /// The least disparity up to which lies half of the votes.
+  float weighted_median(float total) {
+    auto first = votes_.begin();
+    auto last = votes_.end();
+    float below = 0.0F;
+    while (last - first > 1) {
+      const auto middle = first + (last - first) / 2;
+      std::nth_element(first, middle, last,
+                       [](const Vote& a, const Vote& b) { return a.disparity_px < b.disparity_px; });
+      float up_to_middle = below;
+      for (auto vote = first; vote != middle; ++vote) up_to_middle += vote->weight;
+      if (2.0F * up_to_middle >= total) {
+        last = middle;
+      } else {
+        first = middle;
+        below = up_to_middle;
+        if (2.0F * (below + middle->weight) >= total) break;
+        below += middle->weight;
+        ++first;
+      }
+    }
+    return first == votes_.end() ? votes_.back().disparity_px : first->disparity_px;
   }
 
   /// The votes around (x, y), and their sum.
@@ -166,8 +179,10 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
   parallel_for(work, picture.height(), 8, [&](int begin, int end) {
     ColumnVotes votes(colour, trust, before, options);
     std::vector<float> shares(static_cast<std::size_t>(picture.width()));
+    std::vector<std::uint8_t> settled(shares.size());
     for (int y = begin; y < end; ++y) {
       votes.shares(y, shares);
+      std::fill(settled.begin(), settled.end(), std::uint8_t{0});
       // From each outlier along the scanline, both ways, as far as the streak goes.
       for (const int direction : {1, -1}) {
         bool in_streak = false;
@@ -177,7 +192,9 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
           const bool goes_on = in_streak && shares[i] < options.streak_share &&
                                std::abs(before(x, y) - before(x - direction, y)) <= 1.0F;
           in_streak = shares[i] < options.outlier_share || goes_on;
-          if (in_streak) disparity_px(x, y) = votes.reasonable(x, y);
+          if (!in_streak || settled[i] != 0) continue;
+          disparity_px(x, y) = votes.reasonable(x, y);
+          settled[i] = 1;
         }
       }
     }

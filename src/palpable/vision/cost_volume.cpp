@@ -3,7 +3,6 @@
 #include "palpable/vision/cost_volume.hpp"
 
 #include "palpable/core/vectorize.hpp"
-#include "palpable/vision/census.hpp"
 #include "palpable/vision/cross_window.hpp"
 
 #include <array>
@@ -13,7 +12,7 @@ namespace palpable::vision {
 namespace {
 
 constexpr int kLanes = 32;
-constexpr float kColourScale = 10.0F;
+constexpr float kColourScale = 13.0F;
 constexpr float kCensusScale = 30.0F;
 /// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view.
 constexpr float kOutOfView = 0.6F;
@@ -25,50 +24,18 @@ constexpr CrossOptions kCross{.row_reach_px = 5,
                               .colour_limit_beyond = 5,
                               .neighbour_limit = 19};
 
-/// A row of the other picture from right to left, so that x - d runs forward with d.
-struct ReversedRow {
-  std::vector<std::uint8_t> r, g, b;
-  std::vector<std::uint64_t> census;
-
-  ReversedRow(const MatchView& view, int y) {
-    const auto reverse = [](auto row, auto& out) { out.assign(row.rbegin(), row.rend()); };
-    reverse(view.colour.r.row(y), r);
-    reverse(view.colour.g.row(y), g);
-    reverse(view.colour.b.row(y), b);
-    reverse(view.census.row(y), census);
-  }
-};
-
 struct CostTables {
-  std::array<std::uint16_t, 766> colour{};
+  std::array<std::uint16_t, 256> colour{};
   std::array<std::uint16_t, 64> census{};
 
   CostTables() {
     const auto cost = [](float ratio) {
       return static_cast<std::uint16_t>(std::lround(kCostUnit * (1.0F - std::exp(-ratio))));
     };
-    for (std::size_t i = 0; i < colour.size(); ++i)
-      colour[i] = cost(static_cast<float>(i) / (3.0F * kColourScale));
+    for (std::size_t i = 0; i < colour.size(); ++i) colour[i] = cost(static_cast<float>(i) / kColourScale);
     for (std::size_t i = 0; i < census.size(); ++i) census[i] = cost(static_cast<float>(i) / kCensusScale);
   }
 };
-
-PALPABLE_VECTORIZE
-void compare(const std::uint8_t* __restrict r, const std::uint8_t* __restrict g,
-             const std::uint8_t* __restrict b, const std::uint64_t* __restrict census, Rgb8 centre,
-             std::uint64_t signature, std::uint64_t alike, int count,
-             std::uint16_t* __restrict colour_difference, std::uint16_t* __restrict distance) {
-  const int cr = centre.r;
-  const int cg = centre.g;
-  const int cb = centre.b;
-  for (int d = 0; d < count; ++d)
-    colour_difference[d] =
-        static_cast<std::uint16_t>(std::abs(cr - r[d]) + std::abs(cg - g[d]) + std::abs(cb - b[d]));
-  const int scale = census_scale(alike);
-  for (int d = 0; d < count; ++d)
-    distance[d] = static_cast<std::uint16_t>(__builtin_popcountll((signature ^ census[d]) & alike) * scale /
-                                             kCensusScaleUnit);
-}
 
 void fill_out_of_view(std::uint16_t* cost, int known, int stride) {
   if (known >= stride) return;
@@ -111,30 +78,23 @@ CostVolume::CostVolume(int width_, int height_, int disparities_)
       cost(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
            static_cast<std::size_t>(stride)) {}
 
-MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
-  MatchView view{colour_planes(picture), census_9x7(luma, work), {}};
-  view.alike = alike_9x7(view.colour, work);
-  return view;
-}
-
 void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume& out, const Work& work) {
   const CostTables tables;
-  const auto& [r, g, b] = reference.colour;
   parallel_for(work, out.height, 4, [&](int begin, int end) {
-    std::vector<std::uint16_t> difference(static_cast<std::size_t>(out.stride));
-    std::vector<std::uint16_t> distance(static_cast<std::size_t>(out.stride));
+    const std::size_t row = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.stride);
+    std::vector<std::uint8_t> colour(row);
+    std::vector<std::uint8_t> census(row);
+    ReversedRow there;
     for (int y = begin; y < end; ++y) {
-      const ReversedRow row(other, y);
+      there.assign(other, y, out.stride);
+      compare_row(reference, y, there, out.stride, census.data(), colour.data());
       for (int x = 0; x < out.width; ++x) {
         const int known = std::min(out.disparities, x + 1);
-        const int first = out.width - 1 - x;
-        compare(row.r.data() + first, row.g.data() + first, row.b.data() + first, row.census.data() + first,
-                {r(x, y), g(x, y), b(x, y)}, reference.census(x, y), reference.alike(x, y), known,
-                difference.data(), distance.data());
+        const std::size_t at = static_cast<std::size_t>(x) * static_cast<std::size_t>(out.stride);
         std::uint16_t* cost = out.at(x, y);
         for (int d = 0; d < known; ++d) {
-          const auto i = static_cast<std::size_t>(d);
-          cost[d] = static_cast<std::uint16_t>(tables.colour[difference[i]] + tables.census[distance[i]]);
+          const std::size_t i = at + static_cast<std::size_t>(d);
+          cost[d] = static_cast<std::uint16_t>(tables.colour[colour[i]] + tables.census[census[i]]);
         }
         fill_out_of_view(cost, known, out.stride);
       }

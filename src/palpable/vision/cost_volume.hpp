@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/work.hpp"
-#include "palpable/vision/colour_planes.hpp"
+#include "palpable/vision/matching_cost.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -34,16 +33,6 @@ struct CostVolume {
 };
 
 inline constexpr int kCostUnit = 2048;
-
-/// One picture as the costs below compare it.
-struct MatchView {
-  ColourPlanes colour;
-  /// census_9x7 of its luma.
-  Raster<std::uint64_t> census;
-  /// alike_9x7: which of the census' bits count.
-  Raster<std::uint64_t> alike;
-};
-MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work);
 
 /// AD-Census cost of Mei et al. 2011, eqs 1-3: 1 - exp(-colour difference/10) + 1 - exp(-Hamming
 /// distance/30), 0…2 units. Where x - d lies outside the other picture, a value between the pixel's least and

@@ -53,21 +53,40 @@ void grow_arms(const ColourPlanes& picture, int y, int dx, int dy, const CrossOp
   }
 }
 
-PALPABLE_VECTORIZE void add_costs(const std::uint32_t* before, const std::uint8_t* cost, int count,
-                                  std::uint32_t* out) {
-  for (int d = 0; d < count; ++d) out[d] = before[d] + cost[d];
+// Sums wrap around in 16 bits; what a window sums to does not, so differences of sums are right.
+
+PALPABLE_VECTORIZE void add_costs(const std::uint16_t* __restrict before, const std::uint8_t* __restrict cost,
+                                  int count, std::uint16_t* __restrict out) {
+  for (int d = 0; d < count; ++d) out[d] = static_cast<std::uint16_t>(before[d] + cost[d]);
 }
 
-PALPABLE_VECTORIZE void add_span(const std::uint32_t* above, const std::uint32_t* to,
-                                 const std::uint32_t* from, int count, std::uint32_t* out) {
-  for (int d = 0; d < count; ++d) out[d] = above[d] + (to[d] - from[d]);
+PALPABLE_VECTORIZE void add_span(const std::uint16_t* __restrict above, const std::uint16_t* __restrict to,
+                                 const std::uint16_t* __restrict from, int count,
+                                 std::uint16_t* __restrict out) {
+  for (int d = 0; d < count; ++d) out[d] = static_cast<std::uint16_t>(above[d] + (to[d] - from[d]));
 }
 
-PALPABLE_VECTORIZE void mean_of(const std::uint32_t* to, const std::uint32_t* from, float scale, int count,
-                                std::int32_t* out) {
-  for (int d = 0; d < count; ++d)
-    out[d] = static_cast<std::int32_t>(
-        static_cast<float>(static_cast<std::int32_t>(to[d] - from[d])) * scale + 0.5F);
+/// out = (to - from) * kMeanCostUnit / pixels. The reciprocal of small windows would not fit 16 bits: their
+/// sums are multiplied instead.
+PALPABLE_VECTORIZE void mean_of(const std::uint16_t* __restrict to, const std::uint16_t* __restrict from,
+                                int pixels, int count, std::uint16_t* __restrict out) {
+  static_assert(kMeanCostUnit * kMeanCostUnit * kLargestMatchingCost <= 65535);
+  const bool small = pixels <= kMeanCostUnit;
+  const auto factor = static_cast<std::uint16_t>(small ? kMeanCostUnit : 1);
+  const int share = (small ? 65536 : kMeanCostUnit * 65536) / pixels;
+  const auto reciprocal = static_cast<std::uint16_t>(share < 65535 ? share : 65535);
+  for (int d = 0; d < count; ++d) {
+    const auto sum = static_cast<std::uint16_t>(static_cast<std::uint16_t>(to[d] - from[d]) * factor);
+    out[d] = static_cast<std::uint16_t>((static_cast<std::uint32_t>(sum) * reciprocal) >> 16U);
+  }
+}
+
+PALPABLE_VECTORIZE void round_costs(const std::uint16_t* __restrict costs, std::uint16_t most,
+                                    std::size_t count, std::uint8_t* __restrict out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint16_t cost = costs[i] < most ? costs[i] : most;
+    out[i] = static_cast<std::uint8_t>((cost + kMeanCostUnit / 2) / kMeanCostUnit);
+  }
 }
 
 }  // namespace
@@ -97,33 +116,35 @@ CrossAggregator::CrossAggregator(const MatchingCost& cost, const Raster<CrossArm
     : cost_(cost),
       arms_(arms),
       disparities_(disparities),
+      stride_(whole_vectors(disparities)),
       reach_(column_reach_px),
       row_(first_row),
       summed_(std::max(0, first_row - column_reach_px)),
       ring_(2 * column_reach_px + 2) {
-  const auto row = static_cast<std::size_t>(arms.width()) * static_cast<std::size_t>(disparities);
+  const auto row = static_cast<std::size_t>(arms.width()) * static_cast<std::size_t>(stride_);
   raw_.resize(row);
-  prefix_.resize(row + static_cast<std::size_t>(disparities));
+  prefix_.resize(row + static_cast<std::size_t>(stride_));
   sums_.resize(row * static_cast<std::size_t>(ring_));
   pixels_.assign(static_cast<std::size_t>(ring_),
                  std::vector<std::uint32_t>(static_cast<std::size_t>(arms.width())));
 }
 
-std::uint32_t* CrossAggregator::sums(int row) {
+std::uint16_t* CrossAggregator::sums(int row) {
   return sums_.data() + static_cast<std::size_t>((row + ring_) % ring_) * raw_.size();
 }
 
 void CrossAggregator::add_row() {
-  // Sums wrap around in 32 bits; their differences do not, so the columns' sums may run on without end.
   const int y = summed_++;
-  const auto count = static_cast<std::size_t>(disparities_);
-  cost_.fill_row(y, raw_.data());
+  const auto count = static_cast<std::size_t>(stride_);
+  cost_.fill_row(y, stride_, raw_.data());
   for (int x = 0; x < arms_.width(); ++x) {
     const auto at = static_cast<std::size_t>(x) * count;
-    add_costs(prefix_.data() + at, raw_.data() + at, disparities_, prefix_.data() + at + count);
+    std::fill(raw_.data() + at + disparities_, raw_.data() + at + count,
+              static_cast<std::uint8_t>(kLargestMatchingCost));
+    add_costs(prefix_.data() + at, raw_.data() + at, stride_, prefix_.data() + at + count);
   }
-  const std::uint32_t* above = sums(y - 1);
-  std::uint32_t* here = sums(y);
+  const std::uint16_t* above = sums(y - 1);
+  std::uint16_t* here = sums(y);
   const auto& pixels_above = pixels_[static_cast<std::size_t>((y - 1 + ring_) % ring_)];
   auto& pixels = pixels_[static_cast<std::size_t>(y % ring_)];
   for (int x = 0; x < arms_.width(); ++x) {
@@ -131,15 +152,15 @@ void CrossAggregator::add_row() {
     const auto at = static_cast<std::size_t>(x) * count;
     const auto column = static_cast<std::size_t>(x);
     add_span(above + at, prefix_.data() + (column + a.right + 1U) * count,
-             prefix_.data() + (column - a.left) * count, disparities_, here + at);
+             prefix_.data() + (column - a.left) * count, stride_, here + at);
     pixels[column] = pixels_above[column] + a.left + a.right + 1U;
   }
 }
 
-void CrossAggregator::next_row(std::int32_t* out) {
+void CrossAggregator::next_row(std::uint16_t* out) {
   const int y = row_++;
   while (summed_ <= std::min(y + reach_, arms_.height() - 1)) add_row();
-  const auto count = static_cast<std::size_t>(disparities_);
+  const auto count = static_cast<std::size_t>(stride_);
   for (int x = 0; x < arms_.width(); ++x) {
     const CrossArms a = arms_(x, y);
     const auto column = static_cast<std::size_t>(x);
@@ -147,27 +168,29 @@ void CrossAggregator::next_row(std::int32_t* out) {
     const int before = y - a.up - 1;
     const std::uint32_t pixels = pixels_[static_cast<std::size_t>(last % ring_)][column] -
                                  pixels_[static_cast<std::size_t>((before + ring_) % ring_)][column];
-    mean_of(sums(last) + column * count, sums(before) + column * count,
-            kMeanCostUnit / static_cast<float>(pixels), disparities_, out + column * count);
+    mean_of(sums(last) + column * count, sums(before) + column * count, static_cast<int>(pixels), stride_,
+            out + column * count);
   }
 }
 
 std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossOptions& window, float limit,
                                            const Work& work) {
   const int height = input.left.height();
-  const auto row = static_cast<std::size_t>(input.left.width()) * static_cast<std::size_t>(input.disparities);
+  const auto disparities = static_cast<std::size_t>(input.disparities);
+  const std::size_t row = static_cast<std::size_t>(input.left.width()) * disparities;
   std::vector<std::uint8_t> out(row * static_cast<std::size_t>(height));
   const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(colour_planes(input.left), window, work);
+  const Raster<CrossArms> arms = cross_arms(cost.left_colour(), window, work);
   parallel_for(work, height, 16, [&](int begin, int end) {
     CrossAggregator aggregator(cost, arms, input.disparities, window.column_reach_px, begin);
-    std::vector<std::int32_t> costs(row);
-    const auto most = static_cast<std::int32_t>(limit * kMeanCostUnit);
+    const auto stride = static_cast<std::size_t>(aggregator.stride());
+    std::vector<std::uint16_t> costs(row / disparities * stride);
+    const auto most = static_cast<std::uint16_t>(limit * kMeanCostUnit);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       aggregator.next_row(costs.data());
       std::uint8_t* to = out.data() + row * static_cast<std::size_t>(y);
-      for (std::size_t i = 0; i < row; ++i)
-        to[i] = static_cast<std::uint8_t>((std::min(costs[i], most) + kMeanCostUnit / 2) / kMeanCostUnit);
+      for (std::size_t x = 0; x < row / disparities; ++x)
+        round_costs(costs.data() + x * stride, most, disparities, to + x * disparities);
     }
   });
   return out;

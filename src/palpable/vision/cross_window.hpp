@@ -34,32 +34,38 @@ Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& op
 
 /// Mean costs are whole numbers of this fraction of the matching cost.
 inline constexpr int kMeanCostUnit = 16;
+/// A window has at most so many pixels, so that its sum fits 16 bits.
+inline constexpr int kMostWindowPixels = 65535 / kLargestMatchingCost;
 
 /// Aggregates matching costs over cross-shaped windows (along the row's arms, then along the column's),
 /// streaming down the picture: one scanline's disparity-space image at a time. One object a thread.
 class CrossAggregator {
  public:
-  /// Rows first_row … end will be asked for, in order.
+  /// Rows first_row … end will be asked for, in order. Arms must not make windows of more than
+  /// kMostWindowPixels.
   CrossAggregator(const MatchingCost& cost, const Raster<CrossArms>& arms, int disparities,
                   int column_reach_px, int first_row);
 
-  /// The next row's mean cost over its window, out[x * disparities + d], in units of 1/kMeanCostUnit.
-  void next_row(std::int32_t* out);
+  /// Values per pixel: the disparities rounded up to whole vectors, the costs beyond them as high as can be.
+  int stride() const { return stride_; }
+  /// The next row's mean cost over its window, out[x * stride() + d], in units of 1/kMeanCostUnit.
+  void next_row(std::uint16_t* out);
 
  private:
   void add_row();
-  std::uint32_t* sums(int row);
+  std::uint16_t* sums(int row);
 
   const MatchingCost& cost_;
   const Raster<CrossArms>& arms_;
   int disparities_;
+  int stride_;
   int reach_;
   int row_;     // the next to hand out
   int summed_;  // the next to sum
   int ring_;    // rows kept
   std::vector<std::uint8_t> raw_;
-  std::vector<std::uint32_t> prefix_;               // of one row, along x
-  std::vector<std::uint32_t> sums_;                 // ring of rows, summed down the columns
+  std::vector<std::uint16_t> prefix_;               // of one row, along x
+  std::vector<std::uint16_t> sums_;                 // ring of rows, summed down the columns
   std::vector<std::vector<std::uint32_t>> pixels_;  // ring: window pixels summed down the columns
 };
 

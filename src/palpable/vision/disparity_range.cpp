@@ -23,38 +23,40 @@ constexpr int kHalfY = kCensusHalfY;
 constexpr int kNoMatch = std::numeric_limits<int>::min();
 
 PALPABLE_VECTORIZE void distances(const std::uint64_t* __restrict right, std::uint64_t left, int count,
-                                  std::int32_t* __restrict out) {
-  for (int i = 0; i < count; ++i) out[i] = std::popcount(left ^ right[i]);
+                                  std::uint16_t* __restrict out) {
+  for (int i = 0; i < count; ++i) out[i] = static_cast<std::uint16_t>(std::popcount(left ^ right[i]));
 }
 
 /// For a row: the best column in the other row for each textured column, or -1 where it is not unique; and
 /// the best column here for each one there.
 struct RowMatches {
-  std::vector<int> forth, back;
+  std::vector<int> forth;
   std::vector<std::uint8_t> textured;  // columns here that can be found again at all
-  std::vector<std::int32_t> back_cost, distance;
+  std::vector<std::uint16_t> back, back_cost, distance;
 
   explicit RowMatches(int width)
       : forth(static_cast<std::size_t>(width)),
-        back(forth),
         textured(forth.size()),
-        back_cost(forth),
-        distance(forth) {}
+        back(forth.size()),
+        back_cost(forth.size()),
+        distance(forth.size()) {}
 };
 
 void match_row(const Raster<std::uint64_t>& left, const Raster<std::uint64_t>& right, int y,
                RowMatches& row) {
   // Of the 62 bits; the next best elsewhere must differ by so many more.
   constexpr int kUnique = 3;
-  constexpr int kUnlike = 64;
+  constexpr std::uint16_t kUnlike = 64;
+  constexpr std::uint16_t kNowhere = 65535;
   const int count = left.width() - 2 * kHalfX;
   std::fill(row.forth.begin(), row.forth.end(), -1);
-  std::fill(row.back.begin(), row.back.end(), -1);
+  std::fill(row.back.begin(), row.back.end(), kNowhere);
   std::fill(row.back_cost.begin(), row.back_cost.end(), kUnlike);
   for (int x = kHalfX; x < kHalfX + count; ++x) {
     if (row.textured[static_cast<std::size_t>(x)] == 0) continue;
     distances(right.row(y).data() + kHalfX, left(x, y), count, row.distance.data());
-    keep_least(row.distance.data(), x, count, row.back_cost.data() + kHalfX, row.back.data() + kHalfX);
+    keep_least(row.distance.data(), static_cast<std::uint16_t>(x), count, row.back_cost.data() + kHalfX,
+               row.back.data() + kHalfX);
     const LeastCost least = least_cost(row.distance.data(), count);
     if (least.elsewhere >= least.cost + kUnique) row.forth[static_cast<std::size_t>(x)] = kHalfX + least.at;
   }

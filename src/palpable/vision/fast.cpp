@@ -3,28 +3,26 @@
 #include "palpable/vision/fast.hpp"
 
 #include "palpable/core/vectorize.hpp"
-#include "palpable/vision/census.hpp"
-#include "palpable/vision/colour_planes.hpp"
 #include "palpable/vision/consistency.hpp"
 #include "palpable/vision/least_cost.hpp"
 #include "palpable/vision/left_right.hpp"
+#include "palpable/vision/matching_cost.hpp"
 #include "palpable/vision/median.hpp"
 #include "palpable/vision/path_costs.hpp"
 #include "palpable/vision/sub_pixel.hpp"
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace palpable::vision {
 namespace {
 
-constexpr int kLanes = 64;
 /// Of the greatest colour difference of the three channels so much counts, and so much beside a census bit;
 /// half the sum of both is the cost.
-constexpr int kColourLimit = 20;
-constexpr int kColourWeight = 3;
-static_assert((62 + kColourLimit * kColourWeight) / 2 <= kLargestCost);
+constexpr CostOptions kCost{.census_weight = 1, .colour_limit = 20, .colour_weight = 3, .halvings = 1};
+static_assert((63 + kCost.colour_limit * kCost.colour_weight) / 2 <= kLargestCost);
 /// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view.
 constexpr float kOutOfView = 0.6F;
 /// Costs are averaged with those of neighbours 1, 2 and 4 columns and 1 and 2 rows away whose colour is
@@ -44,65 +42,6 @@ constexpr int kTwoStripes = 400;
 constexpr int kLeadIn = 12;
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// Both pictures as the costs compare them; the right one's rows run from right to left, so that x - d runs
-/// forward with d, and end with their first column repeated.
-struct Pictures {
-  ColourPlanes left;
-  Raster<std::uint64_t> left_census;
-  Raster<std::uint64_t> left_alike;
-  ColourPlanes right;
-  Raster<std::uint64_t> right_census;
-};
-
-template <class T>
-Raster<T> reversed(const Raster<T>& picture, int more) {
-  Raster<T> out(picture.width() + more, picture.height());
-  for (int y = 0; y < picture.height(); ++y) {
-    const auto row = picture.row(y);
-    std::reverse_copy(row.begin(), row.end(), out.row(y).begin());
-    std::fill(out.row(y).begin() + picture.width(), out.row(y).end(), row.front());
-  }
-  return out;
-}
-
-Pictures pictures_of(const MatchInput& input, int stride, const Work& work) {
-  const ColourPlanes left = colour_planes(input.left);
-  const ColourPlanes right = colour_planes(input.right);
-  return {left,
-          census_9x7(input.left_grey, work),
-          alike_9x7(left, work),
-          {reversed(right.r, stride), reversed(right.g, stride), reversed(right.b, stride)},
-          reversed(census_9x7(input.right_grey, work), stride)};
-}
-
-struct RightPixels {
-  const std::uint64_t* census;
-  const std::uint8_t *r, *g, *b;
-};
-
-[[gnu::always_inline]] inline std::uint8_t apart(std::uint8_t a, std::uint8_t b) {
-  return static_cast<std::uint8_t>(a > b ? a - b : b - a);
-}
-
-PALPABLE_VECTORIZE void pixel_costs(std::uint64_t census, std::uint64_t alike, Rgb8 colour,
-                                    const RightPixels& right, int count, std::uint8_t* __restrict out) {
-  for (int d = 0; d < count; ++d)
-    out[d] = static_cast<std::uint8_t>(__builtin_popcountll((census ^ right.census[d]) & alike));
-  const int scale = census_scale(alike);
-  const std::uint8_t* __restrict r = right.r;
-  const std::uint8_t* __restrict g = right.g;
-  const std::uint8_t* __restrict b = right.b;
-  for (int d = 0; d < count; ++d) {
-    const std::uint8_t dr = apart(colour.r, r[d]);
-    const std::uint8_t dg = apart(colour.g, g[d]);
-    const std::uint8_t db = apart(colour.b, b[d]);
-    std::uint8_t difference = dr > dg ? dr : dg;
-    difference = difference > db ? difference : db;
-    difference = difference < kColourLimit ? difference : std::uint8_t{kColourLimit};
-    out[d] = static_cast<std::uint8_t>((out[d] * scale / kCensusScaleUnit + kColourWeight * difference) / 2);
-  }
-}
 
 /// What lies out of view neither attracts nor repels.
 void fill_out_of_view(std::uint8_t* cost, int known, int stride) {
@@ -136,10 +75,11 @@ void differences_to(const ColourPlanes& colour, int y, int dx, int other_y, Byte
 /// have come up.
 class StripeMatcher {
  public:
-  StripeMatcher(const Pictures& pictures, int disparities, int stride, int begin, int end)
-      : pictures_(pictures),
-        width_(pictures.left.width()),
-        height_(pictures.left.height()),
+  StripeMatcher(const MatchingCost& costs, int disparities, int stride, int begin, int end)
+      : costs_(costs),
+        colour_(costs.left_colour()),
+        width_(colour_.width()),
+        height_(colour_.height()),
         disparities_(disparities),
         stride_(stride),
         begin_(begin),
@@ -147,9 +87,9 @@ class StripeMatcher {
         first_(std::max(0, begin - kLeadIn)),
         last_(std::min(height_, end + kLeadIn)),
         row_size_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(stride)),
-        cost_(row_size_ * static_cast<std::size_t>(last_ - first_)),
+        cost_(std::make_unique_for_overwrite<std::uint8_t[]>(row_size_ * rows(last_ - first_))),
         scratch_(row_size_),
-        sum_(row_size_ * static_cast<std::size_t>(end - begin)),
+        sum_(std::make_unique_for_overwrite<std::uint16_t[]>(row_size_ * rows(end - begin))),
         beyond_(row_size_),
         steps_(static_cast<std::size_t>(last_ - first_), RowSteps(width_)),
         difference_(static_cast<std::size_t>(width_)),
@@ -172,24 +112,25 @@ class StripeMatcher {
       smooth_columns(y);
       fill_steps(y);
       if (y >= end_) continue;
-      down.add(cost_of(y), steps_of(y), sum_of(y));
+      down.add(cost_of(y), steps_of(y), SumState::begins, sum_of(y));
       if (y < begin_) continue;
-      differences_to(pictures_.left, y, -1, y, difference_);
+      differences_to(colour_, y, -1, y, difference_);
       to_steps(steps_from_left_);
       row_paths.add(cost_of(y), steps_from_left_, sum_of(y));
     }
     ColumnPaths up(width_, stride_);
     for (int y = last_ - 1; y >= begin_; --y) {
-      up.add(cost_of(y), seen_from_below(y), sum_of(y));
+      up.add(cost_of(y), seen_from_below(y), SumState::goes_on, sum_of(y));
       if (y < end_) choose(y, left_px.row(y), right_px.row(y));
     }
   }
 
  private:
-  std::uint8_t* cost_of(int y) { return cost_.data() + row_size_ * static_cast<std::size_t>(y - first_); }
+  static std::size_t rows(int count) { return static_cast<std::size_t>(count); }
+  std::uint8_t* cost_of(int y) { return cost_.get() + row_size_ * static_cast<std::size_t>(y - first_); }
   /// What is summed outside the stripe is of no use.
   std::uint16_t* sum_of(int y) {
-    return y >= begin_ && y < end_ ? sum_.data() + row_size_ * static_cast<std::size_t>(y - begin_)
+    return y >= begin_ && y < end_ ? sum_.get() + row_size_ * static_cast<std::size_t>(y - begin_)
                                    : beyond_.data();
   }
   RowSteps& steps_of(int y) { return steps_[static_cast<std::size_t>(y - first_)]; }
@@ -198,21 +139,14 @@ class StripeMatcher {
 
   /// Costs of row y, averaged along the row.
   void add_row(int y) {
-    const auto& [r, g, b] = pictures_.left;
     Bytes& out = ring(y);
-    for (int x = 0; x < width_; ++x) {
-      const int from = width_ - 1 - x;
-      const auto right = [&](const auto& raster) { return raster.row(y).data() + from; };
-      pixel_costs(pictures_.left_census(x, y), pictures_.left_alike(x, y), {r(x, y), g(x, y), b(x, y)},
-                  {right(pictures_.right_census), right(pictures_.right.r), right(pictures_.right.g),
-                   right(pictures_.right.b)},
-                  stride_, out.data() + at(x));
+    costs_.fill_row(y, stride_, out.data());
+    for (int x = 0; x < std::min(width_, stride_ - 1); ++x)
       fill_out_of_view(out.data() + at(x), x + 1, stride_);
-    }
     for (int pass = 0; pass < kColumnPasses; ++pass) {
       const int reach = 1 << pass;
-      differences_to(pictures_.left, y, -reach, y, difference_);
-      differences_to(pictures_.left, y, reach, y, difference_too_);
+      differences_to(colour_, y, -reach, y, difference_);
+      differences_to(colour_, y, reach, y, difference_too_);
       for (int x = 0; x < width_; ++x) {
         const auto i = static_cast<std::size_t>(x);
         smooth(out.data() + at(difference_[i] < kAlike ? x - reach : x), out.data() + at(x),
@@ -230,8 +164,8 @@ class StripeMatcher {
     std::uint8_t* other = kRowPasses % 2 == 0 ? cost_of(y) : scratch_.data();
     for (int pass = 0; pass < kRowPasses; ++pass) {
       const int reach = 1 << pass;
-      differences_to(pictures_.left, y, 0, y - reach, difference_);
-      differences_to(pictures_.left, y, 0, y + reach, difference_too_);
+      differences_to(colour_, y, 0, y - reach, difference_);
+      differences_to(colour_, y, 0, y + reach, difference_too_);
       for (int x = 0; x < width_; ++x) {
         const auto i = static_cast<std::size_t>(x);
         smooth((difference_[i] < kAlike ? ring(y - reach).data() : from) + at(x), from + at(x),
@@ -248,11 +182,11 @@ class StripeMatcher {
   /// The steps from the row above to row y.
   void fill_steps(int y) {
     RowSteps& steps = steps_of(y);
-    differences_to(pictures_.left, y, -1, y - 1, difference_);
+    differences_to(colour_, y, -1, y - 1, difference_);
     to_steps(steps.before_left);
-    differences_to(pictures_.left, y, 0, y - 1, difference_);
+    differences_to(colour_, y, 0, y - 1, difference_);
     to_steps(steps.before);
-    differences_to(pictures_.left, y, 1, y - 1, difference_);
+    differences_to(colour_, y, 1, y - 1, difference_);
     to_steps(steps.before_right);
   }
   /// The steps from the row below to row y: those that lead down there, the other way.
@@ -280,15 +214,18 @@ class StripeMatcher {
           static_cast<float>(right_best_[static_cast<std::size_t>(width_ - 1 - x)] - x);
   }
 
-  const Pictures& pictures_;
+  const MatchingCost& costs_;
+  const ColourPlanes& colour_;
   int width_, height_, disparities_, stride_;
   /// The stripe's rows, and with those that lead in.
   int begin_, end_, first_, last_;
   std::size_t row_size_;
   std::array<std::uint8_t, 256> step_{};  // by colour difference
   std::array<Bytes, kRing> ring_;
-  Bytes cost_, scratch_;
-  std::vector<std::uint16_t> sum_, beyond_;
+  std::unique_ptr<std::uint8_t[]> cost_;  // large, and all of it is overwritten first
+  Bytes scratch_;
+  std::unique_ptr<std::uint16_t[]> sum_;
+  std::vector<std::uint16_t> beyond_;
   std::vector<RowSteps> steps_;
   Bytes difference_, difference_too_, steps_from_left_;
   std::vector<std::uint16_t> right_least_, right_best_;
@@ -299,15 +236,15 @@ class StripeMatcher {
 Result<MatchOutput> match_fast(const MatchInput& input, const StereoOptions&, const Work& work) {
   const int w = input.left.width();
   const int h = input.left.height();
-  const int stride = (input.disparities + kLanes - 1) / kLanes * kLanes;
-  const Pictures pictures = pictures_of(input, stride, work);
+  const int stride = whole_vectors(input.disparities);
+  const MatchingCost costs(input, kCost, work);
   MatchOutput out{Raster<float>(w, h), {}};
   Raster<float> right_px(w, h);
   const int stripes = 2 * ((h + kTwoStripes - 1) / kTwoStripes);
   const auto row = [&](int stripe) { return h * stripe / stripes; };
   parallel_for(work, stripes, 1, [&](int begin, int end) {
     for (int stripe = begin; stripe < end && !work.cancelled(); ++stripe)
-      StripeMatcher(pictures, input.disparities, stride, row(stripe), row(stripe + 1))
+      StripeMatcher(costs, input.disparities, stride, row(stripe), row(stripe + 1))
           .run(out.disparity_px, right_px);
   });
   if (work.cancelled()) return Work::interrupted();

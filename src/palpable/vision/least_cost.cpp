@@ -4,34 +4,89 @@
 
 #include "palpable/core/vectorize.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 namespace palpable::vision {
 
-PALPABLE_VECTORIZE LeastCost least_cost(const std::int32_t* __restrict costs, int count) {
-  constexpr std::int32_t kLargest = std::numeric_limits<std::int32_t>::max();
-  std::int32_t least = kLargest;
-  for (int d = 0; d < count; ++d) least = costs[d] < least ? costs[d] : least;
-  std::int32_t at = count;
-  for (int d = 0; d < count; ++d) {
-    const std::int32_t here = costs[d] == least ? d : count;
-    at = here < at ? here : at;
+namespace {
+
+constexpr std::uint16_t kLargest = std::numeric_limits<std::uint16_t>::max();
+
+// Places are 16-bit lanes too; the compiler does not find that by itself.
+constexpr int kLanes = 32;
+typedef std::uint16_t Lanes __attribute__((vector_size(2 * kLanes)));
+
+struct AllLanes {
+  std::array<std::uint16_t, kLanes> of;
+  [[gnu::always_inline]] std::uint16_t least() const {
+    std::uint16_t least = kLargest;
+    for (const std::uint16_t value : of) least = value < least ? value : least;
+    return least;
   }
-  std::int32_t elsewhere = kLargest;
-  for (int d = 0; d < count; ++d) {
-    const std::int32_t here = d >= at - 1 && d <= at + 1 ? kLargest : costs[d];
-    elsewhere = here < elsewhere ? here : elsewhere;
+};
+
+constexpr AllLanes kPlaces = [] {
+  AllLanes places{};
+  for (std::size_t i = 0; i < places.of.size(); ++i) places.of[i] = static_cast<std::uint16_t>(i);
+  return places;
+}();
+
+[[gnu::always_inline]] inline LeastCost find_least(const std::uint16_t* costs, int count) {
+  const int whole = count / kLanes * kLanes;
+  Lanes least = Lanes{} + kLargest;
+  for (int d = 0; d < whole; d += kLanes) {
+    Lanes here;
+    std::memcpy(&here, costs + d, sizeof here);
+    least = here < least ? here : least;
   }
-  return {at, least, elsewhere};
+  AllLanes lanes;
+  std::memcpy(&lanes, &least, sizeof lanes);
+  std::uint16_t cost = lanes.least();
+  for (int d = whole; d < count; ++d) cost = costs[d] < cost ? costs[d] : cost;
+
+  Lanes place;
+  std::memcpy(&place, &kPlaces, sizeof place);
+  Lanes found = Lanes{} + kLargest;
+  for (int d = 0; d < whole; d += kLanes) {
+    Lanes here;
+    std::memcpy(&here, costs + d, sizeof here);
+    const Lanes candidate = here == cost ? place : Lanes{} + kLargest;
+    found = candidate < found ? candidate : found;
+    place += static_cast<std::uint16_t>(kLanes);
+  }
+  std::memcpy(&lanes, &found, sizeof lanes);
+  int at = lanes.least();
+  if (at == kLargest)
+    for (at = whole; costs[at] != cost;) ++at;
+  return {at, cost, kLargest};
 }
 
-PALPABLE_VECTORIZE void keep_least(const std::int32_t* __restrict costs, std::int32_t from, int count,
-                                   std::int32_t* __restrict least, std::int32_t* __restrict least_from) {
-  for (int d = 0; d < count; ++d) {
-    const std::int32_t known = least[d];
-    least_from[d] = costs[d] < known ? from : least_from[d];
-    least[d] = costs[d] < known ? costs[d] : known;
+}  // namespace
+
+PALPABLE_VECTORIZE LeastCost least_cost(const std::uint16_t* costs, int count) {
+  LeastCost out = find_least(costs, count);
+  const int whole = count / kLanes * kLanes;
+  const auto before = static_cast<std::uint16_t>(out.at - 1);
+  Lanes place;
+  std::memcpy(&place, &kPlaces, sizeof place);
+  Lanes least = Lanes{} + kLargest;
+  for (int d = 0; d < whole; d += kLanes) {
+    Lanes here;
+    std::memcpy(&here, costs + d, sizeof here);
+    const Lanes apart = place - before;
+    const Lanes elsewhere = apart > std::uint16_t{2} ? here : Lanes{} + kLargest;
+    least = elsewhere < least ? elsewhere : least;
+    place += static_cast<std::uint16_t>(kLanes);
   }
+  AllLanes lanes;
+  std::memcpy(&lanes, &least, sizeof lanes);
+  out.elsewhere = lanes.least();
+  for (int d = whole; d < count; ++d)
+    if (d < out.at - 1 || d > out.at + 1) out.elsewhere = costs[d] < out.elsewhere ? costs[d] : out.elsewhere;
+  return out;
 }
 
 PALPABLE_VECTORIZE void keep_least(const std::uint16_t* __restrict costs, std::uint16_t from, int count,
@@ -43,15 +98,6 @@ PALPABLE_VECTORIZE void keep_least(const std::uint16_t* __restrict costs, std::u
   }
 }
 
-PALPABLE_VECTORIZE int least_at(const std::uint16_t* __restrict costs, int count) {
-  std::uint16_t least = 65535;
-  for (int d = 0; d < count; ++d) least = costs[d] < least ? costs[d] : least;
-  std::uint16_t at = 65535;
-  for (int d = 0; d < count; ++d) {
-    const std::uint16_t here = costs[d] == least ? static_cast<std::uint16_t>(d) : std::uint16_t{65535};
-    at = here < at ? here : at;
-  }
-  return at;
-}
+PALPABLE_VECTORIZE int least_at(const std::uint16_t* costs, int count) { return find_least(costs, count).at; }
 
 }  // namespace palpable::vision

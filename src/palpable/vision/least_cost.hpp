@@ -10,23 +10,19 @@ namespace palpable::vision {
 /// it (the largest number where there is nothing elsewhere).
 struct LeastCost {
   int at = 0;
-  std::int32_t cost = 0;
-  std::int32_t elsewhere = 0;
+  int cost = 0;
+  int elsewhere = 0;
 };
 
-/// `count` >= 1 costs. Runs in vectors.
-LeastCost least_cost(const std::int32_t* costs, int count);
+/// 1 to 32767 costs. Runs in vectors.
+LeastCost least_cost(const std::uint16_t* costs, int count);
 
 /// Where `costs` are below `least`, they and the place `from` replace what is known there. All arrays have
 /// `count` items and do not overlap.
-void keep_least(const std::int32_t* costs, std::int32_t from, int count, std::int32_t* least,
-                std::int32_t* least_from);
-
-/// The same for costs and places of 16 bits.
 void keep_least(const std::uint16_t* costs, std::uint16_t from, int count, std::uint16_t* least,
                 std::uint16_t* least_from);
 
-/// The first place of the least of `count` >= 1 costs, at most 32767 of them.
+/// The first place of the least of 1 to 32767 costs.
 int least_at(const std::uint16_t* costs, int count);
 
 }  // namespace palpable::vision

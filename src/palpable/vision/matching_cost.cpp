@@ -6,67 +6,105 @@
 #include "palpable/vision/census.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdlib>
 
 namespace palpable::vision {
 namespace {
 
-/// The right picture's row reversed, so that x - d runs forward with d; its first column repeated at the end.
-struct ReversedRow {
-  std::vector<std::uint64_t> census;
-  std::vector<std::uint8_t> r, g, b;
+[[gnu::always_inline]] inline std::uint8_t apart(std::uint8_t a, std::uint8_t b) {
+  return static_cast<std::uint8_t>(a > b ? a - b : b - a);
+}
+
+struct PixelRow {
+  const std::uint64_t *census, *alike;
+  const std::uint8_t *r, *g, *b;
 };
 
-PALPABLE_VECTORIZE void pixel_costs(std::uint64_t census, std::uint64_t alike, Rgb8 colour,
-                                    const std::uint64_t* right_census, const std::uint8_t* r,
-                                    const std::uint8_t* g, const std::uint8_t* b, int count,
-                                    const CostOptions& options, std::uint8_t* out) {
-  const int limit = 3 * options.colour_limit;
-  const int weight = options.colour_weight * 85;  // 85 / 256 is a third
-  for (int d = 0; d < count; ++d) {
-    const int difference = std::abs(colour.r - r[d]) + std::abs(colour.g - g[d]) + std::abs(colour.b - b[d]);
-    out[d] = static_cast<std::uint8_t>(std::min(difference, limit) * weight / 256);
+PALPABLE_VECTORIZE void compare(const PixelRow& here, const PixelRow& there, int width, int stride,
+                                std::uint8_t* __restrict census, std::uint8_t* __restrict colour) {
+  for (int x = 0; x < width; ++x) {
+    const int first = width - 1 - x;
+    const std::uint64_t signature = here.census[x];
+    const std::uint64_t alike = here.alike[x];
+    const std::uint64_t* __restrict other = there.census + first;
+    for (int d = 0; d < stride; ++d)
+      census[d] = static_cast<std::uint8_t>(__builtin_popcountll((signature ^ other[d]) & alike));
+    const int scale = census_scale(alike);
+    for (int d = 0; d < stride; ++d)
+      census[d] = static_cast<std::uint8_t>(census[d] * scale / kCensusScaleUnit);
+    const std::uint8_t* __restrict r = there.r + first;
+    const std::uint8_t* __restrict g = there.g + first;
+    const std::uint8_t* __restrict b = there.b + first;
+    const std::uint8_t r0 = here.r[x];
+    const std::uint8_t g0 = here.g[x];
+    const std::uint8_t b0 = here.b[x];
+    for (int d = 0; d < stride; ++d) {
+      const std::uint8_t dr = apart(r0, r[d]);
+      const std::uint8_t dg = apart(g0, g[d]);
+      const std::uint8_t db = apart(b0, b[d]);
+      const std::uint8_t most = dr > dg ? dr : dg;
+      colour[d] = most > db ? most : db;
+    }
+    census += stride;
+    colour += stride;
   }
-  const int scale = options.census_weight * census_scale(alike);
-  for (int d = 0; d < count; ++d) {
-    const int cost = out[d] + scale * std::popcount((census ^ right_census[d]) & alike) / kCensusScaleUnit;
-    out[d] = static_cast<std::uint8_t>(std::min(cost, 255));
+}
+
+PALPABLE_VECTORIZE void add_weighted(const std::uint8_t* __restrict colour, const CostOptions& options,
+                                     std::size_t count, std::uint8_t* __restrict cost) {
+  const int census_weight = options.census_weight;
+  const int colour_weight = options.colour_weight;
+  const int limit = options.colour_limit;
+  const int halvings = options.halvings;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int difference = colour[i] < limit ? colour[i] : limit;
+    const int sum = (census_weight * cost[i] + colour_weight * difference) >> halvings;
+    cost[i] = static_cast<std::uint8_t>(sum < kLargestMatchingCost ? sum : kLargestMatchingCost);
   }
 }
 
 }  // namespace
 
-MatchingCost::MatchingCost(const MatchInput& input, const CostOptions& options, const Work& work)
-    : input_(input),
-      options_(options),
-      left_census_(census_9x7(input.left_grey, work)),
-      left_alike_(alike_9x7(colour_planes(input.left), work)),
-      right_census_(census_9x7(input.right_grey, work)) {}
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
+  MatchView view{colour_planes(picture), census_9x7(luma, work), {}};
+  view.alike = alike_9x7(view.colour, work);
+  return view;
+}
 
-void MatchingCost::fill_row(int y, std::uint8_t* out) const {
-  const int width = input_.left.width();
-  const int count = input_.disparities;
-  const auto length = static_cast<std::size_t>(width) + static_cast<std::size_t>(count);
-  thread_local ReversedRow row;
-  row.census.resize(length);
-  row.r.resize(length);
-  row.g.resize(length);
-  row.b.resize(length);
-  for (std::size_t i = 0; i < length; ++i) {
-    const int x = std::max(0, width - 1 - static_cast<int>(i));
-    const Rgb8 colour = input_.right(x, y);
-    row.census[i] = right_census_(x, y);
-    row.r[i] = colour.r;
-    row.g[i] = colour.g;
-    row.b[i] = colour.b;
-  }
-  for (int x = 0; x < width; ++x) {
-    const auto from = static_cast<std::size_t>(width - 1 - x);
-    pixel_costs(left_census_(x, y), left_alike_(x, y), input_.left(x, y), row.census.data() + from,
-                row.r.data() + from, row.g.data() + from, row.b.data() + from, count, options_,
-                out + static_cast<std::size_t>(x) * static_cast<std::size_t>(count));
-  }
+void ReversedRow::assign(const MatchView& view, int y, int more) {
+  const auto reverse = [&](auto row, auto& out) {
+    out.assign(row.rbegin(), row.rend());
+    out.insert(out.end(), static_cast<std::size_t>(more), row.front());
+  };
+  reverse(view.census.row(y), census);
+  reverse(view.colour.r.row(y), r);
+  reverse(view.colour.g.row(y), g);
+  reverse(view.colour.b.row(y), b);
+}
+
+void compare_row(const MatchView& view, int y, const ReversedRow& there, int stride, std::uint8_t* census,
+                 std::uint8_t* colour) {
+  compare({view.census.row(y).data(), view.alike.row(y).data(), view.colour.r.row(y).data(),
+           view.colour.g.row(y).data(), view.colour.b.row(y).data()},
+          {there.census.data(), nullptr, there.r.data(), there.g.data(), there.b.data()}, view.census.width(),
+          stride, census, colour);
+}
+
+MatchingCost::MatchingCost(const MatchInput& input, const CostOptions& options, const Work& work)
+    : options_(options),
+      left_(match_view(input.left, input.left_grey, work)),
+      right_{colour_planes(input.right), census_9x7(input.right_grey, work), {}} {}
+
+void MatchingCost::fill_row(int y, int stride, std::uint8_t* out) const {
+  struct Scratch {
+    ReversedRow row;
+    std::vector<std::uint8_t> colour;
+  };
+  thread_local Scratch scratch;
+  const std::size_t count = static_cast<std::size_t>(left_.census.width()) * static_cast<std::size_t>(stride);
+  scratch.row.assign(right_, y, stride);
+  scratch.colour.resize(count);
+  compare_row(left_, y, scratch.row, stride, out, scratch.colour.data());
+  add_weighted(scratch.colour.data(), options_, count, out);
 }
 
 }  // namespace palpable::vision

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/colour_planes.hpp"
 #include "palpable/vision/stereo_method.hpp"
 
 #include <cstdint>
@@ -9,33 +10,69 @@
 
 namespace palpable::vision {
 
-/// How the cost of a pixel pair is made: census distance over the pixels of like colour
-/// (robust to exposure) and truncated absolute
-/// difference of colour (sharp at edges), added in 8 bits.
+/// One picture as costs compare it.
+struct MatchView {
+  ColourPlanes colour;
+  /// census_9x7 of its luma.
+  Raster<std::uint64_t> census;
+  /// alike_9x7: which of the census' bits count.
+  Raster<std::uint64_t> alike;
+};
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work);
+
+/// How the cost of a pixel pair is made: census distance over the pixels of like colour (robust to exposure)
+/// and truncated difference of colour (sharp at edges), added in 8 bits.
 struct CostOptions {
   /// Weight of each of the 62 census bits that differ.
   int census_weight = 2;
-  /// Mean absolute colour difference, in levels of 255, is cut off here …
-  int colour_limit = 15;
+  /// The greatest difference of the three channels, in levels of 255, is cut off here …
+  int colour_limit = 20;
   /// … and weighted so.
-  int colour_weight = 3;
+  int colour_weight = 2;
+  /// The sum is halved so often.
+  int halvings = 0;
 };
+
+/// Costs are cut off here: high enough for any that matters, low enough for sums over windows in 16 bits.
+inline constexpr int kLargestMatchingCost = 144;
+
+/// A row of the other picture from right to left, so that x - d runs forward with d; then so many times its
+/// first column.
+struct ReversedRow {
+  std::vector<std::uint64_t> census;
+  std::vector<std::uint8_t> r, g, b;
+
+  void assign(const MatchView& view, int y, int more);
+};
+
+/// How row y of `view` differs from the other picture's, at all disparities 0 … stride - 1: out[x * stride +
+/// d] is the census distance as if over all its bits, 0…63, and the greatest colour difference.
+/// `there` has width + stride items. Runs in vectors.
+void compare_row(const MatchView& view, int y, const ReversedRow& there, int stride, std::uint8_t* census,
+                 std::uint8_t* colour);
+
+/// So many disparities, rounded up to whole vectors.
+inline int whole_vectors(int disparities) {
+  constexpr int kLanes = 64;
+  return (disparities + kLanes - 1) / kLanes * kLanes;
+}
 
 /// Costs of matching pixels of a pair, a scanline at a time. Any thread may call its const members.
 class MatchingCost {
  public:
   MatchingCost(const MatchInput& input, const CostOptions& options, const Work& work);
 
-  /// Fills out[x * disparities + d] with the cost 0…255 of pixel (x, y) at disparity d; where x - d lies
-  /// outside the right picture, its first column stands in. `out` has width * disparities items.
-  void fill_row(int y, std::uint8_t* out) const;
+  const ColourPlanes& left_colour() const { return left_.colour; }
+
+  /// Fills out[x * stride + d] with the cost 0…kLargestMatchingCost of pixel (x, y) at disparity d, for d <
+  /// stride; where x - d lies outside the right picture, its first column stands in. `out` has width * stride
+  /// items.
+  void fill_row(int y, int stride, std::uint8_t* out) const;
 
  private:
-  const MatchInput& input_;
   CostOptions options_;
-  Raster<std::uint64_t> left_census_;
-  Raster<std::uint64_t> left_alike_;
-  Raster<std::uint64_t> right_census_;
+  MatchView left_;
+  MatchView right_;
 };
 
 }  // namespace palpable::vision

@@ -15,6 +15,7 @@ constexpr int kGuard = 32;
 constexpr std::uint8_t kWall = 255;
 
 /// One pixel of one path. `before` has a guard on each side. Sets `path` to the path costs less their least.
+template <SumState kState>
 [[gnu::always_inline]] inline void advance(const std::uint8_t* __restrict cost,
                                            const std::uint8_t* __restrict before, std::uint8_t large_step,
                                            int count, std::uint8_t* __restrict path,
@@ -37,7 +38,7 @@ constexpr std::uint8_t kWall = 255;
   for (int d = 0; d < count; ++d) {
     const auto value = static_cast<std::uint8_t>(path[d] - least);
     path[d] = value;
-    sum[d] = static_cast<std::uint16_t>(sum[d] + value);
+    sum[d] = kState == SumState::begins ? value : static_cast<std::uint16_t>(sum[d] + value);
   }
 }
 
@@ -48,7 +49,7 @@ PALPABLE_VECTORIZE void advance_row(const std::uint8_t* cost, const std::uint8_t
     const int x = direction > 0 ? n : width - 1 - n;
     const std::uint8_t step = n == 0 ? std::uint8_t{0} : steps_from_left[direction > 0 ? x : x + 1];
     const std::ptrdiff_t at = std::ptrdiff_t{x} * stride;
-    advance(cost + at, before, step, stride, next, sum + at);
+    advance<SumState::goes_on>(cost + at, before, step, stride, next, sum + at);
     std::swap(before, next);
   }
 }
@@ -61,12 +62,20 @@ struct Lane {
 };
 
 PALPABLE_VECTORIZE void advance_columns(const std::uint8_t* cost, const std::array<Lane, 3>& lanes, int width,
-                                        int stride, int pitch, std::uint16_t* sum) {
+                                        int stride, int pitch, SumState state, std::uint16_t* sum) {
   for (int x = 0; x < width; ++x) {
     const std::ptrdiff_t at = std::ptrdiff_t{x} * stride;
     const std::ptrdiff_t from = std::ptrdiff_t{x} * pitch;
-    for (const Lane& lane : lanes)
-      advance(cost + at, lane.before + from, lane.steps[x], stride, lane.here + from, sum + at);
+    const auto& [slanted, straight, other_way] = lanes;
+    if (state == SumState::begins)
+      advance<SumState::begins>(cost + at, slanted.before + from, slanted.steps[x], stride,
+                                slanted.here + from, sum + at);
+    else
+      advance<SumState::goes_on>(cost + at, slanted.before + from, slanted.steps[x], stride,
+                                 slanted.here + from, sum + at);
+    for (const Lane& lane : {straight, other_way})
+      advance<SumState::goes_on>(cost + at, lane.before + from, lane.steps[x], stride, lane.here + from,
+                                 sum + at);
   }
 }
 
@@ -96,13 +105,13 @@ std::size_t ColumnPaths::at(int x) const {
   return static_cast<std::size_t>(x + 1) * static_cast<std::size_t>(stride_ + kGuard) + kGuard;
 }
 
-void ColumnPaths::add(const std::uint8_t* cost, const RowSteps& steps, std::uint16_t* sum) {
+void ColumnPaths::add(const std::uint8_t* cost, const RowSteps& steps, SumState state, std::uint16_t* sum) {
   advance_columns(
       cost,
       {Lane{steps.before_left.data(), before_.from_left.data() + at(-1), here_.from_left.data() + at(0)},
        Lane{steps.before.data(), before_.straight.data() + at(0), here_.straight.data() + at(0)},
        Lane{steps.before_right.data(), before_.from_right.data() + at(1), here_.from_right.data() + at(0)}},
-      width_, stride_, stride_ + kGuard, sum);
+      width_, stride_, stride_ + kGuard, state, sum);
   std::swap(before_, here_);
 }
 

@@ -26,6 +26,9 @@ struct RowSteps {
       : before_left(static_cast<std::size_t>(width)), before(before_left), before_right(before_left) {}
 };
 
+/// Whether path costs are the first of a sum or are added to it.
+enum class SumState { begins, goes_on };
+
 /// The two paths along a row: adds their costs to `sum`. steps_from_left[x] leads from x - 1 to x.
 class RowPaths {
  public:
@@ -41,8 +44,9 @@ class RowPaths {
 class ColumnPaths {
  public:
   ColumnPaths(int width, int stride);
-  /// The row next to the one before; the first one begins the paths. Adds the path costs to `sum`.
-  void add(const std::uint8_t* cost, const RowSteps& steps, std::uint16_t* sum);
+  /// The row next to the one before; the first one begins the paths. Adds the path costs to `sum`, or, where
+  /// it begins, overwrites it.
+  void add(const std::uint8_t* cost, const RowSteps& steps, SumState state, std::uint16_t* sum);
 
  private:
   std::size_t at(int x) const;

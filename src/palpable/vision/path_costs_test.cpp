@@ -84,17 +84,45 @@ TEST(ColumnPathCosts, CarryWhatTheRowBeforeSaysToARowThatSaysNothing) {
   std::vector<std::uint16_t> first(telling.size());
   std::vector<std::uint16_t> second(telling.size());
   ColumnPaths paths(kWidth, kStride);
-  paths.add(telling.data(), steps, first.data());
-  paths.add(plain.data(), steps, second.data());
+  paths.add(telling.data(), steps, SumState::begins, first.data());
+  paths.add(plain.data(), steps, SumState::goes_on, second.data());
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(least_at(second.data() + x * kStride, kStride), 9) << x;
 }
 
+TEST(ColumnPathCosts, OverwriteASumThatBegins) {
+  std::vector<std::uint8_t> cost(static_cast<std::size_t>(kWidth * kStride), 5);
+  for (std::size_t i = 0; i < cost.size(); i += 7) cost[i] = 1;
+  const RowSteps steps(kWidth);
+  std::vector<std::uint16_t> clean(cost.size());
+  std::vector<std::uint16_t> used(cost.size(), 1234);
+  ColumnPaths(kWidth, kStride).add(cost.data(), steps, SumState::goes_on, clean.data());
+  ColumnPaths(kWidth, kStride).add(cost.data(), steps, SumState::begins, used.data());
+  EXPECT_EQ(used, clean);
+}
+
 TEST(LeastCost, IsTheFirstOfEqualOnesAndKnowsTheNextBestElsewhere) {
-  const std::vector<std::int32_t> costs{9, 4, 3, 3, 7, 5, 8};
+  const std::vector<std::uint16_t> costs{9, 4, 3, 3, 7, 5, 8};
   const LeastCost least = least_cost(costs.data(), static_cast<int>(costs.size()));
   EXPECT_EQ(least.at, 2);
   EXPECT_EQ(least.cost, 3);
   EXPECT_EQ(least.elsewhere, 5);  // not 3 and 4, which stand beside
+}
+
+TEST(LeastCost, IsFoundWhereverItStandsInWholeVectorsAndBehindThem) {
+  for (const std::size_t count : {std::size_t{32}, std::size_t{64}, std::size_t{75}})
+    for (std::size_t at = 0; at < count; ++at) {
+      std::vector<std::uint16_t> costs(count, 60000);
+      const std::size_t other = (at + 40) % count;
+      costs[other] = 41000;
+      costs[at] = 40000;
+      if (at > 0) costs[at - 1] = 40500;
+      const LeastCost least = least_cost(costs.data(), static_cast<int>(count));
+      const bool beside = other + 1 == at || other == at || other == at + 1;
+      EXPECT_EQ(least.at, static_cast<int>(at));
+      EXPECT_EQ(least.cost, 40000);
+      EXPECT_EQ(least.elsewhere, beside ? 60000 : 41000) << count << ' ' << at;
+      EXPECT_EQ(least_at(costs.data(), static_cast<int>(count)), static_cast<int>(at));
+    }
 }
 
 }  // namespace

@@ -26,9 +26,9 @@ class ScanlineMatcher {
                   int first_row)
       : input_(input),
         columns_(static_cast<std::size_t>(input.left.width())),
-        count_(static_cast<std::size_t>(input.disparities)),
         aggregator_(cost, arms, input.disparities, CrossOptions{}.column_reach_px, first_row),
-        path_(input.left.width(), input.disparities, PathOptions{}),
+        count_(static_cast<std::size_t>(aggregator_.stride())),
+        path_(input.left.width(), input.disparities, aggregator_.stride(), PathOptions{}),
         costs_(columns_ * count_),
         mirrored_(columns_ * count_),
         right_px_(columns_),
@@ -56,17 +56,21 @@ class ScanlineMatcher {
     for (std::size_t m = 0; m < columns_; ++m) {
       const std::size_t x = columns_ - 1 - m;
       mirrored_grey_[m] = grey[x];
-      std::int32_t* out = mirrored_.data() + m * count_;
-      for (std::size_t d = 0; d < count_; ++d) out[d] = costs_[std::min(x + d, columns_ - 1) * count_ + d];
+      std::uint16_t* out = mirrored_.data() + m * count_;
+      const std::uint16_t* from = costs_.data() + x * count_;
+      const std::size_t inside = std::min(count_, m + 1);
+      for (std::size_t d = 0; d < inside; ++d) out[d] = from[d * (count_ + 1)];
+      // Beyond the left picture its last column stands in.
+      std::copy(costs_.end() - static_cast<std::ptrdiff_t>(count_ - inside), costs_.end(), out + inside);
     }
   }
 
   const MatchInput& input_;
   std::size_t columns_;
-  std::size_t count_;
   CrossAggregator aggregator_;
+  std::size_t count_;  // values per pixel
   ScanlinePath path_;
-  std::vector<std::int32_t> costs_, mirrored_;
+  std::vector<std::uint16_t> costs_, mirrored_;
   std::vector<float> right_px_;
   std::vector<std::uint8_t> mirrored_grey_, occluded_, occluded_right_;
 };
@@ -78,7 +82,7 @@ ScanlineMap scanline_map(const MatchInput& input, const Work& work) {
   const int height = input.left.height();
   const CrossOptions cross;
   const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(colour_planes(input.left), cross, work);
+  const Raster<CrossArms> arms = cross_arms(cost.left_colour(), cross, work);
   ScanlineMap out{Raster<float>(width, height), Raster<std::uint8_t>(width, height)};
   // Each part begins with the rows above it that its windows reach into: parts must not be too small.
   parallel_for(work, height, 4 * cross.column_reach_px, [&](int begin, int end) {

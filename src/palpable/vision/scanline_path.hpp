@@ -34,37 +34,41 @@ struct PathOptions {
 /// only the left camera sees: left occlusion). Holds its scratch memory: one object a thread.
 class ScanlinePath {
  public:
-  /// What the moves to a column cost, in units of 1/kMeanCostUnit.
+  /// What the moves to a column cost, in the units of path costs.
   struct MoveCosts {
-    std::int32_t step_down, step_up, jump, occluded;
+    std::uint16_t step_down, step_up, jump, occluded;
   };
 
-  ScanlinePath(int width, int disparities, const PathOptions& options);
+  /// `stride`: costs per pixel, a multiple of whole vectors, at least `disparities`.
+  ScanlinePath(int width, int disparities, int stride, const PathOptions& options);
 
-  /// `costs`: costs[x * disparities + d] in units of 1/kMeanCostUnit; `grey`: the left picture's row. Fills
+  /// `costs`: costs[x * stride + d] in units of 1/kMeanCostUnit, those beyond the disparities as high as can
+  /// be; `grey`: the left picture's row. Fills
   /// `disparity_px` with sub-pixel disparities; occluded pixels take the disparity of the surface behind, at
   /// their left. `occluded` gets 1 there.
-  void find(std::span<const std::int32_t> costs, std::span<const std::uint8_t> grey,
+  void find(std::span<const std::uint16_t> costs, std::span<const std::uint8_t> grey,
             std::span<float> disparity_px, std::span<std::uint8_t> occluded);
 
  private:
-  void find_control_points(const std::int32_t* costs);
-  void step(const std::int32_t* costs, const MoveCosts& move_costs, int control, std::uint8_t* moves);
-  void walk_back(const std::int32_t* costs, std::span<float> disparity_px, std::span<std::uint8_t> occluded);
+  void find_control_points(const std::uint16_t* costs);
+  void step(const std::uint16_t* costs, const MoveCosts& move_costs, int control, std::uint8_t* moves);
+  void walk_back(const std::uint16_t* costs, std::span<float> disparity_px, std::span<std::uint8_t> occluded);
 
   int width_;
   int disparities_;
+  int stride_;
   PathOptions options_;
-  std::array<std::int32_t, 256> jump_cost_{};  // by contrast
-  std::vector<int> control_;                   // the disparity of a column's ground control point, or -1
+  std::array<std::uint16_t, 256> jump_cost_{};  // by contrast
+  std::vector<int> control_;                    // the disparity of a column's ground control point, or -1
   // The left column that fits a right column best, and its cost; from right to left.
-  std::vector<std::int32_t> right_best_;
-  std::vector<std::int32_t> right_cost_;
+  std::vector<std::uint16_t> right_best_;
+  std::vector<std::uint16_t> right_cost_;
   // Cost of the best path that ends in a match, or in an occlusion, at each disparity of the last and of this
-  // column.
-  std::vector<std::int32_t> match_, match_next_, occlusion_, occlusion_next_;
-  std::vector<std::int32_t> above_, above_too_;  // the best match_ of all higher disparities
-  std::vector<std::int32_t> wide_moves_;
+  // column; and the least of the last ones.
+  std::vector<std::uint16_t> match_, match_next_, occlusion_, occlusion_next_;
+  std::vector<std::uint16_t> above_, above_too_;  // the best match_ of all higher disparities
+  std::uint16_t base_ = 0;
+  std::vector<std::uint16_t> wide_moves_;
   std::vector<std::uint8_t> moves_;
 };
 
