@@ -11,9 +11,10 @@ const protocol = JSON.parse(readFileSync(join(here, '..', 'protocol.json'), 'utf
 const licence = '// Copyright 2026 The Palpable authors\n// SPDX-License-Identifier: Apache-2.0\n// Made from web/protocol.json by web/scripts/protocol.mjs.\n';
 
 const pascal = (name) => name.replace(/(^|_)([a-z])/g, (_, __, letter) => letter.toUpperCase());
-const tsTypes = { number: 'number', integer: 'number', boolean: 'boolean', string: 'string', strings: 'string[]' };
+const tsTypes = { number: 'number', integer: 'number', boolean: 'boolean', string: 'string', strings: 'string[]', numbers: 'number[]' };
 const cppTypes = {
   number: 'double', integer: 'std::int64_t', boolean: 'bool', string: 'std::string', strings: 'std::vector<std::string>',
+  numbers: 'std::vector<double>',
 };
 
 function tsMessage(name, { doc, fields }) {
@@ -47,12 +48,13 @@ function cppField(field, spec) {
   const limits = {
     number: `Limits{${spec.min}, ${spec.max}}`, integer: `Limits{${spec.min}, ${spec.max}}`, boolean: 'Limits{}',
     string: `Limits{.longest = ${spec.max}}`, strings: `Limits{.longest = ${spec.max}, .most = ${spec.max_count}}`,
+    numbers: `Limits{.lowest = ${spec.min}, .highest = ${spec.max}, .most = ${spec.max_count}}`,
   }[spec.type];
   return `    visit("${field}", self.${field}, ${limits});`;
 }
 
 function cppMessage(name, { doc, fields }) {
-  const initial = { number: ' = 0.0', integer: ' = 0', boolean: ' = false', string: '', strings: '' };
+  const initial = { number: ' = 0.0', integer: ' = 0', boolean: ' = false', string: '', strings: '', numbers: '' };
   const members = Object.entries(fields).map(
     ([field, spec]) => `${spec.doc ? `  /// ${spec.doc}\n` : ''}  ${cppTypes[spec.type]} ${field}${initial[spec.type]};`);
   const visits = Object.entries(fields).map(([field, spec]) => cppField(field, spec));

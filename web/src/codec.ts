@@ -4,7 +4,7 @@
 import { raster, toPageSpecs, type FromPage, type ToPage } from './generated/protocol';
 
 export interface FieldSpec {
-  type: 'number' | 'integer' | 'boolean' | 'string' | 'strings';
+  type: 'number' | 'integer' | 'boolean' | 'string' | 'strings' | 'numbers';
   min?: number;
   max?: number;
   max_count?: number;
@@ -16,15 +16,18 @@ const bytesOf = (text: string) => new TextEncoder().encode(text).length;
 function fits(value: unknown, spec: FieldSpec): boolean {
   const { min = -Infinity, max = Infinity, max_count = Infinity } = spec;
   const isText = (text: unknown) => typeof text === 'string' && bytesOf(text) <= max;
+  const isNumber = (number: unknown) => typeof number === 'number' && number >= min && number <= max;
   switch (spec.type) {
     case 'boolean':
       return typeof value === 'boolean';
     case 'integer':
       return Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
     case 'number':
-      return typeof value === 'number' && value >= min && value <= max;
+      return isNumber(value);
     case 'string':
       return isText(value);
+    case 'numbers':
+      return Array.isArray(value) && value.length <= max_count && value.every(isNumber);
     case 'strings':
       return Array.isArray(value) && value.length <= max_count && value.every(isText);
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The settings panel: what it shows and what a person changes in it.
 import type { Law } from './generated/protocol';
+import type { Material } from './materials';
 import type { Preferences } from './preferences';
 
 /** What the program keeps (protocol.json, "change"). */
@@ -11,11 +12,14 @@ export interface TouchWishes {
   damping_Ns_per_m: number;
   friction: number;
   exaggeration: number;
+  neighbourhood_px: number;
 }
 
 export interface Settings {
   touch: TouchWishes;
   page: Preferences;
+  /** By label. */
+  materials: Material[];
 }
 
 export function element<T extends HTMLElement>(id: string): T {
@@ -49,6 +53,7 @@ const sliders: Slider[] = [
   touchSlider('damping', 'damping_Ns_per_m', (value) => `${shown(value)} N·s/m`),
   touchSlider('friction', 'friction', (value) => shown(value)),
   touchSlider('exaggeration', 'exaggeration', (value) => `× ${shown(value)}`),
+  touchSlider('neighbourhood', 'neighbourhood_px', (value) => `${shown(value)} px`),
   pageSlider('volume', (value) => `${shown(value)} %`),
   pageSlider('tilt', (value) => `${shown(value)}°`),
 ];
@@ -56,7 +61,7 @@ const checks = ['sound', 'speech', 'vibration'] as const;
 const selects = ['surface', 'view', 'theme'] as const;
 
 /** At most three digits after the point, and none that say nothing. */
-function shown(value: number): string {
+export function shown(value: number): string {
   return String(Number(value.toFixed(value < 10 ? 2 : 0)));
 }
 
@@ -94,6 +99,8 @@ export class Controls {
       stiffness.max = String(law.stiffness_max);
       stiffness.step = String((law.stiffness_max - law.stiffness_min) / 100);
     }
+    element('neighbourhood-row').hidden = !(law?.has_neighbourhood ?? false);
+    element('stiffness-name').textContent = law?.stiffness_unit === 'N' ? 'Force' : 'Stiffness';
     element<HTMLInputElement>('friction').disabled = law !== undefined && !law.has_friction;
     element<HTMLSelectElement>('law').value = settings.touch.law;
     for (const slider of sliders) {
@@ -109,7 +116,7 @@ export class Controls {
     element<HTMLInputElement>('tilt').disabled = settings.page.view === 'flat';
   }
 
-  private law(): Law | undefined {
+  law(): Law | undefined {
     return this.laws.find(({ name }) => name === this.settings.touch.law);
   }
 

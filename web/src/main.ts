@@ -10,6 +10,7 @@ import { Feedback } from './feedback';
 import { protocolVersion, type Hello, type Law, type Scene, type Settings as Told, type State, type ToPage } from './generated/protocol';
 import { fillHelp, showHelp } from './help';
 import { press, type KeyTarget, type Move } from './keys';
+import { MaterialPanel } from './material_panel';
 import { preferencesCookie, readPreferences } from './preferences';
 import { ProbeHand } from './probe';
 import { Readouts } from './readouts';
@@ -20,8 +21,9 @@ import { TracePanel } from './trace_panel';
 import { Voice } from './voice';
 
 const initial: Settings = {
-  touch: { law: '', stiffness: 0, damping_Ns_per_m: 0, friction: 0, exaggeration: 1 },
+  touch: { law: '', stiffness: 0, damping_Ns_per_m: 0, friction: 0, exaggeration: 1, neighbourhood_px: 3 },
   page: readPreferences(document.cookie),
+  materials: [],
 };
 const noScene = 'There is no scene yet.';
 
@@ -35,6 +37,7 @@ class TouchPage implements KeyTarget {
   private readonly keeper = new SettingsKeeper(initial, (change) => this.connection.send(change));
   private readonly stage = new Stage(initial.page);
   private readonly controls = new Controls(initial, (settings, what) => this.change(settings, what));
+  private readonly materials = new MaterialPanel(initial, (settings, what) => this.change(settings, what));
   private readonly voice = new Voice();
   private readonly feedback = new Feedback();
   private readonly readouts = new Readouts();
@@ -111,6 +114,7 @@ class TouchPage implements KeyTarget {
   private apply(): void {
     const { settings } = this.keeper;
     this.controls.show(settings);
+    this.materials.show(settings, this.controls.law());
     this.stage.set(settings.touch.exaggeration, settings.page);
     this.voice.set(settings.page.speech);
     this.feedback.set(settings.page);
@@ -159,7 +163,8 @@ class TouchPage implements KeyTarget {
         return this.greeted(message);
       case 'law':
         this.laws = [...this.laws, message];
-        return this.controls.setLaws(this.laws);
+        this.controls.setLaws(this.laws);
+        return this.materials.show(this.keeper.settings, this.controls.law());
       case 'scene':
         this.scene = message;
         element('scene-name').textContent = message.name;
@@ -168,6 +173,9 @@ class TouchPage implements KeyTarget {
         return;
       case 'settings':
         return this.told(message);
+      case 'materials':
+        if (this.keeper.toldMaterials(message)) this.apply();
+        return;
       case 'state':
         return this.ticked(message);
       case 'notice':
@@ -303,12 +311,19 @@ class TouchPage implements KeyTarget {
       undo: () => this.undoOrRedo('undo'),
       redo: () => this.undoOrRedo('redo'),
       reset: () => this.reset(),
+      'region-here': () => this.editHere(),
+      save: () => this.connection.send({ type: 'save' }),
     };
     for (const [id, act] of Object.entries(actions))
       element(id).addEventListener('click', () => {
         this.feedback.sound.wake();
         act();
       });
+  }
+
+  private editHere(): void {
+    const found = this.materials.choose(this.state?.label ?? 0);
+    this.voice.say(found ? `Editing ${this.materials.name()}.` : 'There is no region here.', Importance.answer);
   }
 
   private reset(): void {

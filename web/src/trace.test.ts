@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Place } from './surface';
 import { gridOver, maskOf, roughnessOf, scoreOf, signedArea, Tracer, turnOf, type TracePoint } from './trace';
-import { traceCsv, traceNrrd, traceSvg } from './trace_files';
+import { readLine, traceCsv, traceNrrd, traceSvg } from './trace_files';
 
 const circle = (radius: number, x = 0, y = 0, count = 400): TracePoint[] =>
   Array.from({ length: count }, (_, k) => {
@@ -91,5 +91,14 @@ describe('files of a trace', () => {
     const inner = square.map(({ x, y }) => ({ x: x / 2, y: y / 2 }));
     const ring = [...square, square[0]!, ...inner, inner[0]!];
     expect(maskOf(ring, gridOver(0.1, 0.1, 0.001)).reduce((sum, v) => sum + v, 0)).toBe(300);
+  });
+  it('read back what was saved, and say what is wrong with anything else', () => {
+    const line = readLine(traceCsv(circle(0.02)));
+    expect(line).toHaveLength(400);
+    expect((line as Place[])[100]!.y).toBeCloseTo(0.02, 5);
+    expect(readLine('x_px,y_px,x_m,y_m\r\n1,2,0.01,0.02\r\n1,2,0.02,0.02\r\n1,2,0.02,0.03\r\n')).toHaveLength(3);
+    expect(readLine('a,b\n1,2\n')).toMatch(/no columns/);
+    expect(readLine('x_m,y_m\n1,2\n')).toMatch(/3 to/);
+    expect(readLine('x_m,y_m\n1,2\n,2\n3,4\n')).toMatch(/Line 3/);
   });
 });

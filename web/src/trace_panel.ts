@@ -3,8 +3,8 @@
 // The panel for tracing contours: cue, clock, picture of the trace beside the scene's, score and files.
 import { element } from './controls';
 import type { Place } from './surface';
-import { scoreOf, Tracer, turnOf, type TracePoint } from './trace';
-import { traceCsv, traceNrrd, traceSvg } from './trace_files';
+import { gridOver, maskOf, scoreOf, Tracer, turnOf, type TracePoint } from './trace';
+import { readLine, traceCsv, traceNrrd, traceSvg } from './trace_files';
 
 export interface TraceSetting {
   /** Where the hand is. */
@@ -29,11 +29,13 @@ export class TracePanel {
   constructor(private readonly setting: TraceSetting) {
     element('trace-start').addEventListener('click', () => (this.tracer ? this.finish() : this.begin()));
     element('trace-nominal').addEventListener('click', () => this.compareWithThis());
+    element('trace-load').addEventListener('change', ({ target }) => void this.load(target as HTMLInputElement));
     element('trace-overlay').addEventListener('change', () => this.draw());
     const save = (id: string, file: string, type: string, content: () => string | Uint8Array<ArrayBuffer>) =>
       element(id).addEventListener('click', () => download(file, new Blob([content()], { type })));
     save('trace-csv', 'trace.csv', 'text/csv', () => traceCsv(this.trace));
     save('trace-svg', 'trace.svg', 'image/svg+xml', () => traceSvg(this.trace, this.size.width, this.size.depth));
+    element('trace-png').addEventListener('click', () => void maskPicture(this.trace, this.size.width, this.size.depth).then((png) => png && download('trace.png', png)));
     save('trace-nrrd', 'trace.nrrd', 'application/octet-stream', () =>
       traceNrrd(this.trace, this.size.width, this.size.depth, labelSpacing),
     );
@@ -97,8 +99,19 @@ export class TracePanel {
     this.draw();
   }
 
+  /** A nominal line that somebody who knows has drawn. */
+  private async load(input: HTMLInputElement): Promise<void> {
+    const file = input.files?.[0];
+    if (file === undefined) return;
+    const line = readLine(await file.text());
+    if (typeof line === 'string') return this.setting.say(line);
+    this.nominal = line;
+    this.setting.say(`Traces are compared with ${file.name}.`);
+    this.draw();
+  }
+
   private enable(there: boolean): void {
-    for (const id of ['trace-nominal', 'trace-csv', 'trace-svg', 'trace-nrrd']) element<HTMLButtonElement>(id).disabled = !there;
+    for (const id of ['trace-nominal', 'trace-csv', 'trace-svg', 'trace-png', 'trace-nrrd']) element<HTMLButtonElement>(id).disabled = !there;
   }
 
   private draw(): void {
@@ -121,6 +134,19 @@ export class TracePanel {
     line(this.nominal, style.color, 1);
     line(this.trace, style.getPropertyValue('--accent'), 2);
   }
+}
+
+/** The inside white on black. */
+function maskPicture(trace: readonly Place[], width: number, depth: number): Promise<Blob | null> {
+  const grid = gridOver(width, depth, labelSpacing);
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = [grid.columns, grid.rows];
+  const pen = canvas.getContext('2d');
+  if (pen === null) return Promise.resolve(null);
+  const pixels = pen.createImageData(grid.columns, grid.rows);
+  maskOf(trace, grid).forEach((inside, k) => pixels.data.set([255 * inside, 255 * inside, 255 * inside, 255], 4 * k));
+  pen.putImageData(pixels, 0, 0);
+  return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
 }
 
 function download(name: string, content: Blob): void {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the browser tests stand on: the real program, and Debian's Chromium.
 import { spawn, type ChildProcess } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page } from 'playwright-core';
@@ -28,7 +29,9 @@ export interface Running {
 
 /** Starts a session without a window and waits for its address. */
 export async function startProgram(...more: string[]): Promise<Running> {
-  const child = spawn(program, [...programArguments, ...more], { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, BROWSER: 'true' } });
+  // What it saves, it saves where it runs.
+  const folder = mkdtempSync(join(tmpdir(), 'palpable-page-'));
+  const child = spawn(program, [...programArguments, ...more], { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, BROWSER: 'true' }, cwd: folder });
   let said = '';
   const ended = new Promise<void>((resolve) => child.once('close', () => resolve()));
   const address = await new Promise<string>((resolve, reject) => {
@@ -48,6 +51,7 @@ export async function startProgram(...more: string[]): Promise<Running> {
     stop: async () => {
       child.kill('SIGINT');
       await ended;
+      rmSync(folder, { recursive: true, force: true });
     },
   };
 }

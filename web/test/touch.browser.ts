@@ -144,6 +144,37 @@ class Listener {
   }
 }
 
+describe('the materials', () => {
+  it('are edited by keyboard, felt, undone by name, and saved in the scene', async () => {
+    const { page } = opened;
+    const force = () => number(page, 'read-force');
+    await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
+    const before = await force();
+    const stiffness = page.getByRole('slider', { name: 'Region stiffness' });
+    await stiffness.focus();
+    await page.keyboard.press('Home');
+    expect(await stiffness.getAttribute('aria-valuetext')).toBe('20 N/m');
+    const becomes = (least: number, most: number) =>
+      page.waitForFunction(
+        ([low, high]) => {
+          const now = Number.parseFloat(document.getElementById('read-force')?.textContent ?? '');
+          return now >= low! && now <= high!;
+        },
+        [before * least, before * most],
+      );
+    await becomes(0, 0.3);
+    await page.getByLabel('Texture', { exact: true }).selectOption('ridges');
+    expect(await page.getByRole('slider', { name: 'Texture height' }).isEnabled()).toBe(true);
+    await keepPicture(page, 'material', true);
+    await page.getByRole('button', { name: 'Save the scene' }).click();
+    await page.waitForFunction(() => /saved as/.test(document.getElementById('spoken')?.textContent ?? ''));
+    await page.keyboard.press('Control+z');
+    await page.waitForFunction(() => (document.getElementById('texture') as HTMLSelectElement).value === 'none');
+    await page.keyboard.press('Control+z');
+    await becomes(0.7, 1.3);
+  });
+});
+
 describe('by keyboard, hearing only', () => {
   it('finds the highest point, to 3 % of the relief or half a millimetre', async () => {
     const { page } = opened;

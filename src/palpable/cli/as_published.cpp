@@ -14,13 +14,13 @@ using haptics::PenaltyDirection;
 // Loop rates: Shi & Pai 1997, Gomez 2012 and GHD 2006 state 500, 997 and 400 Hz; Park & Howard 2012 state how
 // long a force took, and no rate.
 constexpr std::array kPublished{
-    Published{"shi", Law::sobel, PenaltyDirection::gradient, 500.0, "scanline", "",
-              "Their force image is mapped to the scene's own size, not to 10 x 15 cm."},
-    Published{"park", Law::penalty, PenaltyDirection::normal, std::nullopt, "graph-cut", "",
-              "Their volume of voxels does not exist here yet: the surface is the relief's."},
-    Published{"gomez", Law::averaged, PenaltyDirection::normal, 997.0, "pyramid", "",
-              "The weights of the average are corrected; the offset is 1 mm."},
-    Published{"ghd", Law::tracing, PenaltyDirection::gradient, 400.0, "", "paper",
+    Published{"shi", Law::sobel, PenaltyDirection::gradient, 500.0, "scanline", "", "150x100x15", "",
+              "Their height is not stated: it is 15 mm."},
+    Published{"park", Law::grid, PenaltyDirection::normal, std::nullopt, "graph-cut", "", "", "",
+              "The volume's points are ours in number: theirs are not stated.", session::MakeAs::grid},
+    Published{"gomez", Law::averaged, PenaltyDirection::normal, 997.0, "pyramid", "", "101.6x101.6x15",
+              "bicubic", "The weights of the average are corrected; the offset is 1 mm."},
+    Published{"ghd", Law::tracing, PenaltyDirection::gradient, 400.0, "", "paper", "140x100x15", "",
               "Eq. 8 is corrected so that it does not push a resting hand."}};
 
 }  // namespace
@@ -45,6 +45,9 @@ Result<std::optional<Published>> published_as(const std::string& name) {
 void apply_published(const Published& published, MakeArguments& arguments) {
   if (arguments.stereo.method.empty()) arguments.stereo.method = published.stereo_method;
   if (arguments.contour_method.empty()) arguments.contour_method = published.contour_method;
+  if (arguments.size.empty()) arguments.size = published.size;
+  if (arguments.resample == "none" && !published.resampling.empty())
+    arguments.resample = published.resampling;
 }
 
 }  // namespace palpable::cli

@@ -11,7 +11,8 @@
 
 namespace palpable::cli {
 
-/// What one of the five papers set together, as far as this program holds it.
+/// What one of the five papers set together, as far as this program holds it. None of them states a
+/// stiffness or a damping in a unit: those stay the scene's.
 struct Published {
   std::string_view name;
   haptics::Law law;
@@ -21,8 +22,14 @@ struct Published {
   /// How it made its scene: a stereo method or a contour method, empty where it had no other than ours.
   std::string_view stereo_method;
   std::string_view contour_method;
+  /// The area that the picture was mapped to, WxHxD in mm (the depth is ours); empty where none is stated.
+  std::string_view size;
+  /// How depths got another number of samples.
+  std::string_view resampling;
   /// What of the paper is not the same here, one sentence.
   std::string_view differs;
+  /// What the scene became.
+  session::MakeAs as = session::MakeAs::by_input;
 };
 
 /// Adds --as-published. `name` must outlive the parsing.

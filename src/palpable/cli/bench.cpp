@@ -121,6 +121,14 @@ Result<std::vector<Benchmark>> own_set(const Work& work) {
     if (!benchmark) return benchmark.error();
     benchmarks.push_back(std::move(*benchmark));
   }
+  // What a fingertip meets on the page: a ball of 1 mm, friction and a texture.
+  models::Scene textured = *scene;
+  textured.materials.front().texture.kind = models::TouchTexture::Kind::grain;
+  haptics::LawParameters fingertip;
+  fingertip.radius_m = 0.001;
+  auto benchmark = time_one(textured, fingertip, path);
+  if (!benchmark) return benchmark.error();
+  benchmarks.push_back(std::move(*benchmark));
   if (const auto added = add_field_set(benchmarks, work); !added) return added.error();
   return benchmarks;
 }

@@ -56,6 +56,8 @@ void add_score(Program& program);
 void add_score_contours(Program& program);
 void add_show(Program& program);
 void add_study_stability(Program& program);
+void add_study_tracing(Program& program);
+void add_study_trajectories(Program& program);
 void add_touch(Program& program);
 
 }  // namespace palpable::cli

@@ -55,7 +55,12 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, con
 std::string bench_name(const haptics::LawParameters& parameters, const models::Scene& scene) {
   const double friction = parameters.static_friction.value_or(scene.materials.front().static_friction);
   const bool slides = parameters.law == haptics::Law::proxy && friction > 0.0;
-  return std::string(haptics::name_of(parameters.law)) + (slides ? "-friction" : "");
+  const bool textured = parameters.law == haptics::Law::proxy &&
+                        std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) {
+                          return m.texture.kind != models::TouchTexture::Kind::none;
+                        });
+  return std::string(haptics::name_of(parameters.law)) + (slides ? "-friction" : "") +
+         (textured ? "-texture" : "");
 }
 
 }  // namespace palpable::cli

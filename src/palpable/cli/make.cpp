@@ -84,6 +84,7 @@ Result<Answer> make(Arguments arguments, Console& console) {
   if (*published) apply_published(**published, arguments.make);
   auto options = make_options(arguments.make);
   if (!options) return options.error();
+  if (*published) options->as = (*published)->as;
   if (arguments.as == "relief") options->as = session::MakeAs::relief;
   if (arguments.as == "contours") options->as = session::MakeAs::contours;
   if (arguments.as == "field") options->as = session::MakeAs::field;

@@ -59,6 +59,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "How many times higher the scene would be in its own proportions");
   options.number("--smooth", arguments.smooth_mm, {0.0, 10.0},
                  "Forms narrower than this are smoothed away, mm: your device's resolution");
+  options.choice("--resample", arguments.resample, {"none", "bilinear", "bicubic"},
+                 "How a relief's depths get --samples samples, before they are mapped");
+  options.integer("--samples", arguments.samples, {2, 4096}, "On the longer side; needs --resample");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
   options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
   options.choice("--background", arguments.background, {"keep", "remove"},
@@ -120,6 +123,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.relief.compression = arguments.compression;
   options.relief.smooth_m = arguments.smooth_mm / 1000.0;
   options.relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(options.relief.detail);
+  options.relief.resampling = sculpt::resampling_from(arguments.resample).value_or(options.relief.resampling);
+  options.relief.samples_on_a_side = arguments.samples;
   options.relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
   if (arguments.quality == "best") options.contours.method = vision::ContourMethod::best;
   if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;

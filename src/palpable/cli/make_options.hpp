@@ -27,6 +27,8 @@ struct MakeArguments {
   double exaggerate = 1.0;
   double compression = 10.0;
   double smooth_mm = 0.0;
+  std::string resample = "none";
+  int samples = 512;
   std::string detail = "relief";
   bool engrave = false;
   std::string contour_method;

@@ -120,6 +120,12 @@ Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene) {
   for (const std::string& text : arguments.materials)
     if (auto applied = apply_material(text, scene); !applied) return applied;
+  const bool is_relief = std::holds_alternative<std::shared_ptr<const models::Relief>>(scene.model);
+  const bool is_contours = std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model);
+  for (const models::Material& m : scene.materials)
+    if (m.texture.kind != models::TouchTexture::Kind::none && !is_relief && !is_contours)
+      return usage(fmt::format("a texture is felt on a relief or on grooves, not on a {}",
+                               models::kind_of(scene.model)));
   if (arguments.labels.empty()) return {};
   auto labels = labels_from(arguments.labels, scene);
   if (!labels) return labels.error();

@@ -133,6 +133,8 @@ void describe(Program& program) {
   program.app.add_subcommand("score", "Compare a result with the truth")->require_subcommand(1);
   add_score(program);
   add_study_stability(program);
+  add_study_tracing(program);
+  add_study_trajectories(program);
   add_devices(program);
   add_doctor(program);
 }

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <mutex>
 #include <set>
@@ -131,6 +132,7 @@ Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, 
   headless.recording = arguments.recording;
   headless.begin_ns = plan.begin_ns;
   if (!arguments.device.empty()) headless.device_url = arguments.device;
+  headless.on_notice = [&console](const std::string& sentence) { console.note(sentence); };
   headless.on_missed = [&console](const haptics::MissedDeadline& missed) {
     console.note(sentence_of(missed));
   };
@@ -183,12 +185,25 @@ class NoteBox {
   std::vector<std::string> kept_;
 };
 
+/// Where the page saves the scene: a scene into its own file, all else beside nothing that is there, in the
+/// folder that the person is in.
+std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs) {
+  const std::filesystem::path first = inputs.empty() ? "scene" : inputs.front();
+  if (inputs.size() == 1 && first.extension() == ".palp") return first;
+  const std::string stem = first.has_stem() ? first.stem().string() : "scene";
+  std::filesystem::path free = stem + ".palp";
+  std::error_code ignored;
+  for (int k = 2; std::filesystem::exists(free, ignored); ++k) free = fmt::format("{}-{}.palp", stem, k);
+  return free;
+}
+
 /// Serves the page of a touch under way until the person ends it.
-Result<void> serve_page(const Arguments& arguments, session::TouchSession& session,
+Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::TouchSession& session,
                         session::MakerThread& maker, NoteBox& notes, Console& console) {
-  page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION, {}, [&maker] {
-                                   return maker.take(std::chrono::milliseconds(0));
-                                 }});
+  page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
+                                 {},
+                                 [&maker] { return maker.take(std::chrono::milliseconds(0)); },
+                                 save_path(plan.make.inputs)});
   notes.open([&host](const std::string& sentence) { host.say("info", sentence); });
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
@@ -218,7 +233,7 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
   session::TouchSession& session = **opened;
   if (!arguments.recording.empty())
     if (auto started = session.start_recording(arguments.recording); !started) return started.error();
-  const auto served = serve_page(arguments, session, maker, notes, console);
+  const auto served = serve_page(arguments, plan, session, maker, notes, console);
   const auto recorded = session.stop_recording();
   session.stop();
   if (!served) return served.error();
@@ -245,6 +260,7 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   const auto make = arguments.make.inputs.empty() ? sample_options() : make_options(arguments.make);
   if (!make) return make.error();
   plan.make = *make;
+  if (*published) plan.make.as = (*published)->as;
   const auto settings = settings_of(arguments, *published);
   if (!settings) return settings.error();
   plan.settings = *settings;

@@ -8,6 +8,7 @@
 #include "palpable/formats/jpeg.hpp"
 #include "palpable/formats/model_codec.hpp"
 #include "palpable/formats/png.hpp"
+#include "palpable/models/material_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -93,13 +94,6 @@ SceneFromInput transform_from(const json& j) {
   return {j.at("rotation").get<std::array<double, 9>>(),
           {move[0], move[1], move[2]},
           j.at("scale").get<double>()};
-}
-
-bool is_sound(const models::Material& m) {
-  const std::array<double, 4> values{m.stiffness_N_per_m, m.damping_Ns_per_m, m.static_friction,
-                                     m.dynamic_friction};
-  return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v) && v >= 0.0; }) &&
-         models::is_sound(m.texture);
 }
 
 bool is_sound(const SceneFromInput& t) {

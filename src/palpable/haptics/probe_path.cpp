@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/probe_path.hpp"
 
+#include "palpable/haptics/real_time.hpp"
+
 #include <cmath>
 #include <string>
 
@@ -41,6 +43,7 @@ void probe_path(const Touchable& touchable, std::span<const PathSample> path,
 }
 
 TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path) {
+  flush_denormals();
   const TickClock clock = TickClock::calibrate();
   LatencyRecorder recorder;
   std::size_t contacts = 0;

@@ -35,6 +35,7 @@ struct TickTimes {
 };
 
 /// Every tick timed by itself after one warm-up pass over the whole path; the touch starts anew in each pass.
+/// From then on the calling thread flushes denormals, as the servo's does.
 TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path);
 
 }  // namespace palpable::haptics

@@ -38,6 +38,8 @@ class PageHost {
   /// The scene touched now; never null.
   virtual std::shared_ptr<const PageScene> scene() = 0;
   virtual protocol::Settings settings() = 0;
+  /// Those of the scene touched now.
+  virtual protocol::Materials materials() = 0;
   /// The newest tick.
   virtual protocol::State state() = 0;
 
@@ -47,6 +49,10 @@ class PageHost {
   /// May be carried out later. Then settings() shows what holds and has its serial in `answers`; what could
   /// not be done comes as a notice.
   virtual void change(const protocol::Change& wishes) = 0;
+  /// Likewise, for one material.
+  virtual void edit(const protocol::Edit& wish) = 0;
+  /// Writes the scene into a file, later; a notice tells where, or why not.
+  virtual void save() = 0;
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;
   /// What the person should hear of next (a fault, a better scene, …), each once; empty when there is

@@ -82,16 +82,25 @@ double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
 
 std::vector<protocol::Law> page_laws(const models::Scene& scene) {
   std::vector<protocol::Law> laws;
+  const bool is_field = std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model);
   for (const auto law : haptics::laws_for(scene)) {
     const std::string_view name = haptics::name_of(law);
     const auto* words = std::find_if(std::begin(kLawWords), std::end(kLawWords),
                                      [&](const auto& w) { return w.name == name; });
     const bool known = words != std::end(kLawWords);
     const bool in_newtons = known && words->in_newtons;
-    laws.push_back({std::string(name), std::string(known ? words->title : name), in_newtons ? "N" : "N/m",
-                    in_newtons ? 0.1 : 20.0, in_newtons ? 5.0 : 2000.0,
-                    in_newtons ? 1.0 : scene.materials.front().stiffness_N_per_m,
-                    !known || words->has_friction});
+    protocol::Law told;
+    told.name = name;
+    told.title = known ? words->title : name;
+    told.stiffness_unit = in_newtons ? "N" : "N/m";
+    told.stiffness_min = in_newtons ? 0.1 : 20.0;
+    told.stiffness_max = in_newtons ? 5.0 : 2000.0;
+    told.stiffness_default = in_newtons ? 1.0 : scene.materials.front().stiffness_N_per_m;
+    told.has_friction = !known || words->has_friction;
+    told.has_materials = !in_newtons;
+    told.has_texture = !is_field && (law == haptics::Law::proxy || law == haptics::Law::groove);
+    told.has_neighbourhood = law == haptics::Law::tracing;
+    laws.push_back(std::move(told));
   }
   return laws;
 }

@@ -98,6 +98,12 @@ Json written(const std::vector<std::string>& values, const Limits& limits) {
     list.push_back(written(values[i], limits));
   return list;
 }
+Json written(const std::vector<double>& values, const Limits& limits) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(values.size(), limits.most); ++i)
+    list.push_back(written(values[i], limits));
+  return list;
+}
 
 // Tries each message that a page may send in turn.
 template <std::size_t kIndex = 0>
@@ -187,6 +193,7 @@ template std::string write_message(const Hello&);
 template std::string write_message(const Law&);
 template std::string write_message(const Scene&);
 template std::string write_message(const Settings&);
+template std::string write_message(const Materials&);
 template std::string write_message(const State&);
 template std::string write_message(const Notice&);
 

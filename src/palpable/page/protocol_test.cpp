@@ -18,9 +18,14 @@ TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
   ASSERT_TRUE(pointer);
   EXPECT_EQ(std::get<Pointer>(*pointer), (Pointer{0.01, -0.02, 0.002}));
   const auto change = parse_from_page(
-      R"({"type":"change","serial":4294967295,"law":"proxy","stiffness":500,"damping_Ns_per_m":1,"friction":0.3,"exaggeration":1})");
+      R"({"type":"change","serial":4294967295,"law":"proxy","stiffness":500,"damping_Ns_per_m":1,"friction":0.3,"exaggeration":1,"neighbourhood_px":3})");
   ASSERT_TRUE(change);
-  EXPECT_EQ(std::get<Change>(*change), (Change{4294967295, "proxy", 500, 1, 0.3, 1}));
+  EXPECT_EQ(std::get<Change>(*change), (Change{4294967295, "proxy", 500, 1, 0.3, 1, 3}));
+  const auto edit = parse_from_page(
+      R"({"type":"edit","serial":1,"label":2,"stiffness_N_per_m":300,"damping_Ns_per_m":0,"friction":0.5,"stickiness":0.1,"texture":"grain","pitch_m":0.002,"height_m":0,"angle_deg":-45})");
+  ASSERT_TRUE(edit);
+  EXPECT_EQ(std::get<Edit>(*edit), (Edit{1, 2, 300, 0, 0.5, 0.1, "grain", 0.002, 0, -45}));
+  EXPECT_TRUE(std::holds_alternative<Save>(*parse_from_page(R"({"type":"save"})")));
   EXPECT_TRUE(std::get<Pause>(*parse_from_page(R"({"type":"pause","paused":true})")).paused);
   EXPECT_TRUE(std::holds_alternative<Recentre>(*parse_from_page(R"({"type":"recentre"})")));
   EXPECT_FALSE(std::get<Visible>(*parse_from_page(R"({"type":"visible","visible":false})")).visible);
@@ -49,7 +54,7 @@ TEST(PageProtocol, RefusesJunkWithASentence) {
 TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
   Json change = {
       {"type", "change"},        {"serial", 1},     {"law", std::string(33, 'x')}, {"stiffness", 1.0},
-      {"damping_Ns_per_m", 1.0}, {"friction", 0.1}, {"exaggeration", 1.0}};
+      {"damping_Ns_per_m", 1.0}, {"friction", 0.1}, {"exaggeration", 1.0},         {"neighbourhood_px", 3.0}};
   EXPECT_FALSE(parse_from_page(change.dump()));
   change["law"] = std::string(32, 'x');
   EXPECT_TRUE(parse_from_page(change.dump()));

@@ -84,6 +84,10 @@ class Room {
       told_ = settings;
       broadcast(text_frame(settings));
     }
+    if (auto materials = host_.materials(); materials != told_materials_) {
+      told_materials_ = std::move(materials);
+      broadcast(text_frame(told_materials_));
+    }
     SharedFrame state;
     for_each_client([&](Client& client) {
       if (!client.visible) return;
@@ -106,6 +110,8 @@ class Room {
     for (const auto& frame : scene_frames_) client.send(frame);
     told_ = host_.settings();
     client.send(text_frame(told_));
+    told_materials_ = host_.materials();
+    client.send(text_frame(told_materials_));
   }
 
   void show(const std::shared_ptr<const PageScene>& scene) {
@@ -136,6 +142,8 @@ class Room {
 
   void obey(Client&, const protocol::Pointer& pointer) { host_.move(pointer); }
   void obey(Client&, const protocol::Change& wishes) { host_.change(wishes); }
+  void obey(Client&, const protocol::Edit& wish) { host_.edit(wish); }
+  void obey(Client&, const protocol::Save&) { host_.save(); }
   void obey(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
   void obey(Client&, const protocol::Recentre&) { host_.recentre(); }
   void obey(Client& client, const protocol::Visible& visible) { client.visible = visible.visible; }
@@ -148,6 +156,7 @@ class Room {
   std::shared_ptr<const PageScene> shown_;
   std::vector<SharedFrame> scene_frames_;
   protocol::Settings told_;
+  protocol::Materials told_materials_;
 };
 
 // One HTTP connection, until it ends or becomes a client.

@@ -48,6 +48,7 @@ class FakeHost final : public PageHost {
   }
   std::shared_ptr<const PageScene> scene() override { return scene_; }
   protocol::Settings settings() override { return settings_; }
+  protocol::Materials materials() override { return materials_; }
   protocol::State state() override {
     protocol::State state;
     state.x_m = pointer_.x_m;
@@ -66,6 +67,11 @@ class FakeHost final : public PageHost {
       notice_ = protocol::Notice{"warning", "there is no such law"};
     }
   }
+  void edit(const protocol::Edit& wish) override {
+    settings_.answers = materials_.answers = wish.serial;
+    materials_.stiffness_N_per_m = {wish.stiffness_N_per_m};
+  }
+  void save() override { notice_ = protocol::Notice{"info", "saved"}; }
   void pause(bool paused) override { settings_.paused = paused; }
   void recentre() override {}
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
@@ -75,6 +81,7 @@ class FakeHost final : public PageHost {
  private:
   std::shared_ptr<const PageScene> scene_;
   protocol::Settings settings_;
+  protocol::Materials materials_;
   protocol::Pointer pointer_;
   std::optional<protocol::Notice> notice_;
 };
@@ -249,7 +256,7 @@ TEST(PageServer, TellsTheSceneThenStatesAndObeys) {
   EXPECT_EQ(state["x_m"], 0.03);
   const auto change = [](const std::string& law, int serial) {
     return R"({"type":"change","serial":)" + std::to_string(serial) + R"(,"law":")" + law +
-           R"(","stiffness":9,"damping_Ns_per_m":0,"friction":0,"exaggeration":1})";
+           R"(","stiffness":9,"damping_Ns_per_m":0,"friction":0,"exaggeration":1,"neighbourhood_px":3})";
   };
   visitor.send(change("fly", 5));
   EXPECT_EQ(visitor.read_until("notice")["text"], "there is no such law");

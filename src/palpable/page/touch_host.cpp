@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
+#include "palpable/formats/scene_file.hpp"
 #include "palpable/haptics/laws.hpp"
 #include "palpable/page/page_scene.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace palpable::page {
 namespace {
 
 constexpr auto kRatePeriod = std::chrono::seconds(1);
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kNeighbourhood_px = 3.0;
 
 protocol::State state_of(const haptics::TouchSample& sample) {
   protocol::State state;
@@ -30,6 +35,12 @@ protocol::State state_of(const haptics::TouchSample& sample) {
   state.contact = sample.has(haptics::flag::kContact);
   state.label = sample.label;
   return state;
+}
+
+/// m of eq. 7 as the scene was made with it; where there is none, the default.
+double made_neighbourhood_px(const models::Scene& scene) {
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
+  return contours != nullptr ? (*contours)->boundaries.radius_px() : kNeighbourhood_px;
 }
 
 }  // namespace
@@ -55,7 +66,11 @@ protocol::Hello TouchHost::hello() const {
 std::vector<protocol::Law> TouchHost::laws() const { return page_laws(*session_.scene()); }
 
 std::shared_ptr<const PageScene> TouchHost::scene() {
-  if (auto scene = session_.scene(); scene != shown_) {
+  auto scene = session_.scene();
+  // Other materials alone are no other scene to look at.
+  const bool same = shown_ && scene->model == shown_->model;
+  if (scene != shown_ && same) shown_ = std::move(scene);
+  if (!same) {
     const auto number = page_scene_ ? static_cast<std::uint32_t>(page_scene_->about.scene) + 1 : 0U;
     if (page_scene_) say("info", "A finer version of the scene is in place");
     page_scene_ = page_scene(*scene, number, options_.name);
@@ -81,6 +96,7 @@ protocol::Settings TouchHost::settings() {
   now.damping_Ns_per_m = touch.law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
   now.friction = touch.law.static_friction.value_or(material.static_friction);
   now.exaggeration = touch.depth;
+  now.neighbourhood_px = touch.law.neighbourhood_px.value_or(made_neighbourhood_px(*session_.scene()));
   now.paused = session_.paused();
   return now;
 }
@@ -102,13 +118,8 @@ protocol::State TouchHost::state() {
 void TouchHost::beat() {
   place_pointer();
   if (!options_.take_better_scene) return;
-  if (auto better = options_.take_better_scene()) {
-    {
-      const std::lock_guard lock(mutex_);
-      better_ = std::move(better);
-    }
-    wake_.notify_one();
-  }
+  if (auto better = options_.take_better_scene())
+    put([&](Tasks& tasks) { tasks.better = std::move(better); });
 }
 
 void TouchHost::move(const protocol::Pointer& pointer) {
@@ -125,12 +136,50 @@ void TouchHost::place_pointer() {
   session_.move_pointer({hand});
 }
 
-void TouchHost::change(const protocol::Change& wishes) {
+protocol::Materials TouchHost::materials() {
+  protocol::Materials all;
   {
     const std::lock_guard lock(mutex_);
-    wishes_ = wishes;
+    all.answers = answered_;
+  }
+  for (const auto& m : session_.scene()->materials) {
+    all.names.push_back(m.name);
+    all.stiffness_N_per_m.push_back(m.stiffness_N_per_m);
+    all.damping_Ns_per_m.push_back(m.damping_Ns_per_m);
+    all.friction.push_back(m.static_friction);
+    all.stickiness.push_back(m.static_friction > 0.0 ? 1.0 - m.dynamic_friction / m.static_friction : 0.0);
+    all.textures.emplace_back(models::name_of(m.texture.kind));
+    all.pitch_m.push_back(m.texture.pitch_m);
+    all.height_m.push_back(m.texture.height_m);
+    all.angle_deg.push_back(std::remainder(m.texture.angle_rad * kDegrees, 360.0));
+  }
+  return all;
+}
+
+void TouchHost::put(const std::function<void(Tasks&)>& task) {
+  {
+    const std::lock_guard lock(mutex_);
+    task(tasks_);
   }
   wake_.notify_one();
+}
+
+void TouchHost::change(const protocol::Change& wishes) {
+  put([&](Tasks& tasks) {
+    tasks.wishes = wishes;
+    tasks.serial = wishes.serial;
+  });
+}
+
+void TouchHost::edit(const protocol::Edit& wish) {
+  put([&](Tasks& tasks) {
+    tasks.edits[wish.label] = wish;
+    tasks.serial = wish.serial;
+  });
+}
+
+void TouchHost::save() {
+  put([](Tasks& tasks) { tasks.save = true; });
 }
 
 void TouchHost::pause(bool paused) {
@@ -143,12 +192,7 @@ void TouchHost::pause(bool paused) {
 
 void TouchHost::recentre() {
   // The page's own pointer goes to the middle by itself; a device's workspace is moved there.
-  if (pointer_moves()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    recentre_ = true;
-  }
-  wake_.notify_one();
+  if (!pointer_moves()) put([](Tasks& tasks) { tasks.recentre = true; });
 }
 
 std::optional<protocol::Notice> TouchHost::next_notice() {
@@ -183,39 +227,98 @@ void TouchHost::say(std::string level, std::string text) {
 void TouchHost::work() {
   while (true) {
     std::unique_lock lock(mutex_);
-    wake_.wait(lock, [this] { return ending_ || wishes_ || better_ || recentre_; });
+    wake_.wait(lock, [this] { return ending_ || tasks_.any(); });
     if (ending_) return;
-    const auto wishes = std::exchange(wishes_, std::nullopt);
-    const bool recentre = std::exchange(recentre_, false);
-    const auto better = std::exchange(better_, nullptr);
+    const Tasks tasks = std::exchange(tasks_, {});
     lock.unlock();
-    if (better)
-      if (const auto done = session_.change_scene(better); !done) say("warning", done.error().sentence());
-    if (recentre) session_.recentre();
-    if (wishes) carry_out(*wishes);
+    carry_out(tasks);
   }
 }
 
-void TouchHost::carry_out(const protocol::Change& wishes) {
-  if (const auto done = attempt(wishes); !done) say("warning", done.error().sentence());
+void TouchHost::carry_out(const Tasks& tasks) {
+  if (tasks.better) tell([&] { return swap_in(*tasks.better); });
+  if (tasks.recentre) session_.recentre();
+  if (tasks.wishes) tell([&] { return attempt(*tasks.wishes); });
+  if (!tasks.edits.empty()) tell([&] { return attempt(tasks.edits); });
+  if (tasks.save) tell([&] { return write_scene(); });
+  if (!tasks.wishes && tasks.edits.empty()) return;
   const std::lock_guard lock(mutex_);
-  answered_ = wishes.serial;
+  answered_ = tasks.serial;
 }
 
+void TouchHost::tell(const std::function<Result<void>()>& step) {
+  const auto before = session_.notices();
+  if (const auto done = step(); !done) say("warning", done.error().sentence());
+  if (auto notices = session_.notices(); notices != before)
+    for (auto& sentence : notices) say("info", std::move(sentence));
+}
+
+/// What was edited stays, where the better scene has the same materials.
+Result<void> TouchHost::swap_in(const models::Scene& better) {
+  models::Scene scene = better;
+  const auto held = session_.scene();
+  if (edited_ && held->materials.size() == scene.materials.size()) scene.materials = held->materials;
+  return session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
+}
+
+Result<void> TouchHost::write_scene() {
+  if (auto written = formats::write_scene(options_.save_as, *session_.scene()); !written) return written;
+  say("info", "The scene is saved as " + options_.save_as.string());
+  return {};
+}
+
+/// What is wished as the materials have it stays theirs, so that each keeps its own.
 Result<void> TouchHost::attempt(const protocol::Change& wishes) {
   const auto law = haptics::law_from(wishes.law);
   if (!law) return Error{ErrorCode::usage, "there is no such law", wishes.law};
+  const auto scene = session_.scene();
+  const auto& material = scene->materials.front();
+  const auto unless = [](double value, double held) {
+    return value == held ? std::nullopt : std::optional(value);
+  };
+  double own_stiffness = material.stiffness_N_per_m;
+  bool of_materials = true;
+  for (const auto& known : page_laws(*scene)) {
+    if (known.name != wishes.law) continue;
+    own_stiffness = known.stiffness_default;
+    of_materials = known.has_materials;
+  }
   auto touch = session_.settings();
   touch.law.law = *law;
-  touch.law.stiffness_N_per_m = wishes.stiffness;
+  touch.law.stiffness_N_per_m = unless(wishes.stiffness, own_stiffness);
   touch.law.damping_Ns_per_m = wishes.damping_Ns_per_m;
-  touch.law.static_friction = wishes.friction;
+  if (of_materials) touch.law.damping_Ns_per_m = unless(wishes.damping_Ns_per_m, material.damping_Ns_per_m);
+  touch.law.static_friction = unless(wishes.friction, material.static_friction);
   touch.law.dynamic_friction.reset();
+  touch.law.neighbourhood_px = unless(wishes.neighbourhood_px, made_neighbourhood_px(*scene));
   touch.depth = wishes.exaggeration;
-  const auto before = session_.notices();
-  if (auto done = session_.change_settings(touch); !done) return done;
-  if (auto notices = session_.notices(); notices != before)
-    for (auto& sentence : notices) say("info", std::move(sentence));
+  return session_.change_settings(touch);
+}
+
+/// A value that is edited for one material holds for no longer by one wish for all of them.
+Result<void> TouchHost::attempt(const std::map<std::int64_t, protocol::Edit>& edits) {
+  auto materials = session_.scene()->materials;
+  auto touch = session_.settings();
+  for (const auto& [label, wish] : edits) {
+    const auto kind = models::texture_kind_from(wish.texture);
+    if (label < 0 || static_cast<std::size_t>(label) >= materials.size() || !kind)
+      return Error{ErrorCode::usage, "there is no such material or texture", wish.texture};
+    models::Material& m = materials[static_cast<std::size_t>(label)];
+    if (m.stiffness_N_per_m != wish.stiffness_N_per_m) touch.law.stiffness_N_per_m.reset();
+    if (m.damping_Ns_per_m != wish.damping_Ns_per_m) touch.law.damping_Ns_per_m.reset();
+    m.stiffness_N_per_m = wish.stiffness_N_per_m;
+    m.damping_Ns_per_m = wish.damping_Ns_per_m;
+    const double sliding = wish.friction * (1.0 - wish.stickiness);
+    if (m.static_friction != wish.friction || m.dynamic_friction != sliding) {
+      touch.law.static_friction.reset();
+      touch.law.dynamic_friction.reset();
+    }
+    m.static_friction = wish.friction;
+    m.dynamic_friction = sliding;
+    m.texture = {*kind, wish.pitch_m, wish.height_m, wish.angle_deg / kDegrees};
+  }
+  if (auto done = session_.change_materials(std::move(materials), touch); !done) return done;
+  edited_ = true;
   return {};
 }
 

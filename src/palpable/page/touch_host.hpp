@@ -10,7 +10,9 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -31,6 +33,8 @@ class TouchHost final : public PageHost {
     std::string name;
     /// Asked once a frame, on the server's thread: a better scene if one is ready, else null. May be empty.
     std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
+    /// Where save() writes the scene (.palp).
+    std::filesystem::path save_as;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);
@@ -40,10 +44,13 @@ class TouchHost final : public PageHost {
   std::vector<protocol::Law> laws() const override;
   std::shared_ptr<const PageScene> scene() override;
   protocol::Settings settings() override;
+  protocol::Materials materials() override;
   protocol::State state() override;
   void beat() override;
   void move(const protocol::Pointer& pointer) override;
   void change(const protocol::Change& wishes) override;
+  void edit(const protocol::Edit& wish) override;
+  void save() override;
   void pause(bool paused) override;
   void recentre() override;
   std::optional<protocol::Notice> next_notice() override;
@@ -52,9 +59,26 @@ class TouchHost final : public PageHost {
   void say(std::string level, std::string text);
 
  private:
+  /// What waits to be done, taken all at once. Of several edits of one material the last one counts.
+  struct Tasks {
+    std::optional<protocol::Change> wishes;
+    std::map<std::int64_t, protocol::Edit> edits;
+    std::shared_ptr<const models::Scene> better;
+    bool recentre = false;
+    bool save = false;
+    /// Of the last wish or edit among them.
+    std::int64_t serial = 0;
+    bool any() const { return wishes || !edits.empty() || better || recentre || save; }
+  };
   void work();
-  void carry_out(const protocol::Change& wishes);
+  void carry_out(const Tasks& tasks);
+  void put(const std::function<void(Tasks&)>& task);
   Result<void> attempt(const protocol::Change& wishes);
+  Result<void> attempt(const std::map<std::int64_t, protocol::Edit>& edits);
+  Result<void> swap_in(const models::Scene& better);
+  Result<void> write_scene();
+  /// Carries `step` out; says what it changed by itself, or why it could not be.
+  void tell(const std::function<Result<void>()>& step);
   void take_notices();
   bool pointer_moves() const { return !session_.device_traits().pushes_back; }
   void place_pointer();
@@ -72,12 +96,13 @@ class TouchHost final : public PageHost {
   // Both threads, under mutex_.
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::optional<protocol::Change> wishes_;
-  std::shared_ptr<const models::Scene> better_;
-  bool recentre_ = false;
+  Tasks tasks_;
   bool ending_ = false;
   std::deque<protocol::Notice> notices_;
   std::int64_t answered_ = 0;
+
+  // The worker alone.
+  bool edited_ = false;
 
   std::thread worker_;
 };

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
+#include "palpable/formats/scene_file.hpp"
+
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -41,7 +44,7 @@ class HostOnATouch : public ::testing::Test {
   }
 
   TouchHost::Options options_for_host() {
-    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }};
+    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, file};
   }
 
   // Beats as the server does until it holds, for ten seconds at most.
@@ -55,12 +58,16 @@ class HostOnATouch : public ::testing::Test {
     return false;
   }
 
+  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "palpable_host_test.palp";
   std::shared_ptr<const models::Scene> better;
   std::unique_ptr<session::TouchSession> session;
   std::unique_ptr<TouchHost> host;
 };
 
-protocol::Change wishes(int serial) { return {serial, "proxy", 400.0, 0.5, 0.3, 1.0}; }
+protocol::Change wishes(int serial) { return {serial, "proxy", 400.0, 0.5, 0.3, 1.0, 3.0}; }
+protocol::Edit edit(int serial, double stiffness) {
+  return {serial, 0, stiffness, 0.5, 0.4, 0.25, "ridges", 0.002, 30e-6, 90.0};
+}
 
 TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
   const auto scene = host->scene();
@@ -125,6 +132,57 @@ TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
   EXPECT_TRUE(comes_true([&] { return host->state().fz_N == 0.0; }));
   host->pause(false);
   EXPECT_TRUE(comes_true([&] { return host->state().fz_N > 0.3; }));
+}
+
+TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutShowingAnotherScene) {
+  host->move({0.0, 0.0, 0.002});
+  ASSERT_TRUE(comes_true([&] { return host->state().fz_N > 0.5; }));
+  const auto shown = host->scene();
+  host->edit(edit(9, 100.0));
+  EXPECT_TRUE(comes_true([&] { return host->materials().answers == 9; }));
+  EXPECT_EQ(host->materials().stiffness_N_per_m, std::vector{100.0});
+  EXPECT_EQ(host->materials().textures, std::vector<std::string>{"ridges"});
+  EXPECT_NEAR(host->materials().stickiness.front(), 0.25, 1e-12);
+  EXPECT_NEAR(host->materials().angle_deg.front(), 90.0, 1e-9);
+  EXPECT_EQ(host->settings().stiffness, 100.0);
+  EXPECT_TRUE(comes_true([&] { return host->state().fz_N < 0.3; })) << "it is felt";
+  EXPECT_TRUE(host->state().contact);
+  EXPECT_EQ(host->scene(), shown);
+  EXPECT_FALSE(host->next_notice());
+}
+
+TEST_F(HostOnATouch, LetsAnEditedMaterialRuleOverAWishForAllOfThem) {
+  host->change(wishes(3));
+  ASSERT_TRUE(comes_true([&] { return host->settings().answers == 3; }));
+  ASSERT_EQ(host->settings().stiffness, 400.0);
+  host->edit(edit(4, 300.0));
+  ASSERT_TRUE(comes_true([&] { return host->settings().answers == 4; }));
+  EXPECT_EQ(host->settings().stiffness, 300.0);
+  EXPECT_FALSE(session->settings().law.stiffness_N_per_m);
+}
+
+TEST_F(HostOnATouch, RefusesAMaterialThatIsNotThere) {
+  auto wish = edit(5, 300.0);
+  wish.label = 7;
+  host->edit(wish);
+  EXPECT_TRUE(comes_true([&] { return host->settings().answers == 5; }));
+  EXPECT_EQ(host->materials().stiffness_N_per_m, std::vector{500.0});
+  const auto notice = host->next_notice();
+  ASSERT_TRUE(notice);
+  EXPECT_EQ(notice->level, "warning");
+}
+
+TEST_F(HostOnATouch, SavesTheSceneWithItsEditedMaterials) {
+  host->edit(edit(6, 320.0));
+  host->save();
+  std::optional<protocol::Notice> notice;
+  EXPECT_TRUE(comes_true([&] { return (notice = host->next_notice()).has_value(); }));
+  EXPECT_EQ(notice->text, "The scene is saved as " + file.string());
+  const auto read = formats::read_scene(file);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->scene.materials.front().stiffness_N_per_m, 320.0);
+  EXPECT_EQ(read->scene.materials.front().texture.kind, models::TouchTexture::Kind::ridges);
 }
 
 TEST_F(HostOnATouch, TellsOfABetterSceneOnceItIsThere) {

@@ -33,6 +33,8 @@ Result<void> check(const ReliefOptions& options) {
     return usage("the compression must be 1.5 to 100");
   if (!(options.smooth_m >= 0.0 && options.smooth_m <= 0.01))
     return usage("the smoothing must be 0 to 10 mm");
+  if (options.samples_on_a_side < 2 || options.samples_on_a_side > 4096)
+    return usage("a relief takes 2 to 4096 samples on its longer side");
   if (options.most_pixels_on_a_side < 2) return usage("a relief needs at least 2 pixels on a side");
   for (const auto& end : {options.near, options.far})
     if (end && !std::isfinite(*end)) return usage("the depth window's ends must be finite");
@@ -94,6 +96,13 @@ void smooth(Raster<float>& heights, double width_px) {
   cv::GaussianBlur(values, values, {}, deviation_px, deviation_px, cv::BORDER_REPLICATE);
 }
 
+void resample(Raster<float>& nearness, const ReliefOptions& options) {
+  const double scale =
+      static_cast<double>(options.samples_on_a_side) / std::max(nearness.width(), nearness.height());
+  const auto side = [scale](int n) { return std::max(2, static_cast<int>(std::lround(n * scale))); };
+  nearness = resampled(nearness, side(nearness.width()), side(nearness.height()), options.resampling);
+}
+
 /// `nearness`: greater is nearer, NaN unknown; in any unit.
 Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window window,
                                             const ReliefOptions& options, const Work& work) {
@@ -101,6 +110,7 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
   close_holes(nearness);
   if (work.cancelled()) return Work::interrupted();
   stretch(nearness, window);
+  if (options.resampling != Resampling::none) resample(nearness, options);
 
   const Vec3 size = options.size_m.value_or(kDefaultSize_m);
   const double pixel_m = std::min(size.x / nearness.width(), size.y / nearness.height());

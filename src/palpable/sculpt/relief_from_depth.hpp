@@ -7,6 +7,7 @@
 #include "palpable/models/relief.hpp"
 #include "palpable/models/scene.hpp"
 #include "palpable/sculpt/detail.hpp"
+#include "palpable/sculpt/resample.hpp"
 
 #include <optional>
 
@@ -41,6 +42,10 @@ struct ReliefOptions {
   /// Forms narrower than this are smoothed away (width of a Gaussian at half its height): what the device
   /// cannot place the hand on. 0 = none, at most 0.01 m.
   double smooth_m = 0.0;
+  /// The depths are brought to this many samples on the longer side, 2 ... 4096, before they are mapped;
+  /// none: as many as the picture has.
+  Resampling resampling = Resampling::none;
+  int samples_on_a_side = 512;
   /// Longer sides than this are averaged down first.
   int most_pixels_on_a_side = 2048;
 };

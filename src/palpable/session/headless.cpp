@@ -29,12 +29,19 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     if (auto started = session.start_recording(options.recording); !started)
       return std::move(started).error();
 
+  const auto tell_notices = [&] {
+    if (!options.on_notice) return;
+    for (const std::string& sentence : session.notices()) options.on_notice(sentence);
+  };
+  tell_notices();
+
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(options.seconds);
   while (Clock::now() < end && !work.cancelled()) {
     const auto before = Clock::now();
     if (auto better = maker.take(kLook)) {
       if (auto changed = session.change_scene(std::move(better)); !changed) return std::move(changed).error();
+      tell_notices();
     }
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);

@@ -23,6 +23,9 @@ struct HeadlessOptions {
   std::filesystem::path recording;
   /// CLOCK_MONOTONIC when the person asked; 0 = now.
   std::int64_t begin_ns = 0;
+  /// For each sentence on what the device's limits changed, at the beginning and with each better scene; may
+  /// be empty.
+  std::function<void(const std::string&)> on_notice;
   /// For each missed deadline, as it is found; may be empty.
   std::function<void(const haptics::MissedDeadline&)> on_missed;
   /// For each event, with the scene that was touched; a look later than it happened; may be empty.

@@ -4,6 +4,7 @@
 
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
+#include "palpable/sculpt/junctions.hpp"
 #include "palpable/session/make_field.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/picture.hpp"
@@ -231,6 +232,22 @@ Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, 
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(made->notes)};
 }
 
+/// Junctions of grooves feel rough and have a name, so that fingers and ears find them.
+void mark_junctions(models::Scene& scene, const models::BoundaryMap& map, const MakeOptions& options) {
+  constexpr double kLook_m = 0.0015;
+  const auto in_px = [&map](double metres) { return metres / map.pixel_m(); };
+  const int radius = std::clamp(static_cast<int>(std::lround(in_px(kLook_m))), 5, 24);
+  const auto line = sculpt::boundary_lines(map);
+  const auto junctions = sculpt::find_junctions(line, radius);
+  if (junctions.empty()) return;
+  constexpr std::uint8_t kJunction = 1;
+  scene.labels = sculpt::mark_junctions(junctions, line.width(), line.height(),
+                                        in_px(0.75 * options.grooves.width_m), kJunction);
+  scene.materials.resize(2);
+  scene.materials[kJunction].name = "junction";
+  scene.materials[kJunction].texture = {models::TouchTexture::Kind::bumps, 0.0015, 25e-6, 0.0};
+}
+
 Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
   if (options.inputs.size() != 1) return Error{ErrorCode::usage, "contours are made of one picture", {}};
   const auto& file = options.inputs.front();
@@ -250,6 +267,7 @@ Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
                                  contour_source(options.contours.method));
   scene.model = std::make_shared<const models::Contours>(
       models::Contours{std::move(*map), std::get<std::shared_ptr<const models::Relief>>(scene.model)});
+  mark_junctions(scene, std::get<std::shared_ptr<const models::Contours>>(scene.model)->boundaries, options);
   scene.texture = rgb8(*picture);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(found->notes)};
 }

@@ -4,6 +4,7 @@
 
 #include "palpable/device/open.hpp"
 #include "palpable/haptics/pacing.hpp"
+#include "palpable/models/material_check.hpp"
 #include "palpable/session/program.hpp"
 #include "palpable/session/recorder.hpp"
 #include "palpable/session/scene_hash.hpp"
@@ -26,6 +27,14 @@ Json law_json(const haptics::LawParameters& law) {
           {"static_friction", given(law.static_friction)},
           {"dynamic_friction", given(law.dynamic_friction)},
           {"radius_m", law.radius_m}};
+}
+
+Json texture_json(const models::TouchTexture& texture) {
+  if (texture.kind == models::TouchTexture::Kind::none) return nullptr;
+  return {{"kind", models::name_of(texture.kind)},
+          {"pitch_m", texture.pitch_m},
+          {"height_m", texture.height_m},
+          {"angle_rad", texture.angle_rad}};
 }
 
 }  // namespace
@@ -69,7 +78,8 @@ device::RecordedProgram TouchSession::Inside::described(const PreparedProgram& p
                                  {"stiffness_N_per_m", material.stiffness_N_per_m},
                                  {"damping_Ns_per_m", material.damping_Ns_per_m},
                                  {"static_friction", material.static_friction},
-                                 {"dynamic_friction", material.dynamic_friction}});
+                                 {"dynamic_friction", material.dynamic_friction},
+                                 {"texture", texture_json(material.texture)}});
   json["scene_hash"] = scene_hash(touched);
   json["scene_inputs"] = touched.source.inputs;
   json["scene_method"] = touched.source.method;
@@ -140,6 +150,20 @@ Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> sce
 Result<void> TouchSession::change_settings(const TouchSettings& settings) {
   const std::lock_guard changing(inside_->changing);
   return inside_->change(scene(), settings, inside_->scene_from_device);
+}
+
+Result<void> TouchSession::change_materials(std::vector<models::Material> materials,
+                                            const TouchSettings& settings) {
+  const std::lock_guard changing(inside_->changing);
+  models::Scene changed = *scene();
+  if (materials.size() != changed.materials.size())
+    return Error{ErrorCode::usage, "there must be one material for each that the scene has", {}};
+  for (const auto& material : materials)
+    if (!models::is_sound(material) || material.stiffness_N_per_m <= 0.0)
+      return Error{ErrorCode::usage, "a value of the material is out of its range", material.name};
+  changed.materials = std::move(materials);
+  return inside_->change(std::make_shared<const models::Scene>(std::move(changed)), settings,
+                         inside_->scene_from_device);
 }
 
 std::shared_ptr<const models::Scene> TouchSession::scene() const {

@@ -44,6 +44,9 @@ class TouchSession {
   /// Swapped live, forces cross-faded; on an error everything stays as it was.
   Result<void> change_scene(std::shared_ptr<const models::Scene> scene);
   Result<void> change_settings(const TouchSettings& settings);
+  /// Both at once; the scene's model stays, and so does its place under the hand. Errors: usage for materials
+  /// that are not sound or not one for each label of the scene.
+  Result<void> change_materials(std::vector<models::Material> materials, const TouchSettings& settings);
   std::shared_ptr<const models::Scene> scene() const;
   TouchSettings settings() const;
   /// What was changed by the device's limits and why, one sentence each: "Stiffness 800 N/m was lowered to

@@ -1,0 +1,84 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/picture.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "program.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Pictures that nobody would choose, made into contours.
+class ContourInput : public InFolder {
+ protected:
+  Outcome make() const {
+    return palpable({"make", path("a.png"), "-o", path("a.palp"), "--as", "contours", "--json"});
+  }
+  double boundary_fraction() const {
+    return palpable({"info", path("a.palp"), "--json"}).json()["boundary_fraction"].get<double>();
+  }
+};
+
+TEST_F(ContourInput, OfOneColourHasNoBoundaryAndIsStillTouched) {
+  ASSERT_TRUE(formats::write_png(path("a.png"), Raster<std::uint8_t>(120, 90, 128)));
+  ASSERT_EQ(make().exit_code, 0);
+  EXPECT_EQ(boundary_fraction(), 0.0);
+  const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
+  EXPECT_EQ(touched.exit_code, 0) << touched.err;
+}
+
+TEST_F(ContourInput, OfPureNoiseGivesAFiniteForce) {
+  std::mt19937 random(1);
+  Raster<std::uint8_t> noise(120, 90);
+  for (auto& v : noise.values()) v = static_cast<std::uint8_t>(random() & 0xFFU);
+  ASSERT_TRUE(formats::write_png(path("a.png"), noise));
+  ASSERT_EQ(make().exit_code, 0);
+  const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.3", "--json"}).json();
+  EXPECT_TRUE(std::isfinite(touched["force"]["max_N"].get<double>()));
+}
+
+TEST_F(ContourInput, OfSixteenBitsInANarrowRangeIsSeen) {
+  // A scanner's values: 1000 to 1100 of 65535.
+  Raster<std::uint16_t> scan(120, 90, 1000);
+  for (int y = 30; y < 60; ++y)
+    for (int x = 40; x < 80; ++x) scan(x, y) = 1100;
+  ASSERT_TRUE(formats::write_png(path("a.png"), scan));
+  ASSERT_EQ(make().exit_code, 0);
+  EXPECT_GT(boundary_fraction(), 0.01);
+  EXPECT_LT(boundary_fraction(), 0.2);
+}
+
+TEST_F(ContourInput, OfOnePixelLinesHasAJunctionWhereTheyCross) {
+  Raster<std::uint8_t> lines(160, 120, 255);
+  for (int x = 20; x < 140; ++x) lines(x, 60) = 0;
+  for (int y = 20; y < 100; ++y) lines(80, y) = 0;
+  ASSERT_TRUE(formats::write_png(path("a.png"), lines));
+  ASSERT_EQ(make().exit_code, 0);
+  const auto materials = palpable({"info", path("a.palp"), "--json"}).json()["materials"];
+  ASSERT_EQ(materials.size(), 2U);
+  EXPECT_EQ(materials[1]["name"], "junction");
+}
+
+TEST_F(ContourInput, ThatIsTransparentLiesOnWhite) {
+  Image drawing;
+  drawing.width = 100;
+  drawing.height = 80;
+  drawing.channels = 4;
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 100; ++x) {
+      const bool inside = std::hypot(x - 50, y - 40) < 20;
+      // Black everywhere; only the disc can be seen.
+      drawing.samples.insert(drawing.samples.end(), {0.0F, 0.0F, 0.0F, inside ? 1.0F : 0.0F});
+    }
+  ASSERT_TRUE(formats::write_png(path("a.png"), drawing));
+  ASSERT_EQ(make().exit_code, 0);
+  EXPECT_GT(boundary_fraction(), 0.01);
+}
+
+}  // namespace
+}  // namespace palpable::test

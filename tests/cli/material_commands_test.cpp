@@ -1,0 +1,132 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/picture.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "program.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A depth map of a ball before a wall, metres in millimetres (16-bit PNG).
+Raster<std::uint16_t> ball_mm() {
+  Raster<std::uint16_t> depth(80, 60, 1000);
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x)
+      if (const double r2 = std::pow(x - 40, 2) + std::pow(y - 30, 2); r2 < 400.0)
+        depth(x, y) = static_cast<std::uint16_t>(900 - 5 * std::sqrt(400.0 - r2));
+  return depth;
+}
+
+class Materials : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    write(ball_mm());
+  }
+  void write(const Raster<std::uint16_t>& depth) const {
+    ASSERT_TRUE(formats::write_png(path("depth.png"), depth));
+  }
+  Outcome make(std::vector<std::string> more) const {
+    std::vector<std::string> all{"make", path("depth.png"), "--kind", "depth",
+                                 "-o",   path("a.palp"),    "--json", "--quiet"};
+    all.insert(all.end(), more.begin(), more.end());
+    return palpable(all);
+  }
+  void expect_refused(const Outcome& outcome, int exit_code, const std::string& about) const {
+    EXPECT_EQ(outcome.exit_code, exit_code);
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_THAT(outcome.err, HasSubstr(about));
+    EXPECT_FALSE(std::filesystem::exists(path("a.palp")));
+  }
+};
+
+TEST_F(Materials, AStiffnessOfNoughtOrABillionIsRefusedWithItsRange) {
+  for (const char* wrong : {"0", "1e9", "-5", "nan"}) {
+    expect_refused(make({"--material", std::string("0:stiffness=") + wrong}), 2, "stiffness must be");
+    const auto probed = palpable({"touch", path("depth.png"), "--kind", "depth", "--headless", "--quiet",
+                                  "--seconds", "0.1", "--stiffness", wrong});
+    EXPECT_EQ(probed.exit_code, 2) << wrong;
+    EXPECT_TRUE(is_one_sentence(probed.err));
+  }
+}
+
+TEST_F(Materials, ALabelPictureOfAnotherShapeIsRefusedAndOneOfAnotherSizeIsTaken) {
+  ASSERT_TRUE(formats::write_png(path("wrong.png"), Raster<std::uint8_t>(80, 40, 0)));
+  expect_refused(make({"--labels", path("wrong.png")}), 3, "80x40");
+  ASSERT_TRUE(formats::write_png(path("half.png"), Raster<std::uint8_t>(40, 30, 0)));
+  EXPECT_EQ(make({"--labels", path("half.png")}).exit_code, 0);
+}
+
+TEST_F(Materials, ALabelWithoutAMaterialIsRefused) {
+  ASSERT_TRUE(formats::write_png(path("labels.png"), Raster<std::uint8_t>(80, 60, 3)));
+  expect_refused(make({"--labels", path("labels.png"), "--material", "1:friction=0.1"}), 3, "material 3");
+}
+
+TEST_F(Materials, ATextureTooFineForTheLoopIsLeftOutAndSaid) {
+  ASSERT_EQ(make({"--material", "0:texture=ridges,pitch=0.2"}).exit_code, 0);
+  const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
+  EXPECT_EQ(touched.exit_code, 0);
+  EXPECT_THAT(touched.err, HasSubstr("left out"));
+}
+
+TEST_F(Materials, ATextureOnAFieldIsRefused) {
+  write_text(path("box.obj"),
+             "v 0 0 0\nv 0.02 0 0\nv 0.02 0.02 0\nv 0 0.02 0\nv 0 0 0.02\nv 0.02 0 0.02\nv 0.02 0.02 0.02\n"
+             "v 0 0.02 0.02\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  const auto made = palpable(
+      {"make", path("box.obj"), "-o", path("a.palp"), "--resolution", "16", "--material", "0:texture=grain"});
+  expect_refused(made, 2, "not on a field");
+}
+
+TEST_F(Materials, DepthThatIsMostlyHolesOrOneLevelOrHasAWildSpikeMakesARelief) {
+  const auto ball = ball_mm();
+  auto holes = ball;
+  for (std::size_t k = 0; k < holes.count(); ++k)
+    if (k % 5 != 0) holes.values()[k] = 0;
+  auto spike = ball;
+  spike(10, 10) = 65535;
+  auto stripes = ball;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x)
+      if (x % 3 == 0) stripes(x, y) = static_cast<std::uint16_t>(500 + (x * 7919 + y * 104729) % 1000);
+  const Raster<std::uint16_t> one_level(80, 60, 700);
+  for (const Raster<std::uint16_t>* depth :
+       {&std::as_const(holes), &std::as_const(spike), &std::as_const(stripes), &one_level}) {
+    write(*depth);
+    ASSERT_EQ(make({}).exit_code, 0);
+    const auto info = palpable({"info", path("a.palp"), "--json"}).json();
+    EXPECT_TRUE(std::isfinite(info["size_m"][2].get<double>()));
+    EXPECT_LE(info["size_m"][2].get<double>(), 0.015 + 1e-9);
+  }
+  EXPECT_EQ(make({"--depth-scale", "1000"}).exit_code, 0) << "a level 700 km away";
+}
+
+TEST_F(Materials, DepthsAreResampledWhereItIsAsked) {
+  for (const char* how : {"bilinear", "bicubic"}) {
+    ASSERT_EQ(make({"--resample", how, "--samples", "200"}).exit_code, 0);
+    ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path("a.png")}).exit_code, 0);
+    const auto info = palpable({"info", path("a.palp"), "--json"}).json();
+    EXPECT_NEAR(info["size_m"][0].get<double>(), 0.1, 1e-9);
+    EXPECT_GT(info["memory_bytes"].get<double>(), 200 * 150 * 4.0 - 1);
+  }
+  EXPECT_EQ(make({"--resample", "cubic"}).exit_code, 2);
+}
+
+TEST(Studies, OfTrajectoriesAndTracingAnswerInJson) {
+  const auto trajectories = palpable({"study-trajectories", "--trajectories", "200", "--json"}).json();
+  EXPECT_EQ(trajectories["trajectories"], 200);
+  EXPECT_EQ(trajectories["let_through"], 0);
+  const auto tracing = palpable({"study-tracing", "--tracers", "1", "--repeats", "1", "--json"}).json();
+  EXPECT_EQ(tracing["simulation"], true);
+  EXPECT_EQ(tracing["figures"].size(), 3U);
+  EXPECT_EQ(tracing["figures"][0]["people"]["seconds"][0], 26.12);
+}
+
+}  // namespace
+}  // namespace palpable::test
