@@ -38,6 +38,7 @@ struct AlignedPair {
   /// before a rectification of distorted pictures.
   double residual_before_px = 0.0;
   double residual_px = 0.0;
+  /// Matches that agree, features and tracked corners.
   int features = 0;
   /// False: the pair was aligned already and is given back as it came.
   bool changed = false;
@@ -49,11 +50,13 @@ struct AlignedPair {
 /// mainly to the right.
 Result<AlignedPair> rectify_calibrated(const StereoPair& pair, const LensPair& cameras);
 
-/// Aligns a pair of unknown cameras: features matched, outliers dropped by the fundamental matrix, and both
-/// pictures turned (rotations and a focal length: little distortion; Fusiello & Irsara 2011) so that matches
-/// share scanlines, the left one, which is the reference, as little as possible. A pair whose residual is at
-/// most 0.5 pixels is left alone. Too few features, or a rest above 2 pixels: the pair is given back
-/// unchanged, with a note. Errors: invalid_input for sizes that differ; interrupted.
+/// Aligns a pair of unknown cameras: features matched, corners tracked once these have made the pair about
+/// straight, and both pictures turned (rotations and a focal length: little distortion; Fusiello & Irsara
+/// 2011) so that matches share scanlines, the left one, which is the reference, as little as possible. Where
+/// no turn explains the matches but a rolling offset of the right picture's rows does, these are moved
+/// instead and the left picture stays. A pair whose residual is at most 0.5 pixels is left alone. Too few
+/// features, or a rest above 2 pixels: the pair is given back unchanged, with a note. Errors: invalid_input
+/// for sizes that differ; interrupted.
 Result<AlignedPair> align_uncalibrated(const StereoPair& pair, const Work& work);
 
 /// One camera that took the left picture, then, moved sideways by `moved_m` metres and turned a little by

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/raster.hpp"
 #include "palpable/vision/feature_matches.hpp"
 
 #include <optional>
