@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/best.hpp"
 
+#include "palpable/vision/islands.hpp"
 #include "palpable/vision/left_right.hpp"
 #include "palpable/vision/median.hpp"
 #include "palpable/vision/plane_search.hpp"
@@ -157,6 +158,7 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   }
   float furthest = 0.0F;
   for (; round < kRounds; ++round) {
+    for (View* view : {&left, &right}) remove_feigned_islands(view->costs, view->map, view->start);
     const Raster<float> seen_right = mirrored(right.map.disparity);
     const Raster<float> seen_left = mirrored(left.map.disparity);
     const Raster<float> agreed = agreement(left.map.disparity, seen_right);

@@ -21,7 +21,6 @@ constexpr float kLikeColour = 12.0F;
 constexpr float kLeastTie = 0.08F;
 constexpr float kDiagonalTie = 0.7F;
 constexpr float kSlopeCost = 0.2F;
-constexpr float kHiddenCost = 1.2F;
 constexpr float kConflictCost = 1.0F;
 constexpr float kBelowLeast_per_px = 0.5F;
 /// Disparities of the two views agree up to this; from there the charges rise over half a pixel.
@@ -294,6 +293,10 @@ void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const Plane
                        map.slope_y(x, y) + turn_y * change);
       }
   });
+}
+
+float matching_cost_at(const CostVolume& volume, int x, int y, float disparity) {
+  return cost_at(volume.at(x, y), volume.disparities, disparity);
 }
 
 void plane_costs(const CostVolume& volume, const OtherView& other, PlaneCandidates& candidates,

@@ -39,6 +39,13 @@ struct OtherView {
   float least_px = 0.0F;
 };
 
+/// What a pixel hidden from the other camera costs, in units.
+inline constexpr float kHiddenCost = 1.2F;
+
+/// The matching cost at any disparity, in units: between those of the volume by a cubic, beyond its ends
+/// rising.
+float matching_cost_at(const CostVolume& volume, int x, int y, float disparity);
+
 /// Fills the candidates' planes for round `round` (0, 1, …) of the search.
 void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const PlaneMap& start,
                     const Raster<float>& trust, int round, PlaneCandidates& out, const Work& work);
