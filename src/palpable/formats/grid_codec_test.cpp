@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/models/test_grid.hpp"
 
-#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -11,20 +11,8 @@ namespace palpable::formats {
 namespace {
 
 models::Scene grid_scene() {
-  auto relief = models::Relief::from_samples(Raster<float>(20, 16, 0.003F), 0.001);
-  EXPECT_TRUE(relief.has_value());
-  models::Occupancy o;
-  o.counts = {21, 17, 9};
-  o.origin_m = {-0.01, -0.008, -0.001};
-  o.spacing_m = 0.001;
   std::mt19937 random(3);
-  for (int i = 0; i < 21 * 17 * 9; ++i) o.occupied.push_back(random() % 4 == 0 ? 1 : 0);
-  auto grid = models::OccupancyGrid::from(o, Work{});
-  EXPECT_TRUE(grid.has_value());
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Grid>(
-      models::Grid{*std::move(grid), std::make_shared<const models::Relief>(*std::move(relief))});
-  return scene;
+  return models::grid_scene({21, 17, 9}, 0.003F, [&](int) { return random() % 4 == 0; });
 }
 
 TEST(GridScene, ComesBackPointByPoint) {

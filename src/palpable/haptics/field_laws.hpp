@@ -95,8 +95,10 @@ class FieldProxyLaw {
 
   Feel feel(const Hand& hand, State& state) const noexcept {
     FieldProxy& proxy = state.proxy;
-    const Contact& contact = materials_.contact(materials_.label_at(hand.position.v.x, hand.position.v.y));
-    follow(hand.position.v, {contact.static_friction, contact.dynamic_friction}, proxy);
+    // What is felt is what the proxy touches, wherever the hand has gone under the surface.
+    const Vec3 from = proxy.phase == FieldProxy::Phase::fresh ? hand.position.v : proxy.place_m;
+    const Contact& under = materials_.contact(materials_.label_at(from.x, from.y));
+    follow(hand.position.v, {under.static_friction, under.dynamic_friction}, proxy);
     Feel feel;
     feel.has_proxy = true;
     feel.proxy.v = proxy.place_m;
@@ -104,6 +106,7 @@ class FieldProxyLaw {
     feel.contact = proxy.phase == FieldProxy::Phase::touching;
     feel.stored_J = 0.0;
     if (!feel.contact) return feel;
+    const Contact& contact = materials_.contact(feel.label);
     const Vec3 stretch = proxy.place_m - hand.position.v;
     feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
     feel.spring_N.v = contact.stiffness_N_per_m * stretch;

@@ -49,6 +49,24 @@ TEST(FieldProxyLaw, NeverPopsThroughAThinWall) {
   EXPECT_NEAR(feel.force_N.v.z, 16.0, 0.01);
 }
 
+TEST(FieldProxyLaw, FeelsTheMaterialUnderTheProxyNotUnderTheHand) {
+  std::array<Contact, 256> contacts{};
+  contacts[0] = {1000.0, 0.0, 10.0, 10.0};
+  contacts[1] = {200.0, 0.0, 0.0, 0.0};
+  Raster<std::uint8_t> halves(2, 1, 0);
+  halves(1, 0) = 1;
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), MaterialMap(contacts, halves, 0.04, 0.04),
+                                0.0);
+  FieldProxyLaw<Wall>::State state;
+  law.feel(hand_at({-0.0005, 0.0, 0.003}), state);
+  law.feel(hand_at({-0.0005, 0.0, 0.0005}), state);
+  // The left half sticks: the hand slips over the border inside the wall, the proxy stays.
+  const Feel feel = law.feel(hand_at({0.0005, 0.0, 0.0005}), state);
+  EXPECT_EQ(feel.label, 0);
+  EXPECT_NEAR(feel.proxy.v.x, -0.0005, 1e-6);
+  EXPECT_NEAR(feel.force_N.v.x, -1.0, 1e-3);
+}
+
 TEST(FieldProxyLaw, KeepsAFastHandOnItsSide) {
   const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0);
   FieldProxyLaw<Wall>::State state;

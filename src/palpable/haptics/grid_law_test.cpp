@@ -3,30 +3,16 @@
 #include "palpable/haptics/grid_law.hpp"
 
 #include "palpable/haptics/laws.hpp"
-
-#include <memory>
+#include "palpable/models/test_grid.hpp"
 
 #include <gtest/gtest.h>
 
 namespace palpable::haptics {
 namespace {
 
-/// A plate, 4 mm high, a point every millimetre.
+/// A plate, 4 mm high.
 models::Scene plate() {
-  auto relief = models::Relief::from_samples(Raster<float>(20, 20, 0.004F), 0.001);
-  EXPECT_TRUE(relief.has_value());
-  models::Occupancy o;
-  o.counts = {21, 21, 9};
-  o.origin_m = {-0.01, -0.01, -0.001};
-  o.spacing_m = 0.001;
-  for (int z = 0; z < 9; ++z)
-    for (int i = 0; i < 21 * 21; ++i) o.occupied.push_back(z <= 5 ? 1 : 0);
-  auto grid = models::OccupancyGrid::from(o, Work{});
-  EXPECT_TRUE(grid.has_value());
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Grid>(
-      models::Grid{*std::move(grid), std::make_shared<const models::Relief>(*std::move(relief))});
-  return scene;
+  return models::grid_scene({21, 21, 9}, 0.004F, [](int z) { return z <= 5; });
 }
 
 Feel felt(const Touchable& touchable, Vec3 place, Vec3 velocity = {}) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/superquadric_fit.hpp"
 
+#include "palpable/sculpt/superquadric_starts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,12 +30,6 @@ std::vector<T> thinned(std::span<const T> all, std::size_t most) {
   for (std::size_t k = 0; k < most; ++k) some.push_back(all[k * all.size() / most]);
   return some;
 }
-
-struct Evidence {
-  std::vector<Vec3> points;
-  std::vector<Sight> outline;
-  std::optional<Vec3> eye;
-};
 
 /// Residuals for Ceres' small dense solver: weights, and where lines of sight graze, are held while it runs.
 struct WeightedResiduals {
@@ -67,15 +63,6 @@ struct WeightedResiduals {
     }
     return true;
   }
-};
-
-/// A candidate on its way: shape, and what is believed of the evidence.
-struct Candidate {
-  Superquadric shape;
-  double noise = 0.0;
-  double sight_noise = 0.0;
-  double outliers = 0.1;
-  double cost = std::numeric_limits<double>::infinity();
 };
 
 /// Roughly the surface's area: that of a box, less its corners.
@@ -220,137 +207,6 @@ class Refinement {
   double error_ = 0.0;
 };
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-Vec3 median_of(std::span<const Vec3> points) {
-  std::vector<double> values(points.size());
-  const auto along = [&](double Vec3::*axis) {
-    std::transform(points.begin(), points.end(), values.begin(), [&](Vec3 p) { return p.*axis; });
-    return median_of(values);
-  };
-  return {along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
-}
-
-/// Scatter by Tyler's M-estimator: a far point counts only by its direction.
-Eigen::Matrix3d robust_scatter(std::span<const Vec3> points, Vec3 centre) {
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Identity();
-  constexpr int kRounds = 6;
-  for (int k = 0; k < kRounds; ++k) {
-    const Eigen::Matrix3d inverse = scatter.inverse();
-    Eigen::Matrix3d next = 1e-6 * Eigen::Matrix3d::Identity();
-    for (const Vec3 p : points) {
-      const Eigen::Vector3d d(p.x - centre.x, p.y - centre.y, p.z - centre.z);
-      const double length = d.dot(inverse * d);
-      if (length > 1e-12) next += d * d.transpose() / length;
-    }
-    scatter = 3.0 * next / next.trace();
-  }
-  return scatter;
-}
-
-Matrix rows_of(const Eigen::Matrix3d& m) {
-  return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
-}
-
-/// Half the span that holds the middle 70 % of the points along a direction.
-double spread_along(std::span<const Vec3> points, Vec3 centre, Eigen::Vector3d axis) {
-  std::vector<double> values;
-  values.reserve(points.size());
-  for (const Vec3 p : points) values.push_back(std::abs(dot(p - centre, Vec3{axis.x(), axis.y(), axis.z()})));
-  constexpr double kShare = 0.7;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), at, values.end());
-  return std::max(*at, 0.02);
-}
-
-Candidate start_at(const Evidence& evidence, Vec3 centre, const Eigen::Matrix3d& axes, double exponent) {
-  Candidate c;
-  c.shape.e1 = c.shape.e2 = exponent;
-  c.shape.scene_from_shape = {rows_of(axes), centre, 1.0};
-  c.shape.size_m = {spread_along(evidence.points, centre, axes.col(0)),
-                    spread_along(evidence.points, centre, axes.col(1)),
-                    spread_along(evidence.points, centre, axes.col(2))};
-  c.noise = 0.3;
-  c.sight_noise = 0.3;
-  c.outliers = 0.2;
-  return c;
-}
-
-/// The middle of a solid seen from one side: as far behind its points as it is wide.
-Vec3 centre_behind(const Evidence& evidence, Vec3 median) {
-  const Vec3 away = unit(median - *evidence.eye);
-  std::vector<double> across;
-  for (const Vec3 p : evidence.points) {
-    const Vec3 d = p - median;
-    across.push_back(norm(d - dot(d, away) * away));
-  }
-  return median + 0.7 * median_of(std::move(across)) * away;
-}
-
-/// Several starts: each of the principal axes as the shape's z, and turned between them, since neither is
-/// told by a compact body.
-std::vector<Candidate> starts_for(const Evidence& evidence) {
-  Vec3 centre = median_of(evidence.points);
-  if (evidence.eye) centre = centre_behind(evidence, centre);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(robust_scatter(evidence.points, centre));
-  Eigen::Matrix3d axes = principal.eigenvectors();
-  if (axes.determinant() < 0.0) axes.col(0) *= -1.0;
-  std::vector<Candidate> starts;
-  constexpr double kRounded = 0.6;
-  constexpr double kQuarter = 0.785398163397448;
-  for (int z = 0; z < 3; ++z) {
-    Eigen::Matrix3d cycled;
-    cycled << axes.col((z + 1) % 3), axes.col((z + 2) % 3), axes.col(z);
-    starts.push_back(start_at(evidence, centre, cycled, kRounded));
-    const Eigen::Matrix3d turned = cycled * Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitZ());
-    starts.push_back(start_at(evidence, centre, turned, kRounded));
-  }
-  return starts;
-}
-
-/// Parameters that give nearly the same shape but lie in another valley: every axis as z, and the square
-/// section turned by 45 degrees with its dual exponent.
-std::vector<Candidate> switched(const Candidate& c) {
-  std::vector<Candidate> others;
-  const auto& r = c.shape.scene_from_shape.rotation;
-  const Vec3 a = c.shape.size_m;
-  const auto with = [&](std::array<std::size_t, 3> columns, Vec3 size, double e1, double e2) {
-    Candidate other = c;
-    other.shape.size_m = size;
-    other.shape.e1 = e1;
-    other.shape.e2 = e2;
-    for (std::size_t row = 0; row < 3; ++row)
-      for (std::size_t column = 0; column < 3; ++column)
-        other.shape.scene_from_shape.rotation[3 * row + column] = r[3 * row + columns[column]];
-    others.push_back(other);
-  };
-  const double mean = 0.5 * (c.shape.e1 + c.shape.e2);
-  with({1, 2, 0}, {a.y, a.z, a.x}, mean, c.shape.e1);
-  with({2, 0, 1}, {a.z, a.x, a.y}, mean, c.shape.e1);
-  constexpr double kAlike = 1.5;
-  if (std::max(a.x, a.y) < kAlike * std::min(a.x, a.y)) {
-    Candidate other = c;
-    const Transform<models::ShapeFrame, models::ShapeFrame> turn{
-        {std::sqrt(0.5), -std::sqrt(0.5), 0, std::sqrt(0.5), std::sqrt(0.5), 0, 0, 0, 1}, {}, 1.0};
-    other.shape.scene_from_shape = c.shape.scene_from_shape * turn;
-    other.shape.e2 = std::clamp(2.0 - c.shape.e2, 0.15, 1.85);
-    // The corner of the one is the side of the other.
-    const double grown = std::pow(2.0, 0.5 * (1.0 - c.shape.e2));
-    const double half = 0.5 * (a.x + a.y) * grown;
-    other.shape.size_m = {half, half, a.z};
-    others.push_back(other);
-  }
-  for (Candidate& other : others) {
-    other.noise = std::max(4.0 * c.noise, 0.1);
-    other.sight_noise = std::max(4.0 * c.sight_noise, 0.1);
-  }
-  return others;
-}
-
 double volume_of(std::span<const Vec3> points) {
   Vec3 low = points.front();
   Vec3 high = low;
@@ -422,26 +278,7 @@ FittedSuperquadric fit_robustly(const Evidence& all, FitDeformation deformation)
 
 /// The papers' way: one start from the second moments, one run.
 FittedSuperquadric fit_as_solina(const Evidence& all, FitDeformation deformation) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Vec3 p : all.points) mean += Eigen::Vector3d(p.x, p.y, p.z);
-  mean /= static_cast<double>(all.points.size());
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Vec3 p : all.points) {
-    const Eigen::Vector3d d = Eigen::Vector3d(p.x, p.y, p.z) - mean;
-    moments += d * d.transpose() / static_cast<double>(all.points.size());
-  }
-  // The axis of the most different moment becomes z.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(moments);
-  const Eigen::Vector3d values = principal.eigenvalues();
-  const int z = values[2] - values[1] > values[1] - values[0] ? 2 : 0;
-  Eigen::Matrix3d axes;
-  axes << principal.eigenvectors().col((z + 1) % 3), principal.eigenvectors().col((z + 2) % 3),
-      principal.eigenvectors().col(z);
-  if (axes.determinant() < 0.0) axes.col(0) *= -1.0;
-  Superquadric shape;
-  shape.scene_from_shape = {rows_of(axes), {mean.x(), mean.y(), mean.z()}, 1.0};
-  const auto half = [&](int k) { return std::sqrt(std::max(3.0 * values[k], 1e-4)); };
-  shape.size_m = {half((z + 1) % 3), half((z + 2) % 3), half(z)};
+  const Superquadric shape = start_from_moments(all.points);
   Matrix reference;
   const Parameters rest = parameters_of(shape, reference);
   Columns places(all.points.size());
