@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/scene_file.hpp"
 
+#include "palpable/models/field_leaf.hpp"
+
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/formats/float_block.hpp"
@@ -104,6 +106,7 @@ models::Scene field_scene() {
       0U,         w(0), w(0), w(1), w(-0.004F), 1U, w(0.7071068F), w(0.7071068F), w(0),        w(0), w(1),
       w(-0.004F), w(1), w(0), w(0), w(-0.005F), 4U, w(0.5F),       0x10002000U,   0x30004000U, 0U,   0xFFF0U,
       7U};
+  models::set_half_angles(&tree.words[5]);
   tree.nodes = {kLeaf, kLeaf | 5U, kLeaf, kLeaf | 16U, kLeaf, kLeaf, kLeaf | 5U, kLeaf};
   tree.roots = {0U, kLeaf};
   auto distance = models::DistanceField::from_tree({{-0.008, -0.004, 0.0}, 0.001, 3, {2, 1, 1}}, tree,
@@ -137,14 +140,13 @@ TEST(SceneFile, WithADamagedFieldIsRefusedOrHarmless) {
   ASSERT_TRUE(members);
   const Bytes& sound = members->at("cells.field.zst");
   int refused = 0;
-  for (std::size_t i = 0; i < sound.size(); ++i)
-    for (const int bit : {0, 3, 7}) {
-      ZipMembers damaged = *members;
-      damaged.at("cells.field.zst")[i] ^= static_cast<std::byte>(1U << static_cast<unsigned>(bit));
-      const auto scene = decode_scene(*zip(damaged));
-      refused += scene ? 0 : 1;
-    }
-  EXPECT_GT(refused, static_cast<int>(sound.size()));
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    ZipMembers damaged = *members;
+    damaged.at("cells.field.zst")[i] ^= static_cast<std::byte>(1U << (i % 8));
+    const auto scene = decode_scene(*zip(damaged));
+    refused += scene ? 0 : 1;
+  }
+  EXPECT_GT(refused, static_cast<int>(sound.size() / 3));
   ZipMembers cut = *members;
   cut.at("cells.field.zst").resize(sound.size() / 2);
   EXPECT_FALSE(decode_scene(*zip(cut)));

@@ -5,13 +5,14 @@
 #include "palpable/models/field_leaf.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace palpable::models {
 namespace {
 
-constexpr std::size_t kMostRoots = std::size_t{1} << 24U;
 constexpr int kMostLevels = 10;
+constexpr std::size_t kMostRoots = std::size_t{1} << 24U;
 
 bool grid_is_sound(const FieldGrid& grid) {
   if (!is_finite(grid.origin_m) || !(grid.cell_m >= 1e-6 && grid.cell_m <= 1.0)) return false;
@@ -74,6 +75,39 @@ Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree)
   return leaves;
 }
 
+/// The way down to a finest cell: the entry at each level, as far as `last`.
+struct Descent {
+  std::array<std::uint32_t, kMostLevels + 1> entries;
+  std::array<int, 3> cell{};
+  int last = kMostLevels + 1;
+};
+
+/// The leaf that holds a finest cell, from where the last way parted from this one: above, the entries are
+/// the same.
+DistanceField::Leaf down_to(const FieldGrid& grid, const FieldTree& tree, int x, int y, int z,
+                            Descent& way) noexcept {
+  const auto differing = static_cast<unsigned>((x ^ way.cell[0]) | (y ^ way.cell[1]) | (z ^ way.cell[2]));
+  int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
+  if (level > grid.levels) {
+    level = grid.levels;
+    const auto root = static_cast<std::size_t>((z >> level) * grid.roots[1] + (y >> level)) *
+                          static_cast<std::size_t>(grid.roots[0]) +
+                      static_cast<std::size_t>(x >> level);
+    way.entries[static_cast<std::size_t>(level)] = tree.roots[root];
+  }
+  std::uint32_t entry = way.entries[static_cast<std::size_t>(level)];
+  while ((entry & FieldTree::kLeaf) == 0) {
+    --level;
+    const int child = (x >> level & 1) | (y >> level & 1) << 1 | (z >> level & 1) << 2;
+    entry = tree.nodes[8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
+    way.entries[static_cast<std::size_t>(level)] = entry;
+  }
+  way.cell = {x, y, z};
+  way.last = level;
+  const int mask = -(1 << level);
+  return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
+}
+
 /// The share of the window on the upper side of a face that stands `beyond` finest cells above the place
 /// (-0.5 ... 0.5 is under the window), and how it changes per cell.
 struct Share {
@@ -115,18 +149,8 @@ bool DistanceField::contains(Vec3 place_m) const noexcept {
 }
 
 DistanceField::Leaf DistanceField::leaf_of(int x, int y, int z) const noexcept {
-  int level = grid_.levels;
-  const auto root = static_cast<std::size_t>((z >> level) * grid_.roots[1] + (y >> level)) *
-                        static_cast<std::size_t>(grid_.roots[0]) +
-                    static_cast<std::size_t>(x >> level);
-  std::uint32_t entry = tree_.roots[root];
-  while ((entry & FieldTree::kLeaf) == 0) {
-    --level;
-    const int child = (x >> level & 1) | (y >> level & 1) << 1 | (z >> level & 1) << 2;
-    entry = tree_.nodes[8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
-  }
-  const int mask = -(1 << level);
-  return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
+  Descent way;
+  return down_to(grid_, tree_, x, y, z, way);
 }
 
 FieldSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
@@ -175,6 +199,7 @@ FieldSample DistanceField::mixed(Vec3 cells) const noexcept {
   };
   std::array<Part, 8> parts;
   std::size_t count = 0;
+  Descent way;
   const auto holds = [](const Leaf& leaf, const std::array<int, 3>& c) {
     return c[0] >= leaf.corner[0] && c[0] < leaf.corner[0] + leaf.side && c[1] >= leaf.corner[1] &&
            c[1] < leaf.corner[1] + leaf.side && c[2] >= leaf.corner[2] && c[2] < leaf.corner[2] + leaf.side;
@@ -191,10 +216,17 @@ FieldSample DistanceField::mixed(Vec3 cells) const noexcept {
     }
     std::size_t k = 0;
     while (k < count && !holds(parts[k].leaf, c)) ++k;
-    if (k == count) parts[count++].leaf = leaf_of(c[0], c[1], c[2]);
+    if (k == count) {
+      // Planes do not depend on their leaf: along an edge, all leaves round it say the same.
+      const Leaf leaf = down_to(grid_, tree_, c[0], c[1], c[2], way);
+      const bool flat = LeafHead{tree_.words[leaf.words]}.flat();
+      for (k = 0; k < count && !(flat && parts[k].leaf.words == leaf.words);) ++k;
+      if (k == count) parts[count++].leaf = leaf;
+    }
     parts[k].share += w[0] * w[1] * w[2];
     parts[k].slope += Vec3{dw[0] * w[1] * w[2], w[0] * dw[1] * w[2], w[0] * w[1] * dw[2]};
   }
+  if (count == 1) return leaf_sample(parts[0].leaf, cells);
   FieldSample sample;
   for (std::size_t k = 0; k < count; ++k) {
     const FieldSample s = leaf_sample(parts[k].leaf, cells);

@@ -76,6 +76,8 @@ struct LeafHead {
   std::uint32_t bits = 0;
   int pieces() const noexcept { return static_cast<int>(bits & 3U) + 1; }
   bool curved(int piece) const noexcept { return (bits >> (2 + piece) & 1U) != 0; }
+  /// Whether all pieces are planes: then the leaf says the same wherever it stands.
+  bool flat() const noexcept { return (bits & 0x1CU) == 0; }
   Meeting meeting(int which) const noexcept {
     return (bits >> (5 + which) & 1U) != 0 ? Meeting::concave : Meeting::convex;
   }
@@ -88,6 +90,11 @@ struct LeafHead {
   static constexpr std::size_t kCurvedWords = 6;
   /// One step of a curved piece's 16-bit numbers.
   static constexpr double kStep = 1.0 / 16384.0;
+  /// A small leaf needs fewer of them than a large one: its numbers are multiples of this many steps. `level`:
+  /// its side is 2^level finest cells.
+  static constexpr int multiple(int level) noexcept { return level <= 2 ? 8 : level == 3 ? 4 : level == 4 ? 2 : 1; }
+  /// A curved piece's value in the middle is a multiple of a finest cell's side over this.
+  static constexpr double kValuesPerCell = 2048.0;
 };
 
 namespace detail {
@@ -114,6 +121,37 @@ inline FieldSample curved_at(const std::uint32_t* words, Vec3 u, double half_m) 
 }
 
 }  // namespace detail
+
+/// Which way a piece rises, in its leaf's middle.
+inline Vec3 rise_of(const std::uint32_t* piece, bool curved) noexcept {
+  if (!curved) return {detail::f64(piece[0]), detail::f64(piece[1]), detail::f64(piece[2])};
+  return detail::curved_at(piece, {}, 1.0).gradient;
+}
+
+inline HalfAngle half_angle_between(Vec3 a, Vec3 b) noexcept {
+  const double raw = dot(unit(a), unit(b));
+  const double cosine = raw < -1.0 ? -1.0 : raw > 1.0 ? 1.0 : raw;
+  return {static_cast<float>(std::sqrt(0.5 * (1.0 + cosine))),
+          static_cast<float>(std::sqrt(0.5 * (1.0 - cosine)))};
+}
+
+/// Sets a leaf's meetings from its pieces, which they follow from: between the first two, and between both of
+/// these and the third.
+inline void set_half_angles(std::uint32_t* words) noexcept {
+  const LeafHead head{words[0]};
+  const std::uint32_t* piece = words + 1 + 2 * (head.pieces() - 1);
+  Vec3 rise;
+  for (int i = 0; i < head.pieces(); ++i) {
+    const Vec3 next = rise_of(piece, head.curved(i));
+    if (i > 0) {
+      const HalfAngle half = half_angle_between(rise, next);
+      words[2 * i - 1] = std::bit_cast<std::uint32_t>(half.cosine);
+      words[2 * i] = std::bit_cast<std::uint32_t>(half.sine);
+    }
+    rise += next;
+    piece += head.curved(i) ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
+  }
+}
 
 /// A leaf's distance and gradient. `x`: from the field's origin; `u`: from the leaf's centre in halves of its
 /// side, half_m. Tick path.

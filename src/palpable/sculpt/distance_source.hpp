@@ -4,16 +4,11 @@
 
 #include "palpable/core/vec3.hpp"
 #include "palpable/models/distance_surface.hpp"
+#include "palpable/sculpt/box.hpp"
 
 #include <cstdint>
 
 namespace palpable::sculpt {
-
-/// An axis-parallel box, metres.
-struct Box {
-  Vec3 least_m;
-  Vec3 most_m;
-};
 
 /// A solid that knows its exact distance: what a distance field is sampled from (a mesh, superquadrics, a
 /// relief, points). Any thread.

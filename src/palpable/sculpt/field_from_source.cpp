@@ -54,41 +54,102 @@ struct Branch {
   std::vector<std::uint32_t> words;
 };
 
+/// A source's answers at the places of a root cell's lattice, half a finest cell apart: neighbours and all
+/// levels of the tree share them. Remembers as many as fit; the others are asked again.
+class SharedSamples {
+ public:
+  explicit SharedSamples(const DistanceSource& source) : source_(source), slots_(kSlots) {}
+
+  /// A new lattice of `count` places along each axis; `origin_m` is its first.
+  void begin(Vec3 origin_m, double step_m, int count) {
+    origin_m_ = origin_m;
+    step_m_ = step_m;
+    count_ = static_cast<std::uint64_t>(count);
+    hint_ = {};
+    ++lattice_;
+  }
+  const FieldSample& at(std::array<int, 3> place) {
+    const std::uint64_t index =
+        (static_cast<std::uint64_t>(place[2]) * count_ + static_cast<std::uint64_t>(place[1])) * count_ +
+        static_cast<std::uint64_t>(place[0]);
+    const std::uint64_t key = lattice_ << 40U | index;
+    Slot& slot = slots_[index % kSlots];
+    if (slot.key != key) {
+      slot.sample = between(step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
+                                           static_cast<double>(place[2])});
+      slot.key = key;
+    }
+    return slot.sample;
+  }
+  /// At any place from the lattice's first.
+  FieldSample between(Vec3 from_origin_m) { return source_.at(origin_m_ + from_origin_m, hint_); }
+
+ private:
+  static constexpr std::size_t kSlots = std::size_t{1} << 19U;
+  struct Slot {
+    /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
+    std::uint64_t key = 0;
+    FieldSample sample;
+  };
+  const DistanceSource& source_;
+  DistanceSource::Hint hint_;
+  Vec3 origin_m_;
+  double step_m_ = 0.0;
+  std::uint64_t count_ = 0;
+  std::uint64_t lattice_ = 0;
+  std::vector<Slot> slots_;
+};
+
 class BranchBuilder {
  public:
   BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
                 const Work& work)
-      : source_(source), grid_(grid), bounds_(bounds), work_(work) {
+      : grid_(grid), bounds_(bounds), work_(work), shared_(source) {
     // A cell on the surface is never larger than this: finer things could hide between its samples.
     longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
   }
 
+  /// Builders may be used for one root cell after another.
   Branch build(std::array<int, 3> corner) {
     Branch branch;
+    root_ = corner;
+    recent_ = {};
+    shared_.begin(grid_.origin_m + place_of(corner), 0.5 * grid_.cell_m, (2 << grid_.levels) + 1);
     branch.entry = build(corner, grid_.levels, branch);
     return branch;
   }
 
  private:
+  Vec3 place_of(std::array<int, 3> corner) const {
+    return grid_.cell_m * Vec3{static_cast<double>(corner[0]), static_cast<double>(corner[1]),
+                               static_cast<double>(corner[2])};
+  }
+
   std::uint32_t build(std::array<int, 3> corner, int level, Branch& branch) {
     const int side = 1 << level;
     CellSamples samples;
     samples.half_m = 0.5 * grid_.cell_m * side;
-    samples.centre_m =
-        grid_.cell_m * Vec3{corner[0] + 0.5 * side, corner[1] + 0.5 * side, corner[2] + 0.5 * side};
-    if (level > 0 && !work_.cancelled()) {
-      const double from_surface_m = std::abs(source_.at(grid_.origin_m + samples.centre_m, hint_).distance_m);
-      // Half the diagonal of a cube, and a little.
-      const bool on_surface = from_surface_m < 1.8 * samples.half_m;
-      if (on_surface && side > longest_on_surface_) return split(corner, level, branch);
-    }
-    for (std::size_t k = 0; k < kFitPlaces; ++k) samples.at[k] = at(samples, fit_place(k));
-    const LeafFit leaf = fit_leaf(samples, bounds_);
+    samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
+    for (std::size_t k = 0; k < kFitPlaces; ++k)
+      samples.at[k] = shared_.at(lattice_place(corner, side, fit_place(k)));
+    // Half the diagonal of a cube, and a little.
+    const bool on_surface = std::abs(samples.at[kFitPlaces / 2].distance_m) < 1.8 * samples.half_m;
+    if (on_surface && side > longest_on_surface_ && !work_.cancelled()) return split(corner, level, branch);
+    const LeafFit leaf = fit_leaf(samples, bounds_, recent_);
     const bool fits = leaf.error <= 1.0 && holds_between(leaf, samples);
     if (!fits && side > smallest_side(samples) && !work_.cancelled()) return split(corner, level, branch);
+    if (fits) recent_.add(leaf);
     const auto begin = static_cast<std::uint32_t>(branch.words.size());
     branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
     return begin | FieldTree::kLeaf;
+  }
+
+  /// A place of the fit in half cells from the root's corner.
+  std::array<int, 3> lattice_place(std::array<int, 3> corner, int side, Vec3 u) const {
+    const auto along = [&](std::size_t axis, double v) {
+      return 2 * (corner[axis] - root_[axis]) + side * (1 + static_cast<int>(v));
+    };
+    return {along(0, u.x), along(1, u.y), along(2, u.z)};
   }
 
   std::uint32_t split(std::array<int, 3> corner, int level, Branch& branch) {
@@ -105,10 +166,6 @@ class BranchBuilder {
     return node;
   }
 
-  FieldSample at(const CellSamples& samples, Vec3 u) {
-    return source_.at(grid_.origin_m + samples.centre_m + samples.half_m * u, hint_);
-  }
-
   /// Asks at places between those of the fit, where something small may hide. A few places may err a little
   /// more: the bound was judged at the others.
   bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
@@ -123,7 +180,8 @@ class BranchBuilder {
                                             {-0.62, -0.7, -0.66}}};
     constexpr double kSlack = 1.5;
     return std::all_of(kBetween.begin(), kBetween.end(), [&](Vec3 u) {
-      return leaf_error(leaf, samples, u, at(samples, u), bounds_) <= kSlack;
+      const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
+      return leaf_error(leaf, samples, u, truth, bounds_) <= kSlack;
     });
   }
 
@@ -140,30 +198,50 @@ class BranchBuilder {
     return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
   }
 
-  const DistanceSource& source_;
   const FieldGrid& grid_;
   const FitBounds& bounds_;
   const Work& work_;
+  SharedSamples shared_;
+  RecentLeaves recent_;
+  std::array<int, 3> root_{};
   int longest_on_surface_ = 1;
-  DistanceSource::Hint hint_;
 };
 
-std::vector<Branch> branches_of(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
-                                const Work& work) {
+/// What a field takes grows with its surface, that is, with the square of its resolution.
+Error too_large(double needed_bytes, const FieldOptions& options) {
+  const double share = std::sqrt(static_cast<double>(options.most_bytes) / needed_bytes);
+  const int fits =
+      std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
+  constexpr double kMebi = 1024.0 * 1024.0;
+  return {ErrorCode::failed,
+          "would take about " + std::to_string(std::lround(needed_bytes / kMebi)) + " MiB as a field of " +
+              std::to_string(options.resolution) + " cells, more than the " +
+              std::to_string(options.most_bytes >> 20U) + " MiB that are allowed; " + std::to_string(fits) +
+              " cells fit",
+          {}};
+}
+
+Result<std::vector<Branch>> branches_of(const DistanceSource& source, const FieldGrid& grid,
+                                        const FitBounds& bounds, const FieldOptions& options,
+                                        const Work& work) {
   const int count = grid.roots[0] * grid.roots[1] * grid.roots[2];
   std::vector<Branch> branches(static_cast<std::size_t>(count));
   std::atomic<int> next{0};
   std::atomic<int> done{0};
+  std::atomic<std::size_t> bytes{0};
+  const auto too_many = [&] { return bytes.load(std::memory_order_relaxed) > options.most_bytes; };
   std::mutex reporting;
   // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
   parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
     if (begin == end) return;
-    for (int i = next++; i < count && !work.cancelled(); i = next++) {
-      BranchBuilder builder(source, grid, bounds, work);
+    BranchBuilder builder(source, grid, bounds, work);
+    for (int i = next++; i < count && !work.cancelled() && !too_many(); i = next++) {
       const int side = 1 << grid.levels;
       branches[static_cast<std::size_t>(i)] =
           builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
                          i / (grid.roots[0] * grid.roots[1]) * side});
+      const Branch& branch = branches[static_cast<std::size_t>(i)];
+      bytes += sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size());
       const int ready = ++done;
       if (ready % 32 == 0) {
         const std::lock_guard lock(reporting);
@@ -171,6 +249,9 @@ std::vector<Branch> branches_of(const DistanceSource& source, const FieldGrid& g
       }
     }
   });
+  if (work.cancelled()) return Work::interrupted();
+  if (too_many())
+    return too_large(1.0 * static_cast<double>(bytes) * count / std::max(1, done.load()), options);
   return branches;
 }
 
@@ -254,10 +335,10 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
   bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
   bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
-  const auto branches = branches_of(source, grid, bounds, work);
-  if (work.cancelled()) return Work::interrupted();
+  const auto branches = branches_of(source, grid, bounds, options, work);
+  if (!branches) return branches.error();
   Joiner joiner;
-  for (const Branch& branch : branches) joiner.add(branch);
+  for (const Branch& branch : *branches) joiner.add(branch);
   FieldTree tree = joiner.take();
   auto field = DistanceField::from_tree(grid, tree, {});
   if (!field) return field.error();

@@ -7,6 +7,8 @@
 #include "palpable/models/distance_field.hpp"
 #include "palpable/sculpt/distance_source.hpp"
 
+#include <cstddef>
+
 namespace palpable::sculpt {
 
 struct FieldOptions {
@@ -19,6 +21,8 @@ struct FieldOptions {
   /// side.
   double inside_m = 0.003;
   double outside_m = 0.001;
+  /// A field that would take more memory is refused, before it does.
+  std::size_t most_bytes = std::size_t{1} << 31U;
 };
 
 /// Side of the finest cells for a solid in `bounds`. Errors: usage for options out of range; invalid_input
@@ -28,7 +32,8 @@ Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 /// Samples a solid's distance adaptively: cells that no leaf of models/field_leaf.hpp fits are cut into eight
 /// until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2 mm. Long
 /// work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as
-/// finest_cell_m(), interrupted.
+/// finest_cell_m(); failed for a field over most_bytes, naming about what it would take and the resolution
+/// that fits; interrupted.
 Result<models::DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
                                                 const Work& work);
 

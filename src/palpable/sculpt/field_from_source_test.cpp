@@ -3,6 +3,8 @@
 #include "palpable/sculpt/field_from_source.hpp"
 
 #include "palpable/sculpt/mesh_solid.hpp"
+#include "palpable/sculpt/surface_cut.hpp"
+#include "palpable/sculpt/test_solids.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -14,36 +16,6 @@
 
 namespace palpable::sculpt {
 namespace {
-
-class Ball final : public DistanceSource {
- public:
-  explicit Ball(double radius_m) : radius_m_(radius_m) {}
-  models::FieldSample at(Vec3 p, Hint&) const override {
-    return {norm(p) - radius_m_, norm(p) > 0.0 ? unit(p) : Vec3{1.0, 0.0, 0.0}};
-  }
-  Box bounds() const override {
-    return {{-radius_m_, -radius_m_, -radius_m_}, {radius_m_, radius_m_, radius_m_}};
-  }
-
- private:
-  double radius_m_;
-};
-
-Mesh box_mesh(Vec3 low, Vec3 high) {
-  Mesh mesh;
-  for (unsigned i = 0; i < 8; ++i)
-    mesh.vertices_m.push_back({i & 1U ? high.x : low.x, i & 2U ? high.y : low.y, i & 4U ? high.z : low.z});
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
-
-double box_distance(Vec3 p, Vec3 low, Vec3 high) {
-  const Vec3 d{std::max(low.x - p.x, p.x - high.x), std::max(low.y - p.y, p.y - high.y),
-               std::max(low.z - p.z, p.z - high.z)};
-  const double inside = std::max({d.x, d.y, d.z});
-  return inside < 0.0 ? inside : norm({std::max(d.x, 0.0), std::max(d.y, 0.0), std::max(d.z, 0.0)});
-}
 
 TEST(FieldFromSource, FollowsABall) {
   const Ball ball(0.03);
@@ -138,6 +110,16 @@ TEST(FieldFromSource, RefusesWhatCannotBeSampled) {
   EXPECT_FALSE(field_from_source(Ball(1e-6), {}, {}));
 }
 
+TEST(FieldFromSource, RefusesWhatWouldTakeTooMuchMemoryAndSaysWhatFits) {
+  FieldOptions options;
+  options.resolution = 128;
+  options.most_bytes = 20000;
+  const auto refused = field_from_source(Ball(0.02), options, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::failed);
+  EXPECT_NE(refused.error().message.find("cells fit"), std::string::npos) << refused.error().message;
+}
+
 TEST(MeshSolid, TurnsAnInsideOutMesh) {
   Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
@@ -161,21 +143,46 @@ TEST(MeshSolid, ClosesAnOpenMesh) {
 }
 
 TEST(MeshSolid, JoinsBodiesThatOverlap) {
-  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 0});
-  const Mesh tower = box_mesh({-0.4, -0.4, -0.5}, {0.4, 0.4, 1});
-  for (auto t : tower.triangles) {
-    for (auto& v : t) v += 8;
-    mesh.triangles.push_back(t);
-  }
-  mesh.vertices_m.insert(mesh.vertices_m.end(), tower.vertices_m.begin(), tower.vertices_m.end());
-  const auto solid = solid_from_mesh(mesh, 0.04, {});
+  const Vec3 slab_low{-1, -1, -1}, slab_high{1, 1, 0}, tower_low{-0.4, -0.4, -0.5}, tower_high{0.4, 0.4, 1};
+  const auto solid =
+      solid_from_mesh(together(box_mesh(slab_low, slab_high), box_mesh(tower_low, tower_high)), 0.04, {});
   ASSERT_TRUE(solid);
   EXPECT_GT(solid->repair.inner, 0U);
   DistanceSource::Hint hint;
-  // On the hidden top face of the slab the nearest surface is the tower's side, or the slab's open top.
-  EXPECT_NEAR(solid->distance->at({0, 0, -0.01}, hint).distance_m, -0.4, 0.05);
-  EXPECT_NEAR(solid->distance->at({0.1, 0, 0.5}, hint).distance_m, -0.3, 1e-3);
-  EXPECT_NEAR(solid->distance->at({0.8, 0, 0.1}, hint).distance_m, 0.1, 1e-3);
+  // On the hidden top face of the slab the nearest surface is the foot of the tower's side.
+  EXPECT_NEAR(solid->distance->at({0, 0, -0.01}, hint).distance_m, -std::hypot(0.4, 0.01), 1e-6);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p{uniform(random), uniform(random), uniform(random)};
+    const double to_slab = box_distance(p, slab_low, slab_high),
+                 to_tower = box_distance(p, tower_low, tower_high);
+    const double distance = solid->distance->at(p, hint).distance_m;
+    // Outside the nearer of both; the side is told everywhere, at cuts and seams too.
+    if (std::min(to_slab, to_tower) > 0.0)
+      ASSERT_NEAR(distance, std::min(to_slab, to_tower), 1e-3) << p.x << " " << p.y << " " << p.z;
+    else
+      ASSERT_LE(distance, std::min(to_slab, to_tower) + 1e-9) << p.x << " " << p.y << " " << p.z;
+  }
+}
+
+TEST(MeshSolid, CutsWhatOthersCrossWithoutCuttingItSmall) {
+  Mesh city = box_mesh({-1, -1, -0.1}, {1, 1, 0});
+  for (int i = 0; i < 16; ++i) {
+    const double x = -0.9 + 0.45 * (i % 4), y = -0.9 + 0.45 * (i / 4);
+    city = together(city, box_mesh({x, y, -0.02}, {x + 0.3, y + 0.3, 0.3}));
+  }
+  const TriangleTree tree(city);
+  const SolidSurface surface = surface_of(city, tree, 0.004, {});
+  // Down to pieces of 4 mm, the slab's top alone would be a hundred thousand triangles.
+  EXPECT_LT(surface.mesh.triangles.size(), 2500U);
+  double area_m2 = 0.0;
+  for (const auto& t : surface.mesh.triangles) {
+    const Vec3 a = surface.mesh.vertices_m[t[0]];
+    area_m2 += 0.5 * norm(cross(surface.mesh.vertices_m[t[1]] - a, surface.mesh.vertices_m[t[2]] - a));
+  }
+  // Top and bottom, the slab's sides, and the towers' sides above the slab.
+  EXPECT_NEAR(area_m2, 2.0 * 4.0 + 4.0 * 2.0 * 0.1 + 16.0 * 4.0 * 0.3 * 0.3, 1e-6);
 }
 
 TEST(MeshSolid, RefusesMeshesWithoutASolid) {

@@ -112,7 +112,8 @@ std::uint32_t word(double value) { return std::bit_cast<std::uint32_t>(static_ca
 /// The tangent plane of a sample. Coarsely rounded, so that leaves over the same face hold the same words.
 Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
   const FieldSample& s = samples.at[k];
-  const auto rounded = [](double v, double step) { return std::round(v / step) * step; };
+  // Adding zero makes one zero of both.
+  const auto rounded = [](double v, double step) { return std::round(v / step) * step + 0.0; };
   constexpr double kDirectionStep = 1.0 / (1 << 20);
   const Vec3 n{rounded(s.gradient.x, kDirectionStep), rounded(s.gradient.y, kDirectionStep),
                rounded(s.gradient.z, kDirectionStep)};
@@ -172,56 +173,97 @@ class Fit {
   Coefficients right_{};
 };
 
-template <class Wanted>
-Piece quadratic_through(const CellSamples& samples, Wanted wanted) {
+/// The rows of one place: what value and gradient there say.
+std::array<Coefficients, 4> rows_at(std::size_t k) {
+  const Vec3 u = fit_place(k);
+  const auto rows = gradient_rows(u);
+  return {value_row(u), rows[0], rows[1], rows[2]};
+}
+std::array<double, 4> values_at(const CellSamples& samples, std::size_t k) {
+  const FieldSample& s = samples.at[k];
+  return {s.distance_m / samples.half_m, s.gradient.x, s.gradient.y, s.gradient.z};
+}
+constexpr std::array<double, 4> kRowWeights{1.0, kGradientWeight, kGradientWeight, kGradientWeight};
+
+/// The fit to all places is the same linear map in every cell.
+class WholeFit {
+ public:
+  WholeFit() {
+    for (std::size_t k = 0; k < kFitPlaces; ++k)
+      for (std::size_t row = 0; row < 4; ++row) {
+        Fit fit;
+        for (std::size_t other = 0; other < kFitPlaces; ++other) {
+          const auto rows = rows_at(other);
+          for (std::size_t r = 0; r < 4; ++r)
+            fit.add(rows[r], other == k && r == row ? 1.0 : 0.0, kRowWeights[r]);
+        }
+        by_value_[4 * k + row] = fit.solve();
+      }
+  }
+  Coefficients solve(const CellSamples& samples) const {
+    Coefficients c{};
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const auto values = values_at(samples, k);
+      for (std::size_t row = 0; row < 4; ++row)
+        for (std::size_t i = 0; i < kTerms; ++i) c[i] += values[row] * by_value_[4 * k + row][i];
+    }
+    return c;
+  }
+
+ private:
+  std::array<Coefficients, 4 * kFitPlaces> by_value_;
+};
+
+Coefficients coefficients_through(const CellSamples& samples, const std::array<bool, kFitPlaces>& wanted) {
   Fit fit;
   for (std::size_t k = 0; k < kFitPlaces; ++k) {
-    if (!wanted(k)) continue;
-    const Vec3 u = fit_place(k);
-    const FieldSample& s = samples.at[k];
-    fit.add(value_row(u), s.distance_m / samples.half_m, 1.0);
-    const auto rows = gradient_rows(u);
-    fit.add(rows[0], s.gradient.x, kGradientWeight);
-    fit.add(rows[1], s.gradient.y, kGradientWeight);
-    fit.add(rows[2], s.gradient.z, kGradientWeight);
+    if (!wanted[k]) continue;
+    const auto rows = rows_at(k);
+    const auto values = values_at(samples, k);
+    for (std::size_t row = 0; row < 4; ++row) fit.add(rows[row], values[row], kRowWeights[row]);
   }
-  const Coefficients c = fit.solve();
+  return fit.solve();
+}
+Coefficients coefficients_through(const CellSamples& samples) {
+  static const WholeFit whole;
+  return whole.solve(samples);
+}
+
+/// Rounded as far as the leaf's size allows: what is judged is what is kept, and round numbers pack better.
+Piece quadratic_of(const Coefficients& c, double half_m, double cell_m) {
+  const double value_step = cell_m / LeafHead::kValuesPerCell / half_m;
+  const int level = std::ilogb(1.01 * 2.0 * half_m / cell_m);
+  const int multiple = LeafHead::multiple(level);
   Piece piece;
   piece.curved = true;
-  piece.normal = {c[1], c[2], c[3]};
-  piece.words[0] = word(c[0]);
+  piece.words[0] = word(std::round(c[0] / value_step) * value_step + 0.0);
   for (std::size_t i = 1; i < kTerms; ++i) {
-    const double steps = std::clamp(std::round(c[i] / LeafHead::kStep), -32768.0, 32767.0);
-    const auto bits = static_cast<std::uint32_t>(static_cast<std::int32_t>(steps)) & 0xFFFFU;
+    const double most = 32768.0 / multiple - 1.0;
+    const double steps = std::clamp(std::round(c[i] / (multiple * LeafHead::kStep)), -most, most);
+    const auto bits = static_cast<std::uint32_t>(multiple * static_cast<std::int32_t>(steps)) & 0xFFFFU;
     piece.words[1 + (i - 1) / 2] |= (i - 1) % 2 == 0 ? bits : bits << 16U;
   }
+  piece.normal = models::rise_of(piece.words.data(), true);
   return piece;
 }
 
-HalfAngle half_angle(Vec3 a, Vec3 b) {
-  const double c = std::clamp(dot(unit(a), unit(b)), -1.0, 1.0);
-  return {static_cast<float>(std::sqrt(0.5 * (1.0 + c))), static_cast<float>(std::sqrt(0.5 * (1.0 - c)))};
-}
 /// Pieces that meet at less than a degree are one.
 bool meet_well(HalfAngle half) { return half.sine > 0.01F; }
 
-LeafFit leaf_of(std::span<const Piece> pieces, std::span<const Meeting> meetings,
-                std::span<const HalfAngle> halves) {
+LeafFit leaf_of(std::span<const Piece> pieces, std::span<const Meeting> meetings) {
   LeafFit leaf;
   std::uint32_t head = static_cast<std::uint32_t>(pieces.size() - 1);
   for (std::size_t i = 0; i < pieces.size(); ++i) head |= (pieces[i].curved ? 1U : 0U) << (2 + i);
   for (std::size_t i = 0; i < meetings.size(); ++i)
     head |= (meetings[i] == Meeting::concave ? 1U : 0U) << (5 + i);
   leaf.words[leaf.count++] = head;
-  for (const HalfAngle half : halves) {
-    leaf.words[leaf.count++] = std::bit_cast<std::uint32_t>(half.cosine);
-    leaf.words[leaf.count++] = std::bit_cast<std::uint32_t>(half.sine);
-  }
+  leaf.count += 2 * meetings.size();
   for (const Piece& piece : pieces) {
     const std::size_t words = piece.curved ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
     std::copy_n(piece.words.begin(), words, leaf.words.begin() + static_cast<std::ptrdiff_t>(leaf.count));
     leaf.count += words;
   }
+  models::set_half_angles(leaf.words.data());
   return leaf;
 }
 
@@ -259,64 +301,68 @@ class Search {
   Search(const CellSamples& samples, const FitBounds& bounds)
       : samples_(samples), bounds_(bounds), judge_(samples, bounds), ends_(extremes_of(samples)) {}
 
-  LeafFit run() {
+  LeafFit run(const RecentLeaves& recent) {
     const double turn2 = ends_.ab;
     constexpr double kFlat = 1e-3;
-    if (turn2 < 4e-4 && try_leaf(leaf_of(std::array{plane(kCentre)}, {}, {}))) return best_;
+    if (turn2 < 4e-4 && try_leaf(leaf_of(std::array{plane(kCentre)}, {}))) return best_;
+    for (const LeafFit& leaf : recent.all())
+      if (turn2 > kFlat && try_leaf(leaf)) return best_;
     if (turn2 > kFlat && try_planes()) return best_;
-    if (turn2 < 2.0 &&
-        try_leaf(leaf_of(std::array{quadratic_through(samples_, [](std::size_t) { return true; })}, {}, {})))
+    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic(coefficients_through(samples_))}, {})))
       return best_;
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
-    if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}, {}));
+    if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
     return best_;
   }
 
  private:
   static constexpr std::size_t kCentre = kFitPlaces / 2;
   Piece plane(std::size_t k) const { return plane_through(samples_, k, bounds_.cell_m); }
+  Piece quadratic(const Coefficients& c) const { return quadratic_of(c, samples_.half_m, bounds_.cell_m); }
 
   bool try_leaf(LeafFit leaf) {
     leaf.error = judge_.error(leaf, std::max(1.0, best_.error));
     if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
     return best_.count > 0 && best_.error <= 1.0;
   }
-  bool try_pair(const Piece& a, const Piece& b, HalfAngle half) {
+  /// Which of the two comes first is no matter: one order makes equal leaves of equal pieces.
+  bool try_pair(Piece a, Piece b) {
+    const HalfAngle half = models::half_angle_between(a.normal, b.normal);
     if (!meet_well(half)) return false;
-    return try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::convex}, std::array{half})) ||
-           try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::concave}, std::array{half}));
+    if (b.words < a.words) std::swap(a, b);
+    return try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::convex})) ||
+           try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::concave}));
   }
-  bool try_planes() {
-    const Piece a = plane(ends_.a), b = plane(ends_.b);
-    return try_pair(a, b, half_angle(a.normal, b.normal));
-  }
+  bool try_planes() { return try_pair(plane(ends_.a), plane(ends_.b)); }
   bool try_quadratics() {
     const Vec3 ga = samples_.at[ends_.a].gradient, gb = samples_.at[ends_.b].gradient;
-    std::array<bool, kFitPlaces> by_a{};
+    std::array<bool, kFitPlaces> by_a{}, by_b{};
     std::size_t count = 0;
     for (std::size_t k = 0; k < kFitPlaces; ++k) {
       const Vec3 g = samples_.at[k].gradient;
       by_a[k] = squared_norm(g - ga) < squared_norm(g - gb);
+      by_b[k] = !by_a[k];
       count += by_a[k] ? 1 : 0;
     }
     constexpr std::size_t kLeast = 5;
     if (count < kLeast || kFitPlaces - count < kLeast) return false;
-    const Piece a = quadratic_through(samples_, [&](std::size_t k) { return by_a[k]; });
-    const Piece b = quadratic_through(samples_, [&](std::size_t k) { return !by_a[k]; });
-    return try_pair(a, b, half_angle(a.normal, b.normal));
+    const Piece a = quadratic(coefficients_through(samples_, by_a));
+    const Piece b = quadratic(coefficients_through(samples_, by_b));
+    return try_pair(a, b);
   }
   bool try_corner() {
     const std::array<Piece, 3> p{plane(ends_.a), plane(ends_.b), plane(ends_.c)};
     constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
     for (const auto& order : kOrders) {
-      const std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
-      const HalfAngle first = half_angle(pieces[0].normal, pieces[1].normal);
-      const HalfAngle second = half_angle(pieces[0].normal + pieces[1].normal, pieces[2].normal);
+      std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
+      if (pieces[1].words < pieces[0].words) std::swap(pieces[0], pieces[1]);
+      const HalfAngle first = models::half_angle_between(pieces[0].normal, pieces[1].normal);
+      const HalfAngle second = models::half_angle_between(pieces[0].normal + pieces[1].normal, pieces[2].normal);
       if (!meet_well(first) || !meet_well(second)) continue;
       for (const Meeting m : {Meeting::convex, Meeting::concave})
         for (const Meeting n : {Meeting::convex, Meeting::concave})
-          if (try_leaf(leaf_of(pieces, std::array{m, n}, std::array{first, second}))) return true;
+          if (try_leaf(leaf_of(pieces, std::array{m, n}))) return true;
     }
     return false;
   }
@@ -335,8 +381,20 @@ Vec3 fit_place(std::size_t k) {
   return {axis(k), axis(k / 3), axis(k / 9)};
 }
 
-LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds) {
-  return Search(samples, bounds).run();
+void RecentLeaves::add(const LeafFit& leaf) {
+  const LeafHead head{leaf.words[0]};
+  if (head.pieces() < 2 || !head.flat()) return;
+  const auto known =
+      std::find_if(leaves_.begin(), leaves_.begin() + static_cast<std::ptrdiff_t>(count_),
+                   [&](const LeafFit& l) { return std::ranges::equal(l.used(), leaf.used()); });
+  if (known == leaves_.begin() + static_cast<std::ptrdiff_t>(count_) && count_ < kMost) ++count_;
+  const auto last = std::min(known, leaves_.begin() + static_cast<std::ptrdiff_t>(count_) - 1);
+  std::rotate(leaves_.begin(), last, last + 1);
+  leaves_.front() = leaf;
+}
+
+LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const RecentLeaves& recent) {
+  return Search(samples, bounds).run(recent);
 }
 
 double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const FieldSample& truth,

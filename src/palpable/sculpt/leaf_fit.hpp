@@ -45,9 +45,22 @@ struct LeafFit {
   std::span<const std::uint32_t> used() const { return {words.data(), count}; }
 };
 
-/// The simplest leaf that keeps the bounds: a plane, two planes that meet, a quadratic, two of them, three
-/// planes; else the best of these, its error above 1.
-LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds);
+/// Leaves of planes that fitted cells nearby, the latest first: along an edge all cells hold the same one.
+/// Planes do not depend on the cell, so a leaf that fits again is kept only once.
+class RecentLeaves {
+ public:
+  void add(const LeafFit& leaf);
+  std::span<const LeafFit> all() const { return {leaves_.data(), count_}; }
+
+ private:
+  static constexpr std::size_t kMost = 12;
+  std::array<LeafFit, kMost> leaves_;
+  std::size_t count_ = 0;
+};
+
+/// The simplest leaf that keeps the bounds: a plane, a recent leaf, two planes that meet, a quadratic, two of
+/// them, three planes; else the best of these, its error above 1.
+LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const RecentLeaves& recent);
 
 /// How far a leaf errs at one more place, as LeafFit::error counts it.
 double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const models::FieldSample& truth,

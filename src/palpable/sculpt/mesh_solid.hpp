@@ -36,8 +36,9 @@ struct MeshSolid {
 /// The solid that a mesh means, with its exact distance. A closed, outward mesh is taken as it is. Of others:
 /// parts are turned to face outwards (by the parity of rays, as Takayama et al. 2014), holes closed, and the
 /// solid is where the triangles wind round a place at least once (generalised winding number, Jacobson et al.
-/// 2013); triangles inside the solid, where bodies overlap, are left out, those that are partly inside cut
-/// down to `finest_m`. Errors: invalid_input for a mesh without triangles or without a volume.
+/// 2013); triangles inside the solid, where bodies overlap, are left out, and those that are partly inside
+/// cut along the lines where others cross them, into pieces no smaller than `finest_m`. Errors: invalid_input
+/// for a mesh without triangles or without a volume, interrupted.
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work);
 
 }  // namespace palpable::sculpt

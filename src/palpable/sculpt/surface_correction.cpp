@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/surface_correction.hpp"
 
+#include "palpable/sculpt/point_index.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <optional>
 #include <queue>
 #include <utility>
@@ -54,41 +54,11 @@ std::optional<double> meets(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
   return dot(ac, q) / volume;
 }
 
-/// Which samples lie in a box: they are sorted into cells once.
-class Buckets {
- public:
-  Buckets(const std::vector<Vec3>& places, double cell_m) : cell_m_(cell_m) {
-    for (std::uint32_t i = 0; i < places.size(); ++i) cells_[key(places[i])].push_back(i);
-  }
-
-  template <class Visit>
-  void within(Vec3 least, Vec3 most, Visit&& visit) const {
-    const Key low = key(least);
-    const Key high = key(most);
-    for (std::int64_t x = low[0]; x <= high[0]; ++x)
-      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
-        const auto end = cells_.upper_bound({x, y, high[2]});
-        for (auto at = cells_.lower_bound({x, y, low[2]}); at != end; ++at)
-          for (const std::uint32_t i : at->second) visit(i);
-      }
-  }
-
- private:
-  using Key = std::array<std::int64_t, 3>;
-  Key key(Vec3 p) const {
-    return {static_cast<std::int64_t>(std::floor(p.x / cell_m_)),
-            static_cast<std::int64_t>(std::floor(p.y / cell_m_)),
-            static_cast<std::int64_t>(std::floor(p.z / cell_m_))};
-  }
-  double cell_m_;
-  std::map<Key, std::vector<std::uint32_t>> cells_;
-};
-
 /// For each sample the shortest way along its normal to the measured surface, if there is one.
 std::vector<std::optional<double>> ways_to(const Mesh& measured, const Mesh& predicted,
                                            const Samples& samples, double reach_m) {
   std::vector<std::optional<double>> ways(predicted.vertices_m.size());
-  const Buckets buckets(predicted.vertices_m, reach_m);
+  const PointIndex index(predicted.vertices_m, reach_m);
   const Vec3 beyond{reach_m, reach_m, reach_m};
   for (const auto& t : measured.triangles) {
     const Vec3 a = measured.vertices_m[t[0]];
@@ -96,7 +66,7 @@ std::vector<std::optional<double>> ways_to(const Mesh& measured, const Mesh& pre
     const Vec3 c = measured.vertices_m[t[2]];
     const Vec3 least{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
     const Vec3 most{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
-    buckets.within(least - beyond, most + beyond, [&](std::uint32_t i) {
+    index.in_box(least - beyond, most + beyond, [&](std::uint32_t i) {
       const auto way = meets(predicted.vertices_m[i], samples.normals[i], a, b, c);
       if (!way || std::abs(*way) > reach_m) return;
       if (!ways[i] || std::abs(*way) < std::abs(*ways[i])) ways[i] = way;

@@ -247,6 +247,11 @@ bool TriangleTree::any_within(Vec3 p, double radius_m, std::uint32_t except) con
   return false;
 }
 
+bool TriangleTree::reaches(std::uint32_t triangle, Vec3 p, double radius_m) const {
+  const Corners& c = corners_[place_[triangle]];
+  return nearest_on_triangle(p, c[0], c[1], c[2]).squared_distance_m2 <= radius_m * radius_m;
+}
+
 double TriangleTree::winding(Vec3 p) const {
   constexpr double kFarRadii = 2.5;
   double sum = 0.0;

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "palpable/core/mesh.hpp"
+#include "palpable/sculpt/box.hpp"
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -39,6 +41,15 @@ class TriangleTree {
   /// Whether a triangle other than `except` comes within `radius_m` of `p`.
   bool any_within(Vec3 p, double radius_m, std::uint32_t except) const;
 
+  /// Whether the triangle comes within `radius_m` of `p`.
+  bool reaches(std::uint32_t triangle, Vec3 p, double radius_m) const;
+
+  /// Calls visit(index) for every triangle whose own box meets this one.
+  template <class Visit>
+  void visit_box(Vec3 least_m, Vec3 most_m, Visit&& visit) const {
+    visit_box(0, least_m, most_m, visit);
+  }
+
   /// How often the triangles wind round `p`: about 1 inside a closed mesh whose triangles face outwards, 0
   /// outside; broken numbers near holes (Jacobson et al. 2013). Far groups of triangles count as dipoles
   /// (Barill et al. 2018): good to about 0.01.
@@ -66,6 +77,25 @@ class TriangleTree {
     double radius_m = 0.0;
   };
   using Corners = std::array<Vec3, 3>;
+
+  static bool meet(Vec3 low, Vec3 high, Vec3 other_low, Vec3 other_high) {
+    return low.x <= other_high.x && low.y <= other_high.y && low.z <= other_high.z && high.x >= other_low.x &&
+           high.y >= other_low.y && high.z >= other_low.z;
+  }
+  template <class Visit>
+  void visit_box(std::uint32_t at, Vec3 low, Vec3 high, Visit& visit) const {
+    const Node& node = nodes_[at];
+    if (!meet(low, high, node.low, node.high)) return;
+    if (node.right != 0) {
+      visit_box(at + 1, low, high, visit);
+      visit_box(node.right, low, high, visit);
+      return;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Box box = bounds_of(std::span<const Vec3>(corners_[i]));
+      if (meet(low, high, box.least_m, box.most_m)) visit(order_[i]);
+    }
+  }
 
   static double squared_distance(Vec3 p, const Node& node);
   void add_slab(Node& node, const Dipole& dipole) const;

@@ -1,0 +1,34 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/field_streams.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+// The bytes are a field's streams, each with its length before it in two bytes, as they are behind zstd and
+// the archive's checksums. What can be read answers everywhere with a number, and comes back the same.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace palpable;
+  const models::FieldGrid grid{{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}};
+  formats::FieldStreams streams;
+  std::size_t at = 0;
+  for (auto& stream : streams.bytes) {
+    if (size - at < 2) break;
+    const std::size_t length = std::min<std::size_t>(data[at] | data[at + 1] << 8U, size - at - 2);
+    stream.assign(data + at + 2, data + at + 2 + length);
+    at += 2 + length;
+  }
+  auto tree = formats::tree_from(grid, streams);
+  if (!tree) return 0;
+  const auto field = models::DistanceField::from_tree(grid, *std::move(tree), {});
+  if (!field) return 0;
+  for (int i = 0; i < 64; ++i) {
+    const Vec3 p =
+        grid.origin_m + 0.0007 * Vec3{1.0 * (i % 4) * 5.0, 1.0 * (i / 4 % 4) * 3.0, 1.0 * (i / 16) * 3.0};
+    const models::FieldSample s = field->sample(p);
+    if (!std::isfinite(s.distance_m)) std::abort();
+  }
+  const auto again = formats::tree_from(grid, formats::streams_of(grid, field->tree()));
+  if (!again || again->nodes != field->tree().nodes || again->words != field->tree().words) std::abort();
+  return 0;
+}
