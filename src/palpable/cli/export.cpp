@@ -9,10 +9,12 @@
 #include "palpable/formats/glb.hpp"
 #include "palpable/formats/npz.hpp"
 #include "palpable/formats/picture.hpp"
+#include "palpable/formats/ply.hpp"
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/formats/stl.hpp"
 #include "palpable/models/relief_solid.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
+#include "palpable/sculpt/field_surface.hpp"
 #include "palpable/session/export_recording.hpp"
 
 #include <algorithm>
@@ -77,7 +79,7 @@ Result<void> write_lines(const models::Relief& relief, double interval_mm,
 }
 
 Result<Answer> export_model(const models::Relief& relief, const models::Scene& scene,
-                            const Arguments& arguments) {
+                            const Arguments& arguments, const Work& /*work*/) {
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
@@ -109,13 +111,34 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
   return Error{ErrorCode::usage, "a relief is exported as .stl, .glb, .svg, .npz or .png", arguments.output};
 }
 
+/// The surface of a field, a cube of dual contouring for every two finest cells.
+Result<Answer> export_surface(const models::Field& field, const models::Scene& scene,
+                              const Arguments& arguments, const Work& work) {
+  const std::filesystem::path output(arguments.output);
+  constexpr double kCells = 2.0;
+  const auto mesh = sculpt::surface_of_field(field.distance, kCells * field.distance.cell_m(), work);
+  if (!mesh) return mesh.error();
+  const auto bytes = output.extension() == ".stl"   ? formats::encode_stl(*mesh)
+                     : output.extension() == ".ply" ? formats::encode_ply(*mesh)
+                                                    : formats::encode_glb(*mesh, scene.texture);
+  if (!bytes) return bytes.error();
+  if (const auto written = write_file_atomically(output, *bytes); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output}, {"triangles", mesh->triangles.size()}};
+  answer.text = fmt::format("{}: {} triangles\n", arguments.output, mesh->triangles.size());
+  return answer;
+}
+
 /// Distances on a grid of places, `grid` along the longest side: distance_m[i, j, k] stands at origin_m +
 /// spacing_m (i, j, k), x right, y up, z towards the person.
-Result<Answer> export_model(const models::Field& field, const models::Scene& /*scene*/,
-                            const Arguments& arguments) {
+Result<Answer> export_model(const models::Field& field, const models::Scene& scene,
+                            const Arguments& arguments, const Work& work) {
   const std::filesystem::path output(arguments.output);
-  if (output.extension() != ".npz")
-    return Error{ErrorCode::usage, "a field is exported as .npz", arguments.output};
+  const std::string ending = output.extension().string();
+  if (ending == ".stl" || ending == ".ply" || ending == ".glb")
+    return export_surface(field, scene, arguments, work);
+  if (ending != ".npz")
+    return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb or .npz", arguments.output};
   const models::FieldGrid& grid = field.distance.grid();
   const Vec3 size = grid.size_m();
   const double spacing_m = std::max({size.x, size.y, size.z}) / (arguments.grid - 1);
@@ -144,7 +167,7 @@ Result<Answer> export_model(const models::Field& field, const models::Scene& /*s
 
 /// occupied[i, j, k] (0 or 1) stands at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.
 Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*scene*/,
-                            const Arguments& arguments) {
+                            const Arguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);
   if (output.extension() != ".npz")
     return Error{ErrorCode::usage, "a grid is exported as .npz", arguments.output};
@@ -170,7 +193,7 @@ Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*sce
 /// Unit tangents in image axes (x right, y down; their sign is free) and strength of the averaged map (eq.
 /// 7), and the one-pixel-wide lines.
 Result<Answer> export_model(const models::Contours& contours, const models::Scene& /*scene*/,
-                            const Arguments& arguments) {
+                            const Arguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);
   if (output.extension() != ".npz" && output.extension() != ".png")
     return Error{ErrorCode::usage, "contours are exported as .npz or .png", arguments.output};
@@ -209,14 +232,15 @@ Result<Answer> run_export_recording(const Arguments& arguments) {
   return answer;
 }
 
-Result<Answer> run_export(const Arguments& arguments) {
+Result<Answer> run_export(const Arguments& arguments, const Work& work) {
   const auto start = read_file_start(arguments.scene, 8);
   if (!start) return start.error();
   if (has_magic(*start, "PALPREC")) return run_export_recording(arguments);
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  return std::visit([&](const auto& model) { return export_model(*model, scene, arguments); }, scene.model);
+  return std::visit([&](const auto& model) { return export_model(*model, scene, arguments, work); },
+                    scene.model);
 }
 
 }  // namespace
@@ -229,7 +253,7 @@ void add_export(Program& program) {
       "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
       "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
       "  palpable export aloe.palp -o heights.png",
-      [arguments](Console& /*console*/) { return run_export(*arguments); });
+      [arguments](Console& console) { return run_export(*arguments, console.work()); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
   options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
   options.integer("--grid", arguments->grid, {2, 1024},

@@ -129,7 +129,7 @@ void add_make(Program& program) {
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
   options.choice("--as", arguments->as, {"relief", "contours", "field", "grid"},
-                 "What it becomes; else contours of one picture, a field of a mesh, a relief of all else");
+                 "What it becomes; else contours of one picture, a field of a solid, a relief of all else");
   add_make_options(options, arguments->make);
   add_as_published(options, arguments->as_published);
   options.under("What it is made of");

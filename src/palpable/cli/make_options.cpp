@@ -35,9 +35,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   constexpr int kMostInputs = 4096;
   constexpr Range kDepthUnits{-1e6, 1e6};
   options.arguments("INPUT", arguments.inputs, kMostInputs,
-                    "A pair (left first), a depth map, a mesh, or a scene");
+                    "A pair (left first), a depth map, a mesh, points, shapes, or a scene");
   options.under("What is made of it");
-  options.text("--kind", arguments.kind, "picture, stereo, depth, mesh or scene; else recognised by content");
+  options.text("--kind", arguments.kind,
+               "picture, stereo, depth, mesh, points, shapes or scene; else by content");
   options.text("--size", arguments.size,
                "WxHxD in mm that bound the scene; else 100x100 and 15 high, and a mesh as it is");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
@@ -68,7 +69,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Of a pair: what stands behind its things");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on it; front = as from between a pair's cameras");
-  options.under("Fields of a mesh");
+  options.under("Fields and grids");
   options.integer("--grid-points", arguments.grid_points, {8, 512},
                   "Of a grid: points along its longest side");
   options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");

@@ -49,7 +49,8 @@ std::int32_t unfolded(std::uint32_t v) {
 }
 
 /// Numbers of `size` words each, apart by number and by byte.
-std::vector<std::uint8_t> planes_of(std::span<const std::uint32_t> words, std::size_t size, std::size_t bytes) {
+std::vector<std::uint8_t> planes_of(std::span<const std::uint32_t> words, std::size_t size,
+                                    std::size_t bytes) {
   std::vector<std::uint8_t> planes;
   planes.reserve(words.size() * bytes);
   for (std::size_t k = 0; k < size; ++k)
@@ -58,7 +59,8 @@ std::vector<std::uint8_t> planes_of(std::span<const std::uint32_t> words, std::s
         planes.push_back(static_cast<std::uint8_t>(words[i] >> (8 * byte)));
   return planes;
 }
-std::vector<std::uint32_t> words_of(std::span<const std::uint8_t> planes, std::size_t size, std::size_t bytes) {
+std::vector<std::uint32_t> words_of(std::span<const std::uint8_t> planes, std::size_t size,
+                                    std::size_t bytes) {
   const std::size_t count = planes.size() / (size * bytes);
   std::vector<std::uint32_t> words(count * size);
   std::size_t at = 0;
@@ -77,8 +79,9 @@ struct Place {
   double half() const { return 0.5 * (1 << level); }
   Place child(unsigned k) const {
     const int side = 1 << (level - 1);
-    return {{corner[0] + (k & 1U ? side : 0), corner[1] + (k & 2U ? side : 0), corner[2] + (k & 4U ? side : 0)},
-            level - 1};
+    return {
+        {corner[0] + (k & 1U ? side : 0), corner[1] + (k & 2U ? side : 0), corner[2] + (k & 4U ? side : 0)},
+        level - 1};
   }
 };
 Place root_place(const FieldGrid& grid, std::size_t index) {
@@ -311,9 +314,12 @@ class Reader {
     if (at_[name] >= in_.bytes[name].size()) return std::nullopt;
     return in_.bytes[name][at_[name]++];
   }
-  std::optional<std::uint32_t> count(FieldStreams::Name name) { return take_count(in_.bytes[name], at_[name]); }
+  std::optional<std::uint32_t> count(FieldStreams::Name name) {
+    return take_count(in_.bytes[name], at_[name]);
+  }
   /// The next `size` words of a list; nullptr at its end.
-  static const std::uint32_t* words(const std::vector<std::uint32_t>& list, std::size_t& at, std::size_t size) {
+  static const std::uint32_t* words(const std::vector<std::uint32_t>& list, std::size_t& at,
+                                    std::size_t size) {
     if (list.size() - at < size) return nullptr;
     at += size;
     return &list[at - size];

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/scene_file.hpp"
 
-#include "palpable/models/field_leaf.hpp"
-
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/formats/float_block.hpp"
+#include "palpable/models/field_leaf.hpp"
 
 #include <bit>
 #include <cmath>

@@ -90,9 +90,11 @@ struct LeafHead {
   static constexpr std::size_t kCurvedWords = 6;
   /// One step of a curved piece's 16-bit numbers.
   static constexpr double kStep = 1.0 / 16384.0;
-  /// A small leaf needs fewer of them than a large one: its numbers are multiples of this many steps. `level`:
-  /// its side is 2^level finest cells.
-  static constexpr int multiple(int level) noexcept { return level <= 2 ? 8 : level == 3 ? 4 : level == 4 ? 2 : 1; }
+  /// A small leaf needs fewer of them than a large one: its numbers are multiples of this many steps.
+  /// `level`: its side is 2^level finest cells.
+  static constexpr int multiple(int level) noexcept {
+    return level <= 2 ? 8 : level == 3 ? 4 : level == 4 ? 2 : 1;
+  }
   /// A curved piece's value in the middle is a multiple of a finest cell's side over this.
   static constexpr double kValuesPerCell = 2048.0;
 };

@@ -358,7 +358,8 @@ class Search {
       std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
       if (pieces[1].words < pieces[0].words) std::swap(pieces[0], pieces[1]);
       const HalfAngle first = models::half_angle_between(pieces[0].normal, pieces[1].normal);
-      const HalfAngle second = models::half_angle_between(pieces[0].normal + pieces[1].normal, pieces[2].normal);
+      const HalfAngle second =
+          models::half_angle_between(pieces[0].normal + pieces[1].normal, pieces[2].normal);
       if (!meet_well(first) || !meet_well(second)) continue;
       for (const Meeting m : {Meeting::convex, Meeting::concave})
         for (const Meeting n : {Meeting::convex, Meeting::concave})

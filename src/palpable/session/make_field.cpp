@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make_field.hpp"
 
+#include "palpable/formats/superquadric_json.hpp"
+#include "palpable/models/relief_solid.hpp"
+#include "palpable/sculpt/cloud_surface.hpp"
 #include "palpable/sculpt/mesh_solid.hpp"
+#include "palpable/sculpt/superquadric_source.hpp"
 #include "palpable/sources/mesh_file.hpp"
+#include "palpable/sources/points_file.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,20 +30,15 @@ Error at_place(Error error, const std::filesystem::path& place) {
 
 /// Of the finite vertices that a triangle uses.
 Result<sculpt::Box> box_of(const Mesh& mesh) {
-  bool any = false;
-  sculpt::Box box;
+  std::optional<sculpt::Box> box;
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t index : t) {
       if (index >= mesh.vertices_m.size() || !is_finite(mesh.vertices_m[index])) continue;
-      const Vec3 v = mesh.vertices_m[index];
-      if (!any) box = {v, v};
-      any = true;
-      box.least_m = {std::min(box.least_m.x, v.x), std::min(box.least_m.y, v.y),
-                     std::min(box.least_m.z, v.z)};
-      box.most_m = {std::max(box.most_m.x, v.x), std::max(box.most_m.y, v.y), std::max(box.most_m.z, v.z)};
+      if (!box) box = {mesh.vertices_m[index], mesh.vertices_m[index]};
+      box->grow(mesh.vertices_m[index]);
     }
-  if (!any) return invalid_input("is a mesh without a finite triangle");
-  return box;
+  if (!box) return invalid_input("is a mesh without a finite triangle");
+  return *box;
 }
 
 /// Into the box of that size, standing on z = 0.
@@ -52,37 +55,116 @@ SceneFromInput fitted(const sculpt::Box& box, Vec3 size_m) {
   return transform;
 }
 
-}  // namespace
+/// What a field is sampled from, and what it is to be told with.
+struct Solid {
+  std::unique_ptr<sculpt::DistanceSource> distance;
+  std::vector<std::string> notes;
+  SceneFromInput scene_from_input;
+};
 
-Result<MadeScene> field_from_mesh_file(const MakeOptions& options, const std::filesystem::path& file,
-                                       const Work& work) {
-  work.report(0.0, "reading the mesh");
-  auto mesh = sources::read_mesh(file);
-  if (!mesh) return mesh.error();
-  auto box = box_of(*mesh);
-  if (!box) return at_place(box.error(), file);
-  models::Scene scene;
-  if (options.relief.size_m) {
-    scene.scene_from_input = fitted(*box, *options.relief.size_m);
-    const auto place = [&](Vec3 v) { return (scene.scene_from_input * Point<models::InputFrame>{v}).v; };
-    for (Vec3& v : mesh->vertices_m) v = place(v);
+Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const sculpt::FieldOptions& options,
+                       const Work& work) {
+  auto box = box_of(mesh);
+  if (!box) return box.error();
+  Solid solid;
+  if (size_m) {
+    solid.scene_from_input = fitted(*box, *size_m);
+    const auto place = [&](Vec3 v) { return (solid.scene_from_input * Point<models::InputFrame>{v}).v; };
+    for (Vec3& v : mesh.vertices_m) v = place(v);
     *box = {place(box->least_m), place(box->most_m)};
   }
-  const auto cell_m = sculpt::finest_cell_m(*box, options.field);
-  if (!cell_m) return at_place(cell_m.error(), file);
-  const auto solid = sculpt::solid_from_mesh(*mesh, *cell_m, work);
+  const auto cell_m = sculpt::finest_cell_m(*box, options);
+  if (!cell_m) return cell_m.error();
+  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work);
+  if (!made) return made.error();
+  solid.distance = std::move(made->distance);
+  solid.notes = made->repair.notes();
+  return solid;
+}
+
+/// Scaled and moved as the transform says, which does not turn.
+models::Superquadric placed(models::Superquadric shape, const SceneFromInput& transform) {
+  Vec3& at_m = shape.scene_from_shape.translation_m;
+  at_m = transform.scale * at_m + transform.translation_m;
+  shape.size_m *= transform.scale;
+  shape.bend_per_m /= transform.scale;
+  return shape;
+}
+
+Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const std::optional<Vec3>& size_m) {
+  auto distance = sculpt::distance_of(shapes);
+  if (!distance) return distance.error();
+  Solid solid;
+  if (size_m) {
+    solid.scene_from_input = fitted((*distance)->bounds(), *size_m);
+    for (models::Superquadric& shape : shapes) shape = placed(shape, solid.scene_from_input);
+    distance = sculpt::distance_of(shapes);
+    if (!distance) return distance.error();
+  }
+  solid.distance = std::move(*distance);
+  return solid;
+}
+
+Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& input, const Work& work) {
+  const auto& file = input.files.front();
+  const auto& size_m = options.relief.size_m;
+  work.report(0.0, "reading the solid");
+  if (input.kind == sources::InputKind::shapes) {
+    auto shapes = formats::read_superquadrics(file);
+    if (!shapes) return shapes.error();
+    return solid_of(std::move(*shapes), size_m);
+  }
+  if (input.kind == sources::InputKind::points) {
+    const auto cloud = sources::read_points(file);
+    if (!cloud) return cloud.error();
+    auto surface = sculpt::surface_of_cloud(*cloud, {}, work);
+    if (!surface) return surface.error();
+    return solid_of(std::move(*surface), size_m, options.field, work);
+  }
+  auto mesh = sources::read_mesh(file);
+  if (!mesh) return mesh.error();
+  return solid_of(std::move(*mesh), size_m, options.field, work);
+}
+
+Result<models::Field> sampled(const Solid& solid, const sculpt::FieldOptions& options, const Work& work) {
+  auto distance = sculpt::field_from_source(*solid.distance, options, work);
+  if (!distance) return distance.error();
+  const sculpt::Box surface = solid.distance->bounds();
+  return models::field_of(std::move(*distance), surface.least_m, surface.most_m);
+}
+
+}  // namespace
+
+Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Input& input, const Work& work) {
+  const auto& file = input.files.front();
+  auto solid = solid_from_file(options, input, work);
   if (!solid) return at_place(solid.error(), file);
-  auto distance = sculpt::field_from_source(*solid->distance, options.field, work);
-  if (!distance) return at_place(distance.error(), file);
-  const sculpt::Box surface = solid->distance->bounds();
-  auto field = models::field_of(std::move(*distance), surface.least_m, surface.most_m);
+  auto field = sampled(*solid, options.field, work);
   if (!field) return at_place(field.error(), file);
-  scene.source.method = fmt::format("field of a mesh, {} cells, error bound {:.1f} um",
-                                    options.field.resolution, 1e6 * field->distance.errors().bound_m);
+  models::Scene scene;
+  scene.scene_from_input = solid->scene_from_input;
+  scene.source.method =
+      fmt::format("field of {}, {} cells, error bound {:.1f} um", sources::name_of(input.kind),
+                  options.field.resolution, 1e6 * field->distance.errors().bound_m);
   scene.source.inputs = {file.string()};
   scene.source.made_by = options.made_by;
   scene.model = std::make_shared<const models::Field>(std::move(*field));
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), solid->repair.notes()};
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(solid->notes)};
+}
+
+Result<MadeScene> field_from_relief(const MadeScene& made, const models::Relief& relief,
+                                    const sculpt::FieldOptions& options, const Work& work) {
+  auto solid = solid_of(models::solid_of(relief), std::nullopt, options, work);
+  if (!solid) return solid.error();
+  auto field = sampled(*solid, options, work);
+  if (!field) return field.error();
+  models::Scene scene = *made.scene;
+  scene.source.method += fmt::format(", filled behind into a field, {} cells, error bound {:.1f} um",
+                                     options.resolution, 1e6 * field->distance.errors().bound_m);
+  scene.model = std::make_shared<const models::Field>(std::move(*field));
+  std::vector<std::string> notes = made.notes;
+  notes.insert(notes.end(), solid->notes.begin(), solid->notes.end());
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};
 }
 
 }  // namespace palpable::session

@@ -213,15 +213,20 @@ std::string contour_source(vision::ContourMethod method) {
   return "contours";
 }
 
-/// A relief as it is, or the volume under it where a grid is wanted (Park & Howard 2012).
+/// A relief as it is, or the volume under it where a field or a grid is wanted (Park & Howard 2012).
 Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, const Work& work) {
-  if (!made || options.as != MakeAs::grid) return made;
+  if (!made || (options.as != MakeAs::grid && options.as != MakeAs::field)) return made;
   models::Scene scene = *made->scene;
   const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
   if (relief == nullptr)
     return Error{ErrorCode::usage,
-                 "a grid is filled under a relief, and this is a " + models::kind_of(scene.model),
+                 "fields and grids are filled under a relief, and this is a " + models::kind_of(scene.model),
                  names_of(options.inputs)};
+  if (options.as == MakeAs::field) {
+    auto field = field_from_relief(*made, **relief, options.field, work);
+    if (!field) return at_place(field.error(), names_of(options.inputs));
+    return field;
+  }
   work.report(0.95, "filling the grid");
   const auto filled = sculpt::occupancy_from_relief(**relief, options.grid);
   if (!filled) return filled.error();
@@ -280,7 +285,8 @@ bool as_contours(const MakeOptions& options, const sources::Input& input) {
 Error not_yet(const sources::Input& input) {
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
-              " cannot be made into that: give a stereo pair, a depth map, a mesh or a scene (or say --kind)",
+              " cannot be made into that: give a stereo pair, a depth map, a mesh, points with normals or a "
+              "scene (or say --kind)",
           names_of(input.files)};
 }
 
@@ -309,14 +315,12 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
   if (as_contours(options, *input)) return from_picture(options, work);
-  const bool solid = input->kind == sources::InputKind::mesh;
-  const bool wanted = options.as == MakeAs::field;
-  if (input->kind != sources::InputKind::scene && solid != (wanted || options.as == MakeAs::by_input) &&
-      (solid || wanted))
-    return not_yet(*input);
+  const bool as_field = options.as == MakeAs::field || options.as == MakeAs::by_input;
   switch (input->kind) {
     case sources::InputKind::mesh:
-      return field_from_mesh_file(options, input->files.front(), work);
+    case sources::InputKind::points:
+    case sources::InputKind::shapes:
+      return as_field ? field_from_file(options, *input, work) : not_yet(*input);
     case sources::InputKind::scene:
       return as_wanted(from_scene_file(options), options, work);
     case sources::InputKind::depth: {

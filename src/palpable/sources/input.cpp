@@ -20,13 +20,14 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::span<const std::byte>;
 
-constexpr std::array<std::pair<InputKind, std::string_view>, 8> kNames{{{InputKind::picture, "picture"},
+constexpr std::array<std::pair<InputKind, std::string_view>, 9> kNames{{{InputKind::picture, "picture"},
                                                                         {InputKind::stereo, "stereo"},
                                                                         {InputKind::depth, "depth"},
                                                                         {InputKind::video, "video"},
                                                                         {InputKind::map, "map"},
                                                                         {InputKind::mesh, "mesh"},
                                                                         {InputKind::points, "points"},
+                                                                        {InputKind::shapes, "shapes"},
                                                                         {InputKind::scene, "scene"}}};
 
 /// Enough to pass over a phone picture's EXIF block with its thumbnail (at most 64 KiB a segment).
@@ -79,6 +80,8 @@ std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
   }
   const std::string_view start = as_text(file).substr(0, 4096);
   if (start.find("\"CityJSON\"") != std::string_view::npos) return InputKind::mesh;
+  if (start.find("\"primitives\"") != std::string_view::npos && has_magic(file, "{"))
+    return InputKind::shapes;
   if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return InputKind::mesh;
   if (is_obj(start)) return InputKind::mesh;
   // A binary STL has no mark, but its size follows from its count of triangles.

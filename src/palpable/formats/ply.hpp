@@ -1,0 +1,17 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/result.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpable::formats {
+
+/// Binary little-endian PLY in metres: float x, y, z, and triangles. Errors: failed for a mesh without
+/// triangles.
+Result<std::vector<std::byte>> encode_ply(const Mesh& mesh);
+
+}  // namespace palpable::formats

@@ -1,0 +1,262 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/dual_contour.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace palpable::sculpt {
+namespace {
+
+using Cell = std::array<int, 3>;
+
+/// Corner k of a cube: x in bit 0, y in bit 1, z in bit 2.
+Cell corner_of(Cell cell, unsigned k) {
+  return {cell[0] + static_cast<int>(k & 1U), cell[1] + static_cast<int>(k >> 1U & 1U),
+          cell[2] + static_cast<int>(k >> 2U & 1U)};
+}
+
+/// Where an edge of the cubes crosses the surface.
+struct Crossing {
+  Cell from;
+  std::uint8_t axis = 0;
+  /// Whether the edge leads out of the solid.
+  bool outwards = false;
+  Vec3 place_m;
+  Vec3 normal;
+};
+
+class Contourer {
+ public:
+  Contourer(const SolidFunction& solid, const Box& bounds, double spacing_m, const Work& work)
+      : solid_(solid), work_(work), origin_m_(bounds.least_m), spacing_m_(spacing_m) {
+    const Vec3 size = bounds.size_m();
+    count_ = {cells(size.x), cells(size.y), cells(size.z)};
+  }
+
+  void follow(std::span<const Vec3> seeds_m) {
+    std::vector<Cell> wave;
+    for (const Vec3 seed : seeds_m) {
+      const Vec3 p = (seed - origin_m_) / spacing_m_;
+      const Cell cell{static_cast<int>(std::floor(p.x)), static_cast<int>(std::floor(p.y)),
+                      static_cast<int>(std::floor(p.z))};
+      // The seed may be off by a cube.
+      for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x) visit({cell[0] + x, cell[1] + y, cell[2] + z}, wave);
+    }
+    while (!wave.empty() && !work_.cancelled()) {
+      ask_corners(wave);
+      std::vector<Cell> next;
+      for (const Cell cell : wave) spread(cell, next);
+      wave = std::move(next);
+    }
+    std::sort(active_.begin(), active_.end());
+  }
+
+  Mesh mesh() {
+    find_crossings();
+    Mesh mesh;
+    std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;
+    vertex_of.reserve(active_.size());
+    mesh.vertices_m.resize(active_.size());
+    for (std::uint32_t i = 0; i < active_.size(); ++i) vertex_of.emplace(key(active_[i]), i);
+    parallel_for(work_, static_cast<int>(active_.size()), 1024, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        mesh.vertices_m[at] = vertex(active_[at]);
+      }
+    });
+    for (const Crossing& crossing : crossings_) add_quad(crossing, vertex_of, mesh);
+    return mesh;
+  }
+
+ private:
+  int cells(double size_m) const { return std::max(1, static_cast<int>(std::ceil(size_m / spacing_m_))); }
+  static std::uint64_t key(Cell c) {
+    return static_cast<std::uint64_t>(c[2]) << 40U | static_cast<std::uint64_t>(c[1]) << 20U |
+           static_cast<std::uint64_t>(c[0]);
+  }
+  static std::uint64_t edge_key(Cell from, unsigned axis) { return key(from) << 2U | axis; }
+  Vec3 place(Cell c) const {
+    return origin_m_ +
+           spacing_m_ * Vec3{static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2])};
+  }
+  bool within(Cell c) const {
+    return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < count_[0] && c[1] < count_[1] && c[2] < count_[2];
+  }
+  void visit(Cell cell, std::vector<Cell>& wave) {
+    if (within(cell) && visited_.insert(key(cell)).second) wave.push_back(cell);
+  }
+  bool inside(Cell corner) const { return values_.at(key(corner)) < 0.0; }
+
+  void ask_corners(const std::vector<Cell>& wave) {
+    std::vector<Cell> unknown;
+    for (const Cell cell : wave)
+      for (unsigned k = 0; k < 8; ++k) {
+        const Cell corner = corner_of(cell, k);
+        if (values_.try_emplace(key(corner), 0.0).second) unknown.push_back(corner);
+      }
+    std::vector<double> values(unknown.size());
+    parallel_for(work_, static_cast<int>(unknown.size()), 256, [&](int begin, int end) {
+      for (int i = begin; i < end && !work_.cancelled(); ++i)
+        values[static_cast<std::size_t>(i)] = solid_(place(unknown[static_cast<std::size_t>(i)])).distance_m;
+    });
+    for (std::size_t i = 0; i < unknown.size(); ++i) values_[key(unknown[i])] = values[i];
+  }
+
+  /// If the surface passes the cube, it is noted, and the neighbours across faces that the surface passes
+  /// too.
+  void spread(Cell cell, std::vector<Cell>& next) {
+    unsigned mask = 0;
+    for (unsigned k = 0; k < 8; ++k) mask |= inside(corner_of(cell, k)) ? 1U << k : 0U;
+    if (mask == 0 || mask == 255U) return;
+    active_.push_back(cell);
+    // The corners of a cube with x = 0, y = 0, z = 0.
+    constexpr std::array<unsigned, 3> kLow{0x55U, 0x33U, 0x0FU};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {-1, 1}) {
+        const unsigned face = side < 0 ? kLow[axis] : ~kLow[axis] & 255U;
+        if ((mask & face) == 0 || (mask & face) == face) continue;
+        Cell neighbour = cell;
+        neighbour[axis] += side;
+        visit(neighbour, next);
+      }
+  }
+
+  void find_crossings() {
+    for (const Cell cell : active_)
+      for (unsigned axis = 0; axis < 3; ++axis)
+        for (unsigned k = 0; k < 8; ++k) {
+          if ((k >> axis & 1U) != 0) continue;
+          const Cell from = corner_of(cell, k), to = corner_of(cell, k | 1U << axis);
+          if (inside(from) == inside(to)) continue;
+          if (!crossing_of_.try_emplace(edge_key(from, axis), static_cast<std::uint32_t>(crossings_.size()))
+                   .second)
+            continue;
+          crossings_.push_back({from, static_cast<std::uint8_t>(axis), inside(from), {}, {}});
+        }
+    parallel_for(work_, static_cast<int>(crossings_.size()), 256, [&](int begin, int end) {
+      for (int i = begin; i < end && !work_.cancelled(); ++i) find(crossings_[static_cast<std::size_t>(i)]);
+    });
+  }
+
+  /// By the rule of false position, halving the kept end's value (Illinois).
+  void find(Crossing& crossing) const {
+    Cell to = crossing.from;
+    ++to[crossing.axis];
+    const Vec3 a = place(crossing.from), way = place(to) - a;
+    double low = 0.0, high = 1.0;
+    double at_low = values_.at(key(crossing.from)), at_high = values_.at(key(to));
+    models::FieldSample sample;
+    constexpr int kSteps = 4;
+    for (int step = 0; step < kSteps; ++step) {
+      const double t = low + (high - low) * at_low / (at_low - at_high);
+      crossing.place_m = a + t * way;
+      sample = solid_(crossing.place_m);
+      if ((sample.distance_m < 0.0) == (at_low < 0.0)) {
+        low = t, at_low = sample.distance_m, at_high *= 0.5;
+      } else {
+        high = t, at_high = sample.distance_m, at_low *= 0.5;
+      }
+      if (std::abs(sample.distance_m) < 1e-4 * spacing_m_) break;
+    }
+    crossing.normal = unit(sample.gradient);
+  }
+
+  /// Where the tangent planes at the cube's crossings meet, drawn a little towards their middle so that flat
+  /// and straight places have one answer.
+  Vec3 vertex(Cell cell) const {
+    Vec3 middle;
+    std::array<const Crossing*, 12> found{};
+    std::size_t count = 0;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      for (unsigned k = 0; k < 8; ++k) {
+        if ((k >> axis & 1U) != 0) continue;
+        const auto at = crossing_of_.find(edge_key(corner_of(cell, k), axis));
+        if (at == crossing_of_.end()) continue;
+        found[count++] = &crossings_[at->second];
+        middle += crossings_[at->second].place_m;
+      }
+    middle = middle / static_cast<double>(count);
+    constexpr double kTowardsMiddle = 0.02;
+    std::array<Vec3, 3> m{{{kTowardsMiddle, 0, 0}, {0, kTowardsMiddle, 0}, {0, 0, kTowardsMiddle}}};
+    Vec3 right;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 n = found[i]->normal;
+      m[0] += n.x * n;
+      m[1] += n.y * n;
+      m[2] += n.z * n;
+      right += dot(n, found[i]->place_m - middle) * n;
+    }
+    const double det = dot(m[0], cross(m[1], m[2]));
+    const Vec3 x = (1.0 / det) * Vec3{dot(right, cross(m[1], m[2])), dot(m[0], cross(right, m[2])),
+                                      dot(m[0], cross(m[1], right))};
+    // Within its own cube, or triangles would fold over.
+    const Vec3 low = place(cell) - middle, high = low + Vec3{spacing_m_, spacing_m_, spacing_m_};
+    return middle + Vec3{std::clamp(x.x, low.x, high.x), std::clamp(x.y, low.y, high.y),
+                         std::clamp(x.z, low.z, high.z)};
+  }
+
+  void add_quad(const Crossing& crossing, const std::unordered_map<std::uint64_t, std::uint32_t>& vertex_of,
+                Mesh& mesh) const {
+    const std::size_t u = (crossing.axis + 1U) % 3, v = (crossing.axis + 2U) % 3;
+    std::array<std::uint32_t, 4> ring{};
+    constexpr std::array<std::array<int, 2>, 4> kRound{{{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      Cell cell = crossing.from;
+      cell[u] += kRound[k][0];
+      cell[v] += kRound[k][1];
+      const auto at = within(cell) ? vertex_of.find(key(cell)) : vertex_of.end();
+      if (at == vertex_of.end()) return;
+      ring[k] = at->second;
+    }
+    if (!crossing.outwards) std::swap(ring[1], ring[3]);
+    // The shorter diagonal.
+    const auto& p = mesh.vertices_m;
+    if (squared_norm(p[ring[0]] - p[ring[2]]) <= squared_norm(p[ring[1]] - p[ring[3]])) {
+      mesh.triangles.push_back({ring[0], ring[1], ring[2]});
+      mesh.triangles.push_back({ring[0], ring[2], ring[3]});
+    } else {
+      mesh.triangles.push_back({ring[1], ring[2], ring[3]});
+      mesh.triangles.push_back({ring[1], ring[3], ring[0]});
+    }
+  }
+
+  const SolidFunction& solid_;
+  const Work& work_;
+  Vec3 origin_m_;
+  double spacing_m_;
+  std::array<int, 3> count_{};
+  std::unordered_map<std::uint64_t, double> values_;
+  std::unordered_set<std::uint64_t> visited_;
+  std::vector<Cell> active_;
+  std::vector<Crossing> crossings_;
+  std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_;
+};
+
+}  // namespace
+
+Result<Mesh> dual_contour(const SolidFunction& solid, const Box& bounds, std::span<const Vec3> seeds_m,
+                          const ContourOptions& options, const Work& work) {
+  const Vec3 size = bounds.size_m();
+  constexpr double kMostCubes = 1 << 19;
+  if (!(options.spacing_m > 0.0) || std::max({size.x, size.y, size.z}) / options.spacing_m > kMostCubes)
+    return Error{ErrorCode::usage, "a contour's spacing must give 1 to 2^19 cubes along each side", {}};
+  Contourer contourer(solid, bounds, options.spacing_m, work);
+  work.report(0.1, "following the surface");
+  contourer.follow(seeds_m);
+  if (work.cancelled()) return Work::interrupted();
+  work.report(0.6, "placing the vertices");
+  Mesh mesh = contourer.mesh();
+  if (work.cancelled()) return Work::interrupted();
+  return mesh;
+}
+
+}  // namespace palpable::sculpt
