@@ -84,7 +84,7 @@ PALPABLE_VECTORIZE const Cost* least_above(const Cost* match, int count, Cost* s
   const Cost* from = match + 1;
   for (int reach = 1; reach < count; reach *= 2) {
     Cost* const to = scratch;
-#pragma GCC ivdep
+    PALPABLE_INDEPENDENT
     for (int d = 0; d < count; ++d) to[d] = from[d] < from[d + reach] ? from[d] : from[d + reach];
     from = to;
     scratch = other;
