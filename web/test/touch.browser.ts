@@ -124,12 +124,15 @@ class Listener {
     throw new Error(`Tab never came to anything with the role ${role}`);
   }
 
-  /** Presses a key and waits for something to be said that fits. */
+  /** Presses a key and waits for something to be said that fits: something new, or, after the longest wait between two
+   * sentences, the same again. */
   async ask(key: string, about: RegExp): Promise<RegExpExecArray> {
     await this.page.waitForTimeout(1100);
+    const before = (await this.tree()).said;
     await this.page.keyboard.press(key);
     for (let k = 0; k < 100; ++k) {
-      const match = about.exec((await this.tree()).said);
+      const { said } = await this.tree();
+      const match = said !== before || k >= 15 ? about.exec(said) : null;
       if (match) return match;
       await this.page.waitForTimeout(100);
     }
@@ -192,7 +195,7 @@ describe('by keyboard, hearing only', () => {
     for (const [key, back] of Object.entries(opposite)) {
       const [, there] = await listener.ask(key, /^(?:Rim of the scene, )?(-?[\d.]+) millimetres?/);
       if (Number(there) > best) best = Number(there);
-      else await page.keyboard.press(back);
+      else await listener.ask(back, /millimetres?/);
     }
     const [, heard] = await listener.ask('p', /Height (-?[\d.]+) millimetres?/);
 
