@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/field_streams.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 // The bytes are a field's streams, each with its length before it in two bytes, as they are behind zstd and
@@ -14,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::size_t at = 0;
   for (auto& stream : streams.bytes) {
     if (size - at < 2) break;
-    const std::size_t length = std::min<std::size_t>(data[at] | data[at + 1] << 8U, size - at - 2);
+    const std::size_t length = std::min(data[at] | (std::size_t{data[at + 1]} << 8U), size - at - 2);
     stream.assign(data + at + 2, data + at + 2 + length);
     at += 2 + length;
   }

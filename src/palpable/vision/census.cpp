@@ -17,13 +17,13 @@ PALPABLE_VECTORIZE void add_darker(const std::uint8_t* __restrict other,
                                    const std::uint8_t* __restrict centre, int width,
                                    std::uint16_t* __restrict bits) {
   for (int x = 0; x < width; ++x)
-    bits[x] = static_cast<std::uint16_t>((bits[x] << 1U) | (other[x] < centre[x] ? 1U : 0U));
+    bits[x] = static_cast<std::uint16_t>((unsigned{bits[x]} << 1U) | (other[x] < centre[x] ? 1U : 0U));
 }
 
 PALPABLE_VECTORIZE void add_alike(const std::uint8_t* __restrict difference, std::uint8_t limit, int width,
                                   std::uint16_t* __restrict bits) {
   for (int x = 0; x < width; ++x)
-    bits[x] = static_cast<std::uint16_t>((bits[x] << 1U) | (difference[x] < limit ? 1U : 0U));
+    bits[x] = static_cast<std::uint16_t>((unsigned{bits[x]} << 1U) | (difference[x] < limit ? 1U : 0U));
 }
 
 /// Moves the bits of a row of the window to the end of the signatures, and clears them.
