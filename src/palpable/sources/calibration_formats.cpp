@@ -65,20 +65,22 @@ cv::FileNode first_of(const cv::FileStorage& file, Names names) {
   return {};
 }
 
-/// A matrix or a plain list of numbers, flattened by rows; empty where it is neither.
+/// A matrix of one channel or a plain list of numbers, flattened by rows; empty where it is neither. A
+/// matrix's numbers are read as they stand: OpenCV itself would first take the memory for whatever size the
+/// file states.
 std::vector<double> numbers_of(const cv::FileNode& node) {
   std::vector<double> numbers;
   if (node.empty()) return numbers;
-  if (node.isMap()) {
-    cv::Mat m;
-    node >> m;
-    cv::Mat values;
-    if (m.channels() == 1) m.convertTo(values, CV_64F);
-    for (int y = 0; y < values.rows; ++y)
-      for (int x = 0; x < values.cols; ++x) numbers.push_back(values.at<double>(y, x));
-  } else if (node.isSeq() || node.isReal() || node.isInt()) {
-    for (const cv::FileNode& n : node)
+  const cv::FileNode list = node.isMap() ? node["data"] : node;
+  if (list.isSeq() || list.isReal() || list.isInt())
+    for (const cv::FileNode& n : list)
       if (n.isReal() || n.isInt()) numbers.push_back(n.real());
+  if (node.isMap()) {
+    const cv::FileNode rows = node["rows"];
+    const cv::FileNode columns = node["cols"];
+    if (!rows.isInt() || !columns.isInt() ||
+        rows.real() * columns.real() != static_cast<double>(numbers.size()))
+      numbers.clear();
   }
   return numbers;
 }

@@ -155,6 +155,15 @@ TEST(Calibration, ThatIsDamagedOrImpossibleIsRefusedWithASentence) {
   EXPECT_FALSE(read_calibration("/no/such/calib.txt"));
 }
 
+TEST(Calibration, WhoseMatrixStatesAnotherSizeThanItHasIsRefusedBeforeMemoryIsTaken) {
+  std::string text = kOpenCv;
+  const std::string rows = "rows: 3";
+  text.replace(text.find(rows), rows.size(), "rows: 2000000000");
+  const auto calibration = decode_calibration(as_bytes(text));
+  ASSERT_FALSE(calibration);
+  EXPECT_NE(calibration.error().message.find("3 x 3 camera matrix"), std::string::npos);
+}
+
 TEST(Calibration, OfRealFilesIsRead) {
   const char* data = std::getenv("PALPABLE_DATA");
   if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
