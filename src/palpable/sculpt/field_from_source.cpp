@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/field_from_source.hpp"
 
-#include "palpable/models/field_leaf.hpp"
-#include "palpable/sculpt/leaf_fit.hpp"
+#include "palpable/sculpt/field_branches.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <random>
-#include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -20,7 +15,6 @@ namespace {
 
 using models::DistanceField;
 using models::FieldGrid;
-using models::FieldSample;
 using models::FieldTree;
 
 Error usage(std::string message) { return {ErrorCode::usage, std::move(message), {}}; }
@@ -46,240 +40,6 @@ FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
   grid.origin_m = 0.5 * (bounds.least_m + bounds.most_m) - 0.5 * grid.size_m();
   return grid;
 }
-
-/// One root cell's part of the tree, its entries counted from its own beginning.
-struct Branch {
-  std::uint32_t entry = 0;
-  std::vector<std::uint32_t> nodes;
-  std::vector<std::uint32_t> words;
-};
-
-/// A source's answers at the places of a root cell's lattice, half a finest cell apart: neighbours and all
-/// levels of the tree share them. Remembers as many as fit; the others are asked again.
-class SharedSamples {
- public:
-  explicit SharedSamples(const DistanceSource& source) : source_(source), slots_(kSlots) {}
-
-  /// A new lattice of `count` places along each axis; `origin_m` is its first.
-  void begin(Vec3 origin_m, double step_m, int count) {
-    origin_m_ = origin_m;
-    step_m_ = step_m;
-    count_ = static_cast<std::uint64_t>(count);
-    hint_ = {};
-    ++lattice_;
-  }
-  const FieldSample& at(std::array<int, 3> place) {
-    const std::uint64_t index =
-        (static_cast<std::uint64_t>(place[2]) * count_ + static_cast<std::uint64_t>(place[1])) * count_ +
-        static_cast<std::uint64_t>(place[0]);
-    const std::uint64_t key = lattice_ << 40U | index;
-    Slot& slot = slots_[index % kSlots];
-    if (slot.key != key) {
-      slot.sample = between(step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
-                                           static_cast<double>(place[2])});
-      slot.key = key;
-    }
-    return slot.sample;
-  }
-  /// At any place from the lattice's first.
-  FieldSample between(Vec3 from_origin_m) { return source_.at(origin_m_ + from_origin_m, hint_); }
-
- private:
-  static constexpr std::size_t kSlots = std::size_t{1} << 19U;
-  struct Slot {
-    /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
-    std::uint64_t key = 0;
-    FieldSample sample;
-  };
-  const DistanceSource& source_;
-  DistanceSource::Hint hint_;
-  Vec3 origin_m_;
-  double step_m_ = 0.0;
-  std::uint64_t count_ = 0;
-  std::uint64_t lattice_ = 0;
-  std::vector<Slot> slots_;
-};
-
-class BranchBuilder {
- public:
-  BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
-                const Work& work)
-      : grid_(grid), bounds_(bounds), work_(work), shared_(source) {
-    // A cell on the surface is never larger than this: finer things could hide between its samples.
-    longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
-  }
-
-  /// Builders may be used for one root cell after another.
-  Branch build(std::array<int, 3> corner) {
-    Branch branch;
-    root_ = corner;
-    recent_ = {};
-    shared_.begin(grid_.origin_m + place_of(corner), 0.5 * grid_.cell_m, (2 << grid_.levels) + 1);
-    branch.entry = build(corner, grid_.levels, branch);
-    return branch;
-  }
-
- private:
-  Vec3 place_of(std::array<int, 3> corner) const {
-    return grid_.cell_m * Vec3{static_cast<double>(corner[0]), static_cast<double>(corner[1]),
-                               static_cast<double>(corner[2])};
-  }
-
-  std::uint32_t build(std::array<int, 3> corner, int level, Branch& branch) {
-    const int side = 1 << level;
-    CellSamples samples;
-    samples.half_m = 0.5 * grid_.cell_m * side;
-    samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
-    for (std::size_t k = 0; k < kFitPlaces; ++k)
-      samples.at[k] = shared_.at(lattice_place(corner, side, fit_place(k)));
-    // Half the diagonal of a cube, and a little.
-    const bool on_surface = std::abs(samples.at[kFitPlaces / 2].distance_m) < 1.8 * samples.half_m;
-    if (on_surface && side > longest_on_surface_ && !work_.cancelled()) return split(corner, level, branch);
-    const LeafFit leaf = fit_leaf(samples, bounds_, recent_);
-    const bool fits = leaf.error <= 1.0 && holds_between(leaf, samples);
-    if (!fits && side > smallest_side(samples) && !work_.cancelled()) return split(corner, level, branch);
-    if (fits) recent_.add(leaf);
-    const auto begin = static_cast<std::uint32_t>(branch.words.size());
-    branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
-    return begin | FieldTree::kLeaf;
-  }
-
-  /// A place of the fit in half cells from the root's corner.
-  std::array<int, 3> lattice_place(std::array<int, 3> corner, int side, Vec3 u) const {
-    const auto along = [&](std::size_t axis, double v) {
-      return 2 * (corner[axis] - root_[axis]) + side * (1 + static_cast<int>(v));
-    };
-    return {along(0, u.x), along(1, u.y), along(2, u.z)};
-  }
-
-  std::uint32_t split(std::array<int, 3> corner, int level, Branch& branch) {
-    const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
-    branch.nodes.resize(branch.nodes.size() + 8);
-    const int half = 1 << (level - 1);
-    for (unsigned child = 0; child < 8; ++child) {
-      const std::uint32_t entry =
-          build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
-                 corner[2] + (child & 4U ? half : 0)},
-                level - 1, branch);
-      branch.nodes[8 * std::size_t{node} + child] = entry;
-    }
-    return node;
-  }
-
-  /// Asks at places between those of the fit, where something small may hide. A few places may err a little
-  /// more: the bound was judged at the others.
-  bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
-    constexpr std::array<Vec3, 9> kBetween{{{0.4, -0.45, 0.35},
-                                            {0.6, 0.56, 0.52},
-                                            {-0.64, 0.68, 0.66},
-                                            {0.68, -0.62, 0.7},
-                                            {0.62, 0.7, -0.68},
-                                            {-0.7, -0.64, 0.62},
-                                            {-0.66, 0.62, -0.7},
-                                            {0.66, -0.68, -0.64},
-                                            {-0.62, -0.7, -0.66}}};
-    constexpr double kSlack = 1.5;
-    return std::all_of(kBetween.begin(), kBetween.end(), [&](Vec3 u) {
-      const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
-      return leaf_error(leaf, samples, u, truth, bounds_) <= kSlack;
-    });
-  }
-
-  /// Far from the surface nothing small is felt: there cells stay larger.
-  int smallest_side(const CellSamples& samples) const {
-    double nearest_m = std::numeric_limits<double>::infinity();
-    bool outside = true;
-    for (const FieldSample& s : samples.at) {
-      nearest_m = std::min(nearest_m, std::abs(s.distance_m));
-      outside = outside && s.distance_m > 0.0;
-    }
-    if (nearest_m <= (outside ? bounds_.outside_m : bounds_.inside_m)) return 1;
-    if (!outside) return 2;
-    return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
-  }
-
-  const FieldGrid& grid_;
-  const FitBounds& bounds_;
-  const Work& work_;
-  SharedSamples shared_;
-  RecentLeaves recent_;
-  std::array<int, 3> root_{};
-  int longest_on_surface_ = 1;
-};
-
-/// What a field takes grows with its surface, that is, with the square of its resolution.
-Error too_large(double needed_bytes, const FieldOptions& options) {
-  const double share = std::sqrt(static_cast<double>(options.most_bytes) / needed_bytes);
-  const int fits =
-      std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
-  constexpr double kMebi = 1024.0 * 1024.0;
-  return {ErrorCode::failed,
-          "would take about " + std::to_string(std::lround(needed_bytes / kMebi)) + " MiB as a field of " +
-              std::to_string(options.resolution) + " cells, more than the " +
-              std::to_string(options.most_bytes >> 20U) + " MiB that are allowed; " + std::to_string(fits) +
-              " cells fit",
-          {}};
-}
-
-Result<std::vector<Branch>> branches_of(const DistanceSource& source, const FieldGrid& grid,
-                                        const FitBounds& bounds, const FieldOptions& options,
-                                        const Work& work) {
-  const int count = grid.roots[0] * grid.roots[1] * grid.roots[2];
-  std::vector<Branch> branches(static_cast<std::size_t>(count));
-  std::atomic<int> next{0};
-  std::atomic<int> done{0};
-  std::atomic<std::size_t> bytes{0};
-  const auto too_many = [&] { return bytes.load(std::memory_order_relaxed) > options.most_bytes; };
-  std::mutex reporting;
-  // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
-  parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
-    if (begin == end) return;
-    BranchBuilder builder(source, grid, bounds, work);
-    for (int i = next++; i < count && !work.cancelled() && !too_many(); i = next++) {
-      const int side = 1 << grid.levels;
-      branches[static_cast<std::size_t>(i)] =
-          builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
-                         i / (grid.roots[0] * grid.roots[1]) * side});
-      const Branch& branch = branches[static_cast<std::size_t>(i)];
-      bytes += sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size());
-      const int ready = ++done;
-      if (ready % 32 == 0) {
-        const std::lock_guard lock(reporting);
-        work.report(0.05 + 0.93 * ready / count, "sampling the distance");
-      }
-    }
-  });
-  if (work.cancelled()) return Work::interrupted();
-  if (too_many())
-    return too_large(1.0 * static_cast<double>(bytes) * count / std::max(1, done.load()), options);
-  return branches;
-}
-
-/// Joins the branches; leaves that hold the same share their words.
-class Joiner {
- public:
-  void add(const Branch& branch) {
-    const auto first_node = static_cast<std::uint32_t>(tree_.nodes.size() / 8);
-    for (const std::uint32_t entry : branch.nodes) tree_.nodes.push_back(moved(entry, branch, first_node));
-    tree_.roots.push_back(moved(branch.entry, branch, first_node));
-  }
-  FieldTree take() { return std::move(tree_); }
-
- private:
-  std::uint32_t moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node) {
-    if ((entry & FieldTree::kLeaf) == 0) return entry + first_node;
-    const std::uint32_t* words = &branch.words[entry & ~FieldTree::kLeaf];
-    const std::size_t count = models::LeafHead{words[0]}.words();
-    const std::string_view key(reinterpret_cast<const char*>(words), count * sizeof(std::uint32_t));
-    const auto [at, fresh] =
-        known_.try_emplace(std::string(key), static_cast<std::uint32_t>(tree_.words.size()));
-    if (fresh) tree_.words.insert(tree_.words.end(), words, words + count);
-    return at->second | FieldTree::kLeaf;
-  }
-
-  FieldTree tree_;
-  std::unordered_map<std::string, std::uint32_t> known_;
-};
 
 /// At random places near the surface.
 models::FieldErrors measured(const DistanceField& field, const DistanceSource& source,
@@ -307,6 +67,23 @@ models::FieldErrors measured(const DistanceField& field, const DistanceSource& s
   return result;
 }
 
+FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options) {
+  FitBounds bounds;
+  bounds.cell_m = cell_m;
+  bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
+  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
+  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
+  return bounds;
+}
+
+/// How far a place is from a box; 0 inside.
+double distance_to(const Box& box, Vec3 p) {
+  const Vec3 d{std::max({box.least_m.x - p.x, 0.0, p.x - box.most_m.x}),
+               std::max({box.least_m.y - p.y, 0.0, p.y - box.most_m.y}),
+               std::max({box.least_m.z - p.z, 0.0, p.z - box.most_m.z})};
+  return norm(d);
+}
+
 }  // namespace
 
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {
@@ -330,12 +107,8 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   if (!cell_m) return cell_m.error();
   const double longest_m = longest_side(box);
   const FieldGrid grid = grid_around(box, *cell_m, options.resolution);
-  FitBounds bounds;
-  bounds.cell_m = *cell_m;
-  bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
-  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
-  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
-  const auto branches = branches_of(source, grid, bounds, options, work);
+  const FitBounds bounds = bounds_for(longest_m, *cell_m, options);
+  const auto branches = branches_of(source, grid, bounds, options, [](int) { return true; }, work);
   if (!branches) return branches.error();
   Joiner joiner;
   for (const Branch& branch : *branches) joiner.add(branch);
@@ -345,6 +118,40 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   const models::FieldErrors errors = measured(*field, source, bounds, work);
   work.report(1.0, "sampling the distance");
   return DistanceField::from_tree(grid, std::move(tree), errors);
+}
+
+Result<FieldUpdate> updated_field(const DistanceField& field, const DistanceSource& source, const Box& changed,
+                                  const FieldOptions& options, const Work& work) {
+  const FieldGrid& grid = field.grid();
+  const Box box = source.bounds();
+  if (!field.contains(box.least_m) || !field.contains(box.most_m))
+    return Error{ErrorCode::failed, "the changed solid reaches out of the field's box: build the field anew", {}};
+  FitBounds bounds = bounds_for(options.resolution * grid.cell_m, grid.cell_m, options);
+  bounds.bound_m = field.errors().bound_m;
+  const int side = 1 << grid.levels;
+  const double half_m = 0.5 * grid.cell_m * side, reach_m = std::sqrt(3.0) * half_m;
+  // Where the old surface is nearer than anything that changed, in the whole cell, nothing changes. Fields err
+  // a little, and the window looks half a finest cell beyond.
+  const auto touched = [&](int i) {
+    const Vec3 corner{1.0 * (i % grid.roots[0]), 1.0 * (i / grid.roots[0] % grid.roots[1]),
+                      1.0 * (i / (grid.roots[0] * grid.roots[1]))};
+    const Vec3 middle = grid.origin_m + 2.0 * half_m * corner + Vec3{half_m, half_m, half_m};
+    const double here_m = std::abs(field.sample(middle).distance_m);
+    return distance_to(changed, middle) - reach_m < here_m + reach_m + 2.0 * grid.cell_m;
+  };
+  const auto fresh = branches_of(source, grid, bounds, options, touched, work);
+  if (!fresh) return fresh.error();
+  Joiner joiner;
+  FieldUpdate update{field, 0};
+  for (std::size_t i = 0; i < fresh->size(); ++i) {
+    const bool again = touched(static_cast<int>(i));
+    joiner.add(again ? (*fresh)[i] : branch_of(field.tree(), i));
+    update.root_cells += again ? 1 : 0;
+  }
+  auto next = DistanceField::from_tree(grid, joiner.take(), field.errors());
+  if (!next) return next.error();
+  update.field = std::move(*next);
+  return update;
 }
 
 }  // namespace palpable::sculpt

@@ -1,0 +1,247 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/field_branches.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::FieldGrid;
+using models::FieldSample;
+using models::FieldTree;
+
+/// A source's answers at the places of a root cell's lattice, half a finest cell apart: neighbours and all
+/// levels of the tree share them. Remembers as many as fit; the others are asked again.
+class SharedSamples {
+ public:
+  explicit SharedSamples(const DistanceSource& source) : source_(source), slots_(kSlots) {}
+
+  /// A new lattice of `count` places along each axis; `origin_m` is its first.
+  void begin(Vec3 origin_m, double step_m, int count) {
+    origin_m_ = origin_m;
+    step_m_ = step_m;
+    count_ = static_cast<std::uint64_t>(count);
+    hint_ = {};
+    ++lattice_;
+  }
+  const FieldSample& at(std::array<int, 3> place) {
+    const std::uint64_t index =
+        (static_cast<std::uint64_t>(place[2]) * count_ + static_cast<std::uint64_t>(place[1])) * count_ +
+        static_cast<std::uint64_t>(place[0]);
+    const std::uint64_t key = lattice_ << 40U | index;
+    Slot& slot = slots_[index % kSlots];
+    if (slot.key != key) {
+      slot.sample = between(step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
+                                           static_cast<double>(place[2])});
+      slot.key = key;
+    }
+    return slot.sample;
+  }
+  /// At any place from the lattice's first.
+  FieldSample between(Vec3 from_origin_m) { return source_.at(origin_m_ + from_origin_m, hint_); }
+
+ private:
+  static constexpr std::size_t kSlots = std::size_t{1} << 19U;
+  struct Slot {
+    /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
+    std::uint64_t key = 0;
+    FieldSample sample;
+  };
+  const DistanceSource& source_;
+  DistanceSource::Hint hint_;
+  Vec3 origin_m_;
+  double step_m_ = 0.0;
+  std::uint64_t count_ = 0;
+  std::uint64_t lattice_ = 0;
+  std::vector<Slot> slots_;
+};
+
+class BranchBuilder {
+ public:
+  BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
+                const Work& work)
+      : grid_(grid), bounds_(bounds), work_(work), shared_(source) {
+    // A cell on the surface is never larger than this: finer things could hide between its samples.
+    longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
+  }
+
+  /// Builders may be used for one root cell after another.
+  Branch build(std::array<int, 3> corner) {
+    Branch branch;
+    root_ = corner;
+    recent_ = {};
+    shared_.begin(grid_.origin_m + place_of(corner), 0.5 * grid_.cell_m, (2 << grid_.levels) + 1);
+    branch.entry = build(corner, grid_.levels, branch);
+    return branch;
+  }
+
+ private:
+  Vec3 place_of(std::array<int, 3> corner) const {
+    return grid_.cell_m * Vec3{static_cast<double>(corner[0]), static_cast<double>(corner[1]),
+                               static_cast<double>(corner[2])};
+  }
+
+  std::uint32_t build(std::array<int, 3> corner, int level, Branch& branch) {
+    const int side = 1 << level;
+    CellSamples samples;
+    samples.half_m = 0.5 * grid_.cell_m * side;
+    samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
+    for (std::size_t k = 0; k < kFitPlaces; ++k)
+      samples.at[k] = shared_.at(lattice_place(corner, side, fit_place(k)));
+    // Half the diagonal of a cube, and a little.
+    const bool on_surface = std::abs(samples.at[kFitPlaces / 2].distance_m) < 1.8 * samples.half_m;
+    if (on_surface && side > longest_on_surface_ && !work_.cancelled()) return split(corner, level, branch);
+    const LeafFit leaf = fit_leaf(samples, bounds_, recent_);
+    const bool fits = leaf.error <= 1.0 && holds_between(leaf, samples);
+    if (!fits && side > smallest_side(samples) && !work_.cancelled()) return split(corner, level, branch);
+    if (fits) recent_.add(leaf);
+    const auto begin = static_cast<std::uint32_t>(branch.words.size());
+    branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
+    return begin | FieldTree::kLeaf;
+  }
+
+  /// A place of the fit in half cells from the root's corner.
+  std::array<int, 3> lattice_place(std::array<int, 3> corner, int side, Vec3 u) const {
+    const auto along = [&](std::size_t axis, double v) {
+      return 2 * (corner[axis] - root_[axis]) + side * (1 + static_cast<int>(v));
+    };
+    return {along(0, u.x), along(1, u.y), along(2, u.z)};
+  }
+
+  std::uint32_t split(std::array<int, 3> corner, int level, Branch& branch) {
+    const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
+    branch.nodes.resize(branch.nodes.size() + 8);
+    const int half = 1 << (level - 1);
+    for (unsigned child = 0; child < 8; ++child) {
+      const std::uint32_t entry =
+          build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
+                 corner[2] + (child & 4U ? half : 0)},
+                level - 1, branch);
+      branch.nodes[8 * std::size_t{node} + child] = entry;
+    }
+    return node;
+  }
+
+  /// Asks at places between those of the fit, where something small may hide. A few places may err a little
+  /// more: the bound was judged at the others.
+  bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
+    constexpr std::array<Vec3, 9> kBetween{{{0.4, -0.45, 0.35},
+                                            {0.6, 0.56, 0.52},
+                                            {-0.64, 0.68, 0.66},
+                                            {0.68, -0.62, 0.7},
+                                            {0.62, 0.7, -0.68},
+                                            {-0.7, -0.64, 0.62},
+                                            {-0.66, 0.62, -0.7},
+                                            {0.66, -0.68, -0.64},
+                                            {-0.62, -0.7, -0.66}}};
+    constexpr double kSlack = 1.5;
+    return std::all_of(kBetween.begin(), kBetween.end(), [&](Vec3 u) {
+      const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
+      return leaf_error(leaf, samples, u, truth, bounds_) <= kSlack;
+    });
+  }
+
+  /// Far from the surface nothing small is felt: there cells stay larger.
+  int smallest_side(const CellSamples& samples) const {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    bool outside = true;
+    for (const FieldSample& s : samples.at) {
+      nearest_m = std::min(nearest_m, std::abs(s.distance_m));
+      outside = outside && s.distance_m > 0.0;
+    }
+    if (nearest_m <= (outside ? bounds_.outside_m : bounds_.inside_m)) return 1;
+    if (!outside) return 2;
+    return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
+  }
+
+  const FieldGrid& grid_;
+  const FitBounds& bounds_;
+  const Work& work_;
+  SharedSamples shared_;
+  RecentLeaves recent_;
+  std::array<int, 3> root_{};
+  int longest_on_surface_ = 1;
+};
+
+/// What a field takes grows with its surface, that is, with the square of its resolution.
+Error too_large(double needed_bytes, const FieldOptions& options) {
+  const double share = std::sqrt(static_cast<double>(options.most_bytes) / needed_bytes);
+  const int fits =
+      std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
+  constexpr double kMebi = 1024.0 * 1024.0;
+  return {ErrorCode::failed,
+          "would take about " + std::to_string(std::lround(needed_bytes / kMebi)) + " MiB as a field of " +
+              std::to_string(options.resolution) + " cells, more than the " +
+              std::to_string(options.most_bytes >> 20U) + " MiB that are allowed; " + std::to_string(fits) +
+              " cells fit",
+          {}};
+}
+
+/// Copies an entry and all below it.
+std::uint32_t copied(const FieldTree& tree, std::uint32_t entry, Branch& branch) {
+  if ((entry & FieldTree::kLeaf) != 0) {
+    const std::uint32_t* words = &tree.words[entry & ~FieldTree::kLeaf];
+    const auto begin = static_cast<std::uint32_t>(branch.words.size());
+    branch.words.insert(branch.words.end(), words, words + models::LeafHead{*words}.words());
+    return begin | FieldTree::kLeaf;
+  }
+  const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
+  branch.nodes.resize(branch.nodes.size() + 8);
+  for (std::size_t child = 0; child < 8; ++child) {
+    const std::uint32_t below = copied(tree, tree.nodes[8 * std::size_t{entry} + child], branch);
+    branch.nodes[8 * std::size_t{node} + child] = below;
+  }
+  return node;
+}
+
+}  // namespace
+
+Result<std::vector<Branch>> branches_of(const DistanceSource& source, const FieldGrid& grid,
+                                        const FitBounds& bounds, const FieldOptions& options,
+                                        const std::function<bool(int)>& wanted, const Work& work) {
+  const int count = grid.roots[0] * grid.roots[1] * grid.roots[2];
+  std::vector<Branch> branches(static_cast<std::size_t>(count));
+  std::atomic<int> next{0};
+  std::atomic<int> done{0};
+  std::atomic<std::size_t> bytes{0};
+  const auto too_many = [&] { return bytes.load(std::memory_order_relaxed) > options.most_bytes; };
+  std::mutex reporting;
+  // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
+  parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
+    if (begin == end) return;
+    BranchBuilder builder(source, grid, bounds, work);
+    for (int i = next++; i < count && !work.cancelled() && !too_many(); i = next++) {
+      if (!wanted(i)) continue;
+      const int side = 1 << grid.levels;
+      branches[static_cast<std::size_t>(i)] =
+          builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
+                         i / (grid.roots[0] * grid.roots[1]) * side});
+      const Branch& branch = branches[static_cast<std::size_t>(i)];
+      bytes += sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size());
+      const int ready = ++done;
+      if (ready % 32 == 0) {
+        const std::lock_guard lock(reporting);
+        work.report(0.05 + 0.93 * ready / count, "sampling the distance");
+      }
+    }
+  });
+  if (work.cancelled()) return Work::interrupted();
+  if (too_many())
+    return too_large(1.0 * static_cast<double>(bytes) * count / std::max(1, done.load()), options);
+  return branches;
+}
+
+Branch branch_of(const FieldTree& tree, std::size_t root) {
+  Branch branch;
+  branch.entry = copied(tree, tree.roots[root], branch);
+  return branch;
+}
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,159 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <csignal>
+#include <random>
+#include <sstream>
+
+#include "program.hpp"
+#include "test_pictures.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kTwoBalls =
+    R"({"primitives": [{"size_m": [0.01, 0.01, 0.01], "exponents": [1, 1], "position_m": [0, 0, 0]},
+    {"size_m": [0.01, 0.01, 0.01], "exponents": [1, 1], "rotation": [0.9238795, 0, 0.3826834, 0],
+     "position_m": [0.025, 0, 0]}]})";
+
+class FieldCommands : public InFolder {
+ protected:
+  /// The distances that the scene tells at places of a list, each "x,y,z".
+  std::vector<double> distances(const std::string& scene, const std::vector<std::string>& places) const {
+    std::string csv = "x_m,y_m,z_m\n";
+    for (const auto& place : places) csv += place + "\n";
+    write_text(path("places.csv"), csv);
+    const Outcome outcome =
+        palpable({"sample", scene, "--points", path("places.csv"), "-o", path("values.csv")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::istringstream lines(read_text(path("values.csv")));
+    std::vector<double> values;
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (int k = 0; k < 4; ++k) std::getline(cells, cell, ',');
+      values.push_back(std::stod(cell));
+    }
+    return values;
+  }
+};
+
+TEST_F(FieldCommands, SuperquadricsBecomeAFieldAndItsSurfaceAPrint) {
+  write_text(path("shapes.json"), kTwoBalls);
+  const Outcome made =
+      palpable({"make", path("shapes.json"), "-o", path("s.palp"), "--resolution", "32", "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.json()["kind"], "field");
+  const auto d = distances(path("s.palp"), {"0,0,0.011", "0,0.008,0", "-0.0102,0,0"});
+  ASSERT_EQ(d.size(), 3U);
+  EXPECT_NEAR(d[0], 0.001, 1e-4);
+  EXPECT_NEAR(d[1], -0.002, 1e-4);
+  EXPECT_NEAR(d[2], 0.0002, 1e-4);
+  for (const char* name : {"s.stl", "s.ply", "s.glb"}) {
+    const Outcome exported = palpable({"export", path("s.palp"), "-o", path(name), "--json"});
+    ASSERT_EQ(exported.exit_code, 0) << exported.err;
+    EXPECT_GT(exported.json()["triangles"], 200);
+  }
+  // What was exported is a closed mesh that means the same solid.
+  const Outcome again =
+      palpable({"make", path("s.ply"), "-o", path("t.palp"), "--resolution", "32", "--json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_TRUE(again.json()["notes"].empty()) << again.json()["notes"];
+  EXPECT_NEAR(distances(path("t.palp"), {"0,0,0.011"})[0], 0.001, 3e-4);
+}
+
+TEST_F(FieldCommands, PointsWithNormalsBecomeAField) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  constexpr int kPoints = 800;
+  const auto ply = [&](const std::string& properties, bool normals) {
+    std::ostringstream text;
+    text << "ply\nformat ascii 1.0\nelement vertex " << kPoints
+         << "\nproperty float x\nproperty float y\nproperty float z\n"
+         << properties << "end_header\n";
+    for (int i = 0; i < kPoints; ++i) {
+      double x = normal(random), y = normal(random), z = normal(random);
+      const double length = std::sqrt(x * x + y * y + z * z);
+      x /= length, y /= length, z /= length;
+      text << 0.02 * x << " " << 0.02 * y << " " << 0.02 * z;
+      if (normals) text << " " << x << " " << y << " " << z;
+      text << "\n";
+    }
+    return text.str();
+  };
+  write_text(path("ball.ply"), ply("property float nx\nproperty float ny\nproperty float nz\n", true));
+  const Outcome made = palpable({"make", path("ball.ply"), "-o", path("b.palp"), "--resolution", "32"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto d = distances(path("b.palp"), {"0,0,0.021", "0.015,0,0"});
+  EXPECT_NEAR(d[0], 0.001, 5e-4);
+  EXPECT_NEAR(d[1], -0.005, 5e-4);
+
+  write_text(path("bare.ply"), ply("", false));
+  const Outcome bare = palpable({"make", path("bare.ply"), "-o", path("n.palp")});
+  EXPECT_EQ(bare.exit_code, 3);
+  EXPECT_TRUE(is_one_sentence(bare.err));
+  EXPECT_THAT(bare.err, HasSubstr("bare.ply"));
+  EXPECT_THAT(bare.err, HasSubstr("normals"));
+}
+
+TEST_F(FieldCommands, APairBecomesTheVolumeBehindIt) {
+  write_pair(folder_.string(), textured_pair());
+  const Outcome made = palpable({"make", path("left.png"), path("right.png"), "-o", path("p.palp"), "--as",
+                                 "field", "--method", "fast", "--resolution", "24", "--json"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.json()["kind"], "field");
+  const auto d = distances(path("p.palp"), {"0,0,0.03", "0,0,-0.001"});
+  EXPECT_GT(d[0], 0.0);
+  EXPECT_LT(d[1], 0.0);
+}
+
+TEST_F(FieldCommands, BadSolidsAreRefusedInOneSentence) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},
+      {"single.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+      {"line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"},
+      {"exponent.json",
+       R"({"primitives": [{"size_m": [1, 1, 1], "exponents": [0, 1], "position_m": [0, 0, 0]}]})"},
+      {"size.json",
+       R"({"primitives": [{"size_m": [1, -1, 1], "exponents": [1, 1], "position_m": [0, 0, 0]}]})"},
+      {"none.json", R"({"primitives": []})"},
+      {"shape.json", R"({"primitives": 7})"},
+      {"plane.ply",
+       "ply\nformat ascii 1.0\nelement vertex 16\nproperty float x\nproperty float y\nproperty float z\n"
+       "property float nx\nproperty float ny\nproperty float nz\nend_header\n"
+       "0 0 0 0 0 1\n1 0 0 0 0 1\n2 0 0 0 0 1\n3 0 0 0 0 1\n0 1 0 0 0 1\n1 1 0 0 0 1\n2 1 0 0 0 1\n3 1 0 0 0 "
+       "1\n"
+       "0 2 0 0 0 1\n1 2 0 0 0 1\n2 2 0 0 0 1\n3 2 0 0 0 1\n0 3 0 0 0 1\n1 3 0 0 0 1\n2 3 0 0 0 1\n3 3 0 0 0 "
+       "1\n"}};
+  for (const auto& [name, text] : cases) {
+    write_text(path(name), text);
+    const Outcome outcome = palpable({"make", path(name), "-o", path("x.palp"), "--resolution", "32"});
+    EXPECT_EQ(outcome.exit_code, 3) << name << ": " << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(name));
+    EXPECT_FALSE(std::filesystem::exists(path("x.palp"))) << name;
+  }
+}
+
+TEST_F(FieldCommands, CtrlCStopsABuildAndLeavesNothingHalfWritten) {
+  write_text(path("shapes.json"), kTwoBalls);
+  // Far more cells than could be sampled before the signal comes.
+  Running running(
+      {"make", path("shapes.json"), "-o", path("s.palp"), "--resolution", "2048", "--max-error", "0.001"});
+  ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
+  running.send(SIGINT);
+  const Outcome outcome = running.wait(std::chrono::seconds(30));
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_TRUE(is_one_sentence(outcome.err));
+  for (const auto& entry : std::filesystem::directory_iterator(folder_))
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("s.palp"))) << "left behind";
+}
+
+}  // namespace
+}  // namespace palpable::test
