@@ -108,7 +108,7 @@ TEST_F(FieldCommands, APairBecomesTheVolumeBehindIt) {
                                  "field", "--method", "fast", "--resolution", "24", "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(made.json()["kind"], "field");
-  const auto d = distances(path("p.palp"), {"0,0,0.03", "0,0,-0.001"});
+  const auto d = distances(path("p.palp"), {"0,0,0.017", "0,0,-0.001"});
   EXPECT_GT(d[0], 0.0);
   EXPECT_LT(d[1], 0.0);
 }

@@ -108,7 +108,8 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   const double longest_m = longest_side(box);
   const FieldGrid grid = grid_around(box, *cell_m, options.resolution);
   const FitBounds bounds = bounds_for(longest_m, *cell_m, options);
-  const auto branches = branches_of(source, grid, bounds, options, [](int) { return true; }, work);
+  const auto branches = branches_of(
+      source, grid, bounds, options, [](int) { return true; }, work);
   if (!branches) return branches.error();
   Joiner joiner;
   for (const Branch& branch : *branches) joiner.add(branch);
@@ -120,18 +121,19 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   return DistanceField::from_tree(grid, std::move(tree), errors);
 }
 
-Result<FieldUpdate> updated_field(const DistanceField& field, const DistanceSource& source, const Box& changed,
-                                  const FieldOptions& options, const Work& work) {
+Result<FieldUpdate> updated_field(const DistanceField& field, const DistanceSource& source,
+                                  const Box& changed, const FieldOptions& options, const Work& work) {
   const FieldGrid& grid = field.grid();
   const Box box = source.bounds();
   if (!field.contains(box.least_m) || !field.contains(box.most_m))
-    return Error{ErrorCode::failed, "the changed solid reaches out of the field's box: build the field anew", {}};
+    return Error{
+        ErrorCode::failed, "the changed solid reaches out of the field's box: build the field anew", {}};
   FitBounds bounds = bounds_for(options.resolution * grid.cell_m, grid.cell_m, options);
   bounds.bound_m = field.errors().bound_m;
   const int side = 1 << grid.levels;
   const double half_m = 0.5 * grid.cell_m * side, reach_m = std::sqrt(3.0) * half_m;
-  // Where the old surface is nearer than anything that changed, in the whole cell, nothing changes. Fields err
-  // a little, and the window looks half a finest cell beyond.
+  // Where the old surface is nearer than anything that changed, in the whole cell, nothing changes. Fields
+  // err a little, and the window looks half a finest cell beyond.
   const auto touched = [&](int i) {
     const Vec3 corner{1.0 * (i % grid.roots[0]), 1.0 * (i / grid.roots[0] % grid.roots[1]),
                       1.0 * (i / (grid.roots[0] * grid.roots[1]))};

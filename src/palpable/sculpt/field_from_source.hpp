@@ -45,9 +45,9 @@ struct FieldUpdate {
 };
 
 /// The field of a solid that differs from the field's own only inside `changed`, the box around the changed
-/// surface as it was and as it is: only root cells where a changed place may be the nearest are sampled again.
-/// The errors measured at building are kept. `options` as the field was built with. Errors: failed for a solid
-/// that leaves the field's grid; else as field_from_source().
+/// surface as it was and as it is: only root cells where a changed place may be the nearest are sampled
+/// again. The errors measured at building are kept. `options` as the field was built with. Errors: failed for
+/// a solid that leaves the field's grid; else as field_from_source().
 Result<FieldUpdate> updated_field(const models::DistanceField& field, const DistanceSource& source,
                                   const Box& changed, const FieldOptions& options, const Work& work);
 

@@ -67,7 +67,8 @@ TEST(UpdatedField, RefusesASolidThatLeavesItsBox) {
   options.resolution = 32;
   const auto small = field_from_source(Ball(0.01), options, {});
   ASSERT_TRUE(small);
-  const auto refused = updated_field(*small, Ball(0.02), {{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, options, {});
+  const auto refused =
+      updated_field(*small, Ball(0.02), {{-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02}}, options, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::failed);
 }
