@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kKnee_m_per_s = 0.005;
 constexpr double kSpeedWindow_s = 0.04;
+/// Cosine of the turn from one tick to the next that is a hand going back: where the lines of a square corner
+/// meet, the tangent jumps by a right angle, and that is none.
+constexpr double kTurnedRound = -0.5;
 
 /// 0 at rest, 1/2 at the knee, 1 beyond; so flat at rest that a sensor's last digit moves no hand.
 double moving(double speed) {
@@ -36,7 +39,8 @@ Feel TracingLaw::feel(const Hand& hand, State& s) const noexcept {
   }
   // What the last force gave over the way since: exact for a held force.
   s.spent_J += s.last_fx_N * (x - s.last_x_m) + s.last_fy_N * (y - s.last_y_m);
-  s.spent_J = std::clamp(s.spent_J - kRefill_W * hand.dt_s, 0.0, kTank_J);
+  const double refilled_J = s.steady_s >= kSteady_s ? kRefill_W * hand.dt_s : 0.0;
+  s.spent_J = std::clamp(s.spent_J - refilled_J, 0.0, kTank_J);
   const double blend = hand.dt_s / (hand.dt_s + kSpeedWindow_s);
   s.vx_m_per_s += blend * ((x - s.last_x_m) / hand.dt_s - s.vx_m_per_s);
   s.vy_m_per_s += blend * ((y - s.last_y_m) / hand.dt_s - s.vy_m_per_s);
@@ -56,6 +60,17 @@ Feel TracingLaw::feel(const Hand& hand, State& s) const noexcept {
   const double speed = std::sqrt(s.vx_m_per_s * s.vx_m_per_s + s.vy_m_per_s * s.vy_m_per_s);
   const double along = direction_x * b.tangent_x + direction_y * b.tangent_y;
   const double wanted = p_.force_N * along * b.strength * moving(speed) * below_cap(speed);
+  s.steady_s += hand.dt_s;
+  if (wanted != 0.0) {
+    const double heading_x = std::copysign(1.0, wanted) * b.tangent_x;
+    const double heading_y = std::copysign(1.0, wanted) * b.tangent_y;
+    if (heading_x * s.heading_x + heading_y * s.heading_y < kTurnedRound) {
+      s.steady_s = 0.0;
+      s.spent_J = kTank_J;
+    }
+    s.heading_x = heading_x;
+    s.heading_y = heading_y;
+  }
   // No tick may give more than the tank holds, even at the fastest motion that the loop lets through.
   const double most = (kTank_J - s.spent_J) / (kFastest_m_per_s * hand.dt_s);
   const double push = std::clamp(wanted, -most, most);

@@ -25,8 +25,11 @@ struct TracingParameters {
 /// along a boundary onwards, whichever way it goes; nothing across it, nothing at rest. d is Hayward &
 /// Armstrong's direction (eqs 5–6), which keeps its last value when the hand stops, so the force is gated by
 /// speed: s(v) = r / (r + 1), r = (v / 5 mm/s)^6. The field is active: what it may give is bounded by a tank
-/// of energy (50 mJ, refilled at 100 mW, never below zero), and it gives nothing at 0.25 m/s and above. Acts
-/// in the picture's plane; a one-sided light wall holds the hand in front of z = 0. Tick path.
+/// of energy (50 mJ, never below zero, refilled at 100 mW), and it gives nothing at 0.25 m/s and above. A
+/// push along every motion is a friction of the wrong sign: it would keep a hand swinging that only holds its
+/// aim. So a hand that turns round empties the tank, and the refill waits until it has not turned round for
+/// a second. Acts in the picture's plane; a one-sided light wall holds the hand in front of z = 0. Tick
+/// path.
 class TracingLaw {
  public:
   /// The largest displacement in one tick that the tank is prepared for, as a speed: the servo loop refuses
@@ -35,6 +38,7 @@ class TracingLaw {
   static constexpr double kSpeedCap_m_per_s = 0.25;
   static constexpr double kTank_J = 0.05;
   static constexpr double kRefill_W = 0.1;
+  static constexpr double kSteady_s = 1.0;
 
   /// All zero = a new touch at rest with a full tank.
   struct State {
@@ -46,6 +50,9 @@ class TracingLaw {
     double vx_m_per_s, vy_m_per_s;
     /// What was given and not yet refilled; 0 = full, never above kTank_J.
     double spent_J;
+    /// Where the push last pointed or would have, and for how long it has not turned against that.
+    double heading_x, heading_y;
+    double steady_s;
     bool begun;
   };
 

@@ -19,12 +19,12 @@ namespace {
 constexpr double kTick_s = 0.001;
 
 /// A boundary along x through the whole map, strongest at y = 0.
-std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0) {
+std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0, double pixel_m = 0.0005) {
   Raster<models::BoundaryPixel> pixels(
       200, 200,
       {static_cast<float>(0.8 * std::cos(2 * angle)), static_cast<float>(0.8 * std::sin(2 * angle))});
   return std::make_shared<const models::BoundaryMap>(
-      *models::BoundaryMap::from_edges(std::move(pixels), 0.0005, 1.0, {}, Work{}));
+      *models::BoundaryMap::from_edges(std::move(pixels), pixel_m, 1.0, {}, Work{}));
 }
 
 /// Moves the hand in steps and returns the feel of every tick.
@@ -95,9 +95,9 @@ TEST(Tracing, NeverGivesMoreThanItsTank) {
   // A hand led along the boundary as fast as the law helps, for long: energy given <= tank + refill.
   TracingParameters strong = undamped();
   strong.force_N = 5.0;
-  const TracingLaw law(straight_boundary(), strong);
+  const TracingLaw law(straight_boundary(0.0, 0.005), strong);
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> speed(-0.3, 0.3);
+  std::uniform_real_distribution<double> speed(0.0, 0.3);
   TracingLaw::State state{};
   Vec3 p{};
   Vec3 before = p;
@@ -105,8 +105,8 @@ TEST(Tracing, NeverGivesMoreThanItsTank) {
   double v = 0.1;
   double given_J = 0.0;
   for (int k = 1; k <= 20000; ++k) {
-    if (k % 97 == 0) v = speed(random);
-    if (std::abs(p.x + v * kTick_s) > 0.045) v = -v;
+    if (k % 97 == 0) v = std::copysign(speed(random), v);
+    if (std::abs(p.x + v * kTick_s) > 0.45) v = -v;
     p.x += v * kTick_s;
     given_J += dot(force, p - before);
     force = law.feel({{p}, {(p - before) / kTick_s}, kTick_s}, state).force_N.v;
@@ -115,6 +115,41 @@ TEST(Tracing, NeverGivesMoreThanItsTank) {
     ASSERT_LE(given_J, TracingLaw::kTank_J + TracingLaw::kRefill_W * k * kTick_s + 1e-9);
   }
   EXPECT_GT(given_J, 0.1);
+}
+
+/// An arm as a mass on a spring to the boundary's middle, let go at a distance: its speed at the end.
+double speed_left(const TracingLaw& law, double mass_kg, double hertz, double damping_ratio, double at_m) {
+  const double omega = 2.0 * std::numbers::pi * hertz;
+  TracingLaw::State state{};
+  double x = at_m, v = 0.0;
+  for (int k = 0; k < 15000; ++k) {
+    const double push_N = law.feel({{{x, 0, 0}}, {{v, 0, 0}}, kTick_s}, state).force_N.v.x;
+    v += kTick_s * (push_N / mass_kg - 2.0 * damping_ratio * omega * v - omega * omega * x);
+    x += kTick_s * v;
+  }
+  return std::abs(v);
+}
+
+TEST(Tracing, KeepsNoArmSwingingAboutItsAim) {
+  for (const double force_N : {1.0, 5.0}) {
+    TracingParameters p;
+    p.force_N = force_N;
+    const TracingLaw law(straight_boundary(), p);
+    for (const double mass_kg : {0.3, 1.0, 2.0})
+      for (const double hertz : {0.8, 1.5, 3.0, 6.0})
+        for (const double damping_ratio : {0.1, 0.3})
+          EXPECT_LT(speed_left(law, mass_kg, hertz, damping_ratio, 0.01), 0.001)
+              << force_N << " N, " << mass_kg << " kg, " << hertz << " Hz, " << damping_ratio;
+  }
+}
+
+TEST(Tracing, PushesAgainSoonAfterTheHandTurnedRound) {
+  const TracingLaw law(straight_boundary(), undamped());
+  TracingLaw::State state{};
+  traced(law, state, straight_path({}, {0.05, 0, 0}, 200));
+  const auto back = traced(law, state, straight_path({0.01, 0, 0}, {-0.02, 0, 0}, 1200));
+  EXPECT_NEAR(back[800].force_N.v.x, 0.0, 1e-9);
+  EXPECT_LT(back[1199].force_N.v.x, -0.7);
 }
 
 TEST(Tracing, HoldsAHandOfThreeAxesInFrontOfThePicture) {

@@ -15,7 +15,7 @@ namespace palpable::study {
 namespace {
 
 constexpr double kLongest_s = 240.0;
-constexpr double kRest_s = 2.0;
+constexpr double kRest_s = 5.0;
 /// A hand that has been slower than this for so long is at rest: a turn is none, and the law's own estimate
 /// of the speed needs some time.
 constexpr double kSettle_s = 0.3;

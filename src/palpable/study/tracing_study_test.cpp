@@ -90,7 +90,6 @@ TEST_F(OnTheScan, AssistanceKeepsItsTankItsCapAndItsRest) {
   TracingStudyOptions options;
   options.tracers = 2;
   options.repeats = 1;
-  options.law.force_N = 0.3;
   const auto with = study_tracing(scan(), options, Assistance::tracing, Work{});
   ASSERT_TRUE(with);
   EXPECT_EQ(with->traces, 4);
