@@ -13,6 +13,17 @@ find_package(PNG REQUIRED)
 find_package(OpenEXR REQUIRED CONFIG)
 find_package(TIFF REQUIRED)
 find_package(assimp REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(TBB REQUIRED)
+# OpenVDB's own CMake file is outside CMake's path, and looks for Python too.
+find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
+find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
+set_target_properties(
+  OpenVDB::openvdb
+  PROPERTIES IMPORTED_LOCATION ${OPENVDB_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OPENVDB_INCLUDE_DIR}
+             INTERFACE_LINK_LIBRARIES "TBB::tbb;Imath::Imath;Boost::headers")
+pkg_check_modules(BLOSC REQUIRED IMPORTED_TARGET blosc)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(HEIF REQUIRED IMPORTED_TARGET libheif)
 pkg_check_modules(WEBP REQUIRED IMPORTED_TARGET libwebp)

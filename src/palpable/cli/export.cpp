@@ -12,6 +12,7 @@
 #include "palpable/formats/ply.hpp"
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/formats/stl.hpp"
+#include "palpable/formats/vdb.hpp"
 #include "palpable/models/relief_solid.hpp"
 #include "palpable/sculpt/boundary_map_from_picture.hpp"
 #include "palpable/sculpt/field_surface.hpp"
@@ -32,6 +33,7 @@ struct Arguments {
   std::string scene, output;
   double interval_mm = 2.0;
   int grid = 128;
+  std::string band = "narrow";
 };
 
 /// The surface's own height at the place of each sample (the samples are its control values).
@@ -111,6 +113,12 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
   return Error{ErrorCode::usage, "a relief is exported as .stl, .glb, .svg, .npz or .png", arguments.output};
 }
 
+/// Between places of which `grid` stand along the field's longest side.
+double spacing_of(const models::Field& field, int grid) {
+  const Vec3 size = field.distance.grid().size_m();
+  return std::max({size.x, size.y, size.z}) / (grid - 1);
+}
+
 /// The surface of a field, a cube of dual contouring for every two finest cells.
 Result<Answer> export_surface(const models::Field& field, const models::Scene& scene,
                               const Arguments& arguments, const Work& work) {
@@ -129,6 +137,21 @@ Result<Answer> export_surface(const models::Field& field, const models::Scene& s
   return answer;
 }
 
+/// A level set for Blender and others, `grid` voxels along the longest side.
+Result<Answer> export_vdb(const models::Field& field, const Arguments& arguments, const Work& work) {
+  formats::VdbOptions options;
+  options.voxel_m = spacing_of(field, arguments.grid);
+  if (arguments.band == "full") options.band = formats::VdbBand::full;
+  const auto bytes = formats::encode_vdb(field.distance, options, work);
+  if (!bytes) return Error{bytes.error().code, bytes.error().message, arguments.output};
+  if (const auto written = write_file_atomically(arguments.output, *bytes); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output}, {"voxel_m", options.voxel_m}, {"bytes", bytes->size()}};
+  answer.text =
+      fmt::format("{}: a level set, voxels of {:.4g} mm\n", arguments.output, 1000.0 * options.voxel_m);
+  return answer;
+}
+
 /// Distances on a grid of places, `grid` along the longest side: distance_m[i, j, k] stands at origin_m +
 /// spacing_m (i, j, k), x right, y up, z towards the person.
 Result<Answer> export_model(const models::Field& field, const models::Scene& scene,
@@ -137,11 +160,12 @@ Result<Answer> export_model(const models::Field& field, const models::Scene& sce
   const std::string ending = output.extension().string();
   if (ending == ".stl" || ending == ".ply" || ending == ".glb")
     return export_surface(field, scene, arguments, work);
+  if (ending == ".vdb") return export_vdb(field, arguments, work);
   if (ending != ".npz")
-    return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb or .npz", arguments.output};
+    return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
   const models::FieldGrid& grid = field.distance.grid();
   const Vec3 size = grid.size_m();
-  const double spacing_m = std::max({size.x, size.y, size.z}) / (arguments.grid - 1);
+  const double spacing_m = spacing_of(field, arguments.grid);
   const auto count = [&](double extent) { return static_cast<int>(extent / spacing_m + 1.0 + 1e-9); };
   const int nx = count(size.x), ny = count(size.y), nz = count(size.z);
   std::vector<float> values;
@@ -252,12 +276,15 @@ void add_export(Program& program) {
       "  palpable export aloe.palp -o aloe.npz\n"
       "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
       "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
-      "  palpable export aloe.palp -o heights.png",
+      "  palpable export aloe.palp -o heights.png\n"
+      "  palpable export house.palp -o house.vdb --grid 512    for Blender",
       [arguments](Console& console) { return run_export(*arguments, console.work()); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
   options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
   options.integer("--grid", arguments->grid, {2, 1024},
-                  "Of a field: places along its longest side in an .npz");
+                  "Of a field: places along its longest side in an .npz or .vdb");
+  options.choice("--band", arguments->band, {"narrow", "full"},
+                 "Of a field in a .vdb: three voxels to each side of the surface, or the whole inside too");
   options.number("--interval", arguments->interval_mm, {0.1, 100.0},
                  "Height from line to line in an .svg, mm");
 }

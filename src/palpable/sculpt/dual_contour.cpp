@@ -22,6 +22,62 @@ Cell corner_of(Cell cell, unsigned k) {
           cell[2] + static_cast<int>(k >> 2U & 1U)};
 }
 
+/// A cube's edges: those along x, then y, then z; `k` is the corner where one begins.
+std::size_t edge_number(std::size_t axis, unsigned k) {
+  const auto bit = [&](std::size_t a) { return k >> a & 1U; };
+  return 4 * axis + bit((axis + 1) % 3) + 2 * bit((axis + 2) % 3);
+}
+
+/// Which sheet of the surface each edge of a cube crosses: two that pass the same cube stay apart (Nielson
+/// 2004), so that the mesh is a manifold but for rare edges.
+struct Sheets {
+  std::array<std::uint8_t, 12> of_edge{};
+  std::uint8_t count = 0;
+};
+
+/// `mask`: the corners inside.
+Sheets sheets_of(unsigned mask) {
+  const auto inside = [&](unsigned k) { return (mask >> k & 1U) != 0; };
+  std::array<std::uint8_t, 12> sheet{};
+  for (std::uint8_t e = 0; e < 12; ++e) sheet[e] = e;
+  const auto join = [&](std::size_t a, std::size_t b) {
+    const std::uint8_t from = sheet[b], to = sheet[a];
+    std::replace(sheet.begin(), sheet.end(), from, to);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (unsigned side = 0; side < 2; ++side) {
+      const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const unsigned origin = side << axis, du = 1U << u, dv = 1U << v;
+      const unsigned all = (inside(origin) ? 1U : 0U) + (inside(origin | du) ? 1U : 0U) +
+                           (inside(origin | dv) ? 1U : 0U) + (inside(origin | du | dv) ? 1U : 0U);
+      // A corner that differs from both its neighbours is cut off; of two such pairs, those inside.
+      const bool cut_off_inside = all <= 2;
+      for (unsigned i = 0; i < 2; ++i)
+        for (unsigned j = 0; j < 2; ++j) {
+          const unsigned k = origin | i * du | j * dv;
+          if (inside(k) != cut_off_inside || inside(k ^ du) == inside(k) || inside(k ^ dv) == inside(k))
+            continue;
+          join(edge_number(u, k & ~du), edge_number(v, k & ~dv));
+        }
+      // Two corners side by side: the surface goes straight across.
+      if (all == 2 && inside(origin) == inside(origin | du))
+        join(edge_number(v, origin), edge_number(v, origin | du));
+      if (all == 2 && inside(origin) == inside(origin | dv))
+        join(edge_number(u, origin), edge_number(u, origin | dv));
+    }
+  Sheets sheets;
+  std::array<std::uint8_t, 12> number{};
+  number.fill(12);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (unsigned k = 0; k < 8; ++k) {
+      if ((k >> axis & 1U) != 0 || inside(k) == inside(k | 1U << axis)) continue;
+      const std::size_t e = edge_number(axis, k);
+      if (number[sheet[e]] == 12) number[sheet[e]] = sheets.count++;
+      sheets.of_edge[e] = number[sheet[e]];
+    }
+  return sheets;
+}
+
 /// Where an edge of the cubes crosses the surface.
 struct Crossing {
   Cell from;
@@ -62,18 +118,21 @@ class Contourer {
 
   Mesh mesh() {
     find_crossings();
+    std::vector<std::uint32_t> first(active_.size() + 1, 0);
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      first[i + 1] = first[i] + sheets_of(mask_of(active_[i])).count;
     Mesh mesh;
-    std::unordered_map<std::uint64_t, std::uint32_t> vertex_of;
-    vertex_of.reserve(active_.size());
-    mesh.vertices_m.resize(active_.size());
-    for (std::uint32_t i = 0; i < active_.size(); ++i) vertex_of.emplace(key(active_[i]), i);
+    mesh.vertices_m.resize(first.back());
+    cube_of_.reserve(active_.size());
+    for (std::uint32_t i = 0; i < active_.size(); ++i) cube_of_.emplace(key(active_[i]), first[i]);
     parallel_for(work_, static_cast<int>(active_.size()), 1024, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        mesh.vertices_m[at] = vertex(active_[at]);
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+        const Sheets sheets = sheets_of(mask_of(active_[i]));
+        for (std::uint8_t sheet = 0; sheet < sheets.count; ++sheet)
+          mesh.vertices_m[first[i] + sheet] = vertex(active_[i], sheets, sheet);
       }
     });
-    for (const Crossing& crossing : crossings_) add_quad(crossing, vertex_of, mesh);
+    for (const Crossing& crossing : crossings_) add_quad(crossing, mesh);
     return mesh;
   }
 
@@ -96,6 +155,12 @@ class Contourer {
   }
   bool inside(Cell corner) const { return values_.at(key(corner)) < 0.0; }
 
+  unsigned mask_of(Cell cell) const {
+    unsigned mask = 0;
+    for (unsigned k = 0; k < 8; ++k) mask |= inside(corner_of(cell, k)) ? 1U << k : 0U;
+    return mask;
+  }
+
   void ask_corners(const std::vector<Cell>& wave) {
     std::vector<Cell> unknown;
     for (const Cell cell : wave)
@@ -114,8 +179,7 @@ class Contourer {
   /// If the surface passes the cube, it is noted, and the neighbours across faces that the surface passes
   /// too.
   void spread(Cell cell, std::vector<Cell>& next) {
-    unsigned mask = 0;
-    for (unsigned k = 0; k < 8; ++k) mask |= inside(corner_of(cell, k)) ? 1U << k : 0U;
+    const unsigned mask = mask_of(cell);
     if (mask == 0 || mask == 255U) return;
     active_.push_back(cell);
     // The corners of a cube with x = 0, y = 0, z = 0.
@@ -170,9 +234,9 @@ class Contourer {
     crossing.normal = unit(sample.gradient);
   }
 
-  /// Where the tangent planes at the cube's crossings meet, drawn a little towards their middle so that flat
-  /// and straight places have one answer.
-  Vec3 vertex(Cell cell) const {
+  /// Where the tangent planes at the crossings of one of the cube's sheets meet, drawn a little towards their
+  /// middle so that flat and straight places have one answer.
+  Vec3 vertex(Cell cell, const Sheets& sheets, std::uint8_t sheet) const {
     Vec3 middle;
     std::array<const Crossing*, 12> found{};
     std::size_t count = 0;
@@ -180,7 +244,7 @@ class Contourer {
       for (unsigned k = 0; k < 8; ++k) {
         if ((k >> axis & 1U) != 0) continue;
         const auto at = crossing_of_.find(edge_key(corner_of(cell, k), axis));
-        if (at == crossing_of_.end()) continue;
+        if (at == crossing_of_.end() || sheets.of_edge[edge_number(axis, k)] != sheet) continue;
         found[count++] = &crossings_[at->second];
         middle += crossings_[at->second].place_m;
       }
@@ -198,14 +262,16 @@ class Contourer {
     const double det = dot(m[0], cross(m[1], m[2]));
     const Vec3 x = (1.0 / det) * Vec3{dot(right, cross(m[1], m[2])), dot(m[0], cross(right, m[2])),
                                       dot(m[0], cross(m[1], right))};
-    // Within its own cube, or triangles would fold over.
-    const Vec3 low = place(cell) - middle, high = low + Vec3{spacing_m_, spacing_m_, spacing_m_};
+    // Within its own cube, or triangles would fold over; not on its sides, where it could meet others.
+    constexpr double kApart = 1e-3;
+    const double margin_m = kApart * spacing_m_, far_m = spacing_m_ - margin_m;
+    const Vec3 corner = place(cell) - middle;
+    const Vec3 low = corner + Vec3{margin_m, margin_m, margin_m}, high = corner + Vec3{far_m, far_m, far_m};
     return middle + Vec3{std::clamp(x.x, low.x, high.x), std::clamp(x.y, low.y, high.y),
                          std::clamp(x.z, low.z, high.z)};
   }
 
-  void add_quad(const Crossing& crossing, const std::unordered_map<std::uint64_t, std::uint32_t>& vertex_of,
-                Mesh& mesh) const {
+  void add_quad(const Crossing& crossing, Mesh& mesh) const {
     const std::size_t u = (crossing.axis + 1U) % 3, v = (crossing.axis + 2U) % 3;
     std::array<std::uint32_t, 4> ring{};
     constexpr std::array<std::array<int, 2>, 4> kRound{{{-1, -1}, {0, -1}, {0, 0}, {-1, 0}}};
@@ -213,9 +279,10 @@ class Contourer {
       Cell cell = crossing.from;
       cell[u] += kRound[k][0];
       cell[v] += kRound[k][1];
-      const auto at = within(cell) ? vertex_of.find(key(cell)) : vertex_of.end();
-      if (at == vertex_of.end()) return;
-      ring[k] = at->second;
+      const auto at = within(cell) ? cube_of_.find(key(cell)) : cube_of_.end();
+      if (at == cube_of_.end()) return;
+      const unsigned corner = (kRound[k][0] < 0 ? 1U << u : 0U) | (kRound[k][1] < 0 ? 1U << v : 0U);
+      ring[k] = at->second + sheets_of(mask_of(cell)).of_edge[edge_number(crossing.axis, corner)];
     }
     if (!crossing.outwards) std::swap(ring[1], ring[3]);
     // The shorter diagonal.
@@ -239,6 +306,8 @@ class Contourer {
   std::vector<Cell> active_;
   std::vector<Crossing> crossings_;
   std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_;
+  /// The first vertex of each cube that the surface passes.
+  std::unordered_map<std::uint64_t, std::uint32_t> cube_of_;
 };
 
 }  // namespace

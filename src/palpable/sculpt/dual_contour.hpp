@@ -13,7 +13,8 @@
 
 namespace palpable::sculpt {
 
-/// A solid as a function: negative inside, with a gradient; any thread.
+/// A solid as a function: negative inside, with a gradient, or with none (0) where edges need not be sharp:
+/// then vertices stand in the middle of their crossings. Any thread.
 using SolidFunction = std::function<models::FieldSample(Vec3 place_m)>;
 
 struct ContourOptions {
@@ -21,8 +22,8 @@ struct ContourOptions {
   double spacing_m = 0.0;
 };
 
-/// The surface where `solid` is 0, as triangles facing outwards: one vertex for each cube that the surface
-/// passes, where the tangent planes of its crossings meet, so that edges and corners stay sharp (dual
+/// The surface where `solid` is 0, as triangles facing outwards: one vertex for each sheet of it in each
+/// cube, where the tangent planes of its crossings meet, so that edges and corners stay sharp (dual
 /// contouring, Ju et al. 2002). Begins at `seeds_m`, places on or near the surface, and follows it from cube
 /// to cube within `bounds`; where it leaves them it is left open. Errors: usage for a spacing that makes over
 /// 2^19 cubes along a side; interrupted.

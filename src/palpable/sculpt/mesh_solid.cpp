@@ -47,4 +47,11 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   return solid;
 }
 
+Result<std::unique_ptr<DistanceSource>> solid_from_contour(const Mesh& mesh) {
+  std::size_t degenerate = 0;
+  const Mesh whole = welded(mesh, degenerate);
+  if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
+  return mesh_distance(whole, whole);
+}
+
 }  // namespace palpable::sculpt

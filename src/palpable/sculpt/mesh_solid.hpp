@@ -41,4 +41,8 @@ struct MeshSolid {
 /// for a mesh without triangles or without a volume, interrupted.
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work);
 
+/// The solid inside a surface that was contoured (dual_contour.hpp): its triangles face outwards and close,
+/// though its sheets may touch, so nothing is mended. Errors: invalid_input for a mesh without triangles.
+Result<std::unique_ptr<DistanceSource>> solid_from_contour(const Mesh& mesh);
+
 }  // namespace palpable::sculpt

@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
+#include "palpable/formats/vdb.hpp"
 #include "palpable/formats/zip.hpp"
 #include "palpable/sources/photo_depth.hpp"
 #include "palpable/sources/picture.hpp"
@@ -20,15 +21,16 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::span<const std::byte>;
 
-constexpr std::array<std::pair<InputKind, std::string_view>, 9> kNames{{{InputKind::picture, "picture"},
-                                                                        {InputKind::stereo, "stereo"},
-                                                                        {InputKind::depth, "depth"},
-                                                                        {InputKind::video, "video"},
-                                                                        {InputKind::map, "map"},
-                                                                        {InputKind::mesh, "mesh"},
-                                                                        {InputKind::points, "points"},
-                                                                        {InputKind::shapes, "shapes"},
-                                                                        {InputKind::scene, "scene"}}};
+constexpr std::array<std::pair<InputKind, std::string_view>, 10> kNames{{{InputKind::picture, "picture"},
+                                                                         {InputKind::stereo, "stereo"},
+                                                                         {InputKind::depth, "depth"},
+                                                                         {InputKind::video, "video"},
+                                                                         {InputKind::map, "map"},
+                                                                         {InputKind::mesh, "mesh"},
+                                                                         {InputKind::points, "points"},
+                                                                         {InputKind::shapes, "shapes"},
+                                                                         {InputKind::level_set, "level-set"},
+                                                                         {InputKind::scene, "scene"}}};
 
 /// Enough to pass over a phone picture's EXIF block with its thumbnail (at most 64 KiB a segment).
 constexpr std::size_t kStartBytes = std::size_t{256} << 10U;
@@ -71,6 +73,7 @@ bool is_obj(std::string_view start) {
 
 std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
   if (has_magic(file, "glTF")) return InputKind::mesh;
+  if (formats::is_vdb(file)) return InputKind::level_set;
   if (has_magic(file, "ply\n") || has_magic(file, "ply\r")) {
     const std::string_view text = as_text(file);
     const std::size_t faces = text.find("element face ");

@@ -15,7 +15,18 @@
 namespace palpable::sources {
 
 /// What goes in, as `--kind` names it.
-enum class InputKind : std::uint8_t { picture, stereo, depth, video, map, mesh, points, shapes, scene };
+enum class InputKind : std::uint8_t {
+  picture,
+  stereo,
+  depth,
+  video,
+  map,
+  mesh,
+  points,
+  shapes,
+  level_set,
+  scene
+};
 
 /// "picture", "stereo", …; and back, nullopt for an unknown name.
 std::string_view name_of(InputKind kind);
@@ -24,9 +35,9 @@ std::optional<InputKind> input_kind_from(std::string_view name);
 /// What a person named on the command line, recognised.
 struct Input {
   InputKind kind = InputKind::picture;
-  /// As given. picture, scene, mesh, points, shapes: one. stereo: two, left first, or one file that holds
-  /// both. depth: one, or its colour picture first and the depth second. video: one film, or the pictures of
-  /// a folder in the order of their names (numbers counted as numbers). map: one.
+  /// As given. picture, scene, mesh, points, shapes, level_set: one. stereo: two, left first, or one file
+  /// that holds both. depth: one, or its colour picture first and the depth second. video: one film, or the
+  /// pictures of a folder in the order of their names (numbers counted as numbers). map: one.
   std::vector<std::filesystem::path> files;
   /// What the person should know, a sentence each.
   std::vector<std::string> notes;
@@ -36,7 +47,7 @@ struct Input {
 /// knows are `picture` (a stereo file of a camera, MPO or JPS, is `stereo`); PFM, NumPy and OpenEXR hold
 /// numbers and are `depth`; MP4, Matroska, AVI, MPEG and Ogg are `video`; OpenStreetMap extracts are `map`;
 /// GLB, OBJ, STL, CityJSON and PLY with faces are `mesh`; PLY without faces is `points`; JSON with
-/// "primitives" is `shapes`; ours is `scene`.
+/// "primitives" is `shapes`; OpenVDB is `level_set`; ours is `scene`.
 /// Errors: invalid_input, naming the file, for what cannot be read or is none of these.
 Result<InputKind> kind_of_file(const std::filesystem::path& path);
 
