@@ -64,6 +64,17 @@ TEST_F(ContourInput, OfOnePixelLinesHasAJunctionWhereTheyCross) {
   EXPECT_EQ(materials[1]["name"], "junction");
 }
 
+TEST_F(ContourInput, OfMorePixelsThanAFingerFeelsIsReducedAndThatIsSaid) {
+  Raster<std::uint8_t> scan(2400, 1800, 200);
+  for (int y = 600; y < 1200; ++y)
+    for (int x = 800; x < 1600; ++x) scan(x, y) = 20;
+  ASSERT_TRUE(formats::write_png(path("a.png"), scan));
+  const auto made = make();
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out + made.err, HasSubstr("reduced from 2400 x 1800 to 2364 x 1773 pixels"));
+  EXPECT_GT(boundary_fraction(), 0.001);
+}
+
 TEST_F(ContourInput, ThatIsTransparentLiesOnWhite) {
   Image drawing;
   drawing.width = 100;

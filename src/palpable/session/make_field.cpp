@@ -7,6 +7,7 @@
 #include "palpable/sculpt/cloud_surface.hpp"
 #include "palpable/sculpt/mesh_solid.hpp"
 #include "palpable/sculpt/superquadric_source.hpp"
+#include "palpable/session/places.hpp"
 #include "palpable/sources/mesh_file.hpp"
 #include "palpable/sources/points_file.hpp"
 
@@ -22,11 +23,6 @@ namespace palpable::session {
 namespace {
 
 using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
-
-Error at_place(Error error, const std::filesystem::path& place) {
-  if (error.place.empty()) error.place = place.string();
-  return error;
-}
 
 /// Of the finite vertices that a triangle uses.
 Result<sculpt::Box> box_of(const Mesh& mesh) {

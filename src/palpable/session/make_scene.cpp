@@ -3,9 +3,10 @@
 #include "palpable/session/make_scene.hpp"
 
 #include "palpable/formats/scene_file.hpp"
-#include "palpable/sculpt/boundary_map_from_picture.hpp"
-#include "palpable/sculpt/junctions.hpp"
+#include "palpable/session/make_contours.hpp"
 #include "palpable/session/make_field.hpp"
+#include "palpable/session/places.hpp"
+#include "palpable/session/relief_scene.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/picture.hpp"
 #include "palpable/vision/background.hpp"
@@ -20,29 +21,6 @@
 
 namespace palpable::session {
 namespace {
-
-Error at_place(Error error, const std::filesystem::path& place) {
-  if (error.place.empty()) error.place = place.string();
-  return error;
-}
-
-/// The names of a pair in one error's place.
-std::string names_of(const std::vector<std::filesystem::path>& files) {
-  std::string names;
-  for (const auto& file : files) names += (names.empty() ? "" : " and ") + file.string();
-  return names;
-}
-
-models::Scene scene_of(models::Relief relief, const MakeOptions& options, int width, int height,
-                       std::string method) {
-  models::Scene scene;
-  scene.scene_from_input = sculpt::scene_from_picture(relief, width, height);
-  scene.model = std::make_shared<const models::Relief>(std::move(relief));
-  for (const auto& input : options.inputs) scene.source.inputs.push_back(input.string());
-  scene.source.method = std::move(method);
-  scene.source.made_by = options.made_by;
-  return scene;
-}
 
 StereoInput stereo_input(const MakeOptions& options) {
   return {options.inputs, options.calibration, options.layout, options.align, options.moved_m};
@@ -156,8 +134,8 @@ Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method,
   const auto shaped = with_regions_treated(match->disparity, pair, options, work, regions, notes);
   auto relief = sculpt::relief_from_disparity(shaped, options.relief, work);
   if (!relief) return at_place(relief.error(), names_of(options.inputs));
-  models::Scene scene = scene_of(std::move(*relief), options, pair.left.width, pair.left.height,
-                                 "stereo, " + std::string(vision::name_of(method)));
+  models::Scene scene = relief_scene(std::move(*relief), options, pair.left.width, pair.left.height,
+                                     "stereo, " + std::string(vision::name_of(method)));
   scene.materials = std::move(regions.materials);
   scene.labels = std::move(regions.labels);
   if (options.texture != Texture::none) scene.texture = rgb8(pair.left);
@@ -189,7 +167,7 @@ Result<MadeScene> from_depth(const MakeOptions& options, const std::vector<std::
   const Raster<float>& values =
       metres != nullptr ? metres->depth_m : std::get<DisparityMap>(read->depth).disparity_px;
   const int width = values.width(), height = values.height();
-  models::Scene scene = scene_of(std::move(*relief), options, width, height, "depth map");
+  models::Scene scene = relief_scene(std::move(*relief), options, width, height, "depth map");
   if (read->colour && options.texture != Texture::none) scene.texture = rgb8(*read->colour);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(read->notes)};
 }
@@ -199,18 +177,6 @@ Result<MadeScene> from_scene_file(const MakeOptions& options) {
   auto file = formats::read_scene(options.inputs.front());
   if (!file) return file.error();
   return MadeScene{std::make_shared<const models::Scene>(std::move(file->scene)), {}};
-}
-
-std::string contour_source(vision::ContourMethod method) {
-  switch (method) {
-    case vision::ContourMethod::paper:
-      return "contours, paper";
-    case vision::ContourMethod::best:
-      return "contours, best";
-    case vision::ContourMethod::standard:
-      break;
-  }
-  return "contours";
 }
 
 /// A relief as it is, or the volume under it where a field or a grid is wanted (Park & Howard 2012).
@@ -235,46 +201,6 @@ Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, 
   scene.model = std::make_shared<const models::Grid>(models::Grid{*std::move(occupancy), *relief});
   scene.source.method += ", filled into a grid";
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(made->notes)};
-}
-
-/// Junctions of grooves feel rough and have a name, so that fingers and ears find them.
-void mark_junctions(models::Scene& scene, const models::BoundaryMap& map, const MakeOptions& options) {
-  constexpr double kLook_m = 0.0015;
-  const auto in_px = [&map](double metres) { return metres / map.pixel_m(); };
-  const int radius = std::clamp(static_cast<int>(std::lround(in_px(kLook_m))), 5, 24);
-  const auto line = sculpt::boundary_lines(map);
-  const auto junctions = sculpt::find_junctions(line, radius);
-  if (junctions.empty()) return;
-  constexpr std::uint8_t kJunction = 1;
-  scene.labels = sculpt::mark_junctions(junctions, line.width(), line.height(),
-                                        in_px(0.75 * options.grooves.width_m), kJunction);
-  scene.materials.resize(2);
-  scene.materials[kJunction].name = "junction";
-  scene.materials[kJunction].texture = {models::TouchTexture::Kind::bumps, 0.0015, 25e-6, 0.0};
-}
-
-Result<MadeScene> from_picture(const MakeOptions& options, const Work& work) {
-  if (options.inputs.size() != 1) return Error{ErrorCode::usage, "contours are made of one picture", {}};
-  const auto& file = options.inputs.front();
-  const auto picture = sources::read_picture(file);
-  if (!picture) return picture.error();
-  auto found = vision::find_contours(*picture, options.contours, work);
-  if (!found) return at_place(found.error(), file);
-  sculpt::BoundaryMapOptions size;
-  size.radius_px = options.neighbourhood_px;
-  if (options.relief.size_m)
-    size.width_m = options.relief.size_m->x, size.height_m = options.relief.size_m->y;
-  auto map = sculpt::boundary_map_from_contours(*found, size, work);
-  if (!map) return at_place(map.error(), file);
-  auto grooves = sculpt::grooves_from_boundary_map(*map, options.grooves);
-  if (!grooves) return at_place(grooves.error(), file);
-  models::Scene scene = scene_of(std::move(*grooves), options, picture->width, picture->height,
-                                 contour_source(options.contours.method));
-  scene.model = std::make_shared<const models::Contours>(
-      models::Contours{std::move(*map), std::get<std::shared_ptr<const models::Relief>>(scene.model)});
-  mark_junctions(scene, std::get<std::shared_ptr<const models::Contours>>(scene.model)->boundaries, options);
-  scene.texture = rgb8(*picture);
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(found->notes)};
 }
 
 bool as_contours(const MakeOptions& options, const sources::Input& input) {
@@ -314,7 +240,7 @@ vision::StereoMethod default_method() {
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
-  if (as_contours(options, *input)) return from_picture(options, work);
+  if (as_contours(options, *input)) return contours_from_picture(options, work);
   const bool as_field = options.as == MakeAs::field || options.as == MakeAs::by_input;
   switch (input->kind) {
     case sources::InputKind::mesh:

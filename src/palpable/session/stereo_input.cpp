@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/stereo_input.hpp"
 
+#include "palpable/session/places.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/vision/alignment.hpp"
 
@@ -15,11 +16,6 @@
 namespace palpable::session {
 namespace {
 
-Error at_file(Error error, const std::filesystem::path& file) {
-  if (error.place.empty() && error.code != ErrorCode::interrupted) error.place = file.string();
-  return error;
-}
-
 vision::LensCamera lens_of(const sources::CameraModel& camera) { return {camera.matrix, camera.distortion}; }
 
 Result<std::optional<sources::Calibration>> calibration_of(const StereoInput& input, const Image& picture) {
@@ -28,7 +24,7 @@ Result<std::optional<sources::Calibration>> calibration_of(const StereoInput& in
   auto calibration = sources::read_calibration(input.calibration);
   if (!calibration) return calibration.error();
   auto fitted = sources::calibration_for(std::move(*calibration), picture.width, picture.height);
-  if (!fitted) return at_file(fitted.error(), input.calibration);
+  if (!fitted) return at_place(fitted.error(), input.calibration);
   return Found(std::move(*fitted));
 }
 
@@ -99,12 +95,6 @@ Result<void> align(const StereoInput& input, const std::optional<sources::Calibr
   return align_by_features(ready, work);
 }
 
-std::string names_of(const std::vector<std::filesystem::path>& files) {
-  std::string names;
-  for (const auto& file : files) names += (names.empty() ? "" : " and ") + file.string();
-  return names;
-}
-
 }  // namespace
 
 std::string_view name_of(AlignedBy way) {
@@ -130,8 +120,8 @@ Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work) {
     return ready;
   }
   if (const auto done = align(input, *calibration, ready, work); !done)
-    return at_file(done.error(),
-                   input.calibration.empty() ? names_of(input.pictures) : input.calibration.string());
+    return at_place(done.error(),
+                    input.calibration.empty() ? names_of(input.pictures) : input.calibration.string());
   return ready;
 }
 

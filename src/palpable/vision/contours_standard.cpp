@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/contours_standard.hpp"
 
+#include "palpable/core/vectorize.hpp"
 #include "palpable/vision/gaussian_derivatives.hpp"
 
 #include <algorithm>
@@ -41,8 +42,37 @@ TensorMap zero_tensor(int width, int height) {
   return {Raster<float>(width, height), Raster<float>(width, height), Raster<float>(width, height)};
 }
 
-/// Adds one channel's energy at one scale: sum of weight sigma^2 (g g^T + kEven^2 sigma^2 H H), H by
-/// differences of g.
+/// Rows of a gradient that a row of energy is made of, and where it is added.
+struct EnergyRows {
+  const float *gx, *gx_up, *gx_down, *gy, *gy_up, *gy_down;
+  float *xx, *xy, *yy;
+};
+
+/// Adds odd g g^T + even H H, H by differences of g, for pixels from ... to - 1; their neighbours are
+/// `left` and `right` pixels away, 0 at the picture's border.
+PALPABLE_VECTORIZE
+void add_energy_row(const EnergyRows& rows, int from, int to, int left, int right, float odd, float even) {
+  const float* __restrict gx = rows.gx;
+  const float* __restrict gy = rows.gy;
+  const float* __restrict gx_up = rows.gx_up;
+  const float* __restrict gx_down = rows.gx_down;
+  const float* __restrict gy_up = rows.gy_up;
+  const float* __restrict gy_down = rows.gy_down;
+  float* __restrict xx = rows.xx;
+  float* __restrict xy = rows.xy;
+  float* __restrict yy = rows.yy;
+  PALPABLE_INDEPENDENT
+  for (int x = from; x < to; ++x) {
+    const float hxx = 0.5F * (gx[x + right] - gx[x - left]);
+    const float hyy = 0.5F * (gy_down[x] - gy_up[x]);
+    const float hxy = 0.25F * (gx_down[x] - gx_up[x] + gy[x + right] - gy[x - left]);
+    xx[x] += odd * gx[x] * gx[x] + even * (hxx * hxx + hxy * hxy);
+    xy[x] += odd * gx[x] * gy[x] + even * hxy * (hxx + hyy);
+    yy[x] += odd * gy[x] * gy[x] + even * (hyy * hyy + hxy * hxy);
+  }
+}
+
+/// Adds one channel's energy at one scale: sum of weight sigma^2 (g g^T + kEven^2 sigma^2 H H).
 void add_energy(const Gradient& g, double sigma, float weight, TensorMap& out, const Work& work) {
   const auto odd = static_cast<float>(sigma * sigma) * weight;
   const float even = odd * kEven * kEven * static_cast<float>(sigma * sigma);
@@ -52,18 +82,12 @@ void add_energy(const Gradient& g, double sigma, float weight, TensorMap& out, c
     for (int y = begin; y < end; ++y) {
       const int up = std::max(y - 1, 0);
       const int down = std::min(y + 1, h - 1);
-      for (int x = 0; x < w; ++x) {
-        const int left = std::max(x - 1, 0);
-        const int right = std::min(x + 1, w - 1);
-        const float gx = g.x(x, y);
-        const float gy = g.y(x, y);
-        const float hxx = 0.5F * (g.x(right, y) - g.x(left, y));
-        const float hyy = 0.5F * (g.y(x, down) - g.y(x, up));
-        const float hxy = 0.25F * (g.x(x, down) - g.x(x, up) + g.y(right, y) - g.y(left, y));
-        out.xx(x, y) += odd * gx * gx + even * (hxx * hxx + hxy * hxy);
-        out.xy(x, y) += odd * gx * gy + even * hxy * (hxx + hyy);
-        out.yy(x, y) += odd * gy * gy + even * (hyy * hyy + hxy * hxy);
-      }
+      const EnergyRows rows{g.x.row(y).data(),    g.x.row(up).data(),   g.x.row(down).data(),
+                            g.y.row(y).data(),    g.y.row(up).data(),   g.y.row(down).data(),
+                            out.xx.row(y).data(), out.xy.row(y).data(), out.yy.row(y).data()};
+      add_energy_row(rows, 0, 1, 0, std::min(1, w - 1), odd, even);
+      add_energy_row(rows, 1, w - 1, 1, 1, odd, even);
+      if (w > 1) add_energy_row(rows, w - 1, w, 1, 0, odd, even);
     }
   });
 }
@@ -78,16 +102,24 @@ void add_tensor(const Gradient& g, float weight, TensorMap& out, const Work& wor
   });
 }
 
-/// Square root of the tensor's larger eigenvalue.
-float amplitude(float xx, float xy, float yy) {
-  const float spread = std::sqrt((xx - yy) * (xx - yy) + 4.0F * xy * xy);
-  return std::sqrt(std::max(0.0F, 0.5F * (xx + yy + spread)));
+/// Square root of the larger eigenvalue of each tensor.
+PALPABLE_VECTORIZE
+void amplitude_row(const float* __restrict xx, const float* __restrict xy, const float* __restrict yy,
+                   float* __restrict out, int count) {
+  for (int x = 0; x < count; ++x) {
+    const float difference = xx[x] - yy[x];
+    const float spread = std::sqrt(difference * difference + 4.0F * xy[x] * xy[x]);
+    const float twice = xx[x] + yy[x] + spread;
+    out[x] = std::sqrt(0.5F * (twice > 0.0F ? twice : 0.0F));
+  }
 }
 
 Raster<float> amplitude_of(const TensorMap& t, const Work& work) {
   Raster<float> out(t.xx.width(), t.xx.height());
-  each_pixel(work, out.count(), [&](std::size_t i) {
-    out.values()[i] = amplitude(t.xx.values()[i], t.xy.values()[i], t.yy.values()[i]);
+  parallel_for(work, out.height(), 16, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      amplitude_row(t.xx.row(y).data(), t.xy.row(y).data(), t.yy.row(y).data(), out.row(y).data(),
+                    out.width());
   });
   return out;
 }
@@ -156,16 +188,21 @@ float weight_of(const Raster<float>& energy) {
 
 /// The weighted geometric mean of the scales' energies, so that a boundary has to show at every scale that
 /// counts.
-Raster<float> mean_of(const std::vector<Raster<float>>& energies, const std::vector<float>& shares,
+Raster<float> mean_of(std::vector<Raster<float>>& energies, const std::vector<float>& shares,
                       const Work& work) {
   Raster<float> out(energies[0].width(), energies[0].height());
   const float total = std::accumulate(shares.begin(), shares.end(), 0.0F);
-  for (std::size_t k = 0; k < energies.size(); ++k)
-    each_pixel(work, out.count(), [&](std::size_t i) {
-      out.values()[i] += shares[k] / total * std::log2(energies[k].values()[i] + kFloor);
-    });
-  each_pixel(work, out.count(),
-             [&](std::size_t i) { out.values()[i] = std::max(0.0F, std::exp2(out.values()[i]) - kFloor); });
+  parallel_for(work, out.height(), 16, [&](int begin, int end) {
+    const cv::Range rows(begin, end);
+    cv::Mat sum = as_mat(out).rowRange(rows);
+    cv::Mat logarithm;
+    for (std::size_t k = 0; k < energies.size(); ++k) {
+      cv::log(as_mat(energies[k]).rowRange(rows) + kFloor, logarithm);
+      cv::scaleAdd(logarithm, shares[k] / total, sum, sum);
+    }
+    cv::exp(sum, sum);
+    sum = cv::max(sum - kFloor, 0.0);
+  });
   return out;
 }
 

@@ -3,6 +3,7 @@
 #include "palpable/vision/contours.hpp"
 
 #include "palpable/vision/contour_steps.hpp"
+#include "palpable/vision/reduced_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -271,6 +272,19 @@ TEST(Contours, RefuseWhatCannotBeFollowed) {
   ContourOptions options;
   options.threshold = 1.5;
   EXPECT_EQ(find_contours(step(16, 0.0, 0.0), options, Work{}).error().code, ErrorCode::usage);
+}
+
+TEST(ReducedPicture, KeepsProportionsAndMeans) {
+  Image ramp{400, 200, 2, 8, {}};
+  for (int i = 0; i < 400 * 200; ++i)
+    ramp.samples.insert(ramp.samples.end(), {static_cast<float>(i % 400) / 399.0F, 0.25F});
+  const auto small = reduced(ramp, 20000);
+  ASSERT_TRUE(small);
+  EXPECT_EQ(small->width, 200);
+  EXPECT_EQ(small->height, 100);
+  EXPECT_NEAR(small->pixel(50, 70)[0], 100.5F / 399.0F, 1e-5F);
+  EXPECT_NEAR(small->pixel(50, 70)[1], 0.25F, 1e-6F);
+  EXPECT_FALSE(reduced(ramp, 80000)) << "it is small enough as it is";
 }
 
 TEST(OtsuThreshold, SplitsTwoLevels) {
