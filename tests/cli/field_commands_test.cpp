@@ -113,6 +113,50 @@ TEST_F(FieldCommands, APairBecomesTheVolumeBehindIt) {
   EXPECT_LT(d[1], 0.0);
 }
 
+/// The upper half of a ball as an open surface (OBJ), 3 mm wide quads cut into triangles.
+std::string half_ball(double radius_m) {
+  constexpr int kRings = 16, kAround = 48;
+  std::ostringstream text;
+  for (int i = 0; i <= kRings; ++i)
+    for (int k = 0; k < kAround; ++k) {
+      const double polar = 0.5 * 3.14159265 * i / kRings, turn = 2.0 * 3.14159265 * k / kAround;
+      text << "v " << radius_m * std::sin(polar) * std::cos(turn) << " "
+           << radius_m * std::sin(polar) * std::sin(turn) << " " << radius_m * std::cos(polar) << "\n";
+    }
+  for (int i = 0; i < kRings; ++i)
+    for (int k = 0; k < kAround; ++k) {
+      const int a = 1 + kAround * i + k, b = 1 + kAround * i + (k + 1) % kAround;
+      text << "f " << a << " " << a + kAround << " " << b + kAround << "\n";
+      if (i > 0) text << "f " << a << " " << b + kAround << " " << b << "\n";
+    }
+  return text.str();
+}
+
+TEST_F(FieldCommands, CorrectsAFieldByAMeasuredSurface) {
+  write_text(
+      path("ball.json"),
+      R"({"primitives": [{"size_m": [0.02, 0.02, 0.02], "exponents": [1, 1], "position_m": [0, 0, 0]}]})");
+  ASSERT_EQ(palpable({"make", path("ball.json"), "-o", path("b.palp"), "--resolution", "32"}).exit_code, 0);
+  write_text(path("measured.obj"), half_ball(0.021));
+  const Outcome corrected = palpable(
+      {"correct", path("b.palp"), path("measured.obj"), "-o", path("c.palp"), "--transition", "6", "--json"});
+  ASSERT_EQ(corrected.exit_code, 0) << corrected.err;
+  EXPECT_GT(corrected.json()["measured_samples"], 50);
+  const auto d = distances(path("c.palp"), {"0,0,0.0215", "0.012,0,0.012", "0,0,-0.0205", "0,0.015,-0.015"});
+  EXPECT_NEAR(d[0], 0.0005, 1e-4);
+  // 4 mm deep, where the bound is looser.
+  EXPECT_NEAR(d[1], 0.0169706 - 0.021, 2e-4);
+  EXPECT_NEAR(d[2], 0.0005, 1e-4);
+  EXPECT_NEAR(d[3], 0.0212132 - 0.02, 1e-4);
+
+  write_text(path("elsewhere.obj"), half_ball(0.2));
+  const Outcome missed = palpable({"correct", path("b.palp"), path("elsewhere.obj"), "-o", path("x.palp")});
+  EXPECT_EQ(missed.exit_code, 1);
+  EXPECT_TRUE(is_one_sentence(missed.err)) << missed.err;
+  EXPECT_THAT(missed.err, HasSubstr("elsewhere.obj"));
+  EXPECT_FALSE(std::filesystem::exists(path("x.palp")));
+}
+
 TEST_F(FieldCommands, BadSolidsAreRefusedInOneSentence) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"empty.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"},

@@ -41,6 +41,7 @@ Options add_command_below(Program& program, const std::string& parent, const std
 void add_bench(Program& program);
 void add_calibrate(Program& program);
 void add_compare(Program& program);
+void add_correct(Program& program);
 void add_depth(Program& program);
 void add_devices(Program& program);
 void add_doctor(Program& program);

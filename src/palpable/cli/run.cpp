@@ -119,6 +119,7 @@ void describe(Program& program) {
   add_common(app, program.common);
   add_touch(program);
   add_make(program);
+  add_correct(program);
   add_depth(program);
   add_compare(program);
   add_fit(program);

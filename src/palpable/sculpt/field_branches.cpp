@@ -63,22 +63,40 @@ class SharedSamples {
   std::vector<Slot> slots_;
 };
 
+/// Copies an entry and all below it.
+std::uint32_t copied(const FieldTree& tree, std::uint32_t entry, Branch& branch) {
+  if ((entry & FieldTree::kLeaf) != 0) {
+    const std::uint32_t* words = &tree.words[entry & ~FieldTree::kLeaf];
+    const auto begin = static_cast<std::uint32_t>(branch.words.size());
+    branch.words.insert(branch.words.end(), words, words + models::LeafHead{*words}.words());
+    return begin | FieldTree::kLeaf;
+  }
+  const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
+  branch.nodes.resize(branch.nodes.size() + 8);
+  for (std::size_t child = 0; child < 8; ++child) {
+    const std::uint32_t below = copied(tree, tree.nodes[8 * std::size_t{entry} + child], branch);
+    branch.nodes[8 * std::size_t{node} + child] = below;
+  }
+  return node;
+}
+
 class BranchBuilder {
  public:
   BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
-                const Work& work)
-      : grid_(grid), bounds_(bounds), work_(work), shared_(source) {
+                const Earlier* earlier, const Work& work)
+      : grid_(grid), bounds_(bounds), earlier_(earlier), work_(work), shared_(source) {
     // A cell on the surface is never larger than this: finer things could hide between its samples.
     longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
   }
 
   /// Builders may be used for one root cell after another.
-  Branch build(std::array<int, 3> corner) {
+  Branch build(std::array<int, 3> corner, std::size_t root) {
     Branch branch;
     root_ = corner;
     recent_ = {};
     shared_.begin(grid_.origin_m + place_of(corner), 0.5 * grid_.cell_m, (2 << grid_.levels) + 1);
-    branch.entry = build(corner, grid_.levels, branch);
+    branch.entry =
+        build(corner, grid_.levels, earlier_ == nullptr ? kNone : earlier_->tree.roots[root], branch);
     return branch;
   }
 
@@ -88,19 +106,34 @@ class BranchBuilder {
                                static_cast<double>(corner[2])};
   }
 
-  std::uint32_t build(std::array<int, 3> corner, int level, Branch& branch) {
+  /// `was`: the cell's entry in the earlier tree, or kNone.
+  std::uint32_t build(std::array<int, 3> corner, int level, std::uint32_t was, Branch& branch) {
     const int side = 1 << level;
     CellSamples samples;
     samples.half_m = 0.5 * grid_.cell_m * side;
     samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
-    for (std::size_t k = 0; k < kFitPlaces; ++k)
+    const auto ask = [&](std::size_t k) {
       samples.at[k] = shared_.at(lattice_place(corner, side, fit_place(k)));
+    };
+    constexpr std::size_t kCentre = kFitPlaces / 2;
+    ask(kCentre);
+    if (was != kNone && earlier_->is_far(samples.centre_m, samples.half_m, samples.at[kCentre].distance_m))
+      return copied(earlier_->tree, was, branch);
+    for (std::size_t k = 0; k < kFitPlaces; ++k) ask(k);
+    if (was != kNone) {
+      const Change change = earlier_->change(samples);
+      const bool whole = (was & FieldTree::kLeaf) != 0;
+      if (change == Change::none && whole) return copied(earlier_->tree, was, branch);
+      if (change != Change::all && !whole) return split(corner, level, was, branch);
+    }
     // Half the diagonal of a cube, and a little.
-    const bool on_surface = std::abs(samples.at[kFitPlaces / 2].distance_m) < 1.8 * samples.half_m;
-    if (on_surface && side > longest_on_surface_ && !work_.cancelled()) return split(corner, level, branch);
+    const bool on_surface = std::abs(samples.at[kCentre].distance_m) < 1.8 * samples.half_m;
+    if (on_surface && side > longest_on_surface_ && !work_.cancelled())
+      return split(corner, level, kNone, branch);
     const LeafFit leaf = fit_leaf(samples, bounds_, recent_);
     const bool fits = leaf.error <= 1.0 && holds_between(leaf, samples);
-    if (!fits && side > smallest_side(samples) && !work_.cancelled()) return split(corner, level, branch);
+    if (!fits && side > smallest_side(samples) && !work_.cancelled())
+      return split(corner, level, kNone, branch);
     if (fits) recent_.add(leaf);
     const auto begin = static_cast<std::uint32_t>(branch.words.size());
     branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
@@ -115,7 +148,7 @@ class BranchBuilder {
     return {along(0, u.x), along(1, u.y), along(2, u.z)};
   }
 
-  std::uint32_t split(std::array<int, 3> corner, int level, Branch& branch) {
+  std::uint32_t split(std::array<int, 3> corner, int level, std::uint32_t was, Branch& branch) {
     const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
     branch.nodes.resize(branch.nodes.size() + 8);
     const int half = 1 << (level - 1);
@@ -123,7 +156,7 @@ class BranchBuilder {
       const std::uint32_t entry =
           build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
                  corner[2] + (child & 4U ? half : 0)},
-                level - 1, branch);
+                level - 1, was == kNone ? kNone : earlier_->tree.nodes[8 * std::size_t{was} + child], branch);
       branch.nodes[8 * std::size_t{node} + child] = entry;
     }
     return node;
@@ -161,8 +194,11 @@ class BranchBuilder {
     return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
   }
 
+  /// No node has this number: there are fewer than 2^31.
+  static constexpr std::uint32_t kNone = FieldTree::kLeaf - 1;
   const FieldGrid& grid_;
   const FitBounds& bounds_;
+  const Earlier* earlier_;
   const Work& work_;
   SharedSamples shared_;
   RecentLeaves recent_;
@@ -184,28 +220,11 @@ Error too_large(double needed_bytes, const FieldOptions& options) {
           {}};
 }
 
-/// Copies an entry and all below it.
-std::uint32_t copied(const FieldTree& tree, std::uint32_t entry, Branch& branch) {
-  if ((entry & FieldTree::kLeaf) != 0) {
-    const std::uint32_t* words = &tree.words[entry & ~FieldTree::kLeaf];
-    const auto begin = static_cast<std::uint32_t>(branch.words.size());
-    branch.words.insert(branch.words.end(), words, words + models::LeafHead{*words}.words());
-    return begin | FieldTree::kLeaf;
-  }
-  const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
-  branch.nodes.resize(branch.nodes.size() + 8);
-  for (std::size_t child = 0; child < 8; ++child) {
-    const std::uint32_t below = copied(tree, tree.nodes[8 * std::size_t{entry} + child], branch);
-    branch.nodes[8 * std::size_t{node} + child] = below;
-  }
-  return node;
-}
-
 }  // namespace
 
 Result<std::vector<Branch>> branches_of(const DistanceSource& source, const FieldGrid& grid,
                                         const FitBounds& bounds, const FieldOptions& options,
-                                        const std::function<bool(int)>& wanted, const Work& work) {
+                                        const Earlier* earlier, const Work& work) {
   const int count = grid.roots[0] * grid.roots[1] * grid.roots[2];
   std::vector<Branch> branches(static_cast<std::size_t>(count));
   std::atomic<int> next{0};
@@ -216,14 +235,14 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
   // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
   parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
     if (begin == end) return;
-    BranchBuilder builder(source, grid, bounds, work);
+    BranchBuilder builder(source, grid, bounds, earlier, work);
     for (int i = next++; i < count && !work.cancelled() && !too_many(); i = next++) {
-      if (!wanted(i)) continue;
       const int side = 1 << grid.levels;
-      branches[static_cast<std::size_t>(i)] =
-          builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
-                         i / (grid.roots[0] * grid.roots[1]) * side});
-      const Branch& branch = branches[static_cast<std::size_t>(i)];
+      const auto root = static_cast<std::size_t>(i);
+      branches[root] = builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
+                                      i / (grid.roots[0] * grid.roots[1]) * side},
+                                     root);
+      const Branch& branch = branches[root];
       bytes += sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size());
       const int ready = ++done;
       if (ready % 32 == 0) {
@@ -238,10 +257,13 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
   return branches;
 }
 
-Branch branch_of(const FieldTree& tree, std::size_t root) {
-  Branch branch;
-  branch.entry = copied(tree, tree.roots[root], branch);
-  return branch;
+FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options) {
+  FitBounds bounds;
+  bounds.cell_m = cell_m;
+  bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
+  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
+  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
+  return bounds;
 }
 
 }  // namespace palpable::sculpt

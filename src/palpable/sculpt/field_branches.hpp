@@ -26,14 +26,28 @@ struct Branch {
   std::vector<std::uint32_t> words;
 };
 
-/// Samples the root cells that `wanted` names by their number (x fastest); the others' branches stay empty.
-/// Errors: failed for more than options.most_bytes, interrupted.
+/// How a cell stands to what changed in its solid.
+enum class Change : std::uint8_t { none, partly, all };
+
+/// A field that is to be sampled again in part.
+struct Earlier {
+  const models::FieldTree& tree;
+  /// Of a cell (its centre from the grid's origin) and the distance that the source now tells at the places
+  /// of the cell's fit. Any thread.
+  std::function<Change(const CellSamples&)> change;
+  /// The same, from the centre's distance alone: true only where nothing changed.
+  std::function<bool(Vec3 centre_m, double half_m, double distance_m)> is_far;
+};
+
+/// Samples all root cells, x fastest. With an earlier tree of the same grid, its cells that did not change
+/// are copied, to the bit; where a cell changed in part, its children are looked at. Errors: failed for more
+/// than options.most_bytes, interrupted.
 Result<std::vector<Branch>> branches_of(const DistanceSource& source, const models::FieldGrid& grid,
                                         const FitBounds& bounds, const FieldOptions& options,
-                                        const std::function<bool(int)>& wanted, const Work& work);
+                                        const Earlier* earlier, const Work& work);
 
-/// A root cell's part of a tree, as it was built.
-Branch branch_of(const models::FieldTree& tree, std::size_t root);
+/// The bounds of a field whose solid's longest side is `longest_m`.
+FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options);
 
 /// Joins the branches; leaves that hold the same share their words.
 class Joiner {

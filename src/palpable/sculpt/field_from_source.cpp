@@ -67,23 +67,6 @@ models::FieldErrors measured(const DistanceField& field, const DistanceSource& s
   return result;
 }
 
-FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options) {
-  FitBounds bounds;
-  bounds.cell_m = cell_m;
-  bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
-  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
-  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
-  return bounds;
-}
-
-/// How far a place is from a box; 0 inside.
-double distance_to(const Box& box, Vec3 p) {
-  const Vec3 d{std::max({box.least_m.x - p.x, 0.0, p.x - box.most_m.x}),
-               std::max({box.least_m.y - p.y, 0.0, p.y - box.most_m.y}),
-               std::max({box.least_m.z - p.z, 0.0, p.z - box.most_m.z})};
-  return norm(d);
-}
-
 }  // namespace
 
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {
@@ -108,8 +91,7 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   const double longest_m = longest_side(box);
   const FieldGrid grid = grid_around(box, *cell_m, options.resolution);
   const FitBounds bounds = bounds_for(longest_m, *cell_m, options);
-  const auto branches = branches_of(
-      source, grid, bounds, options, [](int) { return true; }, work);
+  const auto branches = branches_of(source, grid, bounds, options, nullptr, work);
   if (!branches) return branches.error();
   Joiner joiner;
   for (const Branch& branch : *branches) joiner.add(branch);
@@ -119,41 +101,6 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   const models::FieldErrors errors = measured(*field, source, bounds, work);
   work.report(1.0, "sampling the distance");
   return DistanceField::from_tree(grid, std::move(tree), errors);
-}
-
-Result<FieldUpdate> updated_field(const DistanceField& field, const DistanceSource& source,
-                                  const Box& changed, const FieldOptions& options, const Work& work) {
-  const FieldGrid& grid = field.grid();
-  const Box box = source.bounds();
-  if (!field.contains(box.least_m) || !field.contains(box.most_m))
-    return Error{
-        ErrorCode::failed, "the changed solid reaches out of the field's box: build the field anew", {}};
-  FitBounds bounds = bounds_for(options.resolution * grid.cell_m, grid.cell_m, options);
-  bounds.bound_m = field.errors().bound_m;
-  const int side = 1 << grid.levels;
-  const double half_m = 0.5 * grid.cell_m * side, reach_m = std::sqrt(3.0) * half_m;
-  // Where the old surface is nearer than anything that changed, in the whole cell, nothing changes. Fields
-  // err a little, and the window looks half a finest cell beyond.
-  const auto touched = [&](int i) {
-    const Vec3 corner{1.0 * (i % grid.roots[0]), 1.0 * (i / grid.roots[0] % grid.roots[1]),
-                      1.0 * (i / (grid.roots[0] * grid.roots[1]))};
-    const Vec3 middle = grid.origin_m + 2.0 * half_m * corner + Vec3{half_m, half_m, half_m};
-    const double here_m = std::abs(field.sample(middle).distance_m);
-    return distance_to(changed, middle) - reach_m < here_m + reach_m + 2.0 * grid.cell_m;
-  };
-  const auto fresh = branches_of(source, grid, bounds, options, touched, work);
-  if (!fresh) return fresh.error();
-  Joiner joiner;
-  FieldUpdate update{field, 0};
-  for (std::size_t i = 0; i < fresh->size(); ++i) {
-    const bool again = touched(static_cast<int>(i));
-    joiner.add(again ? (*fresh)[i] : branch_of(field.tree(), i));
-    update.root_cells += again ? 1 : 0;
-  }
-  auto next = DistanceField::from_tree(grid, joiner.take(), field.errors());
-  if (!next) return next.error();
-  update.field = std::move(*next);
-  return update;
 }
 
 }  // namespace palpable::sculpt

@@ -37,18 +37,4 @@ Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 Result<models::DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
                                                 const Work& work);
 
-/// A field after a part of its solid changed.
-struct FieldUpdate {
-  models::DistanceField field;
-  /// How many root cells were sampled again; all others are as they were, to the bit.
-  std::size_t root_cells = 0;
-};
-
-/// The field of a solid that differs from the field's own only inside `changed`, the box around the changed
-/// surface as it was and as it is: only root cells where a changed place may be the nearest are sampled
-/// again. The errors measured at building are kept. `options` as the field was built with. Errors: failed for
-/// a solid that leaves the field's grid; else as field_from_source().
-Result<FieldUpdate> updated_field(const models::DistanceField& field, const DistanceSource& source,
-                                  const Box& changed, const FieldOptions& options, const Work& work);
-
 }  // namespace palpable::sculpt

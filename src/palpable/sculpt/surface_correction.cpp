@@ -153,19 +153,6 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
   return (1.0 - u * u * (3.0 - 2.0 * u)) / weights * sum;
 }
 
-void grow(CorrectedSurface& s, Vec3 p) {
-  s.changed_least_m = {std::min(s.changed_least_m.x, p.x), std::min(s.changed_least_m.y, p.y),
-                       std::min(s.changed_least_m.z, p.z)};
-  s.changed_most_m = {std::max(s.changed_most_m.x, p.x), std::max(s.changed_most_m.y, p.y),
-                      std::max(s.changed_most_m.z, p.z)};
-}
-
-void forget_changes(CorrectedSurface& s) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  s.changed_least_m = {kFar, kFar, kFar};
-  s.changed_most_m = {-kFar, -kFar, -kFar};
-}
-
 }  // namespace
 
 Mesh CorrectedSurface::adapted() const {
@@ -174,28 +161,57 @@ Mesh CorrectedSurface::adapted() const {
   return mesh;
 }
 
+Mesh CorrectedSurface::changed() const {
+  std::vector<bool> is_moved(predicted.vertices_m.size());
+  for (const Moved& m : moved) is_moved[m.sample] = true;
+  Mesh now;
+  std::vector<std::uint32_t> place(predicted.vertices_m.size(), std::numeric_limits<std::uint32_t>::max());
+  for (auto t : predicted.triangles) {
+    if (std::none_of(t.begin(), t.end(), [&](std::uint32_t i) { return is_moved[i]; })) continue;
+    for (std::uint32_t& i : t) {
+      if (place[i] == std::numeric_limits<std::uint32_t>::max()) {
+        place[i] = static_cast<std::uint32_t>(now.vertices_m.size());
+        now.vertices_m.push_back(predicted.vertices_m[i] + translations_m[i]);
+      }
+      i = place[i];
+    }
+    now.triangles.push_back(t);
+  }
+  // The same triangles once more, with what moved at its place before.
+  const auto vertices = static_cast<std::uint32_t>(now.vertices_m.size());
+  const std::size_t triangles = now.triangles.size();
+  now.vertices_m.resize(2 * std::size_t{vertices});
+  std::copy_n(now.vertices_m.begin(), vertices, now.vertices_m.begin() + vertices);
+  for (const Moved& m : moved)
+    if (place[m.sample] < vertices)
+      now.vertices_m[vertices + place[m.sample]] = predicted.vertices_m[m.sample] + m.before_m;
+  for (std::size_t k = 0; k < triangles; ++k) {
+    const auto t = now.triangles[k];
+    now.triangles.push_back({t[0] + vertices, t[1] + vertices, t[2] + vertices});
+  }
+  return now;
+}
+
 Result<CorrectedSurface> predicted_surface(Mesh mesh) {
   if (!is_watertight(mesh)) return invalid_input("a predicted surface must be closed");
   CorrectedSurface s;
   s.translations_m.resize(mesh.vertices_m.size());
   s.measured.resize(mesh.vertices_m.size());
   s.predicted = std::move(mesh);
-  forget_changes(s);
   return s;
 }
 
 Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measured,
                                          const CorrectionOptions& options, const Work& work) {
   if (auto sound = check(measured, options); !sound) return std::move(sound).error();
-  forget_changes(s);
+  s.moved.clear();
   const Samples samples = samples_of(s.predicted);
   work.report(0.1, "meeting the measured surface");
   const auto ways = ways_to(measured, s.predicted, samples, options.reach_m);
   const auto move_to = [&](std::size_t i, Vec3 translation) {
     if (s.translations_m[i] == translation) return;
-    grow(s, s.predicted.vertices_m[i] + s.translations_m[i]);
+    s.moved.push_back({static_cast<std::uint32_t>(i), s.translations_m[i]});
     s.translations_m[i] = translation;
-    grow(s, s.predicted.vertices_m[i] + translation);
   };
   std::vector<std::uint32_t> pulled;
   for (std::uint32_t i = 0; i < ways.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -26,13 +27,18 @@ struct CorrectedSurface {
   std::vector<Vec3> translations_m;
   /// Whether a sample is of the set W: pulled onto the measured surface itself.
   std::vector<bool> measured;
-  /// Box around the samples whose translation the last correction changed, where they were before and are
-  /// after: only there does a field need another look. least > most where nothing changed.
-  Vec3 changed_least_m;
-  Vec3 changed_most_m;
+  /// A sample that the last correction moved, and its translation before that.
+  struct Moved {
+    std::uint32_t sample = 0;
+    Vec3 before_m;
+  };
+  std::vector<Moved> moved;
 
   /// The surface as it stands.
   Mesh adapted() const;
+  /// The triangles that the last correction changed, as they were and as they are: only where one of them is
+  /// the nearest does a field need another look. Empty where nothing changed.
+  Mesh changed() const;
 };
 
 /// Before any correction. Errors: invalid_input for a mesh that is not closed.

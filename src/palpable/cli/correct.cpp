@@ -1,0 +1,76 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/command.hpp"
+#include "palpable/formats/scene_file.hpp"
+#include "palpable/session/correct_scene.hpp"
+#include "palpable/sources/mesh_file.hpp"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct Arguments {
+  std::string scene, measured, output;
+  double reach_mm = 10.0;
+  double transition_mm = 5.0;
+};
+
+Result<Answer> correct(const Arguments& arguments, Console& console) {
+  const auto file = formats::read_scene(arguments.scene);
+  if (!file) return file.error();
+  auto measured = sources::read_mesh(arguments.measured);
+  if (!measured) return measured.error();
+  const auto begin = std::chrono::steady_clock::now();
+  auto corrected =
+      session::correct_scene(file->scene, *std::move(measured),
+                             {0.001 * arguments.reach_mm, 0.001 * arguments.transition_mm}, console.work());
+  if (!corrected) {
+    const bool by_scene = corrected.error().code == ErrorCode::usage;
+    if (corrected.error().place.empty())
+      corrected.error().place = by_scene ? arguments.scene : arguments.measured;
+    return corrected.error();
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  for (const std::string& note : corrected->made.notes) console.note(note);
+  if (interrupted()) return Work::interrupted();
+  models::Scene scene = *corrected->made.scene;
+  scene.source.inputs.push_back(arguments.measured);
+  if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
+  Answer answer;
+  answer.json = {{"output", arguments.output},
+                 {"measured_samples", corrected->measured_samples},
+                 {"moved_samples", corrected->moved_samples},
+                 {"notes", corrected->made.notes},
+                 {"seconds", seconds.count()}};
+  answer.text =
+      fmt::format("{}: {} samples of the surface went onto the measured one, {} moved, in {:.2f} s\n",
+                  arguments.output, corrected->measured_samples, corrected->moved_samples, seconds.count());
+  return answer;
+}
+
+}  // namespace
+
+void add_correct(Program& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  Options options =
+      add_command(program, "correct", "Correct a field by a surface that was measured of a part of it",
+                  "  palpable correct shapes.palp measured.ply -o corrected.palp\n"
+                  "  palpable correct shapes.palp measured.ply -o corrected.palp --reach 4 --transition 3",
+                  [arguments](Console& console) { return correct(*arguments, console); });
+  options.argument("SCENE", arguments->scene, "A .palp scene of a field");
+  options.argument(
+      "MEASURED", arguments->measured,
+      "The measured surface, open or not, in the metres of what the scene was made from (OBJ, PLY, "
+      "STL, GLB)");
+  options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
+  options.number(
+      "--reach", arguments->reach_mm, {0.001, 1000.0},
+      "Millimetres along its normal in which a place of the field's surface looks for the measured one");
+  options.number("--transition", arguments->transition_mm, {0.001, 1000.0},
+                 "Millimetres around what was measured in which the surface follows smoothly");
+}
+
+}  // namespace palpable::cli
