@@ -3,8 +3,10 @@
 #include "palpable/session/make_field.hpp"
 
 #include "palpable/formats/superquadric_json.hpp"
+#include "palpable/formats/vdb.hpp"
 #include "palpable/models/relief_solid.hpp"
 #include "palpable/sculpt/cloud_surface.hpp"
+#include "palpable/sculpt/level_set_surface.hpp"
 #include "palpable/sculpt/mesh_solid.hpp"
 #include "palpable/sculpt/superquadric_source.hpp"
 #include "palpable/session/places.hpp"
@@ -56,19 +58,28 @@ struct Solid {
   std::unique_ptr<sculpt::DistanceSource> distance;
   std::vector<std::string> notes;
   SceneFromInput scene_from_input;
+  /// How exactly the input itself tells its surface; 0 = as exactly as is asked for.
+  double exact_to_m = 0.0;
 };
+
+/// Scales a mesh into that box, if one is given, and says how.
+Result<SceneFromInput> place_mesh(Mesh& mesh, const std::optional<Vec3>& size_m) {
+  const auto box = box_of(mesh);
+  if (!box) return box.error();
+  if (!size_m) return SceneFromInput{};
+  const SceneFromInput transform = fitted(*box, *size_m);
+  for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
+  return transform;
+}
 
 Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const sculpt::FieldOptions& options,
                        const Work& work) {
-  auto box = box_of(mesh);
-  if (!box) return box.error();
+  const auto transform = place_mesh(mesh, size_m);
+  if (!transform) return transform.error();
   Solid solid;
-  if (size_m) {
-    solid.scene_from_input = fitted(*box, *size_m);
-    const auto place = [&](Vec3 v) { return (solid.scene_from_input * Point<models::InputFrame>{v}).v; };
-    for (Vec3& v : mesh.vertices_m) v = place(v);
-    *box = {place(box->least_m), place(box->most_m)};
-  }
+  solid.scene_from_input = *transform;
+  const auto box = box_of(mesh);
+  if (!box) return box.error();
   const auto cell_m = sculpt::finest_cell_m(*box, options);
   if (!cell_m) return cell_m.error();
   auto made = sculpt::solid_from_mesh(mesh, *cell_m, work);
@@ -101,6 +112,21 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const std::opti
   return solid;
 }
 
+Result<Solid> solid_from_level_set(const std::filesystem::path& file, const std::optional<Vec3>& size_m,
+                                   const Work& work) {
+  const auto set = formats::read_vdb(file);
+  if (!set) return set.error();
+  auto surface = sculpt::surface_of_level_set(*set, work);
+  if (!surface) return surface.error();
+  const auto transform = place_mesh(*surface, size_m);
+  if (!transform) return transform.error();
+  auto distance = sculpt::solid_from_contour(*surface);
+  if (!distance) return distance.error();
+  // Between places of a grid an edge is lost by about so much.
+  constexpr double kOfAVoxel = 0.1;
+  return Solid{std::move(*distance), {}, *transform, kOfAVoxel * transform->scale * norm(set->steps_m[0])};
+}
+
 Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& input, const Work& work) {
   const auto& file = input.files.front();
   const auto& size_m = options.relief.size_m;
@@ -117,12 +143,14 @@ Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& 
     if (!surface) return surface.error();
     return solid_of(std::move(*surface), size_m, options.field, work);
   }
+  if (input.kind == sources::InputKind::level_set) return solid_from_level_set(file, size_m, work);
   auto mesh = sources::read_mesh(file);
   if (!mesh) return mesh.error();
   return solid_of(std::move(*mesh), size_m, options.field, work);
 }
 
-Result<models::Field> sampled(const Solid& solid, const sculpt::FieldOptions& options, const Work& work) {
+Result<models::Field> sampled(const Solid& solid, sculpt::FieldOptions options, const Work& work) {
+  if (options.max_error_m == 0.0 && solid.exact_to_m > 0.0) options.max_error_m = solid.exact_to_m;
   auto distance = sculpt::field_from_source(*solid.distance, options, work);
   if (!distance) return distance.error();
   const sculpt::Box surface = solid.distance->bounds();

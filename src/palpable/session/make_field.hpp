@@ -8,9 +8,9 @@
 
 namespace palpable::session {
 
-/// A distance field of a file of a mesh, of points with normals, or of superquadrics. With
-/// options.relief.size_m the solid is scaled into that box, its lowest point at z = 0 and its middle over the
-/// origin; else it keeps its metres and origin. Errors: as make_scene().
+/// A distance field of a file of a mesh, of points with normals, of superquadrics, or an OpenVDB level set.
+/// With options.relief.size_m the solid is scaled into that box, its lowest point at z = 0 and its middle
+/// over the origin; else it keeps its metres and origin. Errors: as make_scene().
 Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Input& input, const Work& work);
 
 /// The volume behind a relief's visible surface (Park & Howard 2012), down to a base plate, as a field.

@@ -246,6 +246,7 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
     case sources::InputKind::mesh:
     case sources::InputKind::points:
     case sources::InputKind::shapes:
+    case sources::InputKind::level_set:
       return as_field ? field_from_file(options, *input, work) : not_yet(*input);
     case sources::InputKind::scene:
       return as_wanted(from_scene_file(options), options, work);
