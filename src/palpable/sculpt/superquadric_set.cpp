@@ -1,0 +1,394 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/superquadric_set.hpp"
+
+#include "palpable/models/superquadric_distance.hpp"
+#include "palpable/sculpt/box.hpp"
+#include "palpable/sculpt/point_index.hpp"
+#include "palpable/sculpt/slab_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::SuperquadricDistance;
+
+constexpr std::size_t kFewest = 12;
+/// So many points tell the shapes; more only cost time.
+constexpr std::size_t kKept = 6000;
+/// A fit looks at so many of a part's points, a measure of it at so many.
+constexpr std::size_t kFitted = 400, kMeasured = 250;
+/// A point that lies farther from a shape than this many tolerances counts no more than that.
+constexpr double kCap = 4.0;
+
+using Members = std::vector<std::uint32_t>;
+
+/// A part of the points with its shape.
+struct Part {
+  Members members;
+  std::uint8_t label = 0;
+  FittedSuperquadric fit;
+  /// Mean distance of the members, each at most kCap tolerances.
+  double error_m = std::numeric_limits<double>::infinity();
+};
+
+/// One cell's points by one of them, cells so small that about `most` are left.
+Members thinned(std::span<const Vec3> points, std::size_t most) {
+  Members all(points.size());
+  std::iota(all.begin(), all.end(), 0U);
+  if (points.size() <= most) return all;
+  const Box box = bounds_of(points);
+  const Vec3 size = box.size_m();
+  double cell_m = std::max({size.x, size.y, size.z}) / 256.0;
+  for (;; cell_m *= 1.25) {
+    std::map<std::array<int, 3>, std::uint32_t> first;
+    for (const std::uint32_t i : all) {
+      const Vec3 p = (points[i] - box.least_m) / cell_m;
+      first.try_emplace({static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)}, i);
+    }
+    if (first.size() > most) continue;
+    Members some;
+    for (const auto& [cell, i] : first) some.push_back(i);
+    return some;
+  }
+}
+
+class Splitter {
+ public:
+  Splitter(std::vector<Vec3> points, std::vector<std::uint8_t> labels,
+           const std::optional<Point<SceneFrame>>& eye, const ShapeSetOptions& options, const Work& work)
+      : points_(std::move(points)), labels_(std::move(labels)), eye_(eye), options_(options), work_(work) {
+    const Vec3 size = bounds_of(points_).size_m();
+    diagonal_m_ = norm(size);
+    spacing_m_ = diagonal_m_ / std::sqrt(static_cast<double>(points_.size()));
+    index_.emplace(points_, 2.0 * spacing_m_);
+    tolerance_m_ =
+        options.tolerance_m > 0.0 ? options.tolerance_m : std::max(0.01 * diagonal_m_, 3.0 * noise_m());
+  }
+
+  Result<ShapeSet> run() {
+    work_.report(0.0, "cutting the points into parts");
+    for (Part& whole : connected()) cut(std::move(whole), 0);
+    if (work_.cancelled()) return Work::interrupted();
+    // Joining settles what belongs together, giving points to their nearest shape where the cuts were.
+    constexpr int kRounds = 2;
+    for (int round = 0; round < kRounds; ++round) {
+      work_.report(0.4 + 0.3 * round, "joining parts that share a shape");
+      join();
+      if (work_.cancelled()) return Work::interrupted();
+      give_to_nearest();
+    }
+    join();
+    if (work_.cancelled()) return Work::interrupted();
+    return answer();
+  }
+
+ private:
+  std::vector<Vec3> places_of(const Members& members, std::size_t most) const {
+    std::vector<Vec3> places;
+    const std::size_t count = std::min(most, members.size());
+    places.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) places.push_back(points_[members[k * members.size() / count]]);
+    return places;
+  }
+
+  /// How far a point lies from the plane through its neighbours, in the middle of all.
+  double noise_m() const {
+    constexpr std::size_t kAsked = 400, kNeighbours = 8;
+    std::vector<double> heights;
+    for (std::size_t k = 0; k < kAsked; ++k) {
+      const Vec3 p = points_[k * points_.size() / kAsked];
+      std::vector<Vec3> near;
+      index_->within(p, 3.0 * spacing_m_, [&](std::uint32_t i, double) { near.push_back(points_[i]); });
+      if (near.size() >= kNeighbours) heights.push_back(thickness_m(near));
+    }
+    if (heights.empty()) return 0.0;
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    return *middle;
+  }
+
+  double error_of(const models::Superquadric& shape, std::span<const Vec3> places) const {
+    const auto distance = SuperquadricDistance::from(shape);
+    if (!distance || places.empty()) return std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    for (const Vec3 p : places) sum += std::min(std::abs(distance->distance_m({p})), kCap * tolerance_m_);
+    return sum / static_cast<double>(places.size());
+  }
+
+  /// Fits what the members lie on: a slab where they are flat, else a superquadric.
+  void fit(Part& part) const {
+    const auto places = places_of(part.members, kFitted), asked = places_of(part.members, kMeasured);
+    part.error_m = std::numeric_limits<double>::infinity();
+    if (places.size() < kFewest) return;
+    if (thickness_m(places) < 0.5 * tolerance_m_) {
+      part.fit = {slab_of(places, eye_), 0.0, 1.0, 0.0};
+      part.error_m = error_of(part.fit.shape, asked);
+      return;
+    }
+    std::optional<FitView> view;
+    if (eye_) view = FitView{*eye_, {}};
+    auto fitted = fit_superquadric(places, view);
+    if (!fitted) return;
+    part.fit = *std::move(fitted);
+    part.error_m = error_of(part.fit.shape, asked);
+    // Nothing seen says how far a body reaches behind: not farther than it is wide.
+    if (reach_m(part.fit.shape) > 2.0 * diagonal_m_) part.error_m = std::numeric_limits<double>::infinity();
+  }
+
+  bool good(const Part& part) const { return part.error_m <= tolerance_m_; }
+
+  /// Points of one label that hang together.
+  std::vector<Part> connected() const {
+    std::vector<std::uint32_t> of(points_.size(), std::numeric_limits<std::uint32_t>::max());
+    std::vector<Part> parts;
+    for (std::uint32_t seed = 0; seed < points_.size(); ++seed) {
+      if (of[seed] != std::numeric_limits<std::uint32_t>::max()) continue;
+      Part part;
+      part.label = label(seed);
+      of[seed] = static_cast<std::uint32_t>(parts.size());
+      part.members.push_back(seed);
+      for (std::size_t k = 0; k < part.members.size(); ++k)
+        index_->within(points_[part.members[k]], 2.0 * spacing_m_, [&](std::uint32_t i, double) {
+          if (of[i] != std::numeric_limits<std::uint32_t>::max() || label(i) != part.label) return;
+          of[i] = of[seed];
+          part.members.push_back(i);
+        });
+      std::sort(part.members.begin(), part.members.end());
+      parts.push_back(std::move(part));
+    }
+    return parts;
+  }
+  std::uint8_t label(std::uint32_t i) const { return labels_.empty() ? 0 : labels_[i]; }
+
+  /// Cuts a part until what is left fits: first what stands on a large plane from the plane, then across its
+  /// longest extent.
+  void cut(Part part, int depth) {
+    if (part.members.size() < kFewest || work_.cancelled()) return;
+    fit(part);
+    constexpr int kDeepest = 6;
+    constexpr std::size_t kFewestToCut = 48;
+    if (good(part) || depth == kDeepest || part.members.size() < kFewestToCut) {
+      parts_.push_back(std::move(part));
+      return;
+    }
+    std::array<Part, 2> halves;
+    const auto places = places_of(part.members, part.members.size());
+    constexpr double kLargePlane = 0.3;
+    const auto on = members_of_largest_plane(places, tolerance_m_, kLargePlane, work_.seed);
+    if (!on.empty() && on.size() + kFewest <= places.size()) {
+      std::size_t next = 0;
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool flat = next < on.size() && on[next] == i;
+        if (flat) ++next;
+        halves[flat ? 0 : 1].members.push_back(part.members[i]);
+      }
+      halves[0].label = part.label;
+      cut(std::move(halves[0]), kDeepest - 1);
+      // What stood on the plane falls apart.
+      for (Part& piece : pieces_of(halves[1].members, part.label)) cut(std::move(piece), depth + 1);
+      return;
+    }
+    const Vec3 axis = longest_axis(places);
+    std::vector<double> at;
+    for (const Vec3 p : places) at.push_back(dot(axis, p));
+    std::vector<double> sorted = at;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      halves[at[i] < *middle ? 0 : 1].members.push_back(part.members[i]);
+    for (Part& half : halves) {
+      half.label = part.label;
+      cut(std::move(half), depth + 1);
+    }
+  }
+
+  static Vec3 longest_axis(std::span<const Vec3> places) {
+    const Vec3 a = places.front();
+    const auto farthest = [&](Vec3 from) {
+      return *std::max_element(places.begin(), places.end(), [&](Vec3 p, Vec3 q) {
+        return squared_norm(p - from) < squared_norm(q - from);
+      });
+    };
+    const Vec3 b = farthest(a);
+    return unit(farthest(b) - b);
+  }
+
+  /// The connected parts of some points.
+  std::vector<Part> pieces_of(const Members& members, std::uint8_t label) const {
+    std::vector<Vec3> places;
+    for (const std::uint32_t i : members) places.push_back(points_[i]);
+    const PointIndex near(places, 2.0 * spacing_m_);
+    std::vector<std::uint8_t> taken(members.size(), 0);
+    std::vector<Part> pieces;
+    for (std::uint32_t seed = 0; seed < members.size(); ++seed) {
+      if (taken[seed] != 0) continue;
+      taken[seed] = 1;
+      Members piece{seed};
+      for (std::size_t k = 0; k < piece.size(); ++k)
+        near.within(places[piece[k]], 2.0 * spacing_m_, [&](std::uint32_t i, double) {
+          if (taken[i] == 0) taken[i] = 1, piece.push_back(i);
+        });
+      Part part;
+      part.label = label;
+      for (const std::uint32_t i : piece) part.members.push_back(members[i]);
+      std::sort(part.members.begin(), part.members.end());
+      pieces.push_back(std::move(part));
+    }
+    return pieces;
+  }
+
+  /// Pairs of parts with points beside each other.
+  std::vector<std::pair<std::size_t, std::size_t>> neighbours() const {
+    std::vector<std::uint32_t> part_of(points_.size(), std::numeric_limits<std::uint32_t>::max());
+    for (std::uint32_t k = 0; k < parts_.size(); ++k)
+      for (const std::uint32_t i : parts_[k].members) part_of[i] = k;
+    std::map<std::pair<std::size_t, std::size_t>, int> meetings;
+    for (std::uint32_t i = 0; i < points_.size(); ++i)
+      index_->within(points_[i], 2.0 * spacing_m_, [&](std::uint32_t j, double) {
+        const std::uint32_t a = part_of[i], b = part_of[j];
+        constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
+        if (a < b && b != kNone && parts_[a].label == parts_[b].label) ++meetings[{a, b}];
+      });
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const auto& [pair, count] : meetings) pairs.push_back(pair);
+    return pairs;
+  }
+
+  /// Two parts as one, if one shape fits each of them.
+  std::optional<Part> joined(const Part& a, const Part& b) const {
+    Part both;
+    both.label = a.label;
+    std::merge(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
+               std::back_inserter(both.members));
+    fit(both);
+    // A part that nothing fitted before may not be made worse; one that fitted must fit again.
+    const auto bears = [&](const Part& part) {
+      const double before_m = std::min(part.error_m, kCap * tolerance_m_);
+      return error_of(both.fit.shape, places_of(part.members, kMeasured)) <= std::max(tolerance_m_, before_m);
+    };
+    if (!std::isfinite(both.error_m) || !bears(a) || !bears(b)) return std::nullopt;
+    return both;
+  }
+
+  /// Joins pairs, the best fitting first, until none is left that one shape fits.
+  void join() {
+    std::map<std::pair<std::size_t, std::size_t>, Part> possible;
+    const auto look = [&](std::size_t a, std::size_t b) {
+      if (work_.cancelled()) return;
+      if (auto both = joined(parts_[a], parts_[b])) possible.emplace(std::pair(a, b), *std::move(both));
+    };
+    for (const auto& [a, b] : neighbours()) look(a, b);
+    while (!possible.empty() && !work_.cancelled()) {
+      const auto best = std::min_element(possible.begin(), possible.end(), [](const auto& p, const auto& q) {
+        return p.second.error_m < q.second.error_m;
+      });
+      const auto [a, b] = best->first;
+      parts_[a] = std::move(best->second);
+      parts_[b].members.clear();
+      std::erase_if(possible, [&, a = a, b = b](const auto& p) {
+        return p.first.first == a || p.first.first == b || p.first.second == a || p.first.second == b;
+      });
+      for (const auto& [c, d] : neighbours())
+        if (c == a || d == a) look(c, d);
+    }
+    std::erase_if(parts_, [](const Part& part) { return part.members.empty(); });
+  }
+
+  /// Every point to the shape that it is nearest to, of its label; then all are fitted again, and what is
+  /// better is kept.
+  void give_to_nearest() {
+    std::vector<SuperquadricDistance> distances;
+    std::vector<Members> members(parts_.size());
+    std::vector<std::size_t> part;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      auto distance = SuperquadricDistance::from(parts_[k].fit.shape);
+      if (!std::isfinite(parts_[k].error_m) || !distance) continue;
+      distances.push_back(*std::move(distance));
+      part.push_back(k);
+    }
+    for (std::uint32_t i = 0; i < points_.size(); ++i) {
+      double least_m = kCap * tolerance_m_;
+      std::size_t nearest = parts_.size();
+      for (std::size_t k = 0; k < part.size(); ++k) {
+        if (parts_[part[k]].label != label(i)) continue;
+        const double distance_m = std::abs(distances[k].distance_m({points_[i]}));
+        if (distance_m < least_m) least_m = distance_m, nearest = part[k];
+      }
+      if (nearest < parts_.size()) members[nearest].push_back(i);
+    }
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      Part again;
+      again.label = parts_[k].label;
+      again.members = std::move(members[k]);
+      fit(again);
+      const double as_it_was_m = error_of(parts_[k].fit.shape, places_of(again.members, kMeasured));
+      if (again.error_m > as_it_was_m) again.fit = parts_[k].fit, again.error_m = as_it_was_m;
+      parts_[k] = std::move(again);
+    }
+    std::erase_if(parts_,
+                  [](const Part& p) { return p.members.size() < kFewest || !std::isfinite(p.error_m); });
+  }
+
+  Result<ShapeSet> answer() {
+    std::erase_if(parts_, [](const Part& p) { return !std::isfinite(p.error_m); });
+    if (parts_.empty()) return invalid_input("holds points that no superquadric fits");
+    std::stable_sort(parts_.begin(), parts_.end(),
+                     [](const Part& a, const Part& b) { return a.members.size() > b.members.size(); });
+    if (parts_.size() > static_cast<std::size_t>(options_.most_shapes))
+      parts_.resize(static_cast<std::size_t>(options_.most_shapes));
+    ShapeSet set;
+    set.tolerance_m = tolerance_m_;
+    std::size_t count = 0;
+    for (Part& part : parts_) {
+      part.fit.error_m = part.error_m;
+      set.error_m += static_cast<double>(part.members.size()) * part.error_m;
+      count += part.members.size();
+      set.shapes.push_back(part.fit);
+    }
+    set.error_m /= static_cast<double>(count);
+    set.left_out = 1.0 - static_cast<double>(count) / static_cast<double>(points_.size());
+    return set;
+  }
+
+  std::vector<Vec3> points_;
+  std::vector<std::uint8_t> labels_;
+  std::optional<Point<SceneFrame>> eye_;
+  ShapeSetOptions options_;
+  const Work& work_;
+  std::optional<PointIndex> index_;
+  std::vector<Part> parts_;
+  double diagonal_m_ = 0.0, spacing_m_ = 0.0, tolerance_m_ = 0.0;
+};
+
+}  // namespace
+
+Result<ShapeSet> fit_superquadrics(std::span<const Vec3> points_m, std::span<const std::uint8_t> labels,
+                                   const std::optional<Point<SceneFrame>>& eye,
+                                   const ShapeSetOptions& options, const Work& work) {
+  if (options.most_shapes < 1 || options.most_shapes > 256 || !(options.tolerance_m >= 0.0))
+    return Error{ErrorCode::usage, "1 to 256 shapes are fitted, to a tolerance that is not negative", {}};
+  if (!labels.empty() && labels.size() != points_m.size())
+    return Error{ErrorCode::usage, "each point needs a label, or none has one", {}};
+  if (points_m.size() < kFewest) return invalid_input("holds fewer than 12 points");
+  if (!std::all_of(points_m.begin(), points_m.end(), [](Vec3 p) { return is_finite(p); }))
+    return invalid_input("holds a point that is not a finite number");
+  const Vec3 size = bounds_of(points_m).size_m();
+  if (!(std::max({size.x, size.y, size.z}) > 0.0))
+    return invalid_input("holds points that are all at one place");
+  std::vector<Vec3> points;
+  std::vector<std::uint8_t> kept_labels;
+  for (const std::uint32_t i : thinned(points_m, kKept)) {
+    points.push_back(points_m[i]);
+    if (!labels.empty()) kept_labels.push_back(labels[i]);
+  }
+  return Splitter(std::move(points), std::move(kept_labels), eye, options, work).run();
+}
+
+}  // namespace palpable::sculpt
