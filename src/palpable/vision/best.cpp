@@ -5,6 +5,7 @@
 #include "palpable/vision/islands.hpp"
 #include "palpable/vision/left_right.hpp"
 #include "palpable/vision/median.hpp"
+#include "palpable/vision/photometric_shift.hpp"
 #include "palpable/vision/plane_search.hpp"
 #include "palpable/vision/sgm.hpp"
 
@@ -173,9 +174,12 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   }
 
   MatchOutput out;
-  out.confidence = confidence(left, mirrored(right.map.disparity), work);
+  const Raster<float> seen_right = mirrored(right.map.disparity);
+  out.confidence = confidence(left, seen_right, work);
+  shift_between_pixels(left.picture.colour, input.left_grey, input.right_grey, seen_right, left.map, work);
+  if (work.cancelled()) return Work::interrupted();
   Raster<float> disparity = left.map.disparity;
-  settle_disagreed(left, mirrored(right.map.disparity), disparity, work);
+  settle_disagreed(left, seen_right, disparity, work);
   out.disparity_px = median_3x3(disparity, work);
   return out;
 }

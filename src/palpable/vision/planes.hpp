@@ -23,6 +23,8 @@ struct FitWindow {
   int radius_px = 3;
   /// and takes every so-manieth.
   int step_px = 1;
+  /// What differs by so many levels, in the channel that differs most, counts half.
+  float like_colour = 12.0F;
 };
 
 /// Fits a plane at each pixel to the disparities around it, each weighted by how alike its colour is, how
