@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -41,6 +42,14 @@ void start_view(View& view, const MatchView& there, CostVolume& scratch, const W
   view.start = PlaneMap(view.costs.width, view.costs.height);
   view.start.disparity = least_cost_disparity(scratch, work);
   view.map = view.start;
+}
+
+/// The right view's disparities in its own frame; what that picture does not show hides all behind it.
+Raster<float> seen_from_right(const View& right, int first) {
+  Raster<float> out = mirrored(right.map.disparity);
+  for (int y = 0; y < out.height(); ++y)
+    std::fill_n(out.row(y).begin(), first, std::numeric_limits<float>::infinity());
+  return out;
 }
 
 /// Confidence of a pixel: how well its colours agree at the match, and how closely the two views do.
@@ -135,13 +144,17 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   const Raster<float> everything(w, h, 1.0F);
   {
     CostVolume scratch(w, h, input.disparities);
-    start_view(left, match_view(input.right, input.right_grey, work), scratch, work);
+    MatchView there = match_view(input.right, input.right_grey, work);
+    there.first = input.right_first;
+    start_view(left, there, scratch, work);
     if (work.cancelled()) return Work::interrupted();
     work.report(0.1, "matching");
     start_view(right, match_view(mirrored(input.left), mirrored(input.left_grey), work), scratch, work);
     work.report(0.2, "matching");
   }
 
+  OtherView unknown;
+  unknown.first = input.right_first;
   PlaneCandidates candidates(w, h);
   int round = 0;
   const auto search = [&](View& view, const OtherView& other, const Raster<float>& trust) {
@@ -151,16 +164,16 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   };
   constexpr int kRounds = kAloneRounds + kTogetherRounds + kLastRounds;
   for (; round < kAloneRounds; ++round) {
-    for (View* view : {&left, &right}) {
-      if (work.cancelled()) return Work::interrupted();
-      search(*view, {}, everything);
-    }
+    search(left, unknown, everything);
+    if (work.cancelled()) return Work::interrupted();
+    search(right, {}, everything);
+    if (work.cancelled()) return Work::interrupted();
     work.report(0.2 + 0.8 * (round + 1) / kRounds, "finding surfaces");
   }
   float furthest = 0.0F;
   for (; round < kRounds; ++round) {
     for (View* view : {&left, &right}) remove_feigned_islands(view->costs, view->map, view->start);
-    const Raster<float> seen_right = mirrored(right.map.disparity);
+    const Raster<float> seen_right = seen_from_right(right, input.right_first);
     const Raster<float> seen_left = mirrored(left.map.disparity);
     const Raster<float> agreed = agreement(left.map.disparity, seen_right);
     if (round == kAloneRounds)
@@ -174,7 +187,7 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   }
 
   MatchOutput out;
-  const Raster<float> seen_right = mirrored(right.map.disparity);
+  const Raster<float> seen_right = seen_from_right(right, input.right_first);
   out.confidence = confidence(left, seen_right, work);
   shift_between_pixels(left.picture.colour, input.left_grey, input.right_grey, seen_right, left.map, work);
   if (work.cancelled()) return Work::interrupted();

@@ -39,6 +39,10 @@ struct CostTables {
 
 void fill_out_of_view(std::uint16_t* cost, int known, int stride) {
   if (known >= stride) return;
+  if (known == 0) {
+    std::fill(cost, cost + stride, static_cast<std::uint16_t>(kCostUnit));
+    return;
+  }
   std::uint64_t sum = 0;
   std::uint16_t least = cost[0];
   for (int d = 0; d < known; ++d) {
@@ -89,7 +93,7 @@ void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume&
       there.assign(other, y, out.stride);
       compare_row(reference, y, there, out.stride, census.data(), colour.data());
       for (int x = 0; x < out.width; ++x) {
-        const int known = std::min(out.disparities, x + 1);
+        const int known = std::clamp(x + 1 - other.first, 0, out.disparities);
         const std::size_t at = static_cast<std::size_t>(x) * static_cast<std::size_t>(out.stride);
         std::uint16_t* cost = out.at(x, y);
         for (int d = 0; d < known; ++d) {

@@ -17,6 +17,8 @@ struct MatchView {
   Raster<std::uint64_t> census;
   /// alike_9x7: which of the census' bits count.
   Raster<std::uint64_t> alike;
+  /// The picture shows something from this column on; what would match before it is out of view.
+  int first = 0;
 };
 MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work);
 

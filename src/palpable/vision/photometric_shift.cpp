@@ -29,6 +29,13 @@ constexpr float kLeastWeight = 1.0F;
 constexpr float kLeastGradient2 = 1e-3F;
 constexpr float kAgreement_px = 1.0F;
 
+template <class T>
+Raster<T> left_columns(const Raster<T>& raster, int columns) {
+  Raster<T> out(columns, raster.height());
+  for (int y = 0; y < raster.height(); ++y) std::copy_n(raster.row(y).begin(), columns, out.row(y).begin());
+  return out;
+}
+
 /// What the pictures say at each pixel of the map: by how much the left one is brighter than the right one
 /// at the match, how fast the right one's luma changes there, and whether both see the same there, 0 or 1.
 struct Evidence {
@@ -44,6 +51,12 @@ bool all_see(const Raster<float>& other_disparity, int first, int y, float dispa
     if (!(std::fabs(seen - disparity) <= kAgreement_px)) return false;
   }
   return true;
+}
+
+/// Whether the match at this disparity lies where the other picture shows nothing.
+bool out_of_view(const Raster<float>& other_disparity, int x, int y, float disparity) {
+  const int there = static_cast<int>(std::floor(static_cast<float>(x) - disparity + 0.5F));
+  return !other_disparity.contains(there, y) || std::isinf(other_disparity(there, y));
 }
 
 /// Compares the pictures along row y, the right one read by Catmull and Rom's cubic.
@@ -148,6 +161,54 @@ void measure(const ColourPlanes& colour, const Evidence& evidence, PlaneMap& map
   });
 }
 
+/// How many columns at the left hold everything that is out of view.
+int columns_out_of_view(const Raster<float>& other_disparity, const Raster<float>& disparity) {
+  int columns = 0;
+  for (int y = 0; y < disparity.height(); ++y)
+    for (int x = columns; x < disparity.width(); ++x)
+      if (out_of_view(other_disparity, x, y, disparity(x, y))) columns = x + 1;
+  return columns;
+}
+
+/// The planes of what both cameras see, carried on over what the other camera does not: whatever the search
+/// left there, no colour held it to. Each round reaches half a window further.
+void carry_out_of_view(const ColourPlanes& colour, const Raster<float>& trust, const Raster<float>& before,
+                       const Raster<float>& other_disparity, PlaneMap& map, const Work& work) {
+  constexpr FitWindow kFar{.radius_px = 12, .step_px = 3, .like_colour = 45.0F};
+  constexpr int kAtOnce_px = 7;
+  constexpr float kCarriedWeight = 0.2F;
+  const int columns = columns_out_of_view(other_disparity, before);
+  if (columns == 0) return;
+  const int w = std::min(map.disparity.width(), columns + kFar.radius_px);
+  const ColourPlanes near{left_columns(colour.r, w), left_columns(colour.g, w), left_columns(colour.b, w)};
+  PlaneMap part;
+  part.disparity = left_columns(map.disparity, w);
+  part.slope_x = left_columns(map.slope_x, w);
+  part.slope_y = left_columns(map.slope_y, w);
+  Raster<float> weight = left_columns(trust, w);
+  Raster<float> next = weight;
+  for (bool reached = true; reached && !work.cancelled();) {
+    reached = false;
+    const PlaneMap fit = fit_planes(near, part, weight, kFar, work);
+    for (int y = 0; y < map.disparity.height(); ++y)
+      for (int x = 0; x < columns; ++x) {
+        const float b = before(x, y);
+        if (next(x, y) > 0.0F || !out_of_view(other_disparity, x, y, b)) continue;
+        const auto beside = weight.row(y).subspan(static_cast<std::size_t>(x));
+        if (std::none_of(beside.begin(), beside.begin() + std::min(kAtOnce_px, w - x),
+                         [](float v) { return v > 0.0F; }))
+          continue;
+        map.disparity(x, y) = part.disparity(x, y) =
+            std::clamp(fit.disparity(x, y), b - kMost_px, b + kMost_px);
+        map.slope_x(x, y) = part.slope_x(x, y) = fit.slope_x(x, y);
+        map.slope_y(x, y) = part.slope_y(x, y) = fit.slope_y(x, y);
+        next(x, y) = kCarriedWeight;
+        reached = true;
+      }
+    weight = next;
+  }
+}
+
 }  // namespace
 
 void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
@@ -180,6 +241,7 @@ void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>
       d = std::clamp(d, b - kMost_px, b + kMost_px);
     }
   }
+  carry_out_of_view(colour, trust, before, other_disparity, map, work);
 }
 
 }  // namespace palpable::vision

@@ -94,7 +94,8 @@ float cost_at(const std::uint16_t* cost, int count, float disparity) {
 }
 
 float seen_from_other(const OtherView& other, int x, int y, float disparity, float cost) {
-  if (other.disparity == nullptr) return static_cast<float>(x) - disparity < -0.5F ? kHiddenCost : cost;
+  if (other.disparity == nullptr)
+    return static_cast<float>(x) - disparity < static_cast<float>(other.first) - 0.5F ? kHiddenCost : cost;
   const int there = static_cast<int>(std::floor(static_cast<float>(x) - disparity + 0.5F));
   if (there < 0 || there >= other.disparity->width()) {
     cost = kHiddenCost;

@@ -33,10 +33,12 @@ struct PlaneCandidates {
 /// What the other view says about a disparity (see plane_costs).
 struct OtherView {
   /// The other picture's disparities on this picture's mirror convention: pixel (x, y) here matches
-  /// (x - d, y) there, and disparity(x - d, y) is d again.
+  /// (x - d, y) there, and disparity(x - d, y) is d again; infinite where that picture shows nothing.
   const Raster<float>* disparity = nullptr;
   /// Nothing lies further away than this.
   float least_px = 0.0F;
+  /// While its disparities are unknown: it shows something from this column on.
+  int first = 0;
 };
 
 /// What a pixel hidden from the other camera costs, in units.

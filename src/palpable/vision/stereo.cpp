@@ -89,6 +89,7 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction functi
     input.right_grey = shifted(input.right_grey, shift);
   }
   input.disparities = range.max_px - range.min_px + 1;
+  input.right_first = std::max(0, range.min_px);
   Result<MatchOutput> output =
       exchanged ? match_mirrored(input, function, options, work) : function(input, options, work);
   if (!output) return output.error();

@@ -18,6 +18,8 @@ struct MatchInput {
   /// Disparities 0 … disparities - 1 are searched, x_right = x_left - d; at least 2. Where the real range
   /// begins elsewhere, match() has shifted the right picture, its border columns repeated.
   int disparities = 0;
+  /// The right picture shows something from this column on.
+  int right_first = 0;
 };
 
 inline constexpr int kMinStereoSide = 8;
