@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/field_streams.hpp"
 
+#include "palpable/formats/field_pieces.hpp"
 #include "palpable/models/field_leaf.hpp"
 
 #include <algorithm>
@@ -21,10 +22,8 @@ using models::FieldGrid;
 using models::FieldTree;
 using models::LeafHead;
 
-constexpr std::size_t kNumbers = 9;
-constexpr std::size_t kRecent = 4;
 /// In `predictions`, after the recent pieces' places: by nothing, and not at all.
-constexpr std::uint8_t kByNothing = kRecent, kRaw = kRecent + 1;
+constexpr std::uint8_t kByNothing = RecentPieces::kMost, kRaw = kByNothing + 1;
 
 /// Seven bits a byte, the last one without its high bit.
 void put_count(std::vector<std::uint8_t>& out, std::uint32_t value) {
@@ -71,135 +70,6 @@ std::vector<std::uint32_t> words_of(std::span<const std::uint8_t> planes, std::s
   return words;
 }
 
-/// Where a leaf stands: its corner in finest cells, and its level.
-struct Place {
-  std::array<int, 3> corner{};
-  int level = 0;
-
-  double half() const { return 0.5 * (1 << level); }
-  Place child(unsigned k) const {
-    const int side = 1 << (level - 1);
-    return {
-        {corner[0] + (k & 1U ? side : 0), corner[1] + (k & 2U ? side : 0), corner[2] + (k & 4U ? side : 0)},
-        level - 1};
-  }
-};
-Place root_place(const FieldGrid& grid, std::size_t index) {
-  const auto i = static_cast<int>(index);
-  return {{i % grid.roots[0] << grid.levels, i / grid.roots[0] % grid.roots[1] << grid.levels,
-           i / (grid.roots[0] * grid.roots[1]) << grid.levels},
-          grid.levels};
-}
-
-/// A curved piece in whole steps: its middle, and l and Q (xx, yy, zz, xy, xz, yz).
-struct Curved {
-  std::int32_t middle = 0;
-  std::array<std::int32_t, kNumbers> numbers{};
-};
-
-/// Halves of the leaf's side in one step of the middle.
-double middle_step(int level) { return 2.0 / (LeafHead::kValuesPerCell * (1 << level)); }
-
-std::optional<Curved> steps_of(const std::uint32_t* words, int level) {
-  const double middle = models::detail::f64(words[0]) / middle_step(level);
-  if (!(std::abs(middle) < 1e9) || middle != std::round(middle)) return std::nullopt;
-  if (words[5] >> 16U != 0 || (middle == 0.0 && words[0] != 0)) return std::nullopt;
-  Curved curved;
-  curved.middle = static_cast<std::int32_t>(middle);
-  for (std::size_t k = 0; k < kNumbers; ++k)
-    curved.numbers[k] = static_cast<std::int16_t>(words[1 + k / 2] >> (k % 2 == 0 ? 0U : 16U) & 0xFFFFU);
-  return curved;
-}
-void set_words(const Curved& curved, int level, std::vector<std::uint32_t>& words) {
-  words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(curved.middle * middle_step(level))));
-  for (std::size_t k = 0; k < kNumbers; k += 2) {
-    const auto low = static_cast<std::uint32_t>(curved.numbers[k]) & 0xFFFFU;
-    const auto high = k + 1 < kNumbers ? static_cast<std::uint32_t>(curved.numbers[k + 1]) & 0xFFFFU : 0U;
-    words.push_back(low | high << 16U);
-  }
-}
-
-/// The piece of a leaf nearby, continued into the leaf at `to`.
-Curved continued(const Curved& piece, const Place& from, const Place& to) {
-  const double scale = to.half() / from.half();
-  const auto way = [&](std::size_t axis) {
-    return (to.corner[axis] + to.half() - from.corner[axis] - from.half()) / from.half();
-  };
-  const double x = way(0), y = way(1), z = way(2);
-  const auto& n = piece.numbers;
-  const auto number = [&](std::size_t k) { return LeafHead::kStep * n[k]; };
-  const double lx = number(0), ly = number(1), lz = number(2), xx = number(3), yy = number(4), zz = number(5),
-               xy = number(6), xz = number(7), yz = number(8);
-  const double middle = piece.middle * middle_step(from.level) + x * (lx + xx * x + xy * y + xz * z) +
-                        y * (ly + yy * y + yz * z) + z * (lz + zz * z);
-  const std::array<double, kNumbers> moved{lx + 2 * xx * x + xy * y + xz * z,
-                                           ly + 2 * yy * y + xy * x + yz * z,
-                                           lz + 2 * zz * z + xz * x + yz * y,
-                                           scale * xx,
-                                           scale * yy,
-                                           scale * zz,
-                                           scale * xy,
-                                           scale * xz,
-                                           scale * yz};
-  Curved curved;
-  const auto held = [](double v) { return static_cast<std::int32_t>(std::clamp(v, -1e9, 1e9)); };
-  curved.middle = held(std::round(middle / scale / middle_step(to.level)));
-  const int multiple = LeafHead::multiple(to.level);
-  for (std::size_t k = 0; k < kNumbers; ++k)
-    curved.numbers[k] =
-        std::clamp(multiple * held(std::round(moved[k] / (multiple * LeafHead::kStep))), -32768, 32767);
-  return curved;
-}
-
-/// The last curved pieces, the latest first.
-class RecentPieces {
- public:
-  void add(const Curved& piece, const Place& place) {
-    std::rotate(pieces_.begin(), pieces_.end() - 1, pieces_.end());
-    pieces_.front() = {piece, place};
-    count_ = std::min(count_ + 1, kRecent);
-  }
-  std::size_t count() const { return count_; }
-  Curved predict(std::size_t k, const Place& place) const {
-    return continued(pieces_[k].first, pieces_[k].second, place);
-  }
-
- private:
-  std::array<std::pair<Curved, Place>, kRecent> pieces_{};
-  std::size_t count_ = 0;
-};
-
-using Plane = std::array<std::uint32_t, LeafHead::kPlaneWords>;
-/// Planes in the order in which they were last met, the latest first; the oldest are forgotten.
-class RecentPlanes {
- public:
-  /// 1 for the latest, 0 for none; moves it to the front.
-  std::uint32_t rank(const Plane& plane) {
-    const auto at = std::find(planes_.begin(), planes_.end(), plane);
-    const auto rank = at == planes_.end() ? 0U : static_cast<std::uint32_t>(at - planes_.begin()) + 1U;
-    if (rank == 0) {
-      add(plane);
-    } else {
-      std::rotate(planes_.begin(), at, at + 1);
-    }
-    return rank;
-  }
-  std::optional<Plane> take(std::uint32_t rank) {
-    if (rank == 0 || rank > planes_.size()) return std::nullopt;
-    const auto at = planes_.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
-    std::rotate(planes_.begin(), at, at + 1);
-    return planes_.front();
-  }
-  void add(const Plane& plane) {
-    if (planes_.size() == kMost) planes_.pop_back();
-    planes_.insert(planes_.begin(), plane);
-  }
-
- private:
-  static constexpr std::size_t kMost = 1024;
-  std::vector<Plane> planes_;
-};
-
 class Writer {
  public:
   Writer(const FieldGrid& grid, const FieldTree& tree)
@@ -208,7 +78,7 @@ class Writer {
   FieldStreams write() {
     for (std::size_t i = 0; i < tree_.roots.size(); ++i) add(tree_.roots[i], root_place(grid_, i));
     out_.bytes[FieldStreams::planes] = planes_of(new_planes_, LeafHead::kPlaneWords, 4);
-    out_.bytes[FieldStreams::shapes] = planes_of(new_shapes_, kNumbers, 2);
+    out_.bytes[FieldStreams::shapes] = planes_of(new_shapes_, Curved::kNumbers, 2);
     out_.bytes[FieldStreams::raw] = planes_of(raw_, LeafHead::kCurvedWords, 4);
     return std::move(out_);
   }
@@ -257,7 +127,7 @@ class Writer {
     }
     const auto cost = [&](const Curved& p) {
       double bits = std::log2(1.0 + std::abs(1.0 * steps->middle - p.middle));
-      for (std::size_t k = 0; k < kNumbers; ++k)
+      for (std::size_t k = 0; k < Curved::kNumbers; ++k)
         bits += std::log2(1.0 + std::abs(steps->numbers[k] - p.numbers[k]));
       return bits;
     };
@@ -271,7 +141,7 @@ class Writer {
     put_count(out_.bytes[FieldStreams::middles],
               folded(static_cast<std::int32_t>(static_cast<std::uint32_t>(steps->middle) -
                                                static_cast<std::uint32_t>(best.middle))));
-    for (std::size_t k = 0; k < kNumbers; ++k)
+    for (std::size_t k = 0; k < Curved::kNumbers; ++k)
       new_shapes_.push_back(folded(static_cast<std::int16_t>(steps->numbers[k] - best.numbers[k])) & 0xFFFFU);
     pieces_.add(*steps, place);
   }
@@ -291,7 +161,7 @@ class Reader {
       : grid_(grid),
         in_(in),
         new_planes_(words_of(in.bytes[FieldStreams::planes], LeafHead::kPlaneWords, 4)),
-        new_shapes_(words_of(in.bytes[FieldStreams::shapes], kNumbers, 2)),
+        new_shapes_(words_of(in.bytes[FieldStreams::shapes], Curved::kNumbers, 2)),
         raw_(words_of(in.bytes[FieldStreams::raw], LeafHead::kCurvedWords, 4)) {}
 
   Result<FieldTree> read(std::size_t roots) {
@@ -388,14 +258,14 @@ class Reader {
       tree_.words.insert(tree_.words.end(), w, w + LeafHead::kCurvedWords);
       return true;
     }
-    if (*by < kRecent && *by >= pieces_.count()) return false;
+    if (*by < kByNothing && *by >= pieces_.count()) return false;
     const auto middle = count(FieldStreams::middles);
-    const std::uint32_t* w = words(new_shapes_, shape_at_, kNumbers);
+    const std::uint32_t* w = words(new_shapes_, shape_at_, Curved::kNumbers);
     if (!middle || w == nullptr) return false;
     Curved curved = *by == kByNothing ? Curved{} : pieces_.predict(*by, place);
     curved.middle = static_cast<std::int32_t>(static_cast<std::uint32_t>(curved.middle) +
                                               static_cast<std::uint32_t>(unfolded(*middle)));
-    for (std::size_t k = 0; k < kNumbers; ++k)
+    for (std::size_t k = 0; k < Curved::kNumbers; ++k)
       curved.numbers[k] = static_cast<std::int16_t>(curved.numbers[k] + unfolded(w[k]));
     set_words(curved, place.level, tree_.words);
     pieces_.add(curved, place);

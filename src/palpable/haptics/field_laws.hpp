@@ -123,7 +123,7 @@ class FieldProxyLaw {
   std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
 
  private:
-  static constexpr int kMostLooks = 8;
+  static constexpr int kMostLooks = 3;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 

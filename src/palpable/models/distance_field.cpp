@@ -75,39 +75,6 @@ Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree)
   return leaves;
 }
 
-/// The way down to a finest cell: the entry at each level, as far as `last`.
-struct Descent {
-  std::array<std::uint32_t, kMostLevels + 1> entries;
-  std::array<int, 3> cell{};
-  int last = kMostLevels + 1;
-};
-
-/// The leaf that holds a finest cell, from where the last way parted from this one: above, the entries are
-/// the same.
-DistanceField::Leaf down_to(const FieldGrid& grid, const FieldTree& tree, int x, int y, int z,
-                            Descent& way) noexcept {
-  const auto differing = static_cast<unsigned>((x ^ way.cell[0]) | (y ^ way.cell[1]) | (z ^ way.cell[2]));
-  int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
-  if (level > grid.levels) {
-    level = grid.levels;
-    const auto root = static_cast<std::size_t>((z >> level) * grid.roots[1] + (y >> level)) *
-                          static_cast<std::size_t>(grid.roots[0]) +
-                      static_cast<std::size_t>(x >> level);
-    way.entries[static_cast<std::size_t>(level)] = tree.roots[root];
-  }
-  std::uint32_t entry = way.entries[static_cast<std::size_t>(level)];
-  while ((entry & FieldTree::kLeaf) == 0) {
-    --level;
-    const int child = (x >> level & 1) | (y >> level & 1) << 1 | (z >> level & 1) << 2;
-    entry = tree.nodes[8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
-    way.entries[static_cast<std::size_t>(level)] = entry;
-  }
-  way.cell = {x, y, z};
-  way.last = level;
-  const int mask = -(1 << level);
-  return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
-}
-
 /// The share of the window on the upper side of a face that stands `beyond` finest cells above the place
 /// (-0.5 ... 0.5 is under the window), and how it changes per cell.
 struct Share {
@@ -148,9 +115,38 @@ bool DistanceField::contains(Vec3 place_m) const noexcept {
   return p.x >= 0.0 && p.y >= 0.0 && p.z >= 0.0 && p.x <= size.x && p.y <= size.y && p.z <= size.z;
 }
 
+struct DistanceField::Descent {
+  std::array<std::uint32_t, kMostLevels + 1> entries;
+  std::array<int, 3> cell{};
+  int last = kMostLevels + 1;
+};
+
+DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& way) const noexcept {
+  const auto differing = static_cast<unsigned>((x ^ way.cell[0]) | (y ^ way.cell[1]) | (z ^ way.cell[2]));
+  int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
+  if (level > grid_.levels) {
+    level = grid_.levels;
+    const auto root = static_cast<std::size_t>((z >> level) * grid_.roots[1] + (y >> level)) *
+                          static_cast<std::size_t>(grid_.roots[0]) +
+                      static_cast<std::size_t>(x >> level);
+    way.entries[static_cast<std::size_t>(level)] = tree_.roots[root];
+  }
+  std::uint32_t entry = way.entries[static_cast<std::size_t>(level)];
+  while ((entry & FieldTree::kLeaf) == 0) {
+    --level;
+    const int child = (x >> level & 1) | (y >> level & 1) << 1 | (z >> level & 1) << 2;
+    entry = tree_.nodes[8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
+    way.entries[static_cast<std::size_t>(level)] = entry;
+  }
+  way.cell = {x, y, z};
+  way.last = level;
+  const int mask = -(1 << level);
+  return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
+}
+
 DistanceField::Leaf DistanceField::leaf_of(int x, int y, int z) const noexcept {
   Descent way;
-  return down_to(grid_, tree_, x, y, z, way);
+  return down_to(x, y, z, way);
 }
 
 FieldSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
@@ -167,71 +163,84 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   const int nx = grid_.cells(0), ny = grid_.cells(1), nz = grid_.cells(2);
   const Vec3 cells{held(wanted.x, nx), held(wanted.y, ny), held(wanted.z, nz)};
   const auto cell = [](double v, int n) { return std::min(static_cast<int>(v), n - 1); };
-  const Leaf home = leaf_of(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz));
+  Descent way;
+  const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), way);
   const auto inside = [&](double v, std::size_t axis) {
     return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
   };
   FieldSample sample = inside(cells.x, 0) && inside(cells.y, 1) && inside(cells.z, 2)
                            ? leaf_sample(home, cells)
-                           : mixed(cells);
+                           : mixed(cells, home, way);
   if (wanted != cells) {
-    const Vec3 way = grid_.cell_m * (wanted - cells);
-    const double length = norm(way);
+    const Vec3 beyond = grid_.cell_m * (wanted - cells);
+    const double length = norm(beyond);
     sample.distance_m += length;
-    sample.gradient = unit(way);
+    sample.gradient = unit(beyond);
   }
   return sample;
 }
 
-FieldSample DistanceField::mixed(Vec3 cells) const noexcept {
+FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept {
   // On each axis one face of the finest grid is nearest: the window reaches over it or ends at the next two.
+  struct Side {
+    int cell;
+    double share, slope;
+    bool at_home;
+  };
+  std::array<std::array<Side, 2>, 3> sides;
   const std::array<double, 3> place{cells.x, cells.y, cells.z};
-  std::array<int, 3> face{};
-  std::array<Share, 3> share{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    face[axis] = static_cast<int>(place[axis] + 0.5);
-    share[axis] = share_above(place[axis] - face[axis]);
+    const int face = static_cast<int>(place[axis] + 0.5);
+    const Share share = share_above(place[axis] - face);
+    const int last = grid_.cells(axis) - 1, from = home.corner[axis], to = from + home.side;
+    const int below = std::max(face - 1, 0), above = std::min(face, last);
+    sides[axis][0] = {below, 1.0 - share.upper, -share.slope, below >= from && below < to};
+    sides[axis][1] = {above, share.upper, share.slope, above >= from && above < to};
   }
+  // The leaves under the window, and the share that each has of it. Planes do not depend on their leaf: along
+  // an edge, all leaves round it say the same.
   struct Part {
     Leaf leaf;
-    double share = 0.0;
-    Vec3 slope;
+    bool flat;
+    double share, along_x, along_y, along_z;
+  };
+  const auto is_flat = [&](const Leaf& leaf) { return LeafHead{tree_.words[leaf.words]}.flat(); };
+  const auto holds = [](const Leaf& leaf, int x, int y, int z) {
+    const auto along = [&](int v, std::size_t axis) {
+      return static_cast<unsigned>(v - leaf.corner[axis]) < static_cast<unsigned>(leaf.side);
+    };
+    return along(x, 0) && along(y, 1) && along(z, 2);
   };
   std::array<Part, 8> parts;
-  std::size_t count = 0;
-  Descent way;
-  const auto holds = [](const Leaf& leaf, const std::array<int, 3>& c) {
-    return c[0] >= leaf.corner[0] && c[0] < leaf.corner[0] + leaf.side && c[1] >= leaf.corner[1] &&
-           c[1] < leaf.corner[1] + leaf.side && c[2] >= leaf.corner[2] && c[2] < leaf.corner[2] + leaf.side;
-  };
+  parts[0] = {home, is_flat(home), 0.0, 0.0, 0.0, 0.0};
+  std::size_t count = 1;
   for (unsigned octant = 0; octant < 8; ++octant) {
-    std::array<int, 3> c{};
-    std::array<double, 3> w{};
-    std::array<double, 3> dw{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool upper = (octant >> axis & 1U) != 0;
-      c[axis] = std::clamp(face[axis] - (upper ? 0 : 1), 0, grid_.cells(axis) - 1);
-      w[axis] = upper ? share[axis].upper : 1.0 - share[axis].upper;
-      dw[axis] = upper ? share[axis].slope : -share[axis].slope;
-    }
+    const Side &x = sides[0][octant & 1U], &y = sides[1][octant >> 1U & 1U], &z = sides[2][octant >> 2U];
     std::size_t k = 0;
-    while (k < count && !holds(parts[k].leaf, c)) ++k;
-    if (k == count) {
-      // Planes do not depend on their leaf: along an edge, all leaves round it say the same.
-      const Leaf leaf = down_to(grid_, tree_, c[0], c[1], c[2], way);
-      const bool flat = LeafHead{tree_.words[leaf.words]}.flat();
-      for (k = 0; k < count && !(flat && parts[k].leaf.words == leaf.words);) ++k;
-      if (k == count) parts[count++].leaf = leaf;
+    if (!(x.at_home && y.at_home && z.at_home)) {
+      for (k = 1; k < count && !holds(parts[k].leaf, x.cell, y.cell, z.cell);) ++k;
+      if (k == count) {
+        const Leaf leaf = down_to(x.cell, y.cell, z.cell, way);
+        const bool flat = is_flat(leaf);
+        for (k = 0; k < count && !(flat && parts[k].leaf.words == leaf.words);) ++k;
+        if (k == count) parts[count++] = {leaf, flat, 0.0, 0.0, 0.0, 0.0};
+      }
     }
-    parts[k].share += w[0] * w[1] * w[2];
-    parts[k].slope += Vec3{dw[0] * w[1] * w[2], w[0] * dw[1] * w[2], w[0] * w[1] * dw[2]};
+    const double xy = x.share * y.share;
+    Part& part = parts[k];
+    part.share += xy * z.share;
+    part.along_x += x.slope * y.share * z.share;
+    part.along_y += x.share * y.slope * z.share;
+    part.along_z += xy * z.slope;
   }
-  if (count == 1) return leaf_sample(parts[0].leaf, cells);
+  if (count == 1) return leaf_sample(home, cells);
   FieldSample sample;
   for (std::size_t k = 0; k < count; ++k) {
-    const FieldSample s = leaf_sample(parts[k].leaf, cells);
-    sample.distance_m += parts[k].share * s.distance_m;
-    sample.gradient += parts[k].share * s.gradient + (s.distance_m * cells_per_m_) * parts[k].slope;
+    const Part& part = parts[k];
+    const FieldSample s = leaf_sample(part.leaf, cells);
+    sample.distance_m += part.share * s.distance_m;
+    sample.gradient += part.share * s.gradient +
+                       (s.distance_m * cells_per_m_) * Vec3{part.along_x, part.along_y, part.along_z};
   }
   return sample;
 }

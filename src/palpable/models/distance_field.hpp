@@ -75,9 +75,9 @@ class DistanceField {
 
   /// A leaf's place in finest cells and its side.
   struct Leaf {
-    std::array<int, 3> corner{};
-    int side = 0;
-    std::uint32_t words = 0;
+    std::array<int, 3> corner;
+    int side;
+    std::uint32_t words;
   };
   /// The leaf that holds a finest cell inside the grid. Tick path.
   Leaf leaf_of(int x, int y, int z) const noexcept;
@@ -88,7 +88,13 @@ class DistanceField {
  private:
   DistanceField() = default;
   FieldSample leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept;
-  FieldSample mixed(Vec3 cells) const noexcept;
+  /// The way down to a finest cell: the entry at each level, as far as the last one.
+  struct Descent;
+  /// The leaf that holds a finest cell, from where the last way parted from this one: above, the entries are
+  /// the same.
+  Leaf down_to(int x, int y, int z, Descent& way) const noexcept;
+  /// Where the window reaches out of the leaf `home`, to which `way` led.
+  FieldSample mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept;
 
   FieldGrid grid_;
   FieldTree tree_;

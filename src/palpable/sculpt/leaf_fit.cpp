@@ -4,6 +4,7 @@
 
 #include "palpable/models/distance_field.hpp"
 #include "palpable/models/field_leaf.hpp"
+#include "palpable/sculpt/leaf_quadratic.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -17,10 +18,6 @@ using models::FieldSample;
 using models::HalfAngle;
 using models::LeafHead;
 using models::Meeting;
-
-constexpr std::size_t kTerms = 10;
-/// What the gradient counts beside the value in a least-squares fit.
-constexpr double kGradientWeight = 0.25;
 
 /// How much a place forgives, at most and as the root mean square over a leaf.
 struct Allowance {
@@ -124,120 +121,15 @@ Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
   return piece;
 }
 
-using Coefficients = std::array<double, kTerms>;
-/// A row of the least-squares problem for a value, or one axis of the gradient.
-Coefficients value_row(Vec3 u) {
-  return {1.0, u.x, u.y, u.z, u.x * u.x, u.y * u.y, u.z * u.z, u.x * u.y, u.x * u.z, u.y * u.z};
-}
-std::array<Coefficients, 3> gradient_rows(Vec3 u) {
-  return {{{0, 1, 0, 0, 2 * u.x, 0, 0, u.y, u.z, 0},
-           {0, 0, 1, 0, 0, 2 * u.y, 0, u.x, 0, u.z},
-           {0, 0, 0, 1, 0, 0, 2 * u.z, 0, u.x, u.y}}};
-}
-
-/// Normal equations, solved by Cholesky's method.
-class Fit {
- public:
-  void add(const Coefficients& row, double value, double weight) {
-    for (std::size_t i = 0; i < kTerms; ++i) {
-      const double w = weight * row[i];
-      if (w == 0.0) continue;
-      right_[i] += w * value;
-      for (std::size_t j = 0; j <= i; ++j) matrix_[i][j] += w * row[j];
-    }
-  }
-  Coefficients solve() {
-    constexpr double kRidge = 1e-9;
-    for (std::size_t i = 0; i < kTerms; ++i) {
-      matrix_[i][i] += kRidge;
-      for (std::size_t j = 0; j <= i; ++j) {
-        double sum = matrix_[i][j];
-        for (std::size_t k = 0; k < j; ++k) sum -= matrix_[i][k] * matrix_[j][k];
-        matrix_[i][j] = i == j ? std::sqrt(std::max(sum, kRidge)) : sum / matrix_[j][j];
-      }
-    }
-    Coefficients c = right_;
-    for (std::size_t i = 0; i < kTerms; ++i) {
-      for (std::size_t k = 0; k < i; ++k) c[i] -= matrix_[i][k] * c[k];
-      c[i] /= matrix_[i][i];
-    }
-    for (std::size_t i = kTerms; i-- > 0;) {
-      for (std::size_t k = i + 1; k < kTerms; ++k) c[i] -= matrix_[k][i] * c[k];
-      c[i] /= matrix_[i][i];
-    }
-    return c;
-  }
-
- private:
-  std::array<Coefficients, kTerms> matrix_{};
-  Coefficients right_{};
-};
-
-/// The rows of one place: what value and gradient there say.
-std::array<Coefficients, 4> rows_at(std::size_t k) {
-  const Vec3 u = fit_place(k);
-  const auto rows = gradient_rows(u);
-  return {value_row(u), rows[0], rows[1], rows[2]};
-}
-std::array<double, 4> values_at(const CellSamples& samples, std::size_t k) {
-  const FieldSample& s = samples.at[k];
-  return {s.distance_m / samples.half_m, s.gradient.x, s.gradient.y, s.gradient.z};
-}
-constexpr std::array<double, 4> kRowWeights{1.0, kGradientWeight, kGradientWeight, kGradientWeight};
-
-/// The fit to all places is the same linear map in every cell.
-class WholeFit {
- public:
-  WholeFit() {
-    for (std::size_t k = 0; k < kFitPlaces; ++k)
-      for (std::size_t row = 0; row < 4; ++row) {
-        Fit fit;
-        for (std::size_t other = 0; other < kFitPlaces; ++other) {
-          const auto rows = rows_at(other);
-          for (std::size_t r = 0; r < 4; ++r)
-            fit.add(rows[r], other == k && r == row ? 1.0 : 0.0, kRowWeights[r]);
-        }
-        by_value_[4 * k + row] = fit.solve();
-      }
-  }
-  Coefficients solve(const CellSamples& samples) const {
-    Coefficients c{};
-    for (std::size_t k = 0; k < kFitPlaces; ++k) {
-      const auto values = values_at(samples, k);
-      for (std::size_t row = 0; row < 4; ++row)
-        for (std::size_t i = 0; i < kTerms; ++i) c[i] += values[row] * by_value_[4 * k + row][i];
-    }
-    return c;
-  }
-
- private:
-  std::array<Coefficients, 4 * kFitPlaces> by_value_;
-};
-
-Coefficients coefficients_through(const CellSamples& samples, const std::array<bool, kFitPlaces>& wanted) {
-  Fit fit;
-  for (std::size_t k = 0; k < kFitPlaces; ++k) {
-    if (!wanted[k]) continue;
-    const auto rows = rows_at(k);
-    const auto values = values_at(samples, k);
-    for (std::size_t row = 0; row < 4; ++row) fit.add(rows[row], values[row], kRowWeights[row]);
-  }
-  return fit.solve();
-}
-Coefficients coefficients_through(const CellSamples& samples) {
-  static const WholeFit whole;
-  return whole.solve(samples);
-}
-
 /// Rounded as far as the leaf's size allows: what is judged is what is kept, and round numbers pack better.
-Piece quadratic_of(const Coefficients& c, double half_m, double cell_m) {
+Piece quadratic_of(const Quadratic& c, double half_m, double cell_m) {
   const double value_step = cell_m / LeafHead::kValuesPerCell / half_m;
   const int level = std::ilogb(1.01 * 2.0 * half_m / cell_m);
   const int multiple = LeafHead::multiple(level);
   Piece piece;
   piece.curved = true;
   piece.words[0] = word(std::round(c[0] / value_step) * value_step + 0.0);
-  for (std::size_t i = 1; i < kTerms; ++i) {
+  for (std::size_t i = 1; i < kQuadraticTerms; ++i) {
     const double most = 32768.0 / multiple - 1.0;
     const double steps = std::clamp(std::round(c[i] / (multiple * LeafHead::kStep)), -most, most);
     const auto bits = static_cast<std::uint32_t>(multiple * static_cast<std::int32_t>(steps)) & 0xFFFFU;
@@ -308,7 +200,7 @@ class Search {
     for (const LeafFit& leaf : recent.all())
       if (turn2 > kFlat && try_leaf(leaf)) return best_;
     if (turn2 > kFlat && try_planes()) return best_;
-    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic(coefficients_through(samples_))}, {})))
+    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic(quadratic_through(samples_))}, {})))
       return best_;
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
@@ -319,7 +211,7 @@ class Search {
  private:
   static constexpr std::size_t kCentre = kFitPlaces / 2;
   Piece plane(std::size_t k) const { return plane_through(samples_, k, bounds_.cell_m); }
-  Piece quadratic(const Coefficients& c) const { return quadratic_of(c, samples_.half_m, bounds_.cell_m); }
+  Piece quadratic(const Quadratic& c) const { return quadratic_of(c, samples_.half_m, bounds_.cell_m); }
 
   bool try_leaf(LeafFit leaf) {
     leaf.error = judge_.error(leaf, std::max(1.0, best_.error));
@@ -347,8 +239,8 @@ class Search {
     }
     constexpr std::size_t kLeast = 5;
     if (count < kLeast || kFitPlaces - count < kLeast) return false;
-    const Piece a = quadratic(coefficients_through(samples_, by_a));
-    const Piece b = quadratic(coefficients_through(samples_, by_b));
+    const Piece a = quadratic(quadratic_through(samples_, by_a));
+    const Piece b = quadratic(quadratic_through(samples_, by_b));
     return try_pair(a, b);
   }
   bool try_corner() {
