@@ -25,6 +25,14 @@ constexpr double kDirectionScale_px = 2.0;
 constexpr double kTensorAverage_px = 2.0;
 /// Contrast, in the picture's range, that counts as strength one half.
 constexpr float kHalfContrast = 0.12F;
+/// An ideal step's energy at any scale, beside the spread of the picture around it (0.399 of 0.5).
+constexpr float kOfAStep = 0.8F;
+/// A spread below this is none: it would make much of faint noise.
+constexpr float kLeastSpread = 0.05F;
+/// Window of the spread, beside derivatives of scale 2 px.
+constexpr double kVarianceScale_px = 3.0;
+/// Exponent of the distinctness in the grainiest pictures.
+constexpr float kMostDistinct = 0.5F;
 /// Energies below this are nothing: it keeps logarithms finite.
 constexpr float kFloor = 1e-6F;
 
@@ -213,9 +221,32 @@ Raster<float> enlarged(Raster<float> small, int width, int height) {
   return out;
 }
 
+/// Logarithm of how far the two sides of each place differ beside how much the picture varies around it: 0 at
+/// an ideal step, far below in grain and texture, which vary as much everywhere. `energy` is that of scale 2
+/// px of these channels.
+Raster<float> distinctness(const std::vector<WeightedChannel>& channels, const Raster<float>& energy,
+                           const Work& work) {
+  Raster<float> variance(energy.width(), energy.height());
+  for (const WeightedChannel& channel : channels) {
+    Raster<float> square = channel.values;
+    for (float& v : square.values()) v *= v;
+    square = gaussian_blur(square, kVarianceScale_px, work);
+    const Raster<float> mean = gaussian_blur(channel.values, kVarianceScale_px, work);
+    for (std::size_t i = 0; i < variance.count(); ++i) {
+      const float m = mean.values()[i];
+      variance.values()[i] += channel.weight * std::max(0.0F, square.values()[i] - m * m);
+    }
+  }
+  Raster<float> out(energy.width(), energy.height());
+  for (std::size_t i = 0; i < out.count(); ++i)
+    out.values()[i] = std::log((energy.values()[i] + kFloor) /
+                               (kOfAStep * std::sqrt(variance.values()[i] + kLeastSpread * kLeastSpread)));
+  return out;
+}
+
 /// Strength over scales 1, 2, 4 and 8 px (the last two on the picture halved once and twice) and, into
 /// `direction`, the gradients' tensor of scale 2. The finest scale weighs most, which keeps corners in their
-/// place.
+/// place. The less the finest scale tells, the more it counts that the sides are distinct at 8, 16 and 32 px.
 Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& direction, float& fine_trust,
                           const Work& work) {
   const int w = channels[0].values.width();
@@ -224,13 +255,24 @@ Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& dire
   std::vector<float> shares{0.4F, 0.2F, 0.2F, 0.2F};
   energies.push_back(energy_at(channels, 1.0, work));
   energies.push_back(energy_at(channels, kDirectionScale_px, work, &direction));
-  for (int times = 0; times < 2; ++times) {
-    channels = halved(channels);
-    energies.push_back(enlarged(energy_at(channels, 2.0, work), w, h));
-  }
   fine_trust = weight_of(energies[0]);
+  const float exponent = std::min(kMostDistinct, 1.0F - fine_trust);
+  cv::Mat distinct(h, w, CV_32F, cv::Scalar(0.0));
+  for (int times = 1; times <= 4; ++times) {
+    channels = halved(channels);
+    const Raster<float> energy = energy_at(channels, 2.0, work);
+    if (times <= 2) energies.push_back(enlarged(energy, w, h));
+    if (times < 2 || exponent <= 0.0F) continue;
+    Raster<float> enlarged_distinct = enlarged(distinctness(channels, energy, work), w, h);
+    distinct += as_mat(enlarged_distinct);
+  }
   for (std::size_t k = 0; k < shares.size(); ++k) shares[k] *= weight_of(energies[k]);
-  return mean_of(energies, shares, work);
+  Raster<float> out = mean_of(energies, shares, work);
+  if (exponent > 0.0F) {
+    cv::exp(distinct * exponent, distinct);
+    as_mat(out) = as_mat(out).mul(distinct);
+  }
+  return out;
 }
 
 }  // namespace
