@@ -36,6 +36,14 @@ Raster<T> left_columns(const Raster<T>& raster, int columns) {
   return out;
 }
 
+PlaneMap left_columns(const PlaneMap& map, int columns) {
+  PlaneMap out;
+  out.disparity = left_columns(map.disparity, columns);
+  out.slope_x = left_columns(map.slope_x, columns);
+  out.slope_y = left_columns(map.slope_y, columns);
+  return out;
+}
+
 /// What the pictures say at each pixel of the map: by how much the left one is brighter than the right one
 /// at the match, how fast the right one's luma changes there, and whether both see the same there, 0 or 1.
 struct Evidence {
@@ -171,42 +179,47 @@ int columns_out_of_view(const Raster<float>& other_disparity, const Raster<float
 }
 
 /// The planes of what both cameras see, carried on over what the other camera does not: whatever the search
-/// left there, no colour held it to. Each round reaches half a window further.
+/// left there, no colour held it to. Each round reaches half a window further; a last one evens out what the
+/// wide windows, which skip pixels, carried on by different ways.
 void carry_out_of_view(const ColourPlanes& colour, const Raster<float>& trust, const Raster<float>& before,
                        const Raster<float>& other_disparity, PlaneMap& map, const Work& work) {
   constexpr FitWindow kFar{.radius_px = 12, .step_px = 3, .like_colour = 45.0F};
+  constexpr FitWindow kNear{.radius_px = 4, .step_px = 1, .like_colour = 45.0F};
   constexpr int kAtOnce_px = 7;
   constexpr float kCarriedWeight = 0.2F;
   const int columns = columns_out_of_view(other_disparity, before);
   if (columns == 0) return;
   const int w = std::min(map.disparity.width(), columns + kFar.radius_px);
   const ColourPlanes near{left_columns(colour.r, w), left_columns(colour.g, w), left_columns(colour.b, w)};
-  PlaneMap part;
-  part.disparity = left_columns(map.disparity, w);
-  part.slope_x = left_columns(map.slope_x, w);
-  part.slope_y = left_columns(map.slope_y, w);
+  PlaneMap part = left_columns(map, w);
   Raster<float> weight = left_columns(trust, w);
   Raster<float> next = weight;
+  const auto take = [&](const PlaneMap& fit, int x, int y) {
+    const float b = before(x, y);
+    map.disparity(x, y) = part.disparity(x, y) = std::clamp(fit.disparity(x, y), b - kMost_px, b + kMost_px);
+    map.slope_x(x, y) = part.slope_x(x, y) = fit.slope_x(x, y);
+    map.slope_y(x, y) = part.slope_y(x, y) = fit.slope_y(x, y);
+  };
   for (bool reached = true; reached && !work.cancelled();) {
     reached = false;
     const PlaneMap fit = fit_planes(near, part, weight, kFar, work);
     for (int y = 0; y < map.disparity.height(); ++y)
       for (int x = 0; x < columns; ++x) {
-        const float b = before(x, y);
-        if (next(x, y) > 0.0F || !out_of_view(other_disparity, x, y, b)) continue;
+        if (next(x, y) > 0.0F || !out_of_view(other_disparity, x, y, before(x, y))) continue;
         const auto beside = weight.row(y).subspan(static_cast<std::size_t>(x));
         if (std::none_of(beside.begin(), beside.begin() + std::min(kAtOnce_px, w - x),
                          [](float v) { return v > 0.0F; }))
           continue;
-        map.disparity(x, y) = part.disparity(x, y) =
-            std::clamp(fit.disparity(x, y), b - kMost_px, b + kMost_px);
-        map.slope_x(x, y) = part.slope_x(x, y) = fit.slope_x(x, y);
-        map.slope_y(x, y) = part.slope_y(x, y) = fit.slope_y(x, y);
+        take(fit, x, y);
         next(x, y) = kCarriedWeight;
         reached = true;
       }
     weight = next;
   }
+  const PlaneMap even = fit_planes(near, part, weight, kNear, work);
+  for (int y = 0; y < map.disparity.height(); ++y)
+    for (int x = 0; x < columns; ++x)
+      if (out_of_view(other_disparity, x, y, before(x, y))) take(even, x, y);
 }
 
 }  // namespace

@@ -222,6 +222,8 @@ std::pair<float, float> photometric(float before, float here, float after) {
 
 /// d' = (w_p d_p + w_s d_s) / (w_p + w_s), over the whole map, so many times.
 void refine(const View& view, const PyramidOptions& options, Raster<float>& map, const Work& work) {
+  // Where whole disparities differ by two a surface ends: it is not drawn towards its neighbour.
+  constexpr float kStep_px = 1.5F;
   Raster<float> next = map;
   for (int i = 0; i < options.iterations && !work.cancelled(); ++i) {
     parallel_for(work, map.height(), 8, [&](int begin, int end) {
@@ -237,10 +239,14 @@ void refine(const View& view, const PyramidOptions& options, Raster<float>& map,
             target = static_cast<float>(q) + offset;
             w_p = std::max(0.0F, weight);
           }
-          const float left = map(x - 1, y);
-          const float right = map(x + 1, y);
-          const float up = map(x, y - 1);
-          const float down = map(x, y + 1);
+          const auto beside = [&](int u, int v) {
+            const float there = map(u, v);
+            return std::abs(there - d) <= kStep_px ? there : d;
+          };
+          const float left = beside(x - 1, y);
+          const float right = beside(x + 1, y);
+          const float up = beside(x, y - 1);
+          const float down = beside(x, y + 1);
           const float bend_x = std::abs(left - d) - std::abs(right - d);
           const float bend_y = std::abs(up - d) - std::abs(down - d);
           const float w_x = std::exp(-bend_x * bend_x);

@@ -36,7 +36,7 @@ enum class PyramidEdges { area, features };
 /// What the method pyramid alone heeds.
 struct PyramidOptions {
   /// Weight of a smooth surface against that of the picture, which lies between 0 and 1; > 0.
-  float surface_weight = 0.05F;
+  float surface_weight = 0.5F;
   /// Rounds of the refinement; >= 0.
   int iterations = 20;
   PyramidEdges edges = PyramidEdges::area;
