@@ -47,6 +47,7 @@ void add_devices(Program& program);
 void add_doctor(Program& program);
 void add_export(Program& program);
 void add_fit(Program& program);
+void add_fit_shapes(Program& program);
 void add_info(Program& program);
 void add_make(Program& program);
 void add_probe(Program& program);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/superquadric_json.hpp"
 #include "palpable/haptics/laws.hpp"
 #include "palpable/sources/input.hpp"
 
@@ -69,6 +70,8 @@ void add_model(Answer& answer, const models::Field& field) {
   answer.json["max_error_m"] = distance.errors().bound_m;
   answer.json["measured_error_m"] = {{"p99", distance.errors().p99_m}, {"max", distance.errors().max_m}};
   answer.json["primitives"] = Json::array();
+  for (const models::Superquadric& shape : field.primitives)
+    answer.json["primitives"].push_back(Json(formats::json_of(shape)));
   answer.text += fmt::format(
       "  {} cells instead of {} x {} x {} of {:.3f} mm ({:.0f} MB dense)\n"
       "  error bound {:.1f} um near the surface where it is smooth; measured there, edges and all: {:.1f} um "

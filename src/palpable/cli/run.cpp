@@ -123,6 +123,7 @@ void describe(Program& program) {
   add_depth(program);
   add_compare(program);
   add_fit(program);
+  add_fit_shapes(program);
   add_calibrate(program);
   add_rectify(program);
   add_probe(program);

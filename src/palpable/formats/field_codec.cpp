@@ -3,6 +3,7 @@
 #include "palpable/formats/byte_block.hpp"
 #include "palpable/formats/field_streams.hpp"
 #include "palpable/formats/model_codec.hpp"
+#include "palpable/formats/superquadric_json.hpp"
 
 #include <array>
 #include <memory>
@@ -55,6 +56,8 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
     member.insert(member.end(), bytes->begin(), bytes->end());
   }
   description["parts"] = sizes;
+  for (const models::Superquadric& shape : field.primitives)
+    description["primitives"].push_back(json_of(shape));
   members[kCells] = std::move(member);
   return {};
 }
@@ -92,6 +95,11 @@ Result<models::Model> read_field(const nlohmann::json& description, const ZipMem
   auto field = models::field_of(std::move(*distance), vec3_from(description.at("least_m")),
                                 vec3_from(description.at("most_m")));
   if (!field) return field.error();
+  if (description.contains("primitives")) {
+    auto primitives = superquadrics_from(description);
+    if (!primitives) return primitives.error();
+    field->primitives = *std::move(primitives);
+  }
   return models::Model(std::make_shared<const models::Field>(std::move(*field)));
 }
 

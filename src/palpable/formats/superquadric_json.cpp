@@ -24,20 +24,6 @@ Vec3 vec3_from(const Json& json) {
   return {v[0], v[1], v[2]};
 }
 
-Result<std::vector<models::Superquadric>> all_from(const Json& json) {
-  const Json& list = json.at("primitives");
-  if (!list.is_array() || list.empty() || list.size() > kMostShapes)
-    return invalid_input("must hold 1 to 256 primitives");
-  std::vector<models::Superquadric> shapes;
-  for (const Json& one : list) {
-    auto shape = superquadric_from(one);
-    if (!shape)
-      return invalid_input("primitive " + std::to_string(shapes.size() + 1) + ": " + shape.error().message);
-    shapes.push_back(std::move(*shape));
-  }
-  return shapes;
-}
-
 }  // namespace
 
 Json json_of(const models::Superquadric& s) {
@@ -69,9 +55,23 @@ Result<models::Superquadric> superquadric_from(const Json& json) {
   return s;
 }
 
+Result<std::vector<models::Superquadric>> superquadrics_from(const Json& json) {
+  const Json& list = json.at("primitives");
+  if (!list.is_array() || list.empty() || list.size() > kMostShapes)
+    return invalid_input("must hold 1 to 256 primitives");
+  std::vector<models::Superquadric> shapes;
+  for (const Json& one : list) {
+    auto shape = superquadric_from(one);
+    if (!shape)
+      return invalid_input("primitive " + std::to_string(shapes.size() + 1) + ": " + shape.error().message);
+    shapes.push_back(std::move(*shape));
+  }
+  return shapes;
+}
+
 Result<std::vector<models::Superquadric>> decode_superquadrics(std::span<const std::byte> file) {
   try {
-    return all_from(Json::parse(as_text(file)));
+    return superquadrics_from(Json::parse(as_text(file)));
   } catch (const Json::exception& e) {
     return invalid_input(std::string("is not a list of primitives: ") + e.what());
   }

@@ -22,6 +22,9 @@ nlohmann::json json_of(const models::Superquadric& shape);
 /// invalid_input, as models::check_superquadric().
 Result<models::Superquadric> superquadric_from(const nlohmann::json& json);
 
+/// The list `primitives` of an object: 1 to 256 of them. Throws and errors as superquadric_from().
+Result<std::vector<models::Superquadric>> superquadrics_from(const nlohmann::json& json);
+
 /// Reads {"primitives": [...]}: 1 to 256 superquadrics. Errors: invalid_input, naming the file.
 Result<std::vector<models::Superquadric>> read_superquadrics(const std::filesystem::path& path);
 

@@ -44,7 +44,7 @@ Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
                                                   -(j - 0.5 * (heights.height() - 1)) * pixel_m, least_m.z));
   auto relief = Relief::from_samples(std::move(heights), pixel_m);
   if (!relief) return std::move(relief).error();
-  return Field{std::move(distance), least_m, most_m, std::make_shared<const Relief>(std::move(*relief))};
+  return Field{std::move(distance), least_m, most_m, std::make_shared<const Relief>(std::move(*relief)), {}};
 }
 
 }  // namespace palpable::models

@@ -4,8 +4,10 @@
 
 #include "palpable/models/distance_field.hpp"
 #include "palpable/models/relief.hpp"
+#include "palpable/models/superquadric.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace palpable::models {
 
@@ -19,6 +21,8 @@ struct Field {
   /// Never null. Centred on the scene's origin, as every relief; places where nothing stands have the
   /// height of the solid's lowest point.
   std::shared_ptr<const Relief> from_above;
+  /// The superquadrics that it was sampled from; empty for other solids.
+  std::vector<Superquadric> primitives;
 
   std::size_t memory_bytes() const { return distance.memory_bytes() + from_above->memory_bytes(); }
 };

@@ -166,10 +166,7 @@ Vec3 hit_along(const Superquadric& shape, Vec3 p, std::size_t axis) noexcept {
 
 double with_sign(double magnitude, double like) noexcept { return like < 0.0 ? -magnitude : magnitude; }
 
-struct Local {
-  Vec3 place, normal;
-  double distance_m = std::numeric_limits<double>::infinity();
-};
+using Local = SuperquadricDistance::Local;
 
 Local nearest_straight(const Superquadric& shape, Vec3 p) noexcept {
   const Vec3 x{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
@@ -228,6 +225,7 @@ struct Walk {
 };
 
 void descend(Walk& walk, double reach) noexcept {
+  constexpr double kSettled = 1e-7;
   const double h = 1e-6 * reach;
   for (int k = 0; k < kMostSteps; ++k) {
     const auto g = walk.gradient_at(0.0, 0.0);
@@ -237,9 +235,11 @@ void descend(Walk& walk, double reach) noexcept {
                                         (gy[1] - g[1]) / h};
     const auto step = newton_step(g, hessian);
     const double length = std::hypot(step[0], step[1]);
-    if (length < 1e-12 * reach) return;
+    // The distance is off by the square of what is left.
+    if (length < kSettled * reach) return;
     bool moved = false;
-    for (double share = std::min(1.0, 0.3 * reach / length); share * length > 1e-12 * reach; share *= 0.4) {
+    for (double share = std::min(1.0, 0.3 * reach / length); share * length > kSettled * reach;
+         share *= 0.4) {
       const Vec3 next = walk.stepped(share * step[0], share * step[1]);
       if (!(walk.value_at(next) < walk.value)) continue;
       walk.settle(next);
@@ -257,47 +257,87 @@ Result<SuperquadricDistance> SuperquadricDistance::from(const Superquadric& shap
   return SuperquadricDistance(shape);
 }
 
+namespace {
+
+/// A place of the undeformed surface on one side of the box around it, u and v from -1 to 1.
+Vec3 place_on_side(const Superquadric& shape, std::size_t side, double u, double v) noexcept {
+  const double sign = side % 2 == 0 ? -1.0 : 1.0;
+  const Vec3 a = shape.size_m;
+  const Vec3 cube = side / 2 == 0 ? Vec3{sign, u, v} : side / 2 == 1 ? Vec3{v, sign, u} : Vec3{u, v, sign};
+  return on_surface(shape, {a.x * cube.x, a.y * cube.y, a.z * cube.z});
+}
+
+constexpr int kSide = 12;
+
+}  // namespace
+
 SuperquadricDistance::SuperquadricDistance(const Superquadric& shape)
-    : shape_(shape), shape_from_scene_(shape.scene_from_shape.inverse()) {
+    : shape_(shape), shape_from_scene_(shape.scene_from_shape.inverse()), reach_m_(models::reach_m(shape)) {
   if (!shape_.deformed()) return;
-  constexpr int kSide = 12;
-  const Vec3 a = shape_.size_m;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {-1.0, 1.0})
-      for (int i = 0; i < kSide; ++i)
-        for (int j = 0; j < kSide; ++j) {
-          const double u = 2.0 * (i + 0.5) / kSide - 1.0;
-          const double v = 2.0 * (j + 0.5) / kSide - 1.0;
-          const Vec3 cube = axis == 0 ? Vec3{side, u, v} : axis == 1 ? Vec3{v, side, u} : Vec3{u, v, side};
-          const Vec3 straight = on_surface(shape_, {a.x * cube.x, a.y * cube.y, a.z * cube.z});
-          seeds_.push_back({straight, deform(shape_, straight)});
-        }
+  // The whole of a bent shape turns about a centre that may be near.
+  reach_m_ = 0.0;
+  for (std::size_t side = 0; side < 6; ++side) {
+    const std::size_t first = seeds_.size();
+    for (int i = 0; i < kSide; ++i)
+      for (int j = 0; j < kSide; ++j) {
+        const Vec3 straight =
+            place_on_side(shape_, side, 2.0 * (i + 0.5) / kSide - 1.0, 2.0 * (j + 0.5) / kSide - 1.0);
+        seeds_.push_back({straight, deform(shape_, straight)});
+      }
+    // Places between the seeds, the rims of the sides among them.
+    constexpr int kFiner = 2 * kSide;
+    for (int i = 0; i <= kFiner; ++i)
+      for (int j = 0; j <= kFiner; ++j) {
+        const Vec3 place =
+            deform(shape_, place_on_side(shape_, side, 2.0 * i / kFiner - 1.0, 2.0 * j / kFiner - 1.0));
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = first; k < seeds_.size(); ++k)
+          least = std::min(least, squared_norm(seeds_[k].place - place));
+        gaps_m_[side] = std::max(gaps_m_[side], std::sqrt(least));
+        reach_m_ = std::max(reach_m_, norm(place));
+      }
+    constexpr double kBetween = 1.1;
+    gaps_m_[side] *= kBetween;
+  }
+  reach_m_ += *std::max_element(gaps_m_.begin(), gaps_m_.end());
+}
+
+double SuperquadricDistance::least_distance_m(Point<SceneFrame> p) const noexcept {
+  return norm(p.v - shape_.scene_from_shape.translation_m) - reach_m_;
+}
+
+SuperquadricDistance::Local SuperquadricDistance::nearest_deformed(Vec3 x) const noexcept {
+  constexpr std::size_t kPart = std::size_t{kSide} * kSide;
+  std::array<std::pair<double, std::size_t>, 6> sides;
+  for (std::size_t side = 0; side < 6; ++side) {
+    const auto begin = seeds_.begin() + static_cast<std::ptrdiff_t>(side * kPart);
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < kPart; ++k) {
+      const double squared = squared_norm(begin[static_cast<std::ptrdiff_t>(k)].place - x);
+      if (squared < least) least = squared, nearest = side * kPart + k;
+    }
+    sides[side] = {std::sqrt(least), nearest};
+  }
+  std::sort(sides.begin(), sides.end());
+  Local best;
+  for (const auto& [seed_m, seed] : sides) {
+    // No place of that side can be nearer.
+    if (seed_m - gaps_m_[seed / kPart] >= best.distance_m) continue;
+    Walk walk{shape_, x, {}, {}, {}, 0.0};
+    walk.settle(seeds_[seed].straight);
+    descend(walk, reach_m_);
+    const double distance_m = std::sqrt(2.0 * walk.value);
+    if (distance_m >= best.distance_m) continue;
+    best = {deform(shape_, walk.at), surface_normal(shape_, walk.at), distance_m};
+  }
+  if (gauge(shape_, undeform(shape_, x)) < 1.0) best.distance_m = -best.distance_m;
+  return best;
 }
 
 ClosestPoint SuperquadricDistance::closest_point(Point<SceneFrame> p) const noexcept {
   const Vec3 x = (shape_from_scene_ * p).v;
-  Local best;
-  if (seeds_.empty()) {
-    best = nearest_straight(shape_, x);
-  } else {
-    const double reach = reach_m(shape_);
-    const std::size_t part = seeds_.size() / 6;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t side = 0; side < 6; ++side) {
-      const auto begin = seeds_.begin() + static_cast<std::ptrdiff_t>(side * part);
-      const auto nearest = std::min_element(begin, begin + static_cast<std::ptrdiff_t>(part),
-                                            [&](const Seed& a, const Seed& b) {
-                                              return squared_norm(a.place - x) < squared_norm(b.place - x);
-                                            });
-      Walk walk{shape_, x, {}, {}, {}, 0.0};
-      walk.settle(nearest->straight);
-      descend(walk, reach);
-      if (walk.value >= least) continue;
-      least = walk.value;
-      best = {deform(shape_, walk.at), surface_normal(shape_, walk.at), std::sqrt(2.0 * walk.value)};
-    }
-    if (gauge(shape_, undeform(shape_, x)) < 1.0) best.distance_m = -best.distance_m;
-  }
+  const Local best = seeds_.empty() ? nearest_straight(shape_, x) : nearest_deformed(x);
   return {shape_.scene_from_shape * Point<ShapeFrame>{best.place}, best.distance_m,
           Vector<SceneFrame>{shape_.scene_from_shape.rotate(best.normal)}};
 }
@@ -305,6 +345,7 @@ ClosestPoint SuperquadricDistance::closest_point(Point<SceneFrame> p) const noex
 ClosestPoint closest_point(const std::vector<SuperquadricDistance>& shapes, Point<SceneFrame> p) noexcept {
   ClosestPoint best{p, std::numeric_limits<double>::infinity(), {}};
   for (const SuperquadricDistance& shape : shapes) {
+    if (shape.least_distance_m(p) >= best.distance_m) continue;
     const ClosestPoint here = shape.closest_point(p);
     if (here.distance_m < best.distance_m) best = here;
   }

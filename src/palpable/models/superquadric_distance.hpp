@@ -5,6 +5,8 @@
 #include "palpable/models/relief_distance.hpp"
 #include "palpable/models/superquadric.hpp"
 
+#include <array>
+#include <limits>
 #include <vector>
 
 namespace palpable::models {
@@ -21,11 +23,20 @@ class SuperquadricDistance {
   /// bent shape's surface is sampled coarsely first. `p` is finite.
   ClosestPoint closest_point(Point<SceneFrame> p) const noexcept;
   double distance_m(Point<SceneFrame> p) const noexcept { return closest_point(p).distance_m; }
+  /// Never more than distance_m(), and reckoned at once.
+  double least_distance_m(Point<SceneFrame> p) const noexcept;
 
   const Superquadric& shape() const noexcept { return shape_; }
 
+  /// In the shape's own frame.
+  struct Local {
+    Vec3 place, normal;
+    double distance_m = std::numeric_limits<double>::infinity();
+  };
+
  private:
   explicit SuperquadricDistance(const Superquadric& shape);
+  Local nearest_deformed(Vec3 x) const noexcept;
 
   /// Points of the undeformed surface, and where the deformation takes them; only of a deformed shape.
   struct Seed {
@@ -36,6 +47,10 @@ class SuperquadricDistance {
   Transform<ShapeFrame, SceneFrame> shape_from_scene_;
   /// Six parts of equal length, one a side of the box around the shape.
   std::vector<Seed> seeds_;
+  /// How far at most a place of each side is from the side's nearest seed, as far as finer samples tell.
+  std::array<double, 6> gaps_m_{};
+  /// No place of the surface is farther from the centre.
+  double reach_m_ = 0.0;
 };
 
 /// The union of several: the nearest surface of them all that is not inside another one; inside, the deepest

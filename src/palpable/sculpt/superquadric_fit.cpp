@@ -88,7 +88,8 @@ class Refinement {
     }
   }
 
-  void run(Candidate& c, int rounds, int steps) {
+  /// Ends early where the cost can no longer fall below `to_beat`, if each round gains what the last one did.
+  void run(Candidate& c, int rounds, int steps, double to_beat = std::numeric_limits<double>::infinity()) {
     double noise = 0.0;
     double cost = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rounds; ++k) {
@@ -98,6 +99,8 @@ class Refinement {
       const bool settled =
           c.noise > 0.97 * noise && cost - c.cost < 1e-3 * static_cast<double>(points_.count());
       if (k > 0 && settled) return;
+      constexpr int kFirstSign = 2;
+      if (k >= kFirstSign && c.cost - to_beat > (rounds - k) * std::max(cost - c.cost, 0.0)) return;
       cost = c.cost;
       improve(c, steps);
     }
@@ -242,30 +245,32 @@ FittedSuperquadric fit_robustly(const Evidence& all, FitDeformation deformation)
   auto candidates = starts_for(some);
   for (Candidate& c : candidates) quick.run(c, 4, 2);
   std::sort(candidates.begin(), candidates.end(), cheaper);
-  candidates.resize(2);
-  for (Candidate& c : candidates) quick.run(c, 6, 3);
-  Candidate best = *std::min_element(candidates.begin(), candidates.end(), cheaper);
+  Candidate best = candidates[0];
+  quick.run(best, 6, 3);
+  quick.run(candidates[1], 6, 3, best.cost);
+  if (candidates[1].cost < best.cost) best = candidates[1];
   // From valley to valley, while that helps.
   constexpr int kMostSwitches = 4;
   for (int k = 0; k < kMostSwitches; ++k) {
     const double before = best.cost;
     for (Candidate& other : switched(best)) {
-      quick.run(other, 8, 3);
+      quick.run(other, 8, 3, best.cost);
       if (other.cost < best.cost) best = other;
     }
     if (best.cost > before - 1e-3 * static_cast<double>(some.points.size())) break;
   }
   if (deformation != FitDeformation::none) {
     Refinement deforming(some, volume, count_for(deformation));
-    std::vector<Candidate> turned = switched(best);
-    turned.resize(2);
-    turned.push_back(best);
-    for (Candidate& c : turned) {
-      c.noise = std::max(c.noise, 0.1);
-      c.sight_noise = std::max(c.sight_noise, 0.1);
-      deforming.run(c, 12, 4);
+    std::vector<Candidate> bodies = deformed(best, count_for(deformation));
+    for (Candidate& c : bodies) deforming.run(c, 4, 3);
+    std::sort(bodies.begin(), bodies.end(), cheaper);
+    constexpr std::size_t kPromising = 4;
+    bodies.resize(std::min(bodies.size(), kPromising));
+    best = bodies[0];
+    for (Candidate& c : bodies) {
+      deforming.run(c, 12, 4, best.cost);
+      if (c.cost < best.cost) best = c;
     }
-    best = *std::min_element(turned.begin(), turned.end(), cheaper);
   }
   constexpr std::size_t kEnoughSights = 240;
   const Evidence every{all.points, thinned<Sight>(all.outline, kEnoughSights), all.eye};

@@ -127,7 +127,7 @@ class Splitter {
     const auto places = places_of(part.members, kFitted), asked = places_of(part.members, kMeasured);
     part.error_m = std::numeric_limits<double>::infinity();
     if (places.size() < kFewest) return;
-    if (thickness_m(places) < 0.5 * tolerance_m_) {
+    if (thickness_m(places) < tolerance_m_) {
       part.fit = {slab_of(places, eye_), 0.0, 1.0, 0.0};
       part.error_m = error_of(part.fit.shape, asked);
       return;
@@ -138,8 +138,32 @@ class Splitter {
     if (!fitted) return;
     part.fit = *std::move(fitted);
     part.error_m = error_of(part.fit.shape, asked);
-    // Nothing seen says how far a body reaches behind: not farther than it is wide.
-    if (reach_m(part.fit.shape) > 2.0 * diagonal_m_) part.error_m = std::numeric_limits<double>::infinity();
+    if (reaches_beyond(part.fit.shape, places)) part.error_m = std::numeric_limits<double>::infinity();
+  }
+
+  /// Whether a body reaches far beyond its points: a little past them to the sides; behind what was seen of
+  /// it, of which nothing is known, not much farther than that is wide.
+  bool reaches_beyond(const models::Superquadric& shape, std::span<const Vec3> places) const {
+    Vec3 middle;
+    for (const Vec3 p : places) middle += p / static_cast<double>(places.size());
+    const Vec3 away = eye_ ? unit(middle - eye_->v) : Vec3{};
+    double across_m = 0.0;
+    for (const Vec3 p : places)
+      across_m = std::max(across_m, norm(p - middle - dot(p - middle, away) * away));
+    const auto& r = shape.scene_from_shape.rotation;
+    const std::array<double, 3> half_m{shape.size_m.x, shape.size_m.y, shape.size_m.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 axis{r[k], r[3 + k], r[6 + k]};
+      double least_m = std::numeric_limits<double>::infinity(), most_m = -least_m;
+      for (const Vec3 p : places) {
+        least_m = std::min(least_m, dot(p, axis));
+        most_m = std::max(most_m, dot(p, axis));
+      }
+      constexpr double kAside = 1.3, kBehind = 3.0;
+      const double unseen_m = kBehind * across_m * std::abs(dot(axis, away));
+      if (2.0 * half_m[k] > kAside * (most_m - least_m) + unseen_m + 2.0 * tolerance_m_) return true;
+    }
+    return false;
   }
 
   bool good(const Part& part) const { return part.error_m <= tolerance_m_; }

@@ -142,6 +142,34 @@ std::vector<Candidate> switched(const Candidate& c) {
   return others;
 }
 
+std::vector<Candidate> deformed(const Candidate& c, int parameters) {
+  std::vector<Candidate> axes = switched(c);
+  axes.resize(2);
+  axes.push_back(c);
+  std::vector<Candidate> bodies;
+  for (Candidate& plain : axes) {
+    plain.noise = std::max(plain.noise, 0.1);
+    plain.sight_noise = std::max(plain.sight_noise, 0.1);
+    bodies.push_back(plain);
+    constexpr double kTaper = 0.4;
+    for (const double taper : {-kTaper, kTaper}) {
+      Candidate other = plain;
+      other.shape.taper_x = other.shape.taper_y = taper;
+      if (parameters == kTaperParameters) bodies.push_back(other);
+    }
+    constexpr int kWays = 4;
+    constexpr double kHalfPi = 1.570796326794897;
+    for (int way = 0; way < kWays && parameters == kBendParameters; ++way) {
+      Candidate other = plain;
+      const Vec3 a = plain.shape.size_m;
+      other.shape.bend_per_m = std::min(0.5 / a.z, 0.5 / std::hypot(a.x, a.y));
+      other.shape.bend_angle_rad = way * kHalfPi;
+      bodies.push_back(other);
+    }
+  }
+  return bodies;
+}
+
 Superquadric start_from_moments(std::span<const Vec3> points) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Vec3 p : points) mean += Eigen::Vector3d(p.x, p.y, p.z);

@@ -40,6 +40,10 @@ std::vector<Candidate> starts_for(const Evidence& evidence);
 /// section turned by 45 degrees with its dual exponent.
 std::vector<Candidate> switched(const Candidate& c);
 
+/// A shape's axes in turn as z, each of them plain, and tapered or bent either way, as `parameters`
+/// (kTaperParameters or kBendParameters) allows: starts of a deformed body that a plain one was fitted to.
+std::vector<Candidate> deformed(const Candidate& c, int parameters);
+
 /// The papers' start: axes and sizes as the second moments say, the axis of the most different one as z.
 models::Superquadric start_from_moments(std::span<const Vec3> points);
 

@@ -60,6 +60,8 @@ struct Solid {
   SceneFromInput scene_from_input;
   /// How exactly the input itself tells its surface; 0 = as exactly as is asked for.
   double exact_to_m = 0.0;
+  /// As they stand in the scene, where it consists of some.
+  std::vector<models::Superquadric> primitives;
 };
 
 /// Scales a mesh into that box, if one is given, and says how.
@@ -109,6 +111,7 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const std::opti
     if (!distance) return distance.error();
   }
   solid.distance = std::move(*distance);
+  solid.primitives = std::move(shapes);
   return solid;
 }
 
@@ -124,7 +127,11 @@ Result<Solid> solid_from_level_set(const std::filesystem::path& file, const std:
   if (!distance) return distance.error();
   // Between places of a grid an edge is lost by about so much.
   constexpr double kOfAVoxel = 0.1;
-  return Solid{std::move(*distance), {}, *transform, kOfAVoxel * transform->scale * norm(set->steps_m[0])};
+  Solid solid;
+  solid.distance = std::move(*distance);
+  solid.scene_from_input = *transform;
+  solid.exact_to_m = kOfAVoxel * transform->scale * norm(set->steps_m[0]);
+  return solid;
 }
 
 Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& input, const Work& work) {
@@ -172,6 +179,7 @@ Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Inp
                   options.field.resolution, 1e6 * field->distance.errors().bound_m);
   scene.source.inputs = {file.string()};
   scene.source.made_by = options.made_by;
+  field->primitives = std::move(solid->primitives);
   scene.model = std::make_shared<const models::Field>(std::move(*field));
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(solid->notes)};
 }

@@ -1,0 +1,177 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Solids of every kind, good and bad: OpenVDB, meshes that are no solids, shapes found in a scene.
+#include "palpable/formats/picture.hpp"
+
+#include <cmath>
+#include <fstream>
+
+#include "program.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class SolidCommands : public InFolder {
+ protected:
+  Outcome make(const std::string& input, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"make",         path(input), "-o",   path("out.palp"),
+                                       "--resolution", "32",        "--as", "field"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return palpable(arguments);
+  }
+  void expect_refused(const Outcome& outcome, const std::string& file, const std::string& reason) {
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(file));
+    EXPECT_THAT(outcome.err, HasSubstr(reason));
+    EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
+  }
+  /// Distance at a place, metres; negative inside.
+  double distance_m(const std::string& scene, const std::string& place) {
+    write_text(path("q.csv"), "x_m,y_m,z_m\n" + place + "\n");
+    EXPECT_EQ(palpable({"sample", path(scene), "--points", path("q.csv"), "-o", path("v.csv")}).exit_code, 0);
+    std::string values = read_text(path("v.csv"));
+    // The second line's fourth number, behind the place.
+    values.erase(0, values.find('\n') + 1);
+    for (int k = 0; k < 3; ++k) values.erase(0, values.find(',') + 1);
+    return std::stod(values);
+  }
+};
+
+/// A box from (-1, -1, -1) to (1, 1, 1) times `half` around `x`; its triangles, wound outwards or inwards, of
+/// which the last `open` are left out.
+std::string box_obj(double x, double half, int first_vertex, bool outwards = true, int open = 0) {
+  std::string obj;
+  for (int k = 0; k < 8; ++k)
+    obj += "v " + std::to_string(x + ((k & 1) != 0 ? half : -half)) + ' ' +
+           std::to_string((k & 2) != 0 ? half : -half) + ' ' + std::to_string((k & 4) != 0 ? half : -half) +
+           '\n';
+  constexpr int kFaces[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                 {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (int t = 0; t < 12 - open; ++t) {
+    const auto corner = [&](int k) { return std::to_string(first_vertex + kFaces[t][k]); };
+    obj += "f " + corner(0) + ' ' + corner(outwards ? 1 : 2) + ' ' + corner(outwards ? 2 : 1) + '\n';
+  }
+  return obj;
+}
+
+TEST_F(SolidCommands, AMeshThatCrossesItselfIsTheUnionOfItsBodies) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1) + box_obj(0.02, 0.015, 9));
+  const Outcome outcome = make("m.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  // Deep in both, where a wall of one would pass.
+  EXPECT_NEAR(distance_m("out.palp", "0.0195,0,0"), -0.0150, 0.001);
+  EXPECT_NEAR(distance_m("out.palp", "-0.019,0,0"), -0.001, 0.0002);
+  EXPECT_GT(distance_m("out.palp", "0,0,0.0205"), 0.0);
+}
+
+TEST_F(SolidCommands, AMeshInsideOutIsTurned) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1, false));
+  const Outcome outcome = make("m.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("turned to face outwards"));
+  EXPECT_NEAR(distance_m("out.palp", "0,0,0.019"), -0.001, 0.0002);
+}
+
+TEST_F(SolidCommands, AnOpenMeshIsClosedAndSaid) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1, true, 2));
+  const Outcome outcome = make("m.obj");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("closed"));
+  EXPECT_NEAR(distance_m("out.palp", "0.019,0,0"), -0.001, 0.0002);
+}
+
+TEST_F(SolidCommands, TrianglesWithVerticesThatAreNoNumbersAreLeftOut) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1) + "v nan nan nan\nf 9 1 2\n");
+  const Outcome outcome = make("m.obj");
+  if (outcome.exit_code == 3) {
+    EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+    return;
+  }
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NEAR(distance_m("out.palp", "0,0,0.019"), -0.001, 0.0002);
+}
+
+TEST_F(SolidCommands, AMeshOfTenMillionTrianglesIsReadOrRefusedBeforeItFillsTheMemory) {
+  // A binary STL that states so many, but holds none: refused by its size.
+  std::string stl(84, '\0');
+  const unsigned count = 10'000'000;
+  for (unsigned k = 0; k < 4; ++k) stl[80 + k] = static_cast<char>(count >> (8 * k));
+  write_text(path("huge.stl"), stl);
+  expect_refused(make("huge.stl", {"--kind", "mesh"}), "huge.stl", "");
+}
+
+TEST_F(SolidCommands, ExponentsAtTheirLimitsAreTouchedAndBeyondThemRefused) {
+  const auto shape = [&](const std::string& e1, const std::string& e2) {
+    write_text(path("s.json"), R"({"primitives": [{"size_m": [0.02, 0.02, 0.02], "exponents": [)" + e1 +
+                                   ", " + e2 + R"(], "position_m": [0, 0, 0]}]})");
+    return make("s.json", {"--max-error", "0.2"});
+  };
+  for (const auto& [e1, e2] : {std::pair("0.1", "0.1"), std::pair("1.9", "1.9")}) {
+    const Outcome outcome = shape(e1, e2);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NEAR(distance_m("out.palp", "0,0,0.021"), 0.001, 0.0004) << e1 << ' ' << e2;
+  }
+  std::filesystem::remove(path("out.palp"));
+  for (const char* bad : {"0.05", "2.5", "-1"}) expect_refused(shape(bad, "1"), "s.json", "exponent");
+}
+
+TEST_F(SolidCommands, AFieldGoesToOpenVdbAndBack) {
+  write_text(
+      path("s.json"),
+      R"({"primitives": [{"size_m": [0.03, 0.02, 0.02], "exponents": [1, 1], "position_m": [0, 0, 0]}]})");
+  ASSERT_EQ(make("s.json", {"--max-error", "0.05"}).exit_code, 0);
+  const Outcome info = palpable({"info", path("out.palp"), "--json"});
+  ASSERT_EQ(info.json()["primitives"].size(), 1U) << info.out;
+  EXPECT_NEAR(info.json()["primitives"][0]["size_m"][0].get<double>(), 0.03, 1e-12);
+  for (const char* band : {"narrow", "full"}) {
+    const Outcome out =
+        palpable({"export", path("out.palp"), "-o", path("f.vdb"), "--grid", "64", "--band", band});
+    ASSERT_EQ(out.exit_code, 0) << out.err;
+    ASSERT_EQ(palpable({"make", path("f.vdb"), "-o", path("back.palp"), "--resolution", "32", "--max-error",
+                        "0.05"})
+                  .exit_code,
+              0);
+    for (const char* place : {"0.031,0,0", "0,0,0.0195", "0,0.021,0"})
+      EXPECT_NEAR(distance_m("back.palp", place), distance_m("out.palp", place), 0.0003)
+          << band << ' ' << place;
+  }
+  const std::string vdb = read_text(path("f.vdb"));
+  std::filesystem::remove(path("out.palp"));
+  write_text(path("cut.vdb"), vdb.substr(0, vdb.size() / 2));
+  expect_refused(make("cut.vdb"), "cut.vdb", "cut-off");
+}
+
+TEST_F(SolidCommands, ShapesAreFoundInADepthMapAndTouched) {
+  // A ball of 30 mm before a wall 300 mm away, seen with a focal length of 200 pixels.
+  constexpr int kWidth = 160, kHeight = 120;
+  Raster<std::uint16_t> depth(kWidth, kHeight, 3000);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const double u = (x - 79.5) / 200.0, v = (y - 59.5) / 200.0;
+      // |t (u, v, 1) - (0, 0, 0.25)| = 0.03.
+      const double a = u * u + v * v + 1.0, b = -0.25, c = 0.0625 - 0.0009, root = b * b - a * c;
+      if (root > 0.0) depth(x, y) = static_cast<std::uint16_t>(1e4 * (-b - std::sqrt(root)) / a);
+    }
+  ASSERT_TRUE(formats::write_png(path("d.png"), depth));
+  write_text(path("d.json"), R"({"metres_per_unit": 0.0001, "fx": 200, "fy": 200, "cx": 79.5, "cy": 59.5, )"
+                             R"("width": 160, "height": 120})");
+  const Outcome fitted =
+      palpable({"fit-shapes", path("d.png"), "-o", path("s.json"), "--kind", "depth", "--json"});
+  ASSERT_EQ(fitted.exit_code, 0) << fitted.err;
+  const auto primitives = fitted.json()["primitives"];
+  ASSERT_EQ(primitives.size(), 2U) << fitted.out;
+  EXPECT_NEAR(primitives[1]["position_m"][2].get<double>(), -0.25, 0.006);
+  EXPECT_NEAR(primitives[1]["size_m"][0].get<double>(), 0.03, 0.005);
+  EXPECT_EQ(make("s.json", {"--max-error", "1"}).exit_code, 0);
+  const Outcome refused = palpable({"fit-shapes", path("s.json"), "-o", path("t.json")});
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_TRUE(is_one_sentence(refused.err));
+}
+
+}  // namespace
+}  // namespace palpable::test
