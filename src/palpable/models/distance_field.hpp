@@ -83,7 +83,7 @@ class DistanceField {
   Leaf leaf_of(int x, int y, int z) const noexcept;
 
   /// Half the width in which a kink between two pieces is rounded, in finest cells.
-  static constexpr double kRounding = 0.6;
+  static constexpr double kRounding = 0.5;
 
  private:
   DistanceField() = default;

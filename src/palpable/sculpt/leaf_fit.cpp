@@ -78,6 +78,21 @@ class Judge {
     return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
   }
 
+  /// The greatest error of the distance, over all places; infinite as error().
+  double greatest_m(const LeafFit& leaf) const {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const Vec3 u = fit_place(k);
+      const Vec3 x = samples_.centre_m + samples_.half_m * u;
+      const double distance = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_).distance_m;
+      if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
+      greatest = std::max(greatest, std::abs(distance - samples_.at[k].distance_m));
+    }
+    return greatest;
+  }
+  /// Whether the cell is one that is not cut any more.
+  bool is_finest() const { return side_ < 1.5; }
+
   /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
   double error(const LeafFit& leaf, double enough) const {
     double worst = 0.0;
@@ -205,7 +220,9 @@ class Search {
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
     if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
-    return best_;
+    const bool astray =
+        judge_.is_finest() && judge_.greatest_m(best_) > std::max(kAstray * bounds_.cell_m, closest_m_);
+    return astray ? closest_ : best_;
   }
 
  private:
@@ -216,7 +233,20 @@ class Search {
   bool try_leaf(LeafFit leaf) {
     leaf.error = judge_.error(leaf, std::max(1.0, best_.error));
     if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
-    return best_.count > 0 && best_.error <= 1.0;
+    if (best_.count > 0 && best_.error <= 1.0) return true;
+    if (judge_.is_finest()) keep_closest(leaf);
+    return false;
+  }
+  /// A finest cell whose best leaf errs by more than the rounding of an edge does takes the leaf that is
+  /// nearest to the true distance: where many faces meet, none has the gradient right everywhere, and the one
+  /// that errs least in it may be far off. In finest cells.
+  static constexpr double kAstray = 0.3;
+  void keep_closest(LeafFit leaf) {
+    const double greatest_m = judge_.greatest_m(leaf);
+    if (!(greatest_m < closest_m_)) return;
+    closest_m_ = greatest_m;
+    leaf.error = std::max(leaf.error, 1.0 + 1e-9);
+    closest_ = leaf;
   }
   /// Which of the two comes first is no matter: one order makes equal leaves of equal pieces.
   bool try_pair(Piece a, Piece b) {
@@ -265,6 +295,8 @@ class Search {
   Judge judge_;
   Extremes ends_;
   LeafFit best_;
+  LeafFit closest_;
+  double closest_m_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
