@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/draw/traces_view.hpp"
-#include "palpable/haptics/groove_study.hpp"
+#include "palpable/study/groove_study.hpp"
 
 #include <utility>
 
@@ -19,8 +19,8 @@ struct Arguments {
 };
 
 /// A light hand with an ordinary grip, as friction-free as a device can be: what vibrates, vibrates.
-haptics::GrooveStudyOptions options_of(const Arguments& arguments) {
-  haptics::GrooveStudyOptions options;
+study::GrooveStudyOptions options_of(const Arguments& arguments) {
+  study::GrooveStudyOptions options;
   options.rate_hz = arguments.rate_hz;
   options.hand.device_mass_kg = 0.05;
   options.hand.arm_mass_kg = 0.1;
@@ -33,7 +33,7 @@ haptics::GrooveStudyOptions options_of(const Arguments& arguments) {
 }
 
 /// The hand's place across the groove over the last fifth of a second, a row a law, a column a stiffness.
-draw::Figure figure_of(const std::vector<haptics::GrooveResult>& results, int columns,
+draw::Figure figure_of(const std::vector<study::GrooveResult>& results, int columns,
                        const Arguments& arguments) {
   std::vector<draw::Trace> traces;
   for (const auto& result : results) {
@@ -55,7 +55,7 @@ draw::Figure figure_of(const std::vector<haptics::GrooveResult>& results, int co
 
 Result<Answer> study(const Arguments& arguments) {
   const auto options = options_of(arguments);
-  const auto results = haptics::study_groove(options);
+  const auto results = study::study_groove(options);
   if (!results) return results.error();
   Answer answer;
   answer.json["results"] = Json::array();

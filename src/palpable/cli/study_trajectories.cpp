@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/core/atomic_file.hpp"
-#include "palpable/haptics/trajectory_study.hpp"
+#include "palpable/study/trajectory_study.hpp"
 
 #include <chrono>
 #include <span>
@@ -20,7 +20,7 @@ struct Arguments {
   std::string list;
 };
 
-Result<void> write_list(const std::vector<haptics::LargeStep>& steps, const std::string& file) {
+Result<void> write_list(const std::vector<study::LargeStep>& steps, const std::string& file) {
   std::string text = "trajectory,tick,x_m,y_m,z_m,hand_moved_m,proxy_moved_m,force_step_N\n";
   for (const auto& s : steps)
     text += fmt::format("{},{},{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},{:.6g}\n", s.trajectory, s.tick, s.hand_m.x,
@@ -28,7 +28,7 @@ Result<void> write_list(const std::vector<haptics::LargeStep>& steps, const std:
   return write_file_atomically(file, std::as_bytes(std::span(text)));
 }
 
-Answer answer_of(const haptics::TrajectoryFindings& found, double seconds) {
+Answer answer_of(const study::TrajectoryFindings& found, double seconds) {
   Answer answer;
   answer.json = {{"trajectories", found.trajectories},
                  {"ticks", found.ticks},
@@ -62,12 +62,12 @@ Answer answer_of(const haptics::TrajectoryFindings& found, double seconds) {
 }
 
 Result<Answer> study(const Arguments& arguments, const Work& work) {
-  haptics::TrajectoryStudyOptions options;
+  study::TrajectoryStudyOptions options;
   options.trajectories = static_cast<std::int64_t>(arguments.trajectories);
   options.ticks = arguments.ticks;
   options.fastest_m_per_s = arguments.fastest_m_per_s;
   const auto begin = std::chrono::steady_clock::now();
-  const auto found = haptics::study_trajectories(options, work);
+  const auto found = study::study_trajectories(options, work);
   if (!found) return found.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!arguments.list.empty())

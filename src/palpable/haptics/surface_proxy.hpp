@@ -48,8 +48,9 @@ struct Friction {
 };
 
 /// Moves a SurfaceProxy over one height field; the solid lies below the surface. Sliding, each step is at
-/// most a pixel (or half of the hand's own movement in the tick) and must bring the proxy nearer to the hand,
-/// so it climbs or rounds a wall and never passes through it. A tick looks at the surface once or twice as a
+/// most a pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's own movement
+/// in the tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and never passes
+/// through it. A tick looks at the surface once or twice as a
 /// rule, and kMostLooks times at most, so that no tick is long: what is farther is reached in the next ticks,
 /// at three pixels a tick or one and a half times the hand's own speed.
 template <models::CurvedHeightField Surface>
@@ -77,6 +78,9 @@ class ProxyFollower {
   static constexpr int kMostLooks = 3;
   /// In steps: so far ahead the memory's answer is there when the look is.
   static constexpr double kAhead = 3.0;
+  /// 1 + slope^2 above which a step is a pixel at most: half-way up a wall a longer one might pass over its
+  /// top.
+  static constexpr double kSteep2 = 2.0;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
@@ -171,14 +175,18 @@ class ProxyFollower {
       const double held2 = mu * mu * normal2;
       const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
       if (along2 <= near * near) break;
-      const auto [dx, dy] = models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)),
-                                                         shorter * longest_m);
+      const double reach_m = steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
+      const auto [dx, dy] =
+          models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
       const double x = place.x + dx;
       const double y = place.y + dy;
       --looks;
       surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
-      if (squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
+      // A step of more than a pixel may not pass over a top: what it hides may be a wall.
+      const bool over_a_top = dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
+                              s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
+      if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
         // Too far: the surface turned. A step that cannot be made shorter than the tolerance is none.
         shorter *= 0.25;
         if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/groove_study.hpp"
+#include "palpable/study/groove_study.hpp"
 
 #include "palpable/haptics/tick.hpp"
 
@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-namespace palpable::haptics {
+namespace palpable::study {
 namespace {
 
 constexpr int kSide = 121;
@@ -42,16 +42,16 @@ struct Span {
   double width() const { return most - least; }
 };
 
-GrooveResult rest_in(const Program& program, const GrooveStudyOptions& options) {
+GrooveResult rest_in(const haptics::Program& program, const GrooveStudyOptions& options) {
   device::HandOptions described = options.hand;
   described.rate_hz = options.rate_hz;
   described.explorer.script = device::ExplorerOptions::Script::hold;
   device::SimulatedHand hand(described);
-  TickOptions free;
-  free.passivity = Passivity::observe;
+  haptics::TickOptions free;
+  free.passivity = haptics::Passivity::observe;
   free.max_force_rate_N_per_s = 1e9;
-  Ring<TouchEvent> events(64);
-  Tick tick(hand, program, free, events);
+  Ring<haptics::TouchEvent> events(64);
+  haptics::Tick tick(hand, program, free, events);
   hand.place({options.beside_m, 0.0, options.slope * options.beside_m + 0.001});
   hand.set_goal({options.beside_m, 0.0, -options.deep_m});
 
@@ -93,16 +93,16 @@ Result<std::vector<GrooveResult>> study_groove(const GrooveStudyOptions& options
   const auto scene = groove_scene(options.slope);
   if (!scene) return scene.error();
   std::vector<GrooveResult> results;
-  for (const Law law : options.laws)
+  for (const haptics::Law law : options.laws)
     for (const double stiffness : options.stiffnesses_N_per_m) {
-      LawParameters parameters;
+      haptics::LawParameters parameters;
       parameters.law = law;
       parameters.stiffness_N_per_m = stiffness;
       parameters.damping_Ns_per_m = options.damping_Ns_per_m;
       parameters.static_friction = options.friction;
       // As the papers' naive laws point: along the surface's normal.
-      parameters.penalty = PenaltyDirection::normal;
-      const auto touchable = make_touchable(*scene, parameters);
+      parameters.penalty = haptics::PenaltyDirection::normal;
+      const auto touchable = haptics::make_touchable(*scene, parameters);
       if (!touchable) return touchable.error();
       results.push_back(rest_in({*touchable, {}, 1}, options));
       results.back().law = law;
@@ -111,4 +111,4 @@ Result<std::vector<GrooveResult>> study_groove(const GrooveStudyOptions& options
   return results;
 }
 
-}  // namespace palpable::haptics
+}  // namespace palpable::study

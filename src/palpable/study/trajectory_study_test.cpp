@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/trajectory_study.hpp"
+#include "palpable/study/trajectory_study.hpp"
 
 #include "palpable/haptics/laws.hpp"
 
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace palpable::haptics {
+namespace palpable::study {
 namespace {
 
 TEST(TrajectoryStudy, FindsThatTheProxyLetsNoHandThroughWallsGroovesAndSpikes) {
@@ -53,11 +53,11 @@ TEST(TrajectoryStudy, IsTheSameOnAnyNumberOfThreads) {
 }
 
 /// A law that cannot hold a fast hand: it forgets the surface within a thin wall, as the naive law does.
-class FallsThroughWalls final : public Touchable {
+class FallsThroughWalls final : public haptics::Touchable {
  public:
   explicit FallsThroughWalls(std::shared_ptr<const models::Relief> relief) : relief_(std::move(relief)) {}
-  Feel feel(const Hand& hand, TouchState&) const noexcept override {
-    Feel feel;
+  haptics::Feel feel(const haptics::Hand& hand, haptics::TouchState&) const noexcept override {
+    haptics::Feel feel;
     feel.has_proxy = true;
     const Vec3 p = hand.position.v;
     feel.proxy = {{p.x, p.y, std::max(p.z, relief_->sample(p.x, p.y).z_m)}};
@@ -103,7 +103,7 @@ RC_GTEST_PROP(ProxyLaw, LetsNoStrokeThroughAnyGroundWithAnyFrictionOrBall, ()) {
   const auto ground = *rc::gen::inRange<std::uint64_t>(0, 1000);
   const auto stroke = *rc::gen::arbitrary<std::uint64_t>();
   const double slope = *rc::gen::element(0.0, 1.0, 3.0, 10.0);
-  LawParameters p;
+  haptics::LawParameters p;
   p.static_friction = 0.01 * *rc::gen::inRange(0, 150);
   p.stiffness_N_per_m = *rc::gen::inRange(20, 3000);
   p.damping_Ns_per_m = 0.0;
@@ -114,7 +114,7 @@ RC_GTEST_PROP(ProxyLaw, LetsNoStrokeThroughAnyGroundWithAnyFrictionOrBall, ()) {
   options.ticks = 300;
   options.stiffness_N_per_m = *p.stiffness_N_per_m;
   options.fastest_m_per_s = 0.01 * *rc::gen::inRange(1, 101);
-  const auto found = follow_trajectory(**make_touchable(scene, p), *relief, stroke, options);
+  const auto found = follow_trajectory(**haptics::make_touchable(scene, p), *relief, stroke, options);
   RC_ASSERT(found.let_through == 0);
   RC_ASSERT(found.jumped_through == 0);
   RC_ASSERT(found.sunk == 0);
@@ -124,4 +124,4 @@ RC_GTEST_PROP(ProxyLaw, LetsNoStrokeThroughAnyGroundWithAnyFrictionOrBall, ()) {
 }
 
 }  // namespace
-}  // namespace palpable::haptics
+}  // namespace palpable::study

@@ -11,6 +11,10 @@
 #include <vector>
 
 namespace palpable::haptics {
+class Touchable;
+}
+
+namespace palpable::study {
 
 /// Whether the law `proxy` ever lets a hand through: random strokes over reliefs of walls, grooves and
 /// spikes.
@@ -78,11 +82,9 @@ Result<std::shared_ptr<const models::Relief>> obstacle_relief(std::uint64_t seed
 /// range, interrupted.
 Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& options, const Work& work);
 
-class Touchable;
-
 /// One touch of it, of options.ticks ticks; the trajectory's number is left 0. `surface` is what the proxy
 /// stands on: the relief, or it dilated by the ball.
-TrajectoryFindings follow_trajectory(const Touchable& touchable, const models::Relief& surface,
+TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const models::Relief& surface,
                                      std::uint64_t seed, const TrajectoryStudyOptions& options);
 
-}  // namespace palpable::haptics
+}  // namespace palpable::study

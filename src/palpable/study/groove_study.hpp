@@ -8,12 +8,12 @@
 
 #include <vector>
 
-namespace palpable::haptics {
+namespace palpable::study {
 
 /// How steady each law is in a concave place: a simulated hand rests in a V-shaped groove, pressed down.
 /// Gomez 2012, chapter 12, saw the naive law vibrate there, and averaged to end it.
 struct GrooveStudyOptions {
-  std::vector<Law> laws{Law::penalty, Law::averaged, Law::proxy};
+  std::vector<haptics::Law> laws{haptics::Law::penalty, haptics::Law::averaged, haptics::Law::proxy};
   std::vector<double> stiffnesses_N_per_m{200.0, 400.0, 800.0};
   /// Of the groove's walls, 0.1 … 3.
   double slope = 1.0;
@@ -29,7 +29,7 @@ struct GrooveStudyOptions {
 };
 
 struct GrooveResult {
-  Law law = Law::proxy;
+  haptics::Law law = haptics::Law::proxy;
   double stiffness_N_per_m = 0.0;
   /// The greatest distance between two places of the hand in the last second, across the groove and in
   /// height.
@@ -47,4 +47,4 @@ struct GrooveResult {
 /// the law itself does. Three seconds of simulated time each, deterministic. Errors: make_touchable()'s.
 Result<std::vector<GrooveResult>> study_groove(const GrooveStudyOptions& options);
 
-}  // namespace palpable::haptics
+}  // namespace palpable::study

@@ -1,12 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/groove_study.hpp"
+#include "palpable/study/groove_study.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-namespace palpable::haptics {
+namespace palpable::study {
 namespace {
 
 TEST(GrooveStudy, SeesTheNaiveLawVibrateAndTheProxyRest) {
@@ -25,10 +25,10 @@ TEST(GrooveStudy, SeesTheNaiveLawVibrateAndTheProxyRest) {
       ASSERT_TRUE(results);
       ASSERT_EQ(results->size(), 6U);
       for (const GrooveResult& r : *results) {
-        if (r.law == Law::proxy) {
+        if (r.law == haptics::Law::proxy) {
           EXPECT_LE(std::max(r.across_m, r.height_m), std::max(10e-6, resolution_m)) << r.stiffness_N_per_m;
         }
-        if (r.law == Law::penalty) {
+        if (r.law == haptics::Law::penalty) {
           EXPECT_GT(r.across_m, 100e-6) << r.stiffness_N_per_m;
           EXPECT_GT(r.turns_per_s, 10.0);
         }
@@ -37,4 +37,4 @@ TEST(GrooveStudy, SeesTheNaiveLawVibrateAndTheProxyRest) {
 }
 
 }  // namespace
-}  // namespace palpable::haptics
+}  // namespace palpable::study

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/trajectory_study.hpp"
+#include "palpable/study/trajectory_study.hpp"
 
 #include "palpable/haptics/laws.hpp"
 #include "palpable/haptics/limits.hpp"
@@ -14,7 +14,7 @@
 #include <tuple>
 #include <utility>
 
-namespace palpable::haptics {
+namespace palpable::study {
 namespace {
 
 constexpr double kTick_s = 0.001;
@@ -114,7 +114,7 @@ bool runs_through(const models::Relief& surface, Vec3 from, Vec3 to) {
 
 struct Moment {
   Vec3 hand_m;
-  Feel feel;
+  haptics::Feel feel;
 };
 
 /// The rule of the force's steps.
@@ -126,7 +126,8 @@ void judge_step(const Moment& before, const Moment& now, const TrajectoryStudyOp
   const double k = 1.05 * options.stiffness_N_per_m;
   const bool beyond = step.force_step_N > k * step.hand_moved_m + kTolerance_N;
   const Vec3 last_N = std::exchange(
-      written_N, cap_rise(now.feel.force_N.v, written_N, options.max_force_rate_N_per_s * kTick_s).force_N);
+      written_N,
+      haptics::cap_rise(now.feel.force_N.v, written_N, options.max_force_rate_N_per_s * kTick_s).force_N);
   if (step.proxy_moved_m <= 2.0 * step.hand_moved_m) {
     findings.beyond_the_hand += beyond ? 1 : 0;
     findings.kicked +=
@@ -181,28 +182,24 @@ Result<void> check(const TrajectoryStudyOptions& o) {
 /// One ground under one law: everything that its trajectories share.
 struct Variant {
   std::shared_ptr<const models::Relief> surface;
-  std::shared_ptr<const Touchable> touchable;
+  std::shared_ptr<const haptics::Touchable> touchable;
 };
 
 Result<Variant> variant_of(int ground, const TrajectoryStudyOptions& options, std::uint64_t seed) {
   const auto number = static_cast<unsigned>(ground);
   auto relief = obstacle_relief(seed + number, (number & 1U) == 0 ? kSteepest : 0.0);
   if (!relief) return relief.error();
-  LawParameters p;
+  haptics::LawParameters p;
   p.stiffness_N_per_m = options.stiffness_N_per_m;
   p.damping_Ns_per_m = 0.0;
   p.static_friction = (number & 2U) == 0 ? 0.0 : options.friction;
   p.radius_m = (number & 4U) == 0 ? 0.0 : options.ball_m;
   models::Scene scene;
   scene.model = *relief;
-  auto touchable = make_touchable(scene, p);
+  haptics::DilatedRelief dilated;
+  auto touchable = haptics::make_touchable(scene, p, &dilated);
   if (!touchable) return touchable.error();
-  if (p.radius_m > 0.0) {
-    auto dilated = models::Relief::from_samples(
-        models::dilate_by_ball((*relief)->samples_m(), kPixel_m, p.radius_m, Work{}), kPixel_m);
-    if (!dilated) return dilated.error();
-    return Variant{std::make_shared<const models::Relief>(std::move(*dilated)), *touchable};
-  }
+  if (p.radius_m > 0.0) return Variant{dilated.surface, *touchable};
   return Variant{*relief, *touchable};
 }
 
@@ -235,16 +232,16 @@ Result<std::shared_ptr<const models::Relief>> obstacle_relief(std::uint64_t seed
   return std::make_shared<const models::Relief>(std::move(*relief));
 }
 
-TrajectoryFindings follow_trajectory(const Touchable& touchable, const models::Relief& surface,
+TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const models::Relief& surface,
                                      std::uint64_t seed, const TrajectoryStudyOptions& options) {
   TrajectoryFindings findings;
-  TouchState state;
+  haptics::TouchState state;
   RandomHand hand(seed, surface, options.fastest_m_per_s);
   Moment before;
   Vec3 written_N;
   for (int k = 0; k < options.ticks; ++k) {
     if (k > 0) hand.move();
-    Hand now;
+    haptics::Hand now;
     now.position = {hand.place()};
     now.velocity_m_per_s = {hand.velocity()};
     now.dt_s = kTick_s;
@@ -297,4 +294,4 @@ Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& opti
   return sum;
 }
 
-}  // namespace palpable::haptics
+}  // namespace palpable::study
