@@ -88,7 +88,8 @@ class Refinement {
     }
   }
 
-  /// Ends early where the cost can no longer fall below `to_beat`, if each round gains what the last one did.
+  /// Ends early where the cost can no longer fall below `to_beat`, if each round gains twice what the last
+  /// one did.
   void run(Candidate& c, int rounds, int steps, double to_beat = std::numeric_limits<double>::infinity()) {
     double noise = 0.0;
     double cost = std::numeric_limits<double>::infinity();
@@ -99,8 +100,9 @@ class Refinement {
       const bool settled =
           c.noise > 0.97 * noise && cost - c.cost < 1e-3 * static_cast<double>(points_.count());
       if (k > 0 && settled) return;
-      constexpr int kFirstSign = 2;
-      if (k >= kFirstSign && c.cost - to_beat > (rounds - k) * std::max(cost - c.cost, 0.0)) return;
+      constexpr int kFirstSign = 3;
+      constexpr double kHope = 2.0;
+      if (k >= kFirstSign && c.cost - to_beat > kHope * (rounds - k) * std::max(cost - c.cost, 0.0)) return;
       cost = c.cost;
       improve(c, steps);
     }
