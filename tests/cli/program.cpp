@@ -70,6 +70,24 @@ bool Running::catches(int signal, std::chrono::seconds patience) const {
   return false;
 }
 
+bool Running::works(std::chrono::milliseconds processor_time, std::chrono::seconds patience) const {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (std::chrono::steady_clock::now() < end) {
+    // Behind the name in brackets: state, ten numbers, then the time in user mode in clock ticks.
+    const std::string stat = read_text("/proc/" + std::to_string(pid_) + "/stat");
+    const auto name_end = stat.rfind(')');
+    if (name_end != std::string::npos) {
+      std::istringstream fields(stat.substr(name_end + 1));
+      std::string skipped;
+      for (int i = 0; i < 11; ++i) fields >> skipped;
+      long ticks = 0;
+      if (fields >> ticks && 1000 * ticks >= processor_time.count() * sysconf(_SC_CLK_TCK)) return true;
+    }
+    usleep(2000);
+  }
+  return false;
+}
+
 std::string Running::out() const { return read_text(folder_ / "out"); }
 std::string Running::err() const { return read_text(folder_ / "err"); }
 
