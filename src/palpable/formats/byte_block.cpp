@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/byte_block.hpp"
 
-#include <string>
+#include "palpable/formats/zstd_frame.hpp"
 
 #include <zstd.h>
 
@@ -10,12 +10,7 @@ namespace palpable::formats {
 
 Result<std::vector<std::byte>> pack_bytes(std::span<const std::uint8_t> bytes) {
   constexpr int kLevel = 17;
-  std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kLevel);
-  if (ZSTD_isError(size) != 0U)
-    return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(size), {}};
-  out.resize(size);
-  return out;
+  return zstd_frame(std::as_bytes(bytes), kLevel);
 }
 
 Result<std::vector<std::uint8_t>> unpack_bytes(std::span<const std::byte> packed, std::size_t most) {

@@ -3,10 +3,10 @@
 #include "palpable/formats/float_block.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/formats/zstd_frame.hpp"
 
 #include <bit>
 #include <cstdint>
-#include <string>
 
 #include <zstd.h>
 
@@ -46,12 +46,7 @@ Result<std::vector<std::byte>> pack_floats(std::span<const float> values, std::s
     previous = now;
   }
   constexpr int kLevel = 9;
-  std::vector<std::byte> packed(ZSTD_compressBound(planes.size()));
-  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), planes.data(), planes.size(), kLevel);
-  if (ZSTD_isError(size) != 0U)
-    return Error{ErrorCode::failed, std::string("cannot be packed: ") + ZSTD_getErrorName(size), {}};
-  packed.resize(size);
-  return packed;
+  return zstd_frame(planes, kLevel);
 }
 
 Result<std::vector<float>> unpack_floats(std::span<const std::byte> packed, std::size_t count,
