@@ -38,7 +38,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                     "A pair (left first), a depth map, a mesh, points, shapes, or a scene");
   options.under("What is made of it");
   options.text("--kind", arguments.kind,
-               "picture, stereo, depth, mesh, points, shapes or scene; else by content");
+               "picture, stereo, depth, mesh, level-set, points, shapes or scene; else by content");
   options.text("--size", arguments.size,
                "WxHxD in mm that bound the scene; else 100x100 and 15 high, and a mesh as it is");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
