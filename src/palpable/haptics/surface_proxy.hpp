@@ -68,13 +68,17 @@ class ProxyFollower {
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
     while (looks > 0) {
       if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, looks)) return;
-      if (slide(hand_m, longest_m, proxy, looks)) return;
+      if (longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, looks)
+                                         : slide<Steps::pixels>(hand_m, longest_m, proxy, looks))
+        return;
       proxy.phase = SurfaceProxy::Phase::free;
       proxy.clearance_m = 0.0;
     }
   }
 
  private:
+  /// A slow hand's steps are never longer than a pixel, and need not be watched: its tick is the shorter.
+  enum class Steps : std::uint8_t { pixels, longer };
   static constexpr int kMostLooks = 3;
   /// In steps: so far ahead the memory's answer is there when the look is.
   static constexpr double kAhead = 3.0;
@@ -154,6 +158,7 @@ class ProxyFollower {
 
   /// Along the surface towards the hand; false if the hand stands on the free side of the surface where it
   /// ends.
+  template <Steps kSteps>
   bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& looks) const noexcept {
     // What one step waits for of the step before is kept short: the tick's length is this chain's.
     models::CurvedSample s = proxy.surface;
@@ -175,7 +180,7 @@ class ProxyFollower {
       const double held2 = mu * mu * normal2;
       const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
       if (along2 <= near * near) break;
-      const double reach_m = steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
+      const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
       const auto [dx, dy] =
           models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
       const double x = place.x + dx;
@@ -184,7 +189,8 @@ class ProxyFollower {
       surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
       // A step of more than a pixel may not pass over a top: what it hides may be a wall.
-      const bool over_a_top = dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
+      const bool over_a_top = kSteps == Steps::longer &&
+                              dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
                               s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
       if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
         // Too far: the surface turned. A step that cannot be made shorter than the tolerance is none.
