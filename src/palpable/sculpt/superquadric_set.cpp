@@ -5,13 +5,14 @@
 #include "palpable/models/superquadric_distance.hpp"
 #include "palpable/sculpt/box.hpp"
 #include "palpable/sculpt/point_index.hpp"
+#include "palpable/sculpt/point_parts.hpp"
 #include "palpable/sculpt/slab_fit.hpp"
+#include "palpable/sculpt/superquadric_starts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace palpable::sculpt {
@@ -26,8 +27,8 @@ constexpr std::size_t kKept = 6000;
 constexpr std::size_t kFitted = 400, kMeasured = 250;
 /// A point that lies farther from a shape than this many tolerances counts no more than that.
 constexpr double kCap = 4.0;
-
-using Members = std::vector<std::uint32_t>;
+/// A part is cut so often at most.
+constexpr int kDeepest = 6;
 
 /// A part of the points with its shape.
 struct Part {
@@ -37,27 +38,6 @@ struct Part {
   /// Mean distance of the members, each at most kCap tolerances.
   double error_m = std::numeric_limits<double>::infinity();
 };
-
-/// One cell's points by one of them, cells so small that about `most` are left.
-Members thinned(std::span<const Vec3> points, std::size_t most) {
-  Members all(points.size());
-  std::iota(all.begin(), all.end(), 0U);
-  if (points.size() <= most) return all;
-  const Box box = bounds_of(points);
-  const Vec3 size = box.size_m();
-  double cell_m = std::max({size.x, size.y, size.z}) / 256.0;
-  for (;; cell_m *= 1.25) {
-    std::map<std::array<int, 3>, std::uint32_t> first;
-    for (const std::uint32_t i : all) {
-      const Vec3 p = (points[i] - box.least_m) / cell_m;
-      first.try_emplace({static_cast<int>(p.x), static_cast<int>(p.y), static_cast<int>(p.z)}, i);
-    }
-    if (first.size() > most) continue;
-    Members some;
-    for (const auto& [cell, i] : first) some.push_back(i);
-    return some;
-  }
-}
 
 class Splitter {
  public:
@@ -108,10 +88,7 @@ class Splitter {
       index_->within(p, 3.0 * spacing_m_, [&](std::uint32_t i, double) { near.push_back(points_[i]); });
       if (near.size() >= kNeighbours) heights.push_back(thickness_m(near));
     }
-    if (heights.empty()) return 0.0;
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    return *middle;
+    return heights.empty() ? 0.0 : median_of(std::move(heights));
   }
 
   double error_of(const models::Superquadric& shape, std::span<const Vec3> places) const {
@@ -168,25 +145,20 @@ class Splitter {
 
   bool good(const Part& part) const { return part.error_m <= tolerance_m_; }
 
+  /// The pieces of some points of one label that hang together.
+  std::vector<Part> pieces(const Members& members, std::uint8_t label) const {
+    std::vector<Part> parts;
+    for (Members& piece : pieces_of(points_, members, 2.0 * spacing_m_))
+      parts.push_back({std::move(piece), label, {}});
+    return parts;
+  }
   /// Points of one label that hang together.
   std::vector<Part> connected() const {
-    std::vector<std::uint32_t> of(points_.size(), std::numeric_limits<std::uint32_t>::max());
+    std::map<std::uint8_t, Members> of_label;
+    for (std::uint32_t i = 0; i < points_.size(); ++i) of_label[label(i)].push_back(i);
     std::vector<Part> parts;
-    for (std::uint32_t seed = 0; seed < points_.size(); ++seed) {
-      if (of[seed] != std::numeric_limits<std::uint32_t>::max()) continue;
-      Part part;
-      part.label = label(seed);
-      of[seed] = static_cast<std::uint32_t>(parts.size());
-      part.members.push_back(seed);
-      for (std::size_t k = 0; k < part.members.size(); ++k)
-        index_->within(points_[part.members[k]], 2.0 * spacing_m_, [&](std::uint32_t i, double) {
-          if (of[i] != std::numeric_limits<std::uint32_t>::max() || label(i) != part.label) return;
-          of[i] = of[seed];
-          part.members.push_back(i);
-        });
-      std::sort(part.members.begin(), part.members.end());
-      parts.push_back(std::move(part));
-    }
+    for (const auto& [label, members] : of_label)
+      for (Part& part : pieces(members, label)) parts.push_back(std::move(part));
     return parts;
   }
   std::uint8_t label(std::uint32_t i) const { return labels_.empty() ? 0 : labels_[i]; }
@@ -196,76 +168,30 @@ class Splitter {
   void cut(Part part, int depth) {
     if (part.members.size() < kFewest || work_.cancelled()) return;
     fit(part);
-    constexpr int kDeepest = 6;
     constexpr std::size_t kFewestToCut = 48;
     if (good(part) || depth == kDeepest || part.members.size() < kFewestToCut) {
       parts_.push_back(std::move(part));
       return;
     }
-    std::array<Part, 2> halves;
-    const auto places = places_of(part.members, part.members.size());
+    if (cut_from_plane(part, depth)) return;
+    for (Members& half : halved(points_, part.members)) cut({std::move(half), part.label, {}}, depth + 1);
+  }
+
+  /// Cuts a part that lies on a large plane in the plane and what stands on it, which falls apart; false
+  /// where there is none.
+  bool cut_from_plane(const Part& part, int depth) {
     constexpr double kLargePlane = 0.3;
-    const auto on = members_of_largest_plane(places, tolerance_m_, kLargePlane, work_.seed);
-    if (!on.empty() && on.size() + kFewest <= places.size()) {
-      std::size_t next = 0;
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const bool flat = next < on.size() && on[next] == i;
-        if (flat) ++next;
-        halves[flat ? 0 : 1].members.push_back(part.members[i]);
-      }
-      halves[0].label = part.label;
-      cut(std::move(halves[0]), kDeepest - 1);
-      // What stood on the plane falls apart.
-      for (Part& piece : pieces_of(halves[1].members, part.label)) cut(std::move(piece), depth + 1);
-      return;
+    const auto on = members_of_largest_plane(places_of(part.members, part.members.size()), tolerance_m_,
+                                             kLargePlane, work_.seed);
+    if (on.empty() || on.size() + kFewest > part.members.size()) return false;
+    Members flat, standing;
+    for (std::size_t i = 0; i < part.members.size(); ++i) {
+      const bool is_flat = flat.size() < on.size() && on[flat.size()] == i;
+      (is_flat ? flat : standing).push_back(part.members[i]);
     }
-    const Vec3 axis = longest_axis(places);
-    std::vector<double> at;
-    for (const Vec3 p : places) at.push_back(dot(axis, p));
-    std::vector<double> sorted = at;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    for (std::size_t i = 0; i < places.size(); ++i)
-      halves[at[i] < *middle ? 0 : 1].members.push_back(part.members[i]);
-    for (Part& half : halves) {
-      half.label = part.label;
-      cut(std::move(half), depth + 1);
-    }
-  }
-
-  static Vec3 longest_axis(std::span<const Vec3> places) {
-    const Vec3 a = places.front();
-    const auto farthest = [&](Vec3 from) {
-      return *std::max_element(places.begin(), places.end(), [&](Vec3 p, Vec3 q) {
-        return squared_norm(p - from) < squared_norm(q - from);
-      });
-    };
-    const Vec3 b = farthest(a);
-    return unit(farthest(b) - b);
-  }
-
-  /// The connected parts of some points.
-  std::vector<Part> pieces_of(const Members& members, std::uint8_t label) const {
-    std::vector<Vec3> places;
-    for (const std::uint32_t i : members) places.push_back(points_[i]);
-    const PointIndex near(places, 2.0 * spacing_m_);
-    std::vector<std::uint8_t> taken(members.size(), 0);
-    std::vector<Part> pieces;
-    for (std::uint32_t seed = 0; seed < members.size(); ++seed) {
-      if (taken[seed] != 0) continue;
-      taken[seed] = 1;
-      Members piece{seed};
-      for (std::size_t k = 0; k < piece.size(); ++k)
-        near.within(places[piece[k]], 2.0 * spacing_m_, [&](std::uint32_t i, double) {
-          if (taken[i] == 0) taken[i] = 1, piece.push_back(i);
-        });
-      Part part;
-      part.label = label;
-      for (const std::uint32_t i : piece) part.members.push_back(members[i]);
-      std::sort(part.members.begin(), part.members.end());
-      pieces.push_back(std::move(part));
-    }
-    return pieces;
+    cut({std::move(flat), part.label, {}}, kDeepest - 1);
+    for (Part& piece : pieces(standing, part.label)) cut(std::move(piece), depth + 1);
+    return true;
   }
 
   /// Pairs of parts with points beside each other.
