@@ -14,13 +14,6 @@
 namespace palpable::vision {
 namespace {
 
-SyntheticScene slanted() {
-  SyntheticScene scene;
-  scene.slope_x = 0.02;
-  scene.slope_y = 0.03;
-  return scene;
-}
-
 StereoMatch matched(const SyntheticScene& scene, StereoMethod method) {
   auto found = match(render(scene), method, {}, {});
   EXPECT_TRUE(found);
@@ -32,7 +25,7 @@ bool is_hidden(const SyntheticScene& scene, int x, int y) {
 }
 
 TEST(Best, FollowsASlantedSurfaceWithoutTerraces) {
-  const SyntheticScene scene = slanted();
+  const SyntheticScene scene = slanted_scene();
   const StereoMatch found = matched(scene, StereoMethod::best);
   // 0.3 and 0.6 % when written; 16 and 62 % while disparities kept to whole pixels.
   EXPECT_LE(bad_fraction(scene, found.disparity.disparity_px, 0.25, 4), 0.01);
@@ -40,7 +33,7 @@ TEST(Best, FollowsASlantedSurfaceWithoutTerraces) {
 }
 
 TEST(Best, CarriesTheGroundOnBehindTheBox) {
-  const SyntheticScene scene = slanted();
+  const SyntheticScene scene = slanted_scene();
   const StereoMatch found = matched(scene, StereoMethod::best);
   int hidden = 0;
   int right = 0;
@@ -56,7 +49,7 @@ TEST(Best, CarriesTheGroundOnBehindTheBox) {
 }
 
 TEST(Best, CarriesASlantedSurfaceOnWhereTheOtherCameraSeesNothing) {
-  SyntheticScene scene = slanted();
+  SyntheticScene scene = slanted_scene();
   scene.ground_px = 26.0;  // the range begins above 0: the first columns of the right picture show it no more
   scene.box_px = 36.0;
   const StereoMatch found = matched(scene, StereoMethod::best);
@@ -68,12 +61,12 @@ TEST(Best, CarriesASlantedSurfaceOnWhereTheOtherCameraSeesNothing) {
       const double error = found.disparity.disparity_px(x, y) - scene.truth(x, y);
       right += std::abs(error) <= 0.15 ? 1 : 0;
     }
-  // 91 % when written; 35 % with what the search itself leaves there.
+  // 89 % when written; 35 % with what the search itself leaves there.
   EXPECT_GE(right, unseen * 8 / 10);
 }
 
 TEST(Best, IsSurerOfWhatBothCamerasSeeThanOfWhatIsHidden) {
-  const SyntheticScene scene = slanted();
+  const SyntheticScene scene = slanted_scene();
   const StereoMatch found = matched(scene, StereoMethod::best);
   double seen_sum = 0.0;
   double hidden_sum = 0.0;
@@ -93,7 +86,7 @@ TEST(Best, IsSurerOfWhatBothCamerasSeeThanOfWhatIsHidden) {
 }
 
 TEST(Best, BearsAStrongDifferenceOfExposure) {
-  SyntheticScene scene = slanted();
+  SyntheticScene scene = slanted_scene();
   const double equal = bad_fraction(scene, matched(scene, StereoMethod::best).disparity.disparity_px, 1.0, 4);
   scene.right_gain = 0.45;
   const double dark = bad_fraction(scene, matched(scene, StereoMethod::best).disparity.disparity_px, 1.0, 4);

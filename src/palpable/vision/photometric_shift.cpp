@@ -145,28 +145,19 @@ void shift_row(const Sums& sums, int y, const Raster<float>& seen, PlaneMap& map
 
 void measure(const ColourPlanes& colour, const Evidence& evidence, PlaneMap& map, Raster<float>& trust,
              const Work& work) {
-  const int w = colour.width();
-  const int h = colour.height();
   const PlaneMap before = map;
-  parallel_for(work, h, 8, [&](int begin, int end) {
-    Sums sums(w);
-    std::vector<float> weights(static_cast<std::size_t>(w));
-    std::vector<float> rises(static_cast<std::size_t>(w));
-    for (int y = begin; y < end; ++y) {
-      sums.clear();
-      over_window(kMeasured, w, h, y, [&](Offset offset, int first, int count) {
-        const int u = first + offset.x;
-        const int v = y + offset.y;
-        const SurfaceRow centre = surface_row(colour, before, evidence.weight, first, y);
-        surface_weights(centre, surface_row(colour, before, evidence.weight, u, v), offset,
-                        kMeasured.like_colour, count, weights.data(), rises.data());
-        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first; };
-        add_to_sums(centre, offset, count, weights.data(), rises.data(), evidence.residual.row(v).data() + u,
-                    evidence.gradient.row(v).data() + u, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5));
-      });
-      shift_row(sums, y, evidence.weight, map, trust);
-    }
-  });
+  sum_over_surfaces<6>(
+      colour, before, evidence.weight, kMeasured, work,
+      [&](Place first, Offset offset, int count, const float* weights, const float* rises, Sums& sums) {
+        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
+        const auto there = [&](const Raster<float>& raster) {
+          return raster.row(first.y + offset.y).data() + first.x + offset.x;
+        };
+        add_to_sums(surface_row(colour, before, evidence.weight, first.x, first.y), offset, count, weights,
+                    rises, there(evidence.residual), there(evidence.gradient), sum(0), sum(1), sum(2), sum(3),
+                    sum(4), sum(5));
+      },
+      [&](const Sums& sums, int y) { shift_row(sums, y, evidence.weight, map, trust); });
 }
 
 /// How many columns at the left hold everything that is out of view.

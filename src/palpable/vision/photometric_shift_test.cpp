@@ -12,13 +12,6 @@
 namespace palpable::vision {
 namespace {
 
-SyntheticScene slanted() {
-  SyntheticScene scene;
-  scene.slope_x = 0.02;
-  scene.slope_y = 0.03;
-  return scene;
-}
-
 /// The disparity of what the right picture's pixel (x, y) shows.
 double right_truth(const SyntheticScene& scene, int x, int y) {
   if (scene.in_box(x + scene.box_px, y)) return scene.box_px;
@@ -51,14 +44,14 @@ PlaneMap shifted_map(const SyntheticScene& scene, const Work& work = {}) {
 }
 
 TEST(PhotometricShift, MakesASlopeOfTerraces) {
-  const SyntheticScene scene = slanted();
+  const SyntheticScene scene = slanted_scene();
   ASSERT_GT(bad_fraction(scene, terraces(scene).disparity, 0.1, 4), 0.5);
   const PlaneMap map = shifted_map(scene);
   EXPECT_LE(bad_fraction(scene, map.disparity, 0.1, 4), 0.01);
 }
 
 TEST(PhotometricShift, BearsADifferenceInBrightness) {
-  SyntheticScene scene = slanted();
+  SyntheticScene scene = slanted_scene();
   const MatchInput input = prepare_pictures(render(scene), {});
   Raster<std::uint8_t> brighter = input.right_grey;
   for (std::uint8_t& v : brighter.values()) v = static_cast<std::uint8_t>(std::min(255, v + 20));
@@ -78,7 +71,7 @@ TEST(PhotometricShift, LeavesAPlainPictureAsItIs) {
 }
 
 TEST(PhotometricShift, MovesNothingByMoreThanHalfAPixel) {
-  SyntheticScene scene = slanted();
+  SyntheticScene scene = slanted_scene();
   const MatchInput input = prepare_pictures(render(scene), {});
   PlaneMap map = terraces(scene);
   // Everything is claimed to lie one pixel nearer than it does.
@@ -91,7 +84,7 @@ TEST(PhotometricShift, MovesNothingByMoreThanHalfAPixel) {
 }
 
 TEST(PhotometricShift, IsTheSameForAnyNumberOfThreads) {
-  const SyntheticScene scene = slanted();
+  const SyntheticScene scene = slanted_scene();
   Work two;
   two.threads = 2;
   const PlaneMap a = shifted_map(scene);

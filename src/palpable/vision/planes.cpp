@@ -75,26 +75,15 @@ void solve(const Sums& sums, const PlaneMap& map, int y, PlaneMap& out) {
 
 PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
                     FitWindow window, const Work& work) {
-  const int w = colour.width();
-  const int h = colour.height();
-  PlaneMap out(w, h);
-  parallel_for(work, h, 8, [&](int begin, int end) {
-    Sums sums(w);
-    std::vector<float> weights(static_cast<std::size_t>(w));
-    std::vector<float> rises(static_cast<std::size_t>(w));
-    for (int y = begin; y < end; ++y) {
-      sums.clear();
-      over_window(window, w, h, y, [&](Offset offset, int first, int count) {
-        surface_weights(surface_row(colour, map, weight, first, y),
-                        surface_row(colour, map, weight, first + offset.x, y + offset.y), offset,
-                        window.like_colour, count, weights.data(), rises.data());
-        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first; };
-        add_to_sums(weights.data(), rises.data(), offset, count, sum(0), sum(1), sum(2), sum(3), sum(4),
-                    sum(5), sum(6), sum(7), sum(8));
-      });
-      solve(sums, map, y, out);
-    }
-  });
+  PlaneMap out(colour.width(), colour.height());
+  sum_over_surfaces<9>(
+      colour, map, weight, window, work,
+      [](Place first, Offset offset, int count, const float* weights, const float* rises, Sums& sums) {
+        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
+        add_to_sums(weights, rises, offset, count, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6),
+                    sum(7), sum(8));
+      },
+      [&](const Sums& sums, int y) { solve(sums, map, y, out); });
   return out;
 }
 

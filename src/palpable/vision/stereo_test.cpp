@@ -48,9 +48,7 @@ bool has_note(const StereoMatch& match, const std::string& words) {
 class EveryMethod : public testing::TestWithParam<StereoMethod> {};
 
 TEST_P(EveryMethod, FindsABoxBeforeASlantedGround) {
-  SyntheticScene scene;
-  scene.slope_x = 0.02;
-  scene.slope_y = 0.03;
+  const SyntheticScene scene = slanted_scene();
   const auto found = match(render(scene), GetParam(), {}, {});
   ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_LE(bad_fraction(scene, found->disparity.disparity_px, 1.0, 4), 0.05);

@@ -4,6 +4,7 @@
 
 #include "palpable/vision/planes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -11,6 +12,11 @@
 namespace palpable::vision {
 
 struct Offset {
+  int x, y;
+};
+
+/// A pixel.
+struct Place {
   int x, y;
 };
 
@@ -60,6 +66,31 @@ void over_window(FitWindow window, int width, int height, int y, const Add& add)
       if (count > 0) add(Offset{dx, dy}, first, count);
     }
   }
+}
+
+/// For every row y: the sums over the window around each of its pixels, then done(sums, y). add(first,
+/// offset, count, weights, rises, sums) adds to the sums of the `count` pixels from `first` on those at the
+/// offset, whose weights and rises are as surface_weights() says.
+template <std::size_t kSums, class Add, class Done>
+void sum_over_surfaces(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
+                       FitWindow window, const Work& work, const Add& add, const Done& done) {
+  const int w = colour.width();
+  const int h = colour.height();
+  parallel_for(work, h, 8, [&](int begin, int end) {
+    RowSums<kSums> sums(w);
+    std::vector<float> weights(static_cast<std::size_t>(w));
+    std::vector<float> rises(static_cast<std::size_t>(w));
+    for (int y = begin; y < end; ++y) {
+      sums.clear();
+      over_window(window, w, h, y, [&](Offset offset, int first, int count) {
+        surface_weights(surface_row(colour, map, weight, first, y),
+                        surface_row(colour, map, weight, first + offset.x, y + offset.y), offset,
+                        window.like_colour, count, weights.data(), rises.data());
+        add(Place{first, y}, offset, count, weights.data(), rises.data(), sums);
+      });
+      done(sums, y);
+    }
+  });
 }
 
 }  // namespace palpable::vision

@@ -31,6 +31,14 @@ struct SyntheticScene {
   double truth(int x, int y) const { return in_box(x, y) ? box_px : ground_px + slope_x * x + slope_y * y; }
 };
 
+/// The same with a ground that rises by a pixel in fifty across and in thirty-three down.
+inline SyntheticScene slanted_scene() {
+  SyntheticScene scene;
+  scene.slope_x = 0.02;
+  scene.slope_y = 0.03;
+  return scene;
+}
+
 /// Smooth random texture in 0.1 … 0.9, from a hash of the lattice around (u, v); `kind` chooses another one.
 inline double texture(double u, double v, unsigned kind) {
   const auto lattice = [&](double a, double b) {
