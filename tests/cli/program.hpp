@@ -34,8 +34,8 @@ class Running {
   void send(int signal) const;
   /// Waits until it has a handler for `signal` of its own; false after `patience`.
   bool catches(int signal, std::chrono::seconds patience) const;
-  /// Waits until it has used so much processor time; false after `patience`.
-  bool works(std::chrono::milliseconds processor_time, std::chrono::seconds patience) const;
+  /// Waits until it has used so much processor time; false where it ends before, or after `patience`.
+  bool works(std::chrono::seconds processor_time, std::chrono::seconds patience) const;
   /// What it has written so far.
   std::string out() const;
   std::string err() const;

@@ -96,8 +96,7 @@ TEST_F(SolidCommands, TrianglesWithVerticesThatAreNoNumbersAreLeftOut) {
   EXPECT_NEAR(distance_m("out.palp", "0,0,0.019"), -0.001, 0.0002);
 }
 
-TEST_F(SolidCommands, AMeshOfTenMillionTrianglesIsReadOrRefusedBeforeItFillsTheMemory) {
-  // A binary STL that states so many, but holds none: refused by its size.
+TEST_F(SolidCommands, AMeshThatStatesTenMillionTrianglesAndHoldsNoneIsRefused) {
   std::string stl(84, '\0');
   const unsigned count = 10'000'000;
   for (unsigned k = 0; k < 4; ++k) stl[80 + k] = static_cast<char>(count >> (8 * k));
