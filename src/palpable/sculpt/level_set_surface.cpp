@@ -80,7 +80,7 @@ class Sampler {
 };
 
 /// Places beside the surface: one in every eighth of a block that the surface passes. `crossed` counts the
-/// steps from one place to the next along z that cross it.
+/// voxels that it passes, and the search ends where they are too many.
 std::vector<Vec3> seeds_of(const LevelSet& set, const Sampler& sampler, std::size_t& crossed) {
   std::vector<Vec3> seeds;
   for (const LevelSet::Block& block : set.blocks) {
