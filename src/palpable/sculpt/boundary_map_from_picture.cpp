@@ -40,10 +40,10 @@ TangentMap tangents_of(const Raster<models::BoundaryPixel>& pixels) {
   return out;
 }
 
-Raster<float> boundary_lines(const models::BoundaryMap& map) {
+Raster<float> boundary_lines(const models::BoundaryMap& map, const Work& work) {
   const TangentMap e = tangents_of(map.edges());
   return vision::ridge_lines(e.strength, e.x, e.y, vision::kFollowedShare * map.origin().threshold,
-                             map.origin().threshold);
+                             map.origin().threshold, work);
 }
 
 }  // namespace palpable::sculpt

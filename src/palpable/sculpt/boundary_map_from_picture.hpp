@@ -31,6 +31,6 @@ TangentMap tangents_of(const Raster<models::BoundaryPixel>& pixels);
 
 /// One-pixel-wide lines of a map's edges: their strength on ridges of lines that reach the map's threshold, 0
 /// elsewhere.
-Raster<float> boundary_lines(const models::BoundaryMap& map);
+Raster<float> boundary_lines(const models::BoundaryMap& map, const Work& work = {});
 
 }  // namespace palpable::sculpt

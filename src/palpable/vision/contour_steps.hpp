@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
+#include "palpable/core/raster.hpp"
 #include "palpable/core/work.hpp"
 
 #include <cmath>
 #include <utility>
-#include <vector>
 
 namespace palpable::vision {
 
@@ -20,15 +19,6 @@ struct TensorMap {
   Raster<float> xy;
   Raster<float> yy;
 };
-
-/// The picture's channels as edges are looked for in them, each with its weight: L, a, b (CIELAB / 100;
-/// weights 1, 2, 2) of colour, the values themselves of grey. Deep pictures (more than 8 bits) are stretched
-/// between their 0.1st and 99.9th percentile first.
-struct WeightedChannel {
-  Raster<float> values;
-  float weight = 1.0F;
-};
-std::vector<WeightedChannel> edge_channels(const Image& image);
 
 /// The unit direction whose doubled angle has the direction of (c, s), in the right half plane; zero for (0,
 /// 0).
@@ -45,9 +35,13 @@ inline std::pair<float, float> halve_angle(float c, float s) {
 /// paper's section 3.2.
 double otsu_threshold(const Raster<float>& values);
 
+/// The value at (x, y), pixels, between the four around it; beyond the border the outermost pixel's. The
+/// raster has at least 2 x 2.
+float bilinear(const Raster<float>& values, float x, float y);
+
 /// Ridges of `strength` across the tangent, one pixel wide, kept where their line reaches `high` and nowhere
-/// falls below `low`.
+/// falls below `low`, drawn out to their corners (contour_corners.hpp).
 Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& tangent_x,
-                          const Raster<float>& tangent_y, double low, double high);
+                          const Raster<float>& tangent_y, double low, double high, const Work& work);
 
 }  // namespace palpable::vision

@@ -51,7 +51,7 @@ Result<Contours> find_contours(const Image& image, const ContourOptions& options
     boundary += s > 0.0F && s >= static_cast<float>(out.threshold) ? 1U : 0U;
   out.boundary_fraction = static_cast<double>(boundary) / static_cast<double>(edges.strength.count());
   out.line = ridge_lines(edges.strength, edges.tangent_x, edges.tangent_y, kFollowedShare * out.threshold,
-                         out.threshold);
+                         out.threshold, work);
   for (float& s : edges.strength.values())
     if (s < static_cast<float>(kFollowedShare * out.threshold)) s = 0.0F;
   out.tangent_x = std::move(edges.tangent_x);

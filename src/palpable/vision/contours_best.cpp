@@ -130,7 +130,7 @@ std::pair<float, double> strongest(const std::array<float, kDirections>& answers
 }  // namespace
 
 EdgeMap best_edges(const Image& image, const Work& work) {
-  const auto channels = edge_channels(image);
+  const auto channels = edge_channels(image, work);
   std::array<cv::Mat, kDirections> answers;
   Work quiet = work;
   quiet.progress = {};

@@ -80,36 +80,6 @@ void add_energy_row(const EnergyRows& rows, int from, int to, int left, int righ
   }
 }
 
-/// Adds one channel's energy at one scale: sum of weight sigma^2 (g g^T + kEven^2 sigma^2 H H).
-void add_energy(const Gradient& g, double sigma, float weight, TensorMap& out, const Work& work) {
-  const auto odd = static_cast<float>(sigma * sigma) * weight;
-  const float even = odd * kEven * kEven * static_cast<float>(sigma * sigma);
-  const int w = g.x.width();
-  const int h = g.x.height();
-  parallel_for(work, h, 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
-      const int up = std::max(y - 1, 0);
-      const int down = std::min(y + 1, h - 1);
-      const EnergyRows rows{g.x.row(y).data(),    g.x.row(up).data(),   g.x.row(down).data(),
-                            g.y.row(y).data(),    g.y.row(up).data(),   g.y.row(down).data(),
-                            out.xx.row(y).data(), out.xy.row(y).data(), out.yy.row(y).data()};
-      add_energy_row(rows, 0, 1, 0, std::min(1, w - 1), odd, even);
-      add_energy_row(rows, 1, w - 1, 1, 1, odd, even);
-      if (w > 1) add_energy_row(rows, w - 1, w, 1, 0, odd, even);
-    }
-  });
-}
-
-void add_tensor(const Gradient& g, float weight, TensorMap& out, const Work& work) {
-  each_pixel(work, g.x.count(), [&](std::size_t i) {
-    const float gx = g.x.values()[i];
-    const float gy = g.y.values()[i];
-    out.xx.values()[i] += weight * gx * gx;
-    out.xy.values()[i] += weight * gx * gy;
-    out.yy.values()[i] += weight * gy * gy;
-  });
-}
-
 /// Square root of the larger eigenvalue of each tensor.
 PALPABLE_VECTORIZE
 void amplitude_row(const float* __restrict xx, const float* __restrict xy, const float* __restrict yy,
@@ -122,21 +92,11 @@ void amplitude_row(const float* __restrict xx, const float* __restrict xy, const
   }
 }
 
-Raster<float> amplitude_of(const TensorMap& t, const Work& work) {
-  Raster<float> out(t.xx.width(), t.xx.height());
-  parallel_for(work, out.height(), 16, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      amplitude_row(t.xx.row(y).data(), t.xy.row(y).data(), t.yy.row(y).data(), out.row(y).data(),
-                    out.width());
-  });
-  return out;
-}
-
 /// The channels at half size.
-std::vector<WeightedChannel> halved(const std::vector<WeightedChannel>& channels) {
+std::vector<WeightedChannel> halved(std::vector<WeightedChannel> channels) {
   std::vector<WeightedChannel> out;
-  for (const WeightedChannel& channel : channels) {
-    Raster<float> whole = channel.values;
+  for (WeightedChannel& channel : channels) {
+    Raster<float>& whole = channel.values;
     out.push_back({Raster<float>((whole.width() + 1) / 2, (whole.height() + 1) / 2), channel.weight});
     cv::Mat target = as_mat(out.back().values);
     cv::resize(as_mat(whole), target, target.size(), 0, 0, cv::INTER_AREA);
@@ -144,16 +104,75 @@ std::vector<WeightedChannel> halved(const std::vector<WeightedChannel>& channels
   return out;
 }
 
-/// What one scale says: amplitude of its energy, and (where asked for) the sum of its gradients' tensors.
-Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sigma, const Work& work,
-                        TensorMap* gradients = nullptr) {
-  TensorMap energy = zero_tensor(channels[0].values.width(), channels[0].values.height());
-  for (const WeightedChannel& channel : channels) {
-    const Gradient g = gaussian_gradient(channel.values, sigma, work);
-    add_energy(g, sigma, channel.weight, energy, work);
-    if (gradients != nullptr) add_tensor(g, channel.weight, *gradients, work);
+PALPABLE_VECTORIZE
+void add_tensor_row(const float* __restrict gx, const float* __restrict gy, float weight,
+                    float* __restrict xx, float* __restrict xy, float* __restrict yy, int count) {
+  for (int x = 0; x < count; ++x) {
+    xx[x] += weight * gx[x] * gx[x];
+    xy[x] += weight * gx[x] * gy[x];
+    yy[x] += weight * gy[x] * gy[x];
   }
-  return amplitude_of(energy, work);
+}
+
+/// Rows of a picture whose gradients are worked on together, while they are in the processor's caches.
+constexpr int kStripe = 16;
+
+/// Sums over channels for a stripe's pixels.
+struct StripeEnergy {
+  explicit StripeEnergy(int width) : xx(width, kStripe), xy(width, kStripe), yy(width, kStripe) {}
+  Raster<float> xx, xy, yy;
+};
+
+/// Row `here` of a stripe's gradients with those beside it, of `rows`, and row `to` of its energy.
+EnergyRows rows_of(const Gradient& g, int here, int rows, int to, StripeEnergy& energy) {
+  const int up = std::max(here - 1, 0);
+  const int down = std::min(here + 1, rows - 1);
+  return {g.x.row(here).data(),     g.x.row(up).data(),       g.x.row(down).data(),
+          g.y.row(here).data(),     g.y.row(up).data(),       g.y.row(down).data(),
+          energy.xx.row(to).data(), energy.xy.row(to).data(), energy.yy.row(to).data()};
+}
+
+/// Adds a row of one channel's energy: weight sigma^2 (g g^T + kEven^2 sigma^2 H H).
+void add_energy(const EnergyRows& rows, int width, double sigma, float weight) {
+  const auto odd = static_cast<float>(sigma * sigma) * weight;
+  const float even = odd * kEven * kEven * static_cast<float>(sigma * sigma);
+  add_energy_row(rows, 0, 1, 0, std::min(1, width - 1), odd, even);
+  add_energy_row(rows, 1, width - 1, 1, 1, odd, even);
+  if (width > 1) add_energy_row(rows, width - 1, width, 1, 0, odd, even);
+}
+
+/// What one scale says: the energy's amplitude (square root of its tensor's larger eigenvalue) and, where
+/// asked for, the sum of its gradients' tensors.
+Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sigma, const Work& work,
+                        TensorMap* tensors = nullptr) {
+  Raster<float> out(channels[0].values.width(), channels[0].values.height());
+  const int w = out.width();
+  const int h = out.height();
+  parallel_for(work, h, kStripe, [&](int begin, int end) {
+    StripeEnergy energy(w);
+    Gradient g{Raster<float>(w, kStripe + 2), Raster<float>(w, kStripe + 2)};
+    for (int from = begin; from < end; from += kStripe) {
+      const int past = std::min(from + kStripe, end);
+      const int first = std::max(from - 1, 0);
+      const int last = std::min(past + 1, h);
+      for (Raster<float>* part : {&energy.xx, &energy.xy, &energy.yy})
+        std::fill(part->values().begin(), part->values().end(), 0.0F);
+      for (const WeightedChannel& channel : channels) {
+        gaussian_gradient(channel.values, sigma, first, last, g);
+        for (int y = from; y < past; ++y) {
+          add_energy(rows_of(g, y - first, last - first, y - from, energy), w, sigma, channel.weight);
+          if (tensors != nullptr)
+            add_tensor_row(g.x.row(y - first).data(), g.y.row(y - first).data(), channel.weight,
+                           tensors->xx.row(y).data(), tensors->xy.row(y).data(), tensors->yy.row(y).data(),
+                           w);
+        }
+      }
+      for (int y = from; y < past; ++y)
+        amplitude_row(energy.xx.row(y - from).data(), energy.xy.row(y - from).data(),
+                      energy.yy.row(y - from).data(), out.row(y).data(), w);
+    }
+  });
+  return out;
 }
 
 /// Texture has strength on all sides, a boundary only along itself: takes off the mean of a ring of radius
@@ -258,8 +277,8 @@ Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& dire
   fine_trust = weight_of(energies[0]);
   const float exponent = std::min(kMostDistinct, 1.0F - fine_trust);
   cv::Mat distinct(h, w, CV_32F, cv::Scalar(0.0));
-  for (int times = 1; times <= 4; ++times) {
-    channels = halved(channels);
+  for (int times = 1; times <= (exponent > 0.0F ? 4 : 2); ++times) {
+    channels = halved(std::move(channels));
     const Raster<float> energy = energy_at(channels, 2.0, work);
     if (times <= 2) energies.push_back(enlarged(energy, w, h));
     if (times < 2 || exponent <= 0.0F) continue;
@@ -278,11 +297,11 @@ Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& dire
 }  // namespace
 
 EdgeMap standard_edges(const Image& image, const Work& work) {
-  const auto channels = edge_channels(image);
+  auto channels = edge_channels(image, work);
   work.report(0.1, "finding boundaries");
   TensorMap t = zero_tensor(image.width, image.height);
   EdgeMap out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height), {}};
-  out.strength = strength_of(channels, t, out.fine_trust, work);
+  out.strength = strength_of(std::move(channels), t, out.fine_trust, work);
   take_off_texture(out.strength);
   // The two sides of a thin line agree in the averaged tensor, where their gradients would cancel.
   for (Raster<float>* part : {&t.xx, &t.xy, &t.yy}) *part = gaussian_blur(*part, kTensorAverage_px, work);

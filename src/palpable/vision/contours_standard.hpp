@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/contour_channels.hpp"
 #include "palpable/vision/contour_steps.hpp"
 #include "palpable/vision/contours.hpp"
 

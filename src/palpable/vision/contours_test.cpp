@@ -3,6 +3,7 @@
 #include "palpable/vision/contours.hpp"
 
 #include "palpable/vision/contour_steps.hpp"
+#include "palpable/vision/drawn_shape.hpp"
 #include "palpable/vision/reduced_picture.hpp"
 
 #include <algorithm>
@@ -16,22 +17,6 @@
 
 namespace palpable::vision {
 namespace {
-
-using Shape = std::function<bool(double x, double y)>;
-
-/// Grey, 0.2 outside the shape and 0.8 inside, each pixel the mean of sub x sub samples of its square.
-Image drawn(int size, const Shape& inside, int sub = 12) {
-  Image image{size, size, 1, 16, {}};
-  for (int y = 0; y < size; ++y) {
-    for (int x = 0; x < size; ++x) {
-      int hits = 0;
-      for (int k = 0; k < sub * sub; ++k)
-        hits += inside(x + (k % sub + 0.5) / sub - 0.5, y + (k / sub + 0.5) / sub - 0.5) ? 1 : 0;
-      image.samples.push_back(0.2F + 0.6F * static_cast<float>(hits) / static_cast<float>(sub * sub));
-    }
-  }
-  return image;
-}
 
 /// Share of the unit pixel at signed distance t from a straight edge whose normal has the components a >= b
 /// >= 0: the exact area.

@@ -22,9 +22,10 @@ std::vector<float> half_gaussian(double sigma_px);
 /// Half of the antisymmetric sampled Gaussian derivative, scaled so that a unit ramp answers exactly 1.
 std::vector<float> half_gaussian_derivative(double sigma_px);
 
-/// Convolution with the Gaussian's derivatives of scale sigma_px (0.5 ... 32). The border is continued level.
-/// Rows in parallel.
-Gradient gaussian_gradient(const Raster<float>& image, double sigma_px, const Work& work);
+/// Convolution with the Gaussian's derivatives of scale sigma_px (0.5 ... 32): rows first ... last - 1 of the
+/// image's, into rows 0 ... of `out`, which is as wide and has room. A few rows at a time stay in the
+/// processor's caches until they are used. The border is continued level. Any thread.
+void gaussian_gradient(const Raster<float>& image, double sigma_px, int first, int last, Gradient& out);
 
 /// Convolution with the Gaussian of scale sigma_px. The border is continued level. Rows in parallel.
 Raster<float> gaussian_blur(const Raster<float>& image, double sigma_px, const Work& work);
