@@ -7,6 +7,7 @@
 #include "palpable/vision/median.hpp"
 #include "palpable/vision/photometric_shift.hpp"
 #include "palpable/vision/plane_search.hpp"
+#include "palpable/vision/plane_votes.hpp"
 #include "palpable/vision/sgm.hpp"
 
 #include <algorithm>
@@ -76,61 +77,6 @@ Raster<float> confidence(const View& view, const Raster<float>& other, const Wor
   return out;
 }
 
-/// Whether the right view's surface stands in front of the left one's at the match: what is hidden there is
-/// no disagreement.
-bool is_hidden(const Raster<float>& left, const Raster<float>& right, int x, int y) {
-  const int there = static_cast<int>(std::floor(static_cast<float>(x) - left(x, y) + 0.5F));
-  return !right.contains(there, y) || right(there, y) > left(x, y);
-}
-
-/// What the two views disagree about, without one hiding it from the other, takes the weighted median of the
-/// planes of the agreed pixels around it, carried on to it: those near and alike in colour weigh most (after
-/// Bleyer, Rhemann & Rother 2011, section 3.4).
-void settle_disagreed(const View& view, const Raster<float>& right, Raster<float>& disparity,
-                      const Work& work) {
-  constexpr int kReach_px = 15;
-  constexpr int kStep_px = 2;
-  constexpr float kLikeColour = 10.0F;
-  constexpr float kNear_px = 12.0F;
-  constexpr float kFewestVotes = 0.5F;
-  struct Vote {
-    float disparity, weight;
-  };
-  const ColourPlanes& colour = view.picture.colour;
-  const PlaneMap& map = view.map;
-  const Raster<float> agreed = agreement(map.disparity, right);
-  parallel_for(work, disparity.height(), 4, [&](int begin, int end) {
-    std::vector<Vote> votes;
-    for (int y = begin; y < end && !work.cancelled(); ++y)
-      for (int x = 0; x < disparity.width(); ++x) {
-        if (agreed(x, y) > 0.0F || is_hidden(map.disparity, right, x, y)) continue;
-        votes.clear();
-        float total = 0.0F;
-        for (int dy = -kReach_px; dy <= kReach_px; dy += kStep_px)
-          for (int dx = -kReach_px; dx <= kReach_px; dx += kStep_px) {
-            const int u = x + dx;
-            const int v = y + dy;
-            if (!disparity.contains(u, v) || agreed(u, v) <= 0.0F) continue;
-            const float weight = std::exp(-static_cast<float>(colour.difference(x, y, u, v)) / kLikeColour -
-                                          static_cast<float>(std::abs(dx) + std::abs(dy)) / kNear_px);
-            votes.push_back({map.disparity(u, v) - map.slope_x(u, v) * static_cast<float>(dx) -
-                                 map.slope_y(u, v) * static_cast<float>(dy),
-                             weight});
-            total += weight;
-          }
-        if (total < kFewestVotes) continue;
-        std::sort(votes.begin(), votes.end(),
-                  [](const Vote& a, const Vote& b) { return a.disparity < b.disparity; });
-        float sum = 0.0F;
-        for (const Vote& vote : votes) {
-          sum += vote.weight;
-          disparity(x, y) = vote.disparity;
-          if (2.0F * sum >= total) break;
-        }
-      }
-  });
-}
-
 }  // namespace
 
 Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, const Work& work) {
@@ -191,9 +137,8 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   out.confidence = confidence(left, seen_right, work);
   shift_between_pixels(left.picture.colour, input.left_grey, input.right_grey, seen_right, left.map, work);
   if (work.cancelled()) return Work::interrupted();
-  Raster<float> disparity = left.map.disparity;
-  settle_disagreed(left, seen_right, disparity, work);
-  out.disparity_px = median_3x3(disparity, work);
+  carry_behind(left.picture.colour, seen_right, left.map, work);
+  out.disparity_px = median_3x3(settled(left.picture.colour, seen_right, left.map, work), work);
   return out;
 }
 
