@@ -8,6 +8,7 @@
 
 #include "program.hpp"
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 namespace palpable::test {
 namespace {
@@ -67,6 +68,48 @@ TEST_F(SolidCommands, AMeshThatCrossesItselfIsTheUnionOfItsBodies) {
   EXPECT_NEAR(distance_m("out.palp", "0.0195,0,0"), -0.0150, 0.001);
   EXPECT_NEAR(distance_m("out.palp", "-0.019,0,0"), -0.001, 0.0002);
   EXPECT_GT(distance_m("out.palp", "0,0,0.0205"), 0.0);
+}
+
+TEST_F(SolidCommands, DenseFieldsAreMadeTouchedAndDrawnLikeOthers) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
+  std::string steps = "t_s,x_m,y_m,z_m\n";
+  for (int i = 0; i <= 200; ++i)
+    steps += std::to_string(0.001 * i) + ",0.003,0," + std::to_string(0.0285 - 0.00005 * i) + "\n";
+  write_text(path("path.csv"), steps);
+  for (const std::string how : {"--dense", "--paper"}) {
+    const Outcome made = make("m.obj", {how});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    EXPECT_NEAR(distance_m("out.palp", "0.003,0,0.0185"), -0.0015, 1e-5);
+    const Outcome info = palpable({"info", path("out.palp"), "--json"});
+    EXPECT_THAT(info.out, HasSubstr("\"kind\":\"dense-field\""));
+    EXPECT_THAT(info.out, HasSubstr(how == "--paper" ? "\"distance and force\"" : "\"distance\""));
+    for (const std::string law : {"penalty", "proxy"}) {
+      const Outcome felt =
+          palpable({"probe", path("out.palp"), "--path", path("path.csv"), "-o", path("f.csv"), "--law", law,
+                    "--stiffness", "1000", "--damping", "0", "--json"});
+      ASSERT_EQ(felt.exit_code, 0) << felt.err;
+      EXPECT_NEAR(nlohmann::json::parse(felt.out).at("max_force_N").get<double>(), 1.5, 0.01) << how << law;
+    }
+    EXPECT_EQ(palpable({"show", path("out.palp"), "-o", path("cut.png")}).exit_code, 0);
+    EXPECT_EQ(palpable({"export", path("out.palp"), "-o", path("out.stl")}).exit_code, 0);
+    EXPECT_EQ(palpable({"touch", path("out.palp"), "--headless", "--seconds", "0.1"}).exit_code, 0);
+    std::filesystem::remove(path("out.palp"));
+  }
+}
+
+TEST_F(SolidCommands, DenseFieldsTooLargeAreRefusedWithTheSizeAndWhatFits) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
+  const Outcome outcome =
+      palpable({"make", path("m.obj"), "-o", path("out.palp"), "--paper", "--resolution", "2048"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("m.obj"));
+  EXPECT_THAT(outcome.err, HasSubstr("MiB as a dense field of 2048 cells"));
+  EXPECT_THAT(outcome.err, HasSubstr("cells would fit"));
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"--dense", "--paper"}, {"--dense", "--max-error", "0.01"}})
+    EXPECT_EQ(make("m.obj", wrong).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
 }
 
 TEST_F(SolidCommands, AMeshInsideOutIsTurned) {

@@ -32,6 +32,10 @@ std::string size_text(const models::Scene& scene) {
     const Vec3 size = models::size_m(scene);
     return fmt::format("{:.0f}", std::max({size.x, size.y, size.z}) / grid.cell_m);
   }
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model)) {
+    const Vec3 size = models::size_m(scene);
+    return fmt::format("{:.0f}", std::max({size.x, size.y, size.z}) / (*dense)->distance.cell_m());
+  }
   if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model)) {
     const auto counts = (*grid)->occupancy.counts();
     return fmt::format("{}x{}x{}", counts[0], counts[1], counts[2]);

@@ -114,17 +114,19 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
 }
 
 /// Between places of which `grid` stand along the field's longest side.
-double spacing_of(const models::Field& field, int grid) {
-  const Vec3 size = field.distance.grid().size_m();
+template <models::DistanceSurface Distance>
+double spacing_of(const Distance& field, int grid) {
+  const Vec3 size = field.size_m();
   return std::max({size.x, size.y, size.z}) / (grid - 1);
 }
 
 /// The surface of a field, a cube of dual contouring for every two finest cells.
-Result<Answer> export_surface(const models::Field& field, const models::Scene& scene,
-                              const Arguments& arguments, const Work& work) {
+template <models::DistanceSurface Distance>
+Result<Answer> export_surface(const Distance& field, const models::Scene& scene, const Arguments& arguments,
+                              const Work& work) {
   const std::filesystem::path output(arguments.output);
   constexpr double kCells = 2.0;
-  const auto mesh = sculpt::surface_of_field(field.distance, kCells * field.distance.cell_m(), work);
+  const auto mesh = sculpt::surface_of_field(field, kCells * field.cell_m(), work);
   if (!mesh) return mesh.error();
   const auto bytes = output.extension() == ".stl"   ? formats::encode_stl(*mesh)
                      : output.extension() == ".ply" ? formats::encode_ply(*mesh)
@@ -138,11 +140,11 @@ Result<Answer> export_surface(const models::Field& field, const models::Scene& s
 }
 
 /// A level set for Blender and others, `grid` voxels along the longest side.
-Result<Answer> export_vdb(const models::Field& field, const Arguments& arguments, const Work& work) {
+Result<Answer> export_vdb(const models::DistanceField& field, const Arguments& arguments, const Work& work) {
   formats::VdbOptions options;
   options.voxel_m = spacing_of(field, arguments.grid);
   if (arguments.band == "full") options.band = formats::VdbBand::full;
-  const auto bytes = formats::encode_vdb(field.distance, options, work);
+  const auto bytes = formats::encode_vdb(field, options, work);
   if (!bytes) return Error{bytes.error().code, bytes.error().message, arguments.output};
   if (const auto written = write_file_atomically(arguments.output, *bytes); !written) return written.error();
   Answer answer;
@@ -154,39 +156,49 @@ Result<Answer> export_vdb(const models::Field& field, const Arguments& arguments
 
 /// Distances on a grid of places, `grid` along the longest side: distance_m[i, j, k] stands at origin_m +
 /// spacing_m (i, j, k), x right, y up, z towards the person.
-Result<Answer> export_model(const models::Field& field, const models::Scene& scene,
-                            const Arguments& arguments, const Work& work) {
-  const std::filesystem::path output(arguments.output);
-  const std::string ending = output.extension().string();
-  if (ending == ".stl" || ending == ".ply" || ending == ".glb")
-    return export_surface(field, scene, arguments, work);
-  if (ending == ".vdb") return export_vdb(field, arguments, work);
-  if (ending != ".npz")
-    return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
-  const models::FieldGrid& grid = field.distance.grid();
-  const Vec3 size = grid.size_m();
+template <models::DistanceSurface Distance>
+Result<Answer> export_distances(const Distance& field, const Arguments& arguments) {
+  const Vec3 origin = field.origin_m(), size = field.size_m();
   const double spacing_m = spacing_of(field, arguments.grid);
   const auto count = [&](double extent) { return static_cast<int>(extent / spacing_m + 1.0 + 1e-9); };
   const int nx = count(size.x), ny = count(size.y), nz = count(size.z);
   std::vector<float> values;
   for (int i = 0; i < nx; ++i)
     for (int j = 0; j < ny; ++j)
-      for (int k = 0; k < nz; ++k) {
-        const Vec3 place = grid.origin_m + spacing_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k};
-        values.push_back(static_cast<float>(field.distance.sample(place).distance_m));
-      }
+      for (int k = 0; k < nz; ++k)
+        values.push_back(static_cast<float>(
+            field.sample(origin + spacing_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k}).distance_m));
   formats::NpyArray distances = formats::npy_array(std::span<const float>(values));
   distances.shape = {static_cast<std::size_t>(nx), static_cast<std::size_t>(ny),
                      static_cast<std::size_t>(nz)};
-  const std::array<double, 3> origin_m{grid.origin_m.x, grid.origin_m.y, grid.origin_m.z};
+  const std::array<double, 3> origin_m{origin.x, origin.y, origin.z};
   const formats::Npz arrays{{"distance_m", std::move(distances)},
                             {"origin_m", formats::npy_array(std::span<const double>(origin_m))},
                             {"spacing_m", formats::npy_array(spacing_m)}};
-  if (const auto written = formats::write_npz(output, arrays); !written) return written.error();
+  if (const auto written = formats::write_npz(arguments.output, arrays); !written) return written.error();
   Answer answer;
   answer.json = {{"output", arguments.output}, {"spacing_m", spacing_m}, {"grid", {nx, ny, nz}}};
   answer.text = fmt::format("{}\n", arguments.output);
   return answer;
+}
+
+Result<Answer> export_model(const models::Field& field, const models::Scene& scene,
+                            const Arguments& arguments, const Work& work) {
+  const std::string ending = std::filesystem::path(arguments.output).extension().string();
+  if (ending == ".stl" || ending == ".ply" || ending == ".glb")
+    return export_surface(field.distance, scene, arguments, work);
+  if (ending == ".vdb") return export_vdb(field.distance, arguments, work);
+  if (ending == ".npz") return export_distances(field.distance, arguments);
+  return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
+}
+
+Result<Answer> export_model(const models::FieldOnLattice& field, const models::Scene& scene,
+                            const Arguments& arguments, const Work& work) {
+  const std::string ending = std::filesystem::path(arguments.output).extension().string();
+  if (ending == ".stl" || ending == ".ply" || ending == ".glb")
+    return export_surface(field.distance, scene, arguments, work);
+  if (ending == ".npz") return export_distances(field.distance, arguments);
+  return Error{ErrorCode::usage, "a dense field is exported as .stl, .ply, .glb or .npz", arguments.output};
 }
 
 /// occupied[i, j, k] (0 or 1) stands at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.

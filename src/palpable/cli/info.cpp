@@ -57,6 +57,12 @@ void add_model(Answer& answer, const models::Relief& relief) {
                              1000.0 * relief.highest_m());
 }
 
+void add_primitives(Answer& answer, const std::vector<models::Superquadric>& primitives) {
+  answer.json["primitives"] = Json::array();
+  for (const models::Superquadric& shape : primitives)
+    answer.json["primitives"].push_back(Json(formats::json_of(shape)));
+}
+
 void add_model(Answer& answer, const models::Field& field) {
   const models::DistanceField& distance = field.distance;
   const models::FieldGrid& grid = distance.grid();
@@ -69,15 +75,30 @@ void add_model(Answer& answer, const models::Field& field) {
   answer.json["cells"] = distance.leaves();
   answer.json["max_error_m"] = distance.errors().bound_m;
   answer.json["measured_error_m"] = {{"p99", distance.errors().p99_m}, {"max", distance.errors().max_m}};
-  answer.json["primitives"] = Json::array();
-  for (const models::Superquadric& shape : field.primitives)
-    answer.json["primitives"].push_back(Json(formats::json_of(shape)));
+  add_primitives(answer, field.primitives);
   answer.text += fmt::format(
       "  {} cells instead of {} x {} x {} of {:.3f} mm ({:.0f} MB dense)\n"
       "  error bound {:.1f} um near the surface where it is smooth; measured there, edges and all: {:.1f} um "
       "(99 %), {:.1f} um at most\n",
       distance.leaves(), grid.cells(0), grid.cells(1), grid.cells(2), 1e3 * grid.cell_m, dense / 1e6,
       1e6 * distance.errors().bound_m, 1e6 * distance.errors().p99_m, 1e6 * distance.errors().max_m);
+}
+
+void add_model(Answer& answer, const models::FieldOnLattice& field) {
+  const models::Lattice& lattice = field.distance.lattice();
+  const bool force = field.distance.content() == models::DenseContent::distance_and_force;
+  const models::FieldErrors& errors = field.distance.errors();
+  answer.json["resolution"] = lattice.counts;
+  answer.json["cell_m"] = lattice.spacing_m;
+  answer.json["dense_bytes"] = field.distance.memory_bytes();
+  answer.json["content"] = force ? "distance and force" : "distance";
+  answer.json["measured_error_m"] = {{"p99", errors.p99_m}, {"max", errors.max_m}};
+  add_primitives(answer, field.primitives);
+  answer.text += fmt::format(
+      "  {} at {} x {} x {} places every {:.3f} mm\n"
+      "  error measured near the surface, edges and all: {:.1f} um (99 %), {:.1f} um at most\n",
+      force ? "distance and force (16 bytes)" : "distance (4 bytes)", lattice.counts[0], lattice.counts[1],
+      lattice.counts[2], 1e3 * lattice.spacing_m, 1e6 * errors.p99_m, 1e6 * errors.max_m);
 }
 
 void add_model(Answer& answer, const models::Grid& grid) {

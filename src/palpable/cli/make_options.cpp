@@ -75,6 +75,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
                  "Bound of the distance's error near the surface, mm; else 1/10000 of the longest side");
+  options.flag("--dense", arguments.dense,
+               "Of a field: distances at every place of a lattice, to compare with");
+  options.flag("--paper", arguments.paper,
+               "Of a field: dense, by fast marching, distance and force stored (Moustakas 2007)");
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
@@ -132,6 +136,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.threshold) options.contours.threshold = *arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;
   options.field.resolution = arguments.resolution;
+  if (arguments.dense) options.field_keeping = session::FieldKeeping::dense;
+  if (arguments.paper) options.field_keeping = session::FieldKeeping::paper;
   options.grid.resolution = arguments.grid_points;
   if (arguments.max_error_mm) options.field.max_error_m = *arguments.max_error_mm / 1000.0;
   options.grooves.width_m = arguments.groove_mm / 1000.0;
@@ -141,6 +147,10 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
       return Error{ErrorCode::usage, fmt::format("there is no kind of input called {}", arguments.kind),
                    "--kind"};
   }
+  if (arguments.dense && arguments.paper)
+    return Error{ErrorCode::usage, "--dense and --paper exclude each other", {}};
+  if ((arguments.dense || arguments.paper) && arguments.max_error_mm)
+    return Error{ErrorCode::usage, "a dense field has no --max-error: its resolution decides", {}};
   if (!arguments.ground.empty()) {
     const auto ground = vision::ground_treatment_from(arguments.ground);
     if (!ground)

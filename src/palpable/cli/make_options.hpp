@@ -40,6 +40,8 @@ struct MakeArguments {
   int resolution = 512;
   int grid_points = 160;
   std::optional<double> max_error_mm;
+  bool dense = false;
+  bool paper = false;
   std::string background = "keep";
   std::string texture = "left";
 };

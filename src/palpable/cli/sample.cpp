@@ -24,7 +24,8 @@ struct Arguments {
 using Value = std::optional<models::ClosestPoint>;
 
 /// What the field itself says; the nearest place of the surface is where its gradient leads.
-Value ask(const models::DistanceField& field, Vec3 place_m) {
+template <models::DistanceSurface Distance>
+Value ask(const Distance& field, Vec3 place_m) {
   if (!is_finite(place_m) || !field.contains(place_m)) return std::nullopt;
   const models::FieldSample s = field.sample(place_m);
   const Vec3 normal = unit(s.gradient);
@@ -42,6 +43,8 @@ Value ask(const models::OccupancyGrid& grid, Vec3 place_m) {
 Value ask(const models::Scene& scene, Vec3 place_m) {
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
     return ask((*field)->distance, place_m);
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
+    return ask((*dense)->distance, place_m);
   if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model))
     return ask((*grid)->occupancy, place_m);
   return models::closest_point(*models::relief_of(scene), {place_m});

@@ -115,8 +115,9 @@ Result<draw::Figure> regions_picture(const Arguments& arguments, const models::S
 }
 
 /// Through the middle, or where `--at` says.
+template <models::DistanceSurface Distance>
 Result<draw::Figure> field_section(const Arguments& arguments, const models::Scene& scene,
-                                   const std::shared_ptr<const models::Field>& field) {
+                                   const std::shared_ptr<const models::SolidField<Distance>>& field) {
   const double cut_m =
       arguments.cut_mm ? *arguments.cut_mm / 1000.0 : 0.5 * (field->least_m.y + field->most_m.y);
   if (!(cut_m >= field->least_m.y && cut_m <= field->most_m.y))
@@ -133,6 +134,9 @@ Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene&
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
       field != nullptr && arguments.view == "section")
     return field_section(arguments, scene, *field);
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model);
+      dense != nullptr && arguments.view == "section")
+    return field_section(arguments, scene, *dense);
   if (arguments.view == "regions") return regions_picture(arguments, scene);
   if (arguments.view == "relief")
     return draw::relief_figure(relief, heading_of(arguments, scene, "relief"),
@@ -153,7 +157,7 @@ Result<Answer> show(Arguments arguments) {
   const models::Scene& scene = file->scene;
   if (arguments.view.empty()) {
     const std::string kind = models::kind_of(scene.model);
-    arguments.view = kind == "field" || kind == "grid" ? "section" : kind;
+    arguments.view = models::is_field(scene.model) || kind == "grid" ? "section" : kind;
   }
   const auto figure = picture_of(arguments, scene, *models::relief_of(scene));
   if (!figure) return figure.error();

@@ -32,7 +32,8 @@ Rgb8 distance_colour(double t) {
 }
 Rgb8 bar_colour(double t) { return distance_colour(2.0 * t - 1.0); }
 
-Raster<Rgb8> distances(const DistanceField& field, double y_m, const Plot& plot) {
+template <models::DistanceSurface Distance>
+Raster<Rgb8> distances(const Distance& field, double y_m, const Plot& plot) {
   Raster<Rgb8> picture(static_cast<int>(plot.area.width) * 2, static_cast<int>(plot.area.height) * 2);
   const double step_m = (plot.right - plot.left) / kMm / picture.width();
   for (int j = 0; j < picture.height(); ++j)
@@ -67,7 +68,12 @@ void draw_cells(Canvas& canvas, const DistanceField& field, double y_m, const Pl
     }
 }
 
-void draw_forces(Canvas& canvas, const DistanceField& field, double y_m, const Plot& plot) {
+/// All the same size, smaller than can be seen.
+void draw_cells(Canvas& /*canvas*/, const models::DenseField& /*field*/, double /*y_m*/,
+                const Plot& /*plot*/) {}
+
+template <models::DistanceSurface Distance>
+void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& plot) {
   constexpr double kArrowsAcross = 40.0, kPixelsPerN = 8.0, kLongest_px = 26.0;
   const double spacing_mm = (plot.right - plot.left) / kArrowsAcross;
   for (double z = plot.bottom + 0.5 * spacing_mm; z < plot.top; z += spacing_mm)
@@ -81,16 +87,15 @@ void draw_forces(Canvas& canvas, const DistanceField& field, double y_m, const P
     }
 }
 
-}  // namespace
-
-Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m, const Heading& heading) {
-  const models::FieldGrid& grid = field->distance.grid();
-  const Vec3 size = grid.size_m();
+template <models::DistanceSurface Distance>
+Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, double y_m,
+                  const Heading& heading) {
+  const Vec3 origin = field->distance.origin_m(), size = field->distance.size_m();
   Plot plot;
-  plot.left = kMm * grid.origin_m.x;
-  plot.right = kMm * (grid.origin_m.x + size.x);
-  plot.bottom = kMm * grid.origin_m.z;
-  plot.top = kMm * (grid.origin_m.z + size.z);
+  plot.left = kMm * origin.x;
+  plot.right = kMm * (origin.x + size.x);
+  plot.bottom = kMm * origin.z;
+  plot.top = kMm * (origin.z + size.z);
   const double height_px = std::clamp(kWidth_px * size.z / size.x, 60.0, 1400.0);
   const double width_px = height_px * size.x / size.z;
   plot.area = {kLeft_px, kTop_px, width_px, height_px};
@@ -112,6 +117,17 @@ Figure field_section_figure(std::shared_ptr<const models::Field> field, double y
                             label_of(kMm * y_m, 0.1)),
                 {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
           }};
+}
+
+}  // namespace
+
+Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m, const Heading& heading) {
+  return section_of(std::move(field), y_m, heading);
+}
+
+Figure field_section_figure(std::shared_ptr<const models::FieldOnLattice> field, double y_m,
+                            const Heading& heading) {
+  return section_of(std::move(field), y_m, heading);
 }
 
 }  // namespace palpable::draw

@@ -4,6 +4,7 @@
 #include "palpable/formats/field_streams.hpp"
 #include "palpable/formats/model_codec.hpp"
 #include "palpable/formats/superquadric_json.hpp"
+#include "palpable/formats/vec3_json.hpp"
 
 #include <array>
 #include <memory>
@@ -24,12 +25,6 @@ constexpr int kLayout = 2;
 constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
 
 Error damaged() { return invalid_input("holds a field that is damaged or cut off"); }
-
-nlohmann::json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
-Vec3 vec3_from(const nlohmann::json& j) {
-  const auto v = j.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
-}
 
 }  // namespace
 

@@ -29,4 +29,8 @@ Result<models::Model> read_contours(const nlohmann::json& description, const Zip
 Result<void> write_field(const models::Field& field, nlohmann::json& description, ZipMembers& members);
 Result<models::Model> read_field(const nlohmann::json& description, const ZipMembers& members);
 
+Result<void> write_dense_field(const models::FieldOnLattice& field, nlohmann::json& description,
+                               ZipMembers& members);
+Result<models::Model> read_dense_field(const nlohmann::json& description, const ZipMembers& members);
+
 }  // namespace palpable::formats

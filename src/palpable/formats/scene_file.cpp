@@ -36,8 +36,11 @@ struct Reader {
   Result<models::Model> (*read)(const json& description, const ZipMembers& members);
 };
 /// A kind that joins models::Model is entered here and in write_model().
-constexpr std::array<Reader, 4> kReaders{
-    {{"relief", read_relief}, {"contours", read_contours}, {"field", read_field}, {"grid", read_grid}}};
+constexpr std::array<Reader, 5> kReaders{{{"relief", read_relief},
+                                          {"contours", read_contours},
+                                          {"field", read_field},
+                                          {"grid", read_grid},
+                                          {"dense-field", read_dense_field}}};
 
 Result<void> write_model(const models::Model& model, json& description, ZipMembers& members) {
   if (const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&model))
@@ -46,6 +49,8 @@ Result<void> write_model(const models::Model& model, json& description, ZipMembe
     return write_field(**field, description, members);
   if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&model))
     return write_grid(**grid, description, members);
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&model))
+    return write_dense_field(**dense, description, members);
   return write_contours(*std::get<std::shared_ptr<const models::Contours>>(model), description, members);
 }
 
@@ -183,8 +188,12 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   if (auto pictures = read_pictures(description, members, out.scene); !pictures)
     return std::move(pictures).error();
   if (auto sound = check_scene(out.scene); !sound) return std::move(sound).error();
-  for (const json& value : description.at("model"))
+  for (const json& value : description.at("model")) {
     if (value.is_string()) members.erase(value.get<std::string>());
+    if (!value.is_array()) continue;
+    for (const json& part : value)
+      if (part.is_string()) members.erase(part.get<std::string>());
+  }
   out.others = std::move(members);
   return out;
 }

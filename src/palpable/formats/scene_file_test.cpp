@@ -14,6 +14,7 @@
 #include <limits>
 #include <string>
 
+#include <nlohmann/json.hpp>
 #include <gtest/gtest.h>
 
 namespace palpable::formats {
@@ -114,6 +115,49 @@ models::Scene field_scene() {
   scene.model = std::make_shared<const models::Field>(
       *models::field_of(*std::move(distance), {-0.005, -0.003, 0.001}, {0.005, 0.003, 0.004}));
   return scene;
+}
+
+models::Scene dense_scene(models::DenseContent content) {
+  const models::Lattice lattice{{-0.004, -0.003, 0.0}, 0.001, {9, 7, 5}};
+  std::vector<float> values;
+  for (std::size_t i = 0; i < lattice.places() * models::floats_of(content); ++i)
+    values.push_back(0.001F * std::sin(0.37F * static_cast<float>(i)));
+  auto dense = models::DenseField::from(lattice, content, std::move(values), {0.0, 2e-5, 3e-5});
+  models::Scene scene = sample();
+  scene.model = std::make_shared<const models::FieldOnLattice>(
+      *models::field_of(*std::move(dense), {-0.003, -0.002, 0.001}, {0.003, 0.002, 0.003}));
+  return scene;
+}
+
+TEST(SceneFile, GivesBackADenseFieldToTheBit) {
+  for (const auto content : {models::DenseContent::distance, models::DenseContent::distance_and_force}) {
+    const models::Scene scene = dense_scene(content);
+    const auto back = decode_scene(*encode_scene(scene));
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_TRUE(back->others.empty());
+    const auto& before = *std::get<std::shared_ptr<const models::FieldOnLattice>>(scene.model);
+    const auto& after = *std::get<std::shared_ptr<const models::FieldOnLattice>>(back->scene.model);
+    EXPECT_EQ(after.distance.content(), content);
+    EXPECT_EQ(after.distance.values(), before.distance.values());
+    EXPECT_EQ(after.distance.lattice().origin_m, before.distance.lattice().origin_m);
+    EXPECT_EQ(after.distance.errors().max_m, 3e-5);
+    EXPECT_EQ(after.least_m, before.least_m);
+    EXPECT_EQ(after.from_above->samples_m(), before.from_above->samples_m());
+  }
+}
+
+TEST(SceneFile, RefusesADenseFieldOfAnotherSizeThanItStates) {
+  auto members = unzip(*encode_scene(dense_scene(models::DenseContent::distance)));
+  ASSERT_TRUE(members);
+  auto description = nlohmann::json::parse(as_text(members->at("scene.json")));
+  for (const nlohmann::json& counts :
+       {nlohmann::json{9, 7, 6}, nlohmann::json{1 << 19, 1 << 19, 1 << 19}, nlohmann::json{9, 7, 0}}) {
+    description["model"]["counts"] = counts;
+    const std::string text = description.dump();
+    const auto bytes = std::as_bytes(std::span(text));
+    (*members)["scene.json"] = Bytes(bytes.begin(), bytes.end());
+    EXPECT_FALSE(decode_scene(*zip(*members))) << counts;
+  }
 }
 
 TEST(SceneFile, GivesBackAFieldsDistancesExactly) {

@@ -55,6 +55,13 @@ std::uint64_t content_hash(const Relief& relief) {
   return hash;
 }
 
+std::uint64_t content_hash(const models::DenseField& field) {
+  std::uint64_t hash = mixed(std::bit_cast<std::uint64_t>(field.cell_m()),
+                             std::bit_cast<std::uint64_t>(norm(field.origin_m())));
+  for (const float value : field.values()) hash = mixed(hash, std::bit_cast<std::uint32_t>(value));
+  return hash;
+}
+
 std::uint64_t content_hash(const models::DistanceField& field) {
   std::uint64_t hash = mixed(std::bit_cast<std::uint64_t>(field.cell_m()),
                              std::bit_cast<std::uint64_t>(norm(field.grid().origin_m)));
@@ -74,6 +81,11 @@ void read_pages(const models::DistanceField& field) noexcept {
     const volatile std::uint32_t* words = part->data();
     for (std::size_t at = 0; at < part->size(); at += kPage / sizeof(*words)) static_cast<void>(words[at]);
   }
+}
+void read_pages(const models::DenseField& field) noexcept {
+  const volatile float* values = field.values().data();
+  for (std::size_t at = 0; at < field.values().size(); at += kPage / sizeof(float))
+    static_cast<void>(values[at]);
 }
 void read_pages(const models::OccupancyGrid& grid) noexcept { grid.touch_pages(); }
 void read_pages(const Relief& relief) noexcept { read_pages(relief.samples_m()); }
@@ -194,20 +206,21 @@ Result<std::shared_ptr<const Touchable>> on_relief(const models::Scene& scene,
   return touchable(AveragedLaw<Relief>(*std::move(surface), std::move(materials), p.averaging), family);
 }
 
-Result<std::shared_ptr<const Touchable>> on_field(const models::Scene& scene,
-                                                  const std::shared_ptr<const models::Field>& field,
-                                                  const LawParameters& p) {
+template <models::DistanceSurface Distance>
+Result<std::shared_ptr<const Touchable>> on_field(
+    const models::Scene& scene, const std::shared_ptr<const models::SolidField<Distance>>& field,
+    const LawParameters& p) {
   // Seen from above it is a relief: for devices that move in a plane.
   if (p.law == Law::rolling) return on_relief(scene, field->from_above, p, nullptr);
-  const std::shared_ptr<const models::DistanceField> surface(field, &field->distance);
+  const std::shared_ptr<const Distance> surface(field, &field->distance);
   MaterialMap materials = materials_of(scene, *field->from_above, p);
   const std::uint64_t family = mixed(mixed(static_cast<std::uint64_t>(p.law), content_hash(*surface)),
                                      std::bit_cast<std::uint64_t>(p.radius_m));
   if (p.law == Law::penalty)
-    return touchable(FieldPenaltyLaw<models::DistanceField>(surface, std::move(materials), p.radius_m,
-                                                            p.penalty == PenaltyDirection::normal),
+    return touchable(FieldPenaltyLaw<Distance>(surface, std::move(materials), p.radius_m,
+                                               p.penalty == PenaltyDirection::normal),
                      family);
-  return touchable(FieldProxyLaw<models::DistanceField>(surface, std::move(materials), p.radius_m), family);
+  return touchable(FieldProxyLaw<Distance>(surface, std::move(materials), p.radius_m), family);
 }
 
 Result<std::shared_ptr<const Touchable>> on_grid(const models::Scene& scene,
@@ -260,8 +273,7 @@ std::optional<Law> law_from(std::string_view name) {
 std::vector<Law> laws_for(const models::Scene& scene) {
   if (std::holds_alternative<std::shared_ptr<const Relief>>(scene.model))
     return {Law::proxy, Law::rolling, Law::penalty, Law::averaged, Law::sobel};
-  if (std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model))
-    return {Law::proxy, Law::penalty, Law::rolling};
+  if (models::is_field(scene.model)) return {Law::proxy, Law::penalty, Law::rolling};
   if (std::holds_alternative<std::shared_ptr<const models::Grid>>(scene.model))
     return {Law::grid, Law::rolling};
   return {Law::tracing, Law::groove, Law::rolling};
@@ -279,6 +291,8 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
     return on_relief(scene, *relief, parameters, kept);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
     return on_field(scene, *field, parameters);
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
+    return on_field(scene, *dense, parameters);
   if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&scene.model)) {
     if (parameters.law == Law::grid) return on_grid(scene, *grid, parameters);
     return on_relief(scene, (*grid)->from_above, parameters, kept);

@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/models/distance_surface.hpp"
+#include "palpable/models/field_errors.hpp"
 
 #include <array>
 #include <cstddef>
@@ -40,15 +41,6 @@ struct FieldTree {
   std::vector<std::uint32_t> words;
 };
 
-/// What the builder promised and what it measured, kept with the field.
-struct FieldErrors {
-  /// The bound near the surface where the distance is smooth.
-  double bound_m = 0.0;
-  /// At random places near the surface: 99th percentile and greatest.
-  double p99_m = 0.0;
-  double max_m = 0.0;
-};
-
 /// An adaptively sampled distance field (Frisken et al. 2000, as Moustakas et al. 2007 keep theirs). An
 /// octree's leaf holds exact planes, edges and corners, or quadratic polynomials, each with its own error
 /// bound; no two leaves need to agree. What is felt is their mean under a small moving window: a product of
@@ -70,6 +62,9 @@ class DistanceField {
   const FieldTree& tree() const noexcept { return tree_; }
   const FieldErrors& errors() const noexcept { return errors_; }
   double cell_m() const noexcept { return grid_.cell_m; }
+  /// Of the grid's box.
+  Vec3 origin_m() const noexcept { return grid_.origin_m; }
+  Vec3 size_m() const noexcept { return grid_.size_m(); }
   std::size_t leaves() const noexcept { return leaves_; }
   std::size_t memory_bytes() const noexcept;
 

@@ -14,8 +14,8 @@ struct FieldSample {
   Vec3 gradient;
 };
 
-/// What a law needs to feel a solid: distance, and a gradient that is continuous. Never allocates, locks or
-/// throws.
+/// What a law needs to feel a solid: distance, and a gradient, continuous where the law is to be smooth.
+/// Never allocates, locks or throws.
 template <class M>
 concept DistanceSurface = requires(const M& m, Vec3 place_m) {
   { m.sample(place_m) } -> std::same_as<FieldSample>;

@@ -10,12 +10,12 @@ namespace palpable::models {
 namespace {
 
 /// Down from the top of the grid by the distance itself, which no surface is nearer than.
-double height_m(const DistanceField& field, double x_m, double y_m, double lowest_m) {
-  const FieldGrid& grid = field.grid();
-  double z_m = grid.origin_m.z + grid.size_m().z;
+template <DistanceSurface Distance>
+double height_m(const Distance& field, double x_m, double y_m, double lowest_m) {
+  double z_m = field.origin_m().z + field.size_m().z;
   if (!field.contains({x_m, y_m, z_m})) return lowest_m;
   constexpr double kShare = 0.95;
-  const double shortest_m = 0.25 * grid.cell_m;
+  const double shortest_m = 0.25 * field.cell_m();
   while (z_m > lowest_m) {
     const double distance_m = field.sample({x_m, y_m, z_m}).distance_m;
     if (distance_m <= 0.0) return z_m;
@@ -24,9 +24,8 @@ double height_m(const DistanceField& field, double x_m, double y_m, double lowes
   return lowest_m;
 }
 
-}  // namespace
-
-Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
+template <DistanceSurface Distance>
+Result<SolidField<Distance>> seen_from_above(Distance distance, Vec3 least_m, Vec3 most_m) {
   const Vec3 size = most_m - least_m;
   if (!is_finite(least_m) || !is_finite(most_m) || !(size.x >= 0.0 && size.y >= 0.0 && size.z >= 0.0))
     return invalid_input("holds a field whose box makes no sense");
@@ -44,7 +43,18 @@ Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
                                                   -(j - 0.5 * (heights.height() - 1)) * pixel_m, least_m.z));
   auto relief = Relief::from_samples(std::move(heights), pixel_m);
   if (!relief) return std::move(relief).error();
-  return Field{std::move(distance), least_m, most_m, std::make_shared<const Relief>(std::move(*relief)), {}};
+  return SolidField<Distance>{
+      std::move(distance), least_m, most_m, std::make_shared<const Relief>(std::move(*relief)), {}};
+}
+
+}  // namespace
+
+Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
+  return seen_from_above(std::move(distance), least_m, most_m);
+}
+
+Result<FieldOnLattice> field_of(DenseField distance, Vec3 least_m, Vec3 most_m) {
+  return seen_from_above(std::move(distance), least_m, most_m);
 }
 
 }  // namespace palpable::models

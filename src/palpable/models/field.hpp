@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/models/dense_field.hpp"
 #include "palpable/models/distance_field.hpp"
 #include "palpable/models/relief.hpp"
 #include "palpable/models/superquadric.hpp"
@@ -13,8 +14,9 @@ namespace palpable::models {
 
 /// A solid as it is touched: its distance field, and its heights seen from above (+z), for devices that move
 /// in a plane and for pictures. Immutable.
-struct Field {
-  DistanceField distance;
+template <DistanceSurface Distance>
+struct SolidField {
+  Distance distance;
   /// The box of the solid itself, inside the field's grid.
   Vec3 least_m;
   Vec3 most_m;
@@ -27,7 +29,13 @@ struct Field {
   std::size_t memory_bytes() const { return distance.memory_bytes() + from_above->memory_bytes(); }
 };
 
+/// Adaptively sampled: what a field is unless it is said.
+using Field = SolidField<DistanceField>;
+/// Kept at every place of a lattice, for comparison.
+using FieldOnLattice = SolidField<DenseField>;
+
 /// Looks down on the field. Errors: invalid_input for a box that is empty or not finite.
 Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m);
+Result<FieldOnLattice> field_of(DenseField distance, Vec3 least_m, Vec3 most_m);
 
 }  // namespace palpable::models

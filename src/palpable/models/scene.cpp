@@ -18,11 +18,18 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 std::string kind_of(const Model& model) {
-  return std::visit(Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); },
-                               [](const std::shared_ptr<const Contours>&) { return std::string("contours"); },
-                               [](const std::shared_ptr<const Field>&) { return std::string("field"); },
-                               [](const std::shared_ptr<const Grid>&) { return std::string("grid"); }},
-                    model);
+  return std::visit(
+      Overloaded{[](const std::shared_ptr<const Relief>&) { return std::string("relief"); },
+                 [](const std::shared_ptr<const Contours>&) { return std::string("contours"); },
+                 [](const std::shared_ptr<const Field>&) { return std::string("field"); },
+                 [](const std::shared_ptr<const Grid>&) { return std::string("grid"); },
+                 [](const std::shared_ptr<const FieldOnLattice>&) { return std::string("dense-field"); }},
+      model);
+}
+
+bool is_field(const Model& model) noexcept {
+  return std::holds_alternative<std::shared_ptr<const Field>>(model) ||
+         std::holds_alternative<std::shared_ptr<const FieldOnLattice>>(model);
 }
 
 std::size_t label_at(const Scene& scene, Point<SceneFrame> place) {
@@ -42,28 +49,34 @@ const std::shared_ptr<const Relief>& relief_of(const Scene& scene) {
   if (const auto* field = std::get_if<std::shared_ptr<const Field>>(&scene.model))
     return (*field)->from_above;
   if (const auto* grid = std::get_if<std::shared_ptr<const Grid>>(&scene.model)) return (*grid)->from_above;
+  if (const auto* dense = std::get_if<std::shared_ptr<const FieldOnLattice>>(&scene.model))
+    return (*dense)->from_above;
   return std::get<std::shared_ptr<const Relief>>(scene.model);
 }
 
 Vec3 size_m(const Scene& scene) {
   return std::visit(
-      Overloaded{[](const std::shared_ptr<const Relief>& relief) {
-                   return Vec3{relief->width_m(), relief->depth_m(), relief->highest_m()};
-                 },
-                 [](const std::shared_ptr<const Contours>& contours) {
-                   return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(), 0.0};
-                 },
-                 [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; },
-                 [](const std::shared_ptr<const Grid>& grid) {
-                   return Vec3{grid->from_above->width_m(), grid->from_above->depth_m(),
-                               grid->from_above->highest_m()};
-                 }},
+      Overloaded{
+          [](const std::shared_ptr<const Relief>& relief) {
+            return Vec3{relief->width_m(), relief->depth_m(), relief->highest_m()};
+          },
+          [](const std::shared_ptr<const Contours>& contours) {
+            return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(), 0.0};
+          },
+          [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; },
+          [](const std::shared_ptr<const FieldOnLattice>& field) { return field->most_m - field->least_m; },
+          [](const std::shared_ptr<const Grid>& grid) {
+            return Vec3{grid->from_above->width_m(), grid->from_above->depth_m(),
+                        grid->from_above->highest_m()};
+          }},
       scene.model);
 }
 
 Vec3 centre_m(const Scene& scene) {
   if (const auto* field = std::get_if<std::shared_ptr<const Field>>(&scene.model))
     return 0.5 * ((*field)->least_m + (*field)->most_m);
+  if (const auto* dense = std::get_if<std::shared_ptr<const FieldOnLattice>>(&scene.model))
+    return 0.5 * ((*dense)->least_m + (*dense)->most_m);
   return {0.0, 0.0, 0.5 * size_m(scene).z};
 }
 

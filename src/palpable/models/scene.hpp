@@ -22,11 +22,15 @@ namespace palpable::models {
 struct InputFrame;
 
 /// What can be touched. Later kinds join here (map).
-using Model = std::variant<std::shared_ptr<const Relief>, std::shared_ptr<const Contours>,
-                           std::shared_ptr<const Field>, std::shared_ptr<const Grid>>;
+using Model =
+    std::variant<std::shared_ptr<const Relief>, std::shared_ptr<const Contours>, std::shared_ptr<const Field>,
+                 std::shared_ptr<const Grid>, std::shared_ptr<const FieldOnLattice>>;
 
 /// "relief", "field", … as `palpable info` prints it.
 std::string kind_of(const Model& model);
+
+/// Whether it is a distance field, however it is kept.
+bool is_field(const Model& model) noexcept;
 
 /// Where a scene came from, kept in its file so that a result can be traced.
 struct Provenance {

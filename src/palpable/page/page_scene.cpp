@@ -82,7 +82,7 @@ double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
 
 std::vector<protocol::Law> page_laws(const models::Scene& scene) {
   std::vector<protocol::Law> laws;
-  const bool is_field = std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model);
+  const bool is_field = models::is_field(scene.model);
   for (const auto law : haptics::laws_for(scene)) {
     const std::string_view name = haptics::name_of(law);
     const auto* words = std::find_if(std::begin(kLawWords), std::end(kLawWords),

@@ -3,12 +3,11 @@
 #include "palpable/sculpt/field_from_source.hpp"
 
 #include "palpable/sculpt/field_branches.hpp"
+#include "palpable/sculpt/measured_errors.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
-#include <vector>
 
 namespace palpable::sculpt {
 namespace {
@@ -29,8 +28,7 @@ FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
   FieldGrid grid;
   grid.cell_m = cell_m;
   while ((16 << grid.levels) < resolution && grid.levels < 8) ++grid.levels;
-  const double longest_m = longest_side(bounds);
-  const double margin_m = std::max(0.06 * longest_m, std::min(0.002, longest_m));
+  const double margin_m = field_margin_m(bounds);
   const double root_m = cell_m * (1 << grid.levels);
   const Vec3 size = bounds.most_m - bounds.least_m;
   const auto roots = [&](double extent) {
@@ -41,33 +39,12 @@ FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
   return grid;
 }
 
-/// At random places near the surface.
-models::FieldErrors measured(const DistanceField& field, const DistanceSource& source,
-                             const FitBounds& bounds, const Work& work) {
-  constexpr int kTries = 400000;
-  constexpr std::size_t kEnough = 20000;
-  std::mt19937_64 random(work.seed);
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  const Vec3 size = field.grid().size_m();
-  std::vector<double> errors;
-  DistanceSource::Hint hint;
-  for (int i = 0; i < kTries && errors.size() < kEnough; ++i) {
-    const double x = uniform(random), y = uniform(random), z = uniform(random);
-    const Vec3 p = field.grid().origin_m + Vec3{x * size.x, y * size.y, z * size.z};
-    const double felt = field.sample(p).distance_m;
-    if (!(felt <= bounds.outside_m && felt >= -bounds.inside_m)) continue;
-    errors.push_back(std::abs(felt - source.at(p, hint).distance_m));
-  }
-  models::FieldErrors result;
-  result.bound_m = bounds.bound_m;
-  if (errors.empty()) return result;
-  std::sort(errors.begin(), errors.end());
-  result.p99_m = errors[errors.size() * 99 / 100];
-  result.max_m = errors.back();
-  return result;
-}
-
 }  // namespace
+
+double field_margin_m(const Box& bounds) {
+  const double longest_m = longest_side(bounds);
+  return std::max(0.06 * longest_m, std::min(0.002, longest_m));
+}
 
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {
   if (options.resolution < 16 || options.resolution > 4096)
@@ -98,7 +75,10 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   FieldTree tree = joiner.take();
   auto field = DistanceField::from_tree(grid, tree, {});
   if (!field) return field.error();
-  const models::FieldErrors errors = measured(*field, source, bounds, work);
+  models::FieldErrors errors = measured_errors([&](Vec3 p) { return field->sample(p).distance_m; },
+                                               {grid.origin_m, grid.origin_m + grid.size_m()}, source,
+                                               {bounds.inside_m, bounds.outside_m}, work);
+  errors.bound_m = bounds.bound_m;
   work.report(1.0, "sampling the distance");
   return DistanceField::from_tree(grid, std::move(tree), errors);
 }

@@ -29,6 +29,9 @@ struct FieldOptions {
 /// for a solid without extent.
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 
+/// How far a field reaches beyond the solid in `bounds`: 6 % of its longest side, at least 2 mm.
+double field_margin_m(const Box& bounds);
+
 /// Samples a solid's distance adaptively: cells that no leaf of models/field_leaf.hpp fits are cut into eight
 /// until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2 mm. Long
 /// work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as

@@ -11,14 +11,15 @@ namespace palpable::sculpt {
 namespace {
 
 /// A place on the surface in every block that may hold some: from its middle along the gradient.
-std::vector<Vec3> seeds_of(const models::DistanceField& field, double block_m) {
-  const Vec3 size = field.grid().size_m();
+template <models::DistanceSurface Distance>
+std::vector<Vec3> seeds_of(const Distance& field, double block_m) {
+  const Vec3 size = field.size_m();
   const auto count = [&](double extent) { return static_cast<int>(std::ceil(extent / block_m)); };
   std::vector<Vec3> seeds;
   for (int z = 0; z < count(size.z); ++z)
     for (int y = 0; y < count(size.y); ++y)
       for (int x = 0; x < count(size.x); ++x) {
-        Vec3 p = field.grid().origin_m + block_m * Vec3{x + 0.5, y + 0.5, z + 0.5};
+        Vec3 p = field.origin_m() + block_m * Vec3{x + 0.5, y + 0.5, z + 0.5};
         models::FieldSample s = field.sample(p);
         // Half a cube's diagonal.
         if (std::abs(s.distance_m) > 0.87 * block_m) continue;
@@ -32,16 +33,24 @@ std::vector<Vec3> seeds_of(const models::DistanceField& field, double block_m) {
   return seeds;
 }
 
-}  // namespace
-
-Result<Mesh> surface_of_field(const models::DistanceField& field, double spacing_m, const Work& work) {
-  const models::FieldGrid& grid = field.grid();
+template <models::DistanceSurface Distance>
+Result<Mesh> surface_of(const Distance& field, double spacing_m, const Work& work) {
   const auto seeds = seeds_of(field, 3.0 * spacing_m);
   auto mesh = dual_contour([&](Vec3 p) { return field.sample(p); },
-                           {grid.origin_m, grid.origin_m + grid.size_m()}, seeds, {spacing_m}, work);
+                           {field.origin_m(), field.origin_m() + field.size_m()}, seeds, {spacing_m}, work);
   if (mesh && mesh->triangles.empty())
     return Error{ErrorCode::failed, "the field has no surface inside its box", {}};
   return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> surface_of_field(const models::DistanceField& field, double spacing_m, const Work& work) {
+  return surface_of(field, spacing_m, work);
+}
+
+Result<Mesh> surface_of_field(const models::DenseField& field, double spacing_m, const Work& work) {
+  return surface_of(field, spacing_m, work);
 }
 
 }  // namespace palpable::sculpt

@@ -5,6 +5,7 @@
 #include "palpable/core/mesh.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/models/dense_field.hpp"
 #include "palpable/models/distance_field.hpp"
 
 namespace palpable::sculpt {
@@ -12,5 +13,6 @@ namespace palpable::sculpt {
 /// The surface of a field as triangles, by dual contouring with cubes of `spacing_m` (a few finest cells).
 /// Errors: as dual_contour(); failed for a field without a surface.
 Result<Mesh> surface_of_field(const models::DistanceField& field, double spacing_m, const Work& work);
+Result<Mesh> surface_of_field(const models::DenseField& field, double spacing_m, const Work& work);
 
 }  // namespace palpable::sculpt

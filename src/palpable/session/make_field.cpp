@@ -6,6 +6,7 @@
 #include "palpable/formats/vdb.hpp"
 #include "palpable/models/relief_solid.hpp"
 #include "palpable/sculpt/cloud_surface.hpp"
+#include "palpable/sculpt/dense_field_from_source.hpp"
 #include "palpable/sculpt/level_set_surface.hpp"
 #include "palpable/sculpt/mesh_solid.hpp"
 #include "palpable/sculpt/superquadric_source.hpp"
@@ -74,7 +75,22 @@ Result<SceneFromInput> place_mesh(Mesh& mesh, const std::optional<Vec3>& size_m)
   return transform;
 }
 
-Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const sculpt::FieldOptions& options,
+sculpt::DenseFieldOptions dense_options(const MakeOptions& options) {
+  sculpt::DenseFieldOptions dense;
+  if (options.field_keeping == FieldKeeping::paper) dense.content = models::DenseContent::distance_and_force;
+  dense.resolution = options.field.resolution;
+  return dense;
+}
+
+/// Refuses what is known to be too large from its extent alone, before anything else is done.
+Result<void> check_size(const sculpt::Box& box, const MakeOptions& options) {
+  if (options.field_keeping == FieldKeeping::adaptive) return {};
+  const auto lattice = sculpt::lattice_around(box, dense_options(options));
+  if (!lattice) return lattice.error();
+  return {};
+}
+
+Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const MakeOptions& options,
                        const Work& work) {
   const auto transform = place_mesh(mesh, size_m);
   if (!transform) return transform.error();
@@ -82,7 +98,8 @@ Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const sculp
   solid.scene_from_input = *transform;
   const auto box = box_of(mesh);
   if (!box) return box.error();
-  const auto cell_m = sculpt::finest_cell_m(*box, options);
+  if (const auto fits = check_size(*box, options); !fits) return fits.error();
+  const auto cell_m = sculpt::finest_cell_m(*box, options.field);
   if (!cell_m) return cell_m.error();
   auto made = sculpt::solid_from_mesh(mesh, *cell_m, work);
   if (!made) return made.error();
@@ -148,20 +165,51 @@ Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& 
     if (!cloud) return cloud.error();
     auto surface = sculpt::surface_of_cloud(*cloud, {}, work);
     if (!surface) return surface.error();
-    return solid_of(std::move(*surface), size_m, options.field, work);
+    return solid_of(std::move(*surface), size_m, options, work);
   }
   if (input.kind == sources::InputKind::level_set) return solid_from_level_set(file, size_m, work);
   auto mesh = sources::read_mesh(file);
   if (!mesh) return mesh.error();
-  return solid_of(std::move(*mesh), size_m, options.field, work);
+  return solid_of(std::move(*mesh), size_m, options, work);
 }
 
-Result<models::Field> sampled(const Solid& solid, sculpt::FieldOptions options, const Work& work) {
-  if (options.max_error_m == 0.0 && solid.exact_to_m > 0.0) options.max_error_m = solid.exact_to_m;
-  auto distance = sculpt::field_from_source(*solid.distance, options, work);
-  if (!distance) return distance.error();
+/// A solid's field, and in words how it is kept.
+struct Sampled {
+  models::Model model;
+  std::string method;
+};
+
+template <class Distance>
+Result<models::Model> model_of(Distance distance, const Solid& solid) {
   const sculpt::Box surface = solid.distance->bounds();
-  return models::field_of(std::move(*distance), surface.least_m, surface.most_m);
+  auto field = models::field_of(std::move(distance), surface.least_m, surface.most_m);
+  if (!field) return field.error();
+  field->primitives = solid.primitives;
+  return models::Model(std::make_shared<const models::SolidField<Distance>>(*std::move(field)));
+}
+
+Result<Sampled> sampled_densely(const Solid& solid, const MakeOptions& options, const Work& work) {
+  auto distance = sculpt::dense_field_from_source(*solid.distance, dense_options(options), work);
+  if (!distance) return distance.error();
+  auto model = model_of(*std::move(distance), solid);
+  if (!model) return model.error();
+  const bool paper = options.field_keeping == FieldKeeping::paper;
+  return Sampled{*std::move(model), fmt::format("{} cells, dense{}", options.field.resolution,
+                                                paper ? ", distance and force by fast marching" : "")};
+}
+
+Result<Sampled> sampled(const Solid& solid, const MakeOptions& options, const Work& work) {
+  if (options.field_keeping != FieldKeeping::adaptive) return sampled_densely(solid, options, work);
+  sculpt::FieldOptions field_options = options.field;
+  if (field_options.max_error_m == 0.0 && solid.exact_to_m > 0.0)
+    field_options.max_error_m = solid.exact_to_m;
+  auto distance = sculpt::field_from_source(*solid.distance, field_options, work);
+  if (!distance) return distance.error();
+  const double bound_m = distance->errors().bound_m;
+  auto model = model_of(*std::move(distance), solid);
+  if (!model) return model.error();
+  return Sampled{*std::move(model),
+                 fmt::format("{} cells, error bound {:.1f} um", field_options.resolution, 1e6 * bound_m)};
 }
 
 }  // namespace
@@ -170,30 +218,26 @@ Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Inp
   const auto& file = input.files.front();
   auto solid = solid_from_file(options, input, work);
   if (!solid) return at_place(solid.error(), file);
-  auto field = sampled(*solid, options.field, work);
+  auto field = sampled(*solid, options, work);
   if (!field) return at_place(field.error(), file);
   models::Scene scene;
   scene.scene_from_input = solid->scene_from_input;
-  scene.source.method =
-      fmt::format("field of {}, {} cells, error bound {:.1f} um", sources::name_of(input.kind),
-                  options.field.resolution, 1e6 * field->distance.errors().bound_m);
+  scene.source.method = fmt::format("field of {}, {}", sources::name_of(input.kind), field->method);
   scene.source.inputs = {file.string()};
   scene.source.made_by = options.made_by;
-  field->primitives = std::move(solid->primitives);
-  scene.model = std::make_shared<const models::Field>(std::move(*field));
+  scene.model = std::move(field->model);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(solid->notes)};
 }
 
 Result<MadeScene> field_from_relief(const MadeScene& made, const models::Relief& relief,
-                                    const sculpt::FieldOptions& options, const Work& work) {
+                                    const MakeOptions& options, const Work& work) {
   auto solid = solid_of(models::solid_of(relief), std::nullopt, options, work);
   if (!solid) return solid.error();
   auto field = sampled(*solid, options, work);
   if (!field) return field.error();
   models::Scene scene = *made.scene;
-  scene.source.method += fmt::format(", filled behind into a field, {} cells, error bound {:.1f} um",
-                                     options.resolution, 1e6 * field->distance.errors().bound_m);
-  scene.model = std::make_shared<const models::Field>(std::move(*field));
+  scene.source.method += ", filled behind into a field, " + field->method;
+  scene.model = std::move(field->model);
   std::vector<std::string> notes = made.notes;
   notes.insert(notes.end(), solid->notes.begin(), solid->notes.end());
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};

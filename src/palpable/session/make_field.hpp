@@ -16,6 +16,6 @@ Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Inp
 /// The volume behind a relief's visible surface (Park & Howard 2012), down to a base plate, as a field.
 /// `relief` is the made scene's. Errors: as sculpt::field_from_source().
 Result<MadeScene> field_from_relief(const MadeScene& made, const models::Relief& relief,
-                                    const sculpt::FieldOptions& options, const Work& work);
+                                    const MakeOptions& options, const Work& work);
 
 }  // namespace palpable::session

@@ -189,7 +189,7 @@ Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, 
                  "fields and grids are filled under a relief, and this is a " + models::kind_of(scene.model),
                  names_of(options.inputs)};
   if (options.as == MakeAs::field) {
-    auto field = field_from_relief(*made, **relief, options.field, work);
+    auto field = field_from_relief(*made, **relief, options, work);
     if (!field) return at_place(field.error(), names_of(options.inputs));
     return field;
   }
@@ -201,6 +201,11 @@ Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, 
   scene.model = std::make_shared<const models::Grid>(models::Grid{*std::move(occupancy), *relief});
   scene.source.method += ", filled into a grid";
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(made->notes)};
+}
+
+bool is_solid(sources::InputKind kind) {
+  return kind == sources::InputKind::mesh || kind == sources::InputKind::points ||
+         kind == sources::InputKind::shapes || kind == sources::InputKind::level_set;
 }
 
 bool as_contours(const MakeOptions& options, const sources::Input& input) {
@@ -242,12 +247,12 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   if (!input) return input.error();
   if (as_contours(options, *input)) return contours_from_picture(options, work);
   const bool as_field = options.as == MakeAs::field || options.as == MakeAs::by_input;
+  if (options.field_keeping != FieldKeeping::adaptive && options.as != MakeAs::field &&
+      !is_solid(input->kind))
+    return Error{ErrorCode::usage, "--dense and --paper are ways to keep a field: say --as field",
+                 names_of(input->files)};
+  if (is_solid(input->kind)) return as_field ? field_from_file(options, *input, work) : not_yet(*input);
   switch (input->kind) {
-    case sources::InputKind::mesh:
-    case sources::InputKind::points:
-    case sources::InputKind::shapes:
-    case sources::InputKind::level_set:
-      return as_field ? field_from_file(options, *input, work) : not_yet(*input);
     case sources::InputKind::scene:
       return as_wanted(from_scene_file(options), options, work);
     case sources::InputKind::depth: {

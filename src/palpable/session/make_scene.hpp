@@ -44,6 +44,16 @@ enum class BackgroundTreatment {
   remove
 };
 
+/// How a solid's distance is kept.
+enum class FieldKeeping {
+  /// Where it needs to be known (models::DistanceField): small, exact and smooth.
+  adaptive,
+  /// At every place of a lattice, for comparison.
+  dense,
+  /// As Moustakas et al. 2007 kept it at first: by fast marching, distance and force at every place.
+  paper
+};
+
 /// What a scene is made from, and how.
 struct MakeOptions {
   MakeAs as = MakeAs::by_input;
@@ -79,6 +89,7 @@ struct MakeOptions {
   sculpt::OccupancyOptions grid;
   /// Of a solid.
   sculpt::FieldOptions field;
+  FieldKeeping field_keeping = FieldKeeping::adaptive;
   /// Written into the scene's provenance: "palpable 0.1.0".
   std::string made_by;
 };

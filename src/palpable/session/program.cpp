@@ -61,7 +61,7 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
   for (auto& material : scene.materials) {
     auto& texture = material.texture;
     if (texture.kind == models::TouchTexture::Kind::none) continue;
-    if (std::holds_alternative<std::shared_ptr<const models::Field>>(scene.model)) {
+    if (models::is_field(scene.model)) {
       prepared.notices.push_back("The texture of " + material.name + " is not felt: fields carry none yet.");
       texture = {};
       continue;

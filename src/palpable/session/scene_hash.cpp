@@ -59,6 +59,14 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Field>& field) {
     for (const std::uint32_t word : *part) hash.add(word);
 }
 
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::FieldOnLattice>& field) {
+  const models::Lattice& lattice = field->distance.lattice();
+  for (const double v : {lattice.origin_m.x, lattice.origin_m.y, lattice.origin_m.z, lattice.spacing_m})
+    hash.add(v);
+  for (const int count : lattice.counts) hash.add(static_cast<std::uint32_t>(count));
+  for (const float value : field->distance.values()) hash.add(std::bit_cast<std::uint32_t>(value));
+}
+
 void add_model(Fnv1a& hash, const std::shared_ptr<const models::Grid>& grid) {
   const models::Occupancy o = grid->occupancy.occupancy();
   for (const double v : {o.origin_m.x, o.origin_m.y, o.origin_m.z, o.spacing_m}) hash.add(v);
