@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -110,11 +111,12 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
             draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
             draw_colour_bar(canvas, bar, -kMm * kColourSpan_m, kMm * kColourSpan_m, "distance, mm",
                             bar_colour);
+            const char* const cells = std::is_same_v<Distance, DistanceField> ? "thin squares: cells; " : "";
             canvas.text(
                 fmt::format("Cut at {} mm of the height. Black: the surface; grey lines: every millimetre; "
-                            "thin squares: cells; arrows: the force of a spring of 1 N/mm inside, 8 pixels a "
+                            "{}arrows: the force of a spring of 1 N/mm inside, 8 pixels a "
                             "newton, at most 26.",
-                            label_of(kMm * y_m, 0.1)),
+                            label_of(kMm * y_m, 0.1), cells),
                 {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
           }};
 }
