@@ -14,8 +14,8 @@
 #include <limits>
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace palpable::formats {
 namespace {
