@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "program.hpp"
 #include <gmock/gmock.h>
@@ -110,6 +111,52 @@ TEST_F(SolidCommands, DenseFieldsTooLargeAreRefusedWithTheSizeAndWhatFits) {
        {std::vector<std::string>{"--dense", "--paper"}, {"--dense", "--max-error", "0.01"}})
     EXPECT_EQ(make("m.obj", wrong).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
+}
+
+TEST_F(SolidCommands, FingersWithPadsAreTouchedWithForceAndTorque) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
+  ASSERT_EQ(make("m.obj").exit_code, 0);
+  // Finger 0 stands upright on the top, finger 1 is tilted on its edge, finger 2 is in the air.
+  std::string steps = "t_s,x_m,y_m,z_m,probe,qw,qx,qy,qz\n";
+  for (int i = 0; i <= 20; ++i) {
+    const std::string t = std::to_string(0.001 * i) + ',',
+                      z = ",0," + std::to_string(0.0285 - 0.0001 * i) + ',';
+    steps += t + "0.000" + z + "0,1,0,0,0\n" + t + "0.018" + z + "1,0.98,0,0.199,0\n" + t + "0.2" + z +
+             "2,1,0,0,0\n";
+  }
+  write_text(path("hand.csv"), steps);
+  const auto probe = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"probe", path("out.palp"), "--path", path("hand.csv"),
+                                       "-o",    path("f.csv"),    "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return palpable(arguments);
+  };
+  const Outcome outcome = probe({"--tool", "pad", "--law", "penalty", "--damping", "0"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto told = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(told.at("probes"), 3);
+  EXPECT_EQ(told.at("places"), 32);
+  EXPECT_GT(told.at("max_torque_Nm").get<double>(), 1e-5);
+  std::istringstream lines(read_text(path("f.csv")));
+  std::string line, last[3];
+  std::getline(lines, line);
+  EXPECT_EQ(
+      line,
+      "t_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,contact,proxy_x_m,proxy_y_m,proxy_z_m,label,probe,tx_Nm,ty_Nm,tz_Nm");
+  for (int i = 0; std::getline(lines, line); ++i) last[i % 3] = line;
+  EXPECT_THAT(last[0], HasSubstr(",1,,,,0,0,"));
+  EXPECT_THAT(last[2], HasSubstr("0,0,0,0,,,,0,2,0,0,0"));
+  // Places of a pad in a file are felt the same; wrong ones are refused.
+  write_text(path("tool.csv"), "x_m,y_m,z_m,share\n0,0,-0.008,1\n");
+  EXPECT_EQ(probe({"--tool", path("tool.csv")}).exit_code, 0);
+  EXPECT_EQ(probe({"--tool", "glove"}).exit_code, 2);
+  write_text(path("tool.csv"), "x_m,y_m,z_m,share\n0,0,-0.008,0\n");
+  EXPECT_EQ(probe({"--tool", path("tool.csv")}).exit_code, 3);
+  write_text(path("hand.csv"), "t_s,x_m,y_m,z_m,probe\n0,0,0,0,1.5\n");
+  const Outcome refused = probe({});
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_TRUE(is_one_sentence(refused.err)) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr("hand.csv"));
 }
 
 TEST_F(SolidCommands, AMeshInsideOutIsTurned) {

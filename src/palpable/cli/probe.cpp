@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
-#include "palpable/cli/path_file.hpp"
+#include "palpable/cli/tool_options.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
 #include "palpable/formats/scene_file.hpp"
-#include "palpable/haptics/probe_path.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -16,9 +16,11 @@ namespace palpable::cli {
 namespace {
 
 struct Arguments {
-  std::string scene, path, output;
+  std::string scene, path, output, tool;
   LawArguments law;
 };
+
+bool has_extent(const Arguments& arguments) { return !arguments.tool.empty() && arguments.tool != "point"; }
 
 void append_fields(std::string& row, std::initializer_list<double> values) {
   for (const double value : values) {
@@ -27,9 +29,11 @@ void append_fields(std::string& row, std::initializer_list<double> values) {
   }
 }
 
-void append_row(std::string& csv, const haptics::PathSample& sample, const haptics::Feel& feel) {
-  const Vec3 p = sample.position.v, f = feel.force_N.v, proxy = feel.proxy.v;
-  append_number(csv, sample.t_s);
+void append_row(std::string& csv, const ToolPath& path, const Arguments& arguments,
+                const haptics::ToolPose& pose, const haptics::ToolFeel& feel) {
+  const Vec3 p = pose.scene_from_tool.translation_m, f = feel.force_N.v, proxy = feel.proxy.v,
+             torque = feel.torque_Nm.v;
+  append_number(csv, pose.t_s);
   append_fields(csv, {p.x, p.y, p.z, f.x, f.y, f.z});
   csv += feel.contact ? ",1" : ",0";
   if (feel.has_proxy) {
@@ -37,42 +41,60 @@ void append_row(std::string& csv, const haptics::PathSample& sample, const hapti
   } else {
     csv += ",,,";
   }
-  csv += fmt::format(",{}\n", feel.label);
+  csv += fmt::format(",{}", feel.label);
+  if (path.names_probes) csv += fmt::format(",{}", pose.probe);
+  if (has_extent(arguments)) append_fields(csv, {torque.x, torque.y, torque.z});
+  csv += '\n';
 }
 
 Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
   const auto file = formats::read_scene(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
-  const auto path = read_path(arguments.path);
+  const auto tool = tool_from(arguments.tool);
+  if (!tool) return tool.error();
+  const auto path = read_tool_path(arguments.path);
   if (!path) return path.error();
   const auto parameters = law_parameters(arguments.law, scene);
   if (!parameters) return parameters.error();
   const auto touchable = haptics::make_touchable(scene, *parameters);
   if (!touchable) return touchable.error();
 
-  std::string csv = "t_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,contact,proxy_x_m,proxy_y_m,proxy_z_m,label\n";
+  std::string csv = "t_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,contact,proxy_x_m,proxy_y_m,proxy_z_m,label";
+  if (path->names_probes) csv += ",probe";
+  if (has_extent(arguments)) csv += ",tx_Nm,ty_Nm,tz_Nm";
+  csv += '\n';
   std::size_t contacts = 0;
-  double strongest_N = 0.0;
-  haptics::probe_path(**touchable, *path, [&](const haptics::PathSample& sample, const haptics::Feel& feel) {
-    append_row(csv, sample, feel);
-    contacts += feel.contact ? 1 : 0;
-    strongest_N = std::max(strongest_N, norm(feel.force_N));
-  });
+  double strongest_N = 0.0, strongest_Nm = 0.0;
+  std::set<int> probes;
+  haptics::probe_tools(**touchable, *tool, path->poses,
+                       [&](const haptics::ToolPose& pose, const haptics::ToolFeel& feel) {
+                         append_row(csv, *path, arguments, pose, feel);
+                         contacts += feel.contact ? 1 : 0;
+                         strongest_N = std::max(strongest_N, norm(feel.force_N));
+                         strongest_Nm = std::max(strongest_Nm, norm(feel.torque_Nm));
+                         probes.insert(pose.probe);
+                       });
   if (interrupted()) return Work::interrupted();
   if (const auto written = write_file_atomically(arguments.output, std::as_bytes(std::span(csv))); !written)
     return written.error();
 
-  const double contact_fraction = static_cast<double>(contacts) / static_cast<double>(path->size());
+  const std::size_t samples = path->poses.size();
+  const double contact_fraction = static_cast<double>(contacts) / static_cast<double>(samples);
   Answer answer;
   answer.json = {{"law", haptics::name_of(parameters->law)},
-                 {"samples", path->size()},
+                 {"samples", samples},
                  {"contact_fraction", contact_fraction},
                  {"max_force_N", strongest_N},
+                 {"probes", probes.size()},
+                 {"places", tool->size()},
+                 {"max_torque_Nm", strongest_Nm},
                  {"output", arguments.output}};
-  answer.text =
-      fmt::format("{} samples with {}, {:.1f} % in contact, at most {:.3g} N: {}\n", path->size(),
-                  haptics::name_of(parameters->law), 100.0 * contact_fraction, strongest_N, arguments.output);
+  const std::string extent =
+      has_extent(arguments) ? fmt::format(" and {:.3g} mN·m", 1000.0 * strongest_Nm) : std::string();
+  answer.text = fmt::format("{} samples with {}, {:.1f} % in contact, at most {:.3g} N{}: {}\n", samples,
+                            haptics::name_of(parameters->law), 100.0 * contact_fraction, strongest_N, extent,
+                            arguments.output);
   return answer;
 }
 
@@ -80,17 +102,22 @@ Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
 
 void add_probe(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options =
-      add_command(program, "probe",
-                  "Move a probe along a path and write the force that a hand would feel at every sample",
-                  "  palpable probe aloe.palp --path path.csv -o forces.csv\n"
-                  "  palpable probe aloe.palp --path path.csv -o forces.csv --law proxy --stiffness 800 "
-                  "--friction 0.4 --radius 1",
-                  [arguments](Console& console) { return probe(*arguments, console); });
+  Options options = add_command(
+      program, "probe",
+      "Move a probe along a path and write the force that a hand would feel at every sample",
+      "  palpable probe aloe.palp --path path.csv -o forces.csv\n"
+      "  palpable probe aloe.palp --path path.csv -o forces.csv --law proxy --stiffness 800 "
+      "--friction 0.4 --radius 1\n"
+      "  palpable probe house.palp --path hand.csv -o forces.csv --tool pad    five fingers, with "
+      "torque",
+      [arguments](Console& console) { return probe(*arguments, console); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
-  options.required_text("--path", arguments->path,
-                        "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres)");
+  options.required_text(
+      "--path", arguments->path,
+      "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres), and, where wanted, probe "
+      "(0 to 63) and qw,qx,qy,qz");
   options.required_text("-o,--output", arguments->output, "CSV to write");
+  add_tool_option(options, arguments->tool);
   add_law_options(options, arguments->law);
 }
 

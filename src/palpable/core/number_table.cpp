@@ -60,6 +60,12 @@ Result<std::vector<std::size_t>> places_of(std::string_view header,
   return places;
 }
 
+std::string_view without_mark(std::string_view csv) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
+  return csv;
+}
+
 /// Fills `row`; the error is a sentence without the line's number.
 Result<void> parse_row(std::string_view line, std::span<const std::size_t> places,
                        std::span<const std::string_view> wanted, std::span<double> row) {
@@ -78,9 +84,13 @@ Result<void> parse_row(std::string_view line, std::span<const std::size_t> place
 
 }  // namespace
 
+bool has_columns(std::string_view csv, std::span<const std::string_view> names) {
+  csv = without_mark(csv);
+  return places_of(take_until(csv, '\n'), names).has_value();
+}
+
 Result<NumberTable> parse_number_table(std::string_view csv, std::span<const std::string_view> wanted) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
+  csv = without_mark(csv);
   const auto places = places_of(take_until(csv, '\n'), wanted);
   if (!places) return places.error();
   NumberTable table{wanted.size(), {}};

@@ -27,6 +27,9 @@ struct NumberTable {
 /// place: a column missing, too few fields, a field that is no finite number, no rows.
 Result<NumberTable> parse_number_table(std::string_view csv, std::span<const std::string_view> wanted);
 
+/// Whether the first line of a CSV text names all of these columns.
+bool has_columns(std::string_view csv, std::span<const std::string_view> names);
+
 /// Appends the shortest text that reads back as exactly this double, whatever the locale; nothing if it is
 /// not finite.
 void append_number(std::string& text, double value);

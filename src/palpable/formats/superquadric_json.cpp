@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
+#include "palpable/formats/vec3_json.hpp"
 
 #include <array>
 #include <cmath>
@@ -18,11 +19,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kMostShapes = 256;
-
-Vec3 vec3_from(const Json& json) {
-  const auto v = json.get<std::array<double, 3>>();
-  return {v[0], v[1], v[2]};
-}
 
 }  // namespace
 
