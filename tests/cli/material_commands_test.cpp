@@ -75,13 +75,37 @@ TEST_F(Materials, ATextureTooFineForTheLoopIsLeftOutAndSaid) {
   EXPECT_THAT(touched.err, HasSubstr("left out"));
 }
 
-TEST_F(Materials, ATextureOnAFieldIsRefused) {
+TEST_F(Materials, ATextureIsTakenFromAPictureOfHeights) {
+  Raster<std::uint8_t> waves(128, 128);
+  for (int y = 0; y < 128; ++y)
+    for (int x = 0; x < 128; ++x) waves(x, y) = static_cast<std::uint8_t>((x / 16) % 2 == 0 ? 40 : 200);
+  ASSERT_TRUE(formats::write_png(path("waves.png"), waves));
+  ASSERT_EQ(make({"--material", "0:texture=" + path("waves.png") + ",size=24,height=0.03"}).exit_code, 0);
+  const auto told = palpable({"info", path("a.palp"), "--json"});
+  EXPECT_THAT(told.out, HasSubstr("\"kind\":\"picture\""));
+  EXPECT_THAT(told.out, HasSubstr("\"pitch_m\":0.002"));
+  const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
+  EXPECT_EQ(touched.exit_code, 0);
+  EXPECT_THAT(touched.err, Not(HasSubstr("texture")));
+}
+
+TEST_F(Materials, ATexturesPictureThatIsMissingOrOfOneToneIsRefused) {
+  expect_refused(make({"--material", "0:texture=" + path("none.png")}), 3, "none.png");
+  ASSERT_TRUE(formats::write_png(path("plain.png"), Raster<std::uint8_t>(64, 64, 90)));
+  expect_refused(make({"--material", "0:texture=" + path("plain.png")}), 3, "one tone");
+  expect_refused(make({"--material", "0:texture=picture"}), 2, "file name");
+}
+
+TEST_F(Materials, ATextureOnAFieldIsFelt) {
   write_text(path("box.obj"),
              "v 0 0 0\nv 0.02 0 0\nv 0.02 0.02 0\nv 0 0.02 0\nv 0 0 0.02\nv 0.02 0 0.02\nv 0.02 0.02 0.02\n"
              "v 0 0.02 0.02\nf 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
   const auto made = palpable(
       {"make", path("box.obj"), "-o", path("a.palp"), "--resolution", "16", "--material", "0:texture=grain"});
-  expect_refused(made, 2, "not on a field");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
+  EXPECT_EQ(touched.exit_code, 0);
+  EXPECT_THAT(touched.err, Not(HasSubstr("texture")));
 }
 
 TEST_F(Materials, DepthThatIsMostlyHolesOrOneLevelOrHasAWildSpikeMakesARelief) {

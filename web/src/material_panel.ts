@@ -31,6 +31,8 @@ export class MaterialPanel {
   private law: Law | undefined;
   private readonly region = element<HTMLSelectElement>('region');
   private readonly texture = element<HTMLSelectElement>('texture');
+  /** Regions whose texture is or was from a picture: only the program has it. */
+  private readonly pictured = new Set<number>();
 
   constructor(
     settings: Settings,
@@ -74,6 +76,9 @@ export class MaterialPanel {
   private showOne(material: Material): void {
     const canTexture = this.law?.has_texture ?? false;
     this.texture.disabled = !canTexture;
+    const ofPicture = this.texture.querySelector<HTMLOptionElement>('option[value=picture]');
+    if (material.texture === 'picture') this.pictured.add(this.chosen());
+    if (ofPicture !== null) ofPicture.disabled = !this.pictured.has(this.chosen());
     this.texture.value = material.texture;
     for (const { id, key, scale, unit, texture } of sliders) {
       const input = element<HTMLInputElement>(id);

@@ -133,9 +133,11 @@ void add_make(Program& program) {
   add_make_options(options, arguments->make);
   add_as_published(options, arguments->as_published);
   options.under("What it is made of");
-  options.texts("--material", arguments->material.materials,
-                "LABEL:key=value,… with name, stiffness, damping, friction, sliding, texture "
-                "(none, grain, ridges, bumps), pitch and height (mm), angle (degrees); may be repeated");
+  options.texts(
+      "--material", arguments->material.materials,
+      "LABEL:key=value,… with name, stiffness, damping, friction, sliding, texture "
+      "(none, grain, ridges, bumps, or a file: heights or a normal map), pitch or size, and height (mm), "
+      "angle (degrees); may be repeated");
   options.text("--labels", arguments->material.labels,
                "8-bit grey picture of the scene's shape: each value is a material's LABEL");
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/material_options.hpp"
 
+#include "palpable/sculpt/texture_tile.hpp"
 #include "palpable/sources/picture.hpp"
 
 #include <algorithm>
@@ -44,9 +45,31 @@ constexpr Property kProperties[]{
      }},
     {"sliding", 0.0, 10.0, [](models::Material& m, double v) { m.dynamic_friction = v; }},
     {"pitch", 0.1, 20.0, [](models::Material& m, double v) { m.texture.pitch_m = 1e-3 * v; }},
+    {"size", 0.1 * models::kPictureForms, 20.0 * models::kPictureForms,
+     [](models::Material& m, double v) { m.texture.pitch_m = 1e-3 * v / models::kPictureForms; }},
     {"height", 0.0, 1.0, [](models::Material& m, double v) { m.texture.height_m = 1e-3 * v; }},
     {"angle", -360.0, 360.0,
      [](models::Material& m, double v) { m.texture.angle_rad = v / 180.0 * std::numbers::pi; }}};
+
+/// One of the textures by name, or a picture's file.
+Result<void> apply_texture(std::string_view value, models::TouchTexture& texture) {
+  const auto kind = models::texture_kind_from(value);
+  if (kind && *kind != models::TouchTexture::Kind::picture) {
+    texture.kind = *kind;
+    return {};
+  }
+  const std::string file(value);
+  if (file.find('.') == std::string::npos)
+    return usage(fmt::format(
+        "there is no texture {}; there are none, grain, ridges, bumps, or a picture's file name", value));
+  const auto picture = sources::read_picture(file);
+  if (!picture) return picture.error();
+  auto tile = sculpt::texture_tile(*picture);
+  if (!tile) return Error{tile.error().code, tile.error().message, file};
+  texture.kind = models::TouchTexture::Kind::picture;
+  texture.tile = std::move(*tile);
+  return {};
+}
 
 Result<void> apply_pair(std::string_view pair, models::Material& material) {
   const auto equals = pair.find('=');
@@ -57,13 +80,7 @@ Result<void> apply_pair(std::string_view pair, models::Material& material) {
     material.name = value;
     return {};
   }
-  if (key == "texture") {
-    const auto kind = models::texture_kind_from(value);
-    if (!kind)
-      return usage(fmt::format("there is no texture {}; there are none, grain, ridges, bumps", value));
-    material.texture.kind = *kind;
-    return {};
-  }
+  if (key == "texture") return apply_texture(value, material.texture);
   const auto* property = std::find_if(std::begin(kProperties), std::end(kProperties),
                                       [key](const Property& p) { return p.key == key; });
   if (property == std::end(kProperties)) return usage(fmt::format("a material has no {}", key));
@@ -120,12 +137,10 @@ Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene) {
   for (const std::string& text : arguments.materials)
     if (auto applied = apply_material(text, scene); !applied) return applied;
-  const bool is_relief = std::holds_alternative<std::shared_ptr<const models::Relief>>(scene.model);
-  const bool is_contours = std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model);
+  const bool is_grid = std::holds_alternative<std::shared_ptr<const models::Grid>>(scene.model);
   for (const models::Material& m : scene.materials)
-    if (m.texture.kind != models::TouchTexture::Kind::none && !is_relief && !is_contours)
-      return usage(fmt::format("a texture is felt on a relief or on grooves, not on a {}",
-                               models::kind_of(scene.model)));
+    if (m.texture.kind != models::TouchTexture::Kind::none && is_grid)
+      return usage("a texture is felt on a relief, on grooves or on a solid, not on a grid");
   if (arguments.labels.empty()) return {};
   auto labels = labels_from(arguments.labels, scene);
   if (!labels) return labels.error();

@@ -6,6 +6,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/jpeg.hpp"
+#include "palpable/formats/material_codec.hpp"
 #include "palpable/formats/model_codec.hpp"
 #include "palpable/formats/png.hpp"
 #include "palpable/models/material_check.hpp"
@@ -52,38 +53,6 @@ Result<void> write_model(const models::Model& model, json& description, ZipMembe
   if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&model))
     return write_dense_field(**dense, description, members);
   return write_contours(*std::get<std::shared_ptr<const models::Contours>>(model), description, members);
-}
-
-json to_json(const models::Material& m) {
-  json j{{"name", m.name},
-         {"stiffness_N_per_m", m.stiffness_N_per_m},
-         {"damping_Ns_per_m", m.damping_Ns_per_m},
-         {"static_friction", m.static_friction},
-         {"dynamic_friction", m.dynamic_friction}};
-  const models::TouchTexture& t = m.texture;
-  if (t.kind != models::TouchTexture::Kind::none)
-    j["texture"] = {{"kind", std::string(models::name_of(t.kind))},
-                    {"pitch_m", t.pitch_m},
-                    {"height_m", t.height_m},
-                    {"angle_rad", t.angle_rad}};
-  return j;
-}
-
-/// A kind that a later version may know is none here: the scene is felt without it.
-models::TouchTexture touch_texture_from(const json& j) {
-  const auto kind = models::texture_kind_from(j.at("kind").get<std::string>());
-  if (!kind) return {};
-  return {*kind, j.at("pitch_m").get<double>(), j.at("height_m").get<double>(),
-          j.at("angle_rad").get<double>()};
-}
-
-models::Material material_from(const json& j) {
-  return {j.at("name").get<std::string>(),
-          j.at("stiffness_N_per_m").get<double>(),
-          j.at("damping_Ns_per_m").get<double>(),
-          j.at("static_friction").get<double>(),
-          j.at("dynamic_friction").get<double>(),
-          j.contains("texture") ? touch_texture_from(j.at("texture")) : models::TouchTexture{}};
 }
 
 using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
@@ -182,7 +151,11 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   const json& materials = description.at("materials");
   if (materials.size() > kMaxMaterials) return invalid_input("states more than 256 materials");
   out.scene.materials.clear();
-  for (const json& j : materials) out.scene.materials.push_back(material_from(j));
+  for (const json& j : materials) {
+    auto material = read_material(j, members);
+    if (!material) return std::move(material).error();
+    out.scene.materials.push_back(*std::move(material));
+  }
   out.scene.scene_from_input = transform_from(description.at("scene_from_input"));
   read_source(description, out.scene.source);
   if (auto pictures = read_pictures(description, members, out.scene); !pictures)
@@ -235,7 +208,11 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
        {{"inputs", scene.source.inputs},
         {"method", scene.source.method},
         {"made_by", scene.source.made_by}}}};
-  for (const models::Material& m : scene.materials) description["materials"].push_back(to_json(m));
+  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+    auto material = write_material(scene.materials[k], k, members);
+    if (!material) return std::move(material).error();
+    description["materials"].push_back(*std::move(material));
+  }
   const auto add_picture = [&](const char* key, const char* name, const auto& picture) -> Result<void> {
     if (picture.empty()) return {};
     auto file = encode_png(picture);

@@ -54,6 +54,28 @@ Bytes with_description(const std::string& from, const std::string& to) {
   return *zip(members);
 }
 
+TEST(SceneFile, KeepsATexturesPictureToTheFifteenthBit) {
+  models::Scene scene = sample();
+  std::vector<float> tile(std::size_t{models::kTextureSide} * models::kTextureSide);
+  for (std::size_t k = 0; k < tile.size(); ++k) tile[k] = std::sin(0.37F * static_cast<float>(k));
+  tile[0] = -1.0F;
+  tile[1] = 1.0F;
+  scene.materials[1].texture = {models::TouchTexture::Kind::picture, 0.002, 2e-5, 0.5, tile};
+  const auto file = encode_scene(scene);
+  ASSERT_TRUE(file);
+  const auto back = decode_scene(*file);
+  ASSERT_TRUE(back) << back.error().sentence();
+  const models::TouchTexture& texture = back->scene.materials[1].texture;
+  EXPECT_EQ(texture.kind, models::TouchTexture::Kind::picture);
+  ASSERT_EQ(texture.tile.size(), tile.size());
+  for (std::size_t k = 0; k < tile.size(); ++k) EXPECT_NEAR(texture.tile[k], tile[k], 2e-5F);
+  EXPECT_TRUE(back->others.empty());
+
+  models::Scene broken = scene;
+  broken.materials[1].texture.tile.pop_back();
+  EXPECT_FALSE(encode_scene(broken));
+}
+
 TEST(SceneFile, GivesBackEveryValueExactly) {
   const models::Scene scene = sample();
   const auto path = std::filesystem::path(testing::TempDir()) / "palpable-scene.palp";

@@ -5,6 +5,7 @@
 #include "palpable/haptics/material_map.hpp"
 #include "palpable/haptics/penalty.hpp"
 #include "palpable/haptics/surface_proxy.hpp"
+#include "palpable/haptics/texture_touch.hpp"
 #include "palpable/haptics/touchable.hpp"
 #include "palpable/models/distance_surface.hpp"
 
@@ -88,10 +89,15 @@ class FieldProxyLaw {
  public:
   struct State {
     FieldProxy proxy;
+    TextureTouch texture;
   };
 
-  FieldProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double radius_m)
-      : surface_(std::move(surface)), materials_(std::move(materials)), radius_m_(radius_m) {}
+  FieldProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double radius_m,
+                Textures textures = Textures({}))
+      : surface_(std::move(surface)),
+        materials_(std::move(materials)),
+        radius_m_(radius_m),
+        textures_(std::move(textures)) {}
 
   Feel feel(const Hand& hand, State& state) const noexcept {
     FieldProxy& proxy = state.proxy;
@@ -105,7 +111,10 @@ class FieldProxyLaw {
     feel.label = materials_.label_at(proxy.place_m.x, proxy.place_m.y);
     feel.contact = proxy.phase == FieldProxy::Phase::touching;
     feel.stored_J = 0.0;
-    if (!feel.contact) return feel;
+    if (!feel.contact) {
+      state.texture.share = 0.0;
+      return feel;
+    }
     const Contact& contact = materials_.contact(feel.label);
     const Vec3 stretch = proxy.place_m - hand.position.v;
     feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
@@ -115,6 +124,10 @@ class FieldProxyLaw {
     // The damper may take all of the push along the normal, and never pulls.
     feel.force_N.v =
         contact.stiffness_N_per_m * stretch - std::min(damper, std::max(spring, 0.0)) * proxy.normal;
+    if (textures_.any())
+      add_texture(hand, textures_.of(feel.label),
+                  {proxy.place_m, proxy.normal, dot(stretch, proxy.normal), contact.stiffness_N_per_m},
+                  on_solid, state.texture, feel);
     return feel;
   }
 
@@ -240,6 +253,7 @@ class FieldProxyLaw {
   std::shared_ptr<const Surface> surface_;
   MaterialMap materials_;
   double radius_m_;
+  Textures textures_;
 };
 
 }  // namespace palpable::haptics

@@ -149,5 +149,48 @@ TEST(FieldPenaltyLaw, NeverPulls) {
   EXPECT_EQ(law.feel(leaving, state).force_N.v, Vec3{});
 }
 
+Textures ridges_all_over() {
+  models::Material material;
+  material.texture = {models::TouchTexture::Kind::ridges, 0.002, 50e-6, 0.0};
+  return Textures({material});
+}
+
+TEST(FieldProxyLaw, FeelsATextureOnAFaceAsAReliefDoes) {
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, ridges_all_over());
+  const models::TexturePattern pattern({models::TouchTexture::Kind::ridges, 0.002, 50e-6, 0.0});
+  FieldProxyLaw<Wall>::State state{};
+  const double depth = 0.0005;
+  law.feel(hand_at({0.0, 0.0, 0.002}), state);
+  for (int k = 0; k < 200; ++k) law.feel(hand_at({0.0, 0.0, 0.001 - depth}), state);
+  for (double x = 0.0; x < 0.004; x += 1e-5) {
+    const Feel feel = law.feel(hand_at({x, 0.0, 0.001 - depth}), state);
+    const auto h = pattern.sample(x, 0.0);
+    ASSERT_NEAR(feel.force_N.v.z, 1000.0 * (depth + h.z_m), 2e-3);
+    ASSERT_NEAR(feel.force_N.v.x, -1000.0 * depth * h.dzdx, 2e-3);
+  }
+}
+
+TEST(FieldProxyLaw, FeelsATextureOnEverySideOfASolid) {
+  const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.0, ridges_all_over());
+  for (const Vec3 side : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{-1, 0, 0}, Vec3{0.6, 0.0, 0.8}}) {
+    // Across the ridges of each side: their pattern's x runs along y, z and x on the sides of x, y and z.
+    const Vec3 along = unit(Vec3{side.z, side.x, side.y} - dot(Vec3{side.z, side.x, side.y}, side) * side);
+    FieldProxyLaw<Ball>::State state{};
+    law.feel(hand_at(0.021 * side), state);
+    double least = 1e9, most = 0.0;
+    for (int k = 0; k < 1200; ++k) {
+      const double angle = k * 5e-4;
+      const Vec3 at = 0.0195 * (std::cos(angle) * side + std::sin(angle) * along);
+      const Feel feel = law.feel(hand_at(at), state);
+      if (k < 200) continue;
+      least = std::min(least, norm(feel.force_N.v));
+      most = std::max(most, norm(feel.force_N.v));
+    }
+    // 0.5 N from the depth, and up to 50 micrometres to both sides of it.
+    EXPECT_GE(most - least, 0.03);
+    EXPECT_LE(most, 0.62);
+  }
+}
+
 }  // namespace
 }  // namespace palpable::haptics

@@ -220,7 +220,8 @@ Result<std::shared_ptr<const Touchable>> on_field(
     return touchable(FieldPenaltyLaw<Distance>(surface, std::move(materials), p.radius_m,
                                                p.penalty == PenaltyDirection::normal),
                      family);
-  return touchable(FieldProxyLaw<Distance>(surface, std::move(materials), p.radius_m), family);
+  return touchable(
+      FieldProxyLaw<Distance>(surface, std::move(materials), p.radius_m, Textures(scene.materials)), family);
 }
 
 Result<std::shared_ptr<const Touchable>> on_grid(const models::Scene& scene,

@@ -4,7 +4,7 @@
 
 #include "palpable/haptics/material_map.hpp"
 #include "palpable/haptics/surface_proxy.hpp"
-#include "palpable/haptics/texture.hpp"
+#include "palpable/haptics/texture_touch.hpp"
 #include "palpable/haptics/touchable.hpp"
 
 #include <algorithm>
@@ -27,9 +27,7 @@ class ProxyLaw {
     Contact contact;
     std::uint16_t label;
     bool knows_contact;
-    /// Whose texture is felt, and how much of it: it comes in as smoothly as a material does.
-    std::uint16_t texture_label;
-    double texture_share;
+    TextureTouch texture;
   };
 
   ProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, Textures textures = Textures({}))
@@ -51,7 +49,7 @@ class ProxyLaw {
       const Vec3 stretched = state.proxy.place_m - hand.position.v;
       feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
       feel.spring_N.v = contact.stiffness_N_per_m * stretched;
-      if (textures_.any()) add_texture(hand, contact, state, feel);
+      if (textures_.any()) add_texture_to(feel, hand, contact, state);
     }
     return feel;
   }
@@ -108,34 +106,18 @@ class ProxyLaw {
            grip(hand, contact, proxy, before, up, pressing_up);
   }
 
-  /// A texture of height h under the proxy is a surface that stands h higher: the potential k·depth·h more,
-  /// and its gradient as force (height maps after Minsky 1995). The push is never taken away altogether.
-  void add_texture(const Hand& hand, const Contact& contact, State& state, Feel& feel) const noexcept {
+  void add_texture_to(Feel& feel, const Hand& hand, const Contact& contact, State& state) const noexcept {
     const SurfaceProxy& proxy = state.proxy;
-    const models::TexturePattern* pattern = textures_.of(state.label);
-    if (pattern == nullptr || proxy.phase != SurfaceProxy::Phase::touching) {
-      state.texture_share = 0.0;
+    if (proxy.phase != SurfaceProxy::Phase::touching) {
+      state.texture.share = 0.0;
       return;
     }
-    if (state.texture_label != state.label) state.texture_share = 0.0;
-    state.texture_label = state.label;
-    state.texture_share += hand.dt_s / (hand.dt_s + kMaterialEase_s) * (1.0 - state.texture_share);
     const Upward up(proxy.surface);
     const Vec3 normal = std::sqrt(up.per_length2) * up.v;
-    const double depth = dot(proxy.place_m - hand.position.v, normal);
-    if (!(depth > 0.0)) return;
-    const double share =
-        state.texture_share * Textures::carried(norm(hand.velocity_m_per_s.v), hand.dt_s, pattern->pitch_m());
-    const models::HeightSample h = pattern->sample(proxy.place_m.x, proxy.place_m.y);
-    // The slope over the ground, laid along the surface.
-    const Vec3 over{h.dzdx, h.dzdy, 0.0};
-    const Vec3 slope = over - dot(over, normal) * normal;
-    const double k = share * contact.stiffness_N_per_m;
-    const double higher_N = std::max(k * h.z_m, -dot(feel.force_N.v, normal));
-    const Vec3 pushed_N = higher_N * normal - (k * depth) * slope;
-    feel.force_N.v += pushed_N;
-    feel.spring_N.v += pushed_N;
-    feel.stored_J += k * depth * h.z_m;
+    add_texture(
+        hand, textures_.of(state.label),
+        {proxy.place_m, normal, dot(proxy.place_m - hand.position.v, normal), contact.stiffness_N_per_m},
+        on_plan, state.texture, feel);
   }
 
   /// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it

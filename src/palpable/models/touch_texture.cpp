@@ -20,9 +20,10 @@ struct Name {
 };
 constexpr std::array kNames{Name{TouchTexture::Kind::none, "none"}, Name{TouchTexture::Kind::grain, "grain"},
                             Name{TouchTexture::Kind::ridges, "ridges"},
-                            Name{TouchTexture::Kind::bumps, "bumps"}};
+                            Name{TouchTexture::Kind::bumps, "bumps"},
+                            Name{TouchTexture::Kind::picture, "picture"}};
 
-constexpr int kSide = 64;
+constexpr int kSide = kTextureSide;
 /// Forms to the square's side: 16 samples to each, which a cubic B-spline flattens by a fortieth.
 constexpr int kForms = 4;
 constexpr int kStride = kSide + 3;
@@ -54,6 +55,8 @@ class Grain {
   };
   std::vector<Wave> waves_;
 };
+
+int forms_of(TouchTexture::Kind kind) { return kind == TouchTexture::Kind::picture ? kPictureForms : kForms; }
 
 /// From -1 to 1 over the square of side 1.
 std::vector<double> pattern_of(TouchTexture::Kind kind) {
@@ -97,8 +100,11 @@ std::optional<TouchTexture::Kind> texture_kind_from(std::string_view name) {
 }
 
 bool is_sound(const TouchTexture& t) {
-  return t.pitch_m >= 0.0999e-3 && t.pitch_m <= 20.001e-3 && t.height_m >= 0.0 && t.height_m <= 1.001e-3 &&
-         std::isfinite(t.angle_rad);
+  const bool has_tile =
+      t.tile.size() == std::size_t{kSide} * kSide &&
+      std::all_of(t.tile.begin(), t.tile.end(), [](float v) { return v >= -1.001F && v <= 1.001F; });
+  return (has_tile || (t.tile.empty() && t.kind != TouchTexture::Kind::picture)) && t.pitch_m >= 0.0999e-3 &&
+         t.pitch_m <= 20.001e-3 && t.height_m >= 0.0 && t.height_m <= 1.001e-3 && std::isfinite(t.angle_rad);
 }
 
 TexturePattern::TexturePattern(const TouchTexture& texture)
@@ -106,12 +112,16 @@ TexturePattern::TexturePattern(const TouchTexture& texture)
       pitch_m_(texture.pitch_m),
       cos_(std::cos(texture.angle_rad)),
       sin_(std::sin(texture.angle_rad)),
-      samples_per_m_(static_cast<double>(kSide) / kForms / texture.pitch_m) {
+      samples_per_m_(static_cast<double>(kSide) / forms_of(texture.kind) / texture.pitch_m) {
   PALPABLE_CHECK(is_sound(texture) && texture.kind != TouchTexture::Kind::none);
-  const auto pattern = pattern_of(texture.kind);
+  const bool is_picture = texture.kind == TouchTexture::Kind::picture;
+  const auto pattern =
+      is_picture ? std::vector<double>(texture.tile.begin(), texture.tile.end()) : pattern_of(texture.kind);
   for (int j = 0; j < kStride; ++j)
     for (int i = 0; i < kStride; ++i) {
-      const int from = (j + kSide - 1) % kSide * kSide + (i + kSide - 1) % kSide;
+      // A picture's rows go down, the pattern's up.
+      const int row = (j + kSide - 1) % kSide;
+      const int from = (is_picture ? kSide - 1 - row : row) * kSide + (i + kSide - 1) % kSide;
       values_[static_cast<std::size_t>(j) * kStride + static_cast<std::size_t>(i)] =
           static_cast<float>(texture.height_m * pattern[static_cast<std::size_t>(from)]);
     }

@@ -11,6 +11,10 @@
 
 namespace palpable::models {
 
+/// Control values along a texture's side; and the finest forms of a picture along it.
+inline constexpr int kTextureSide = 64;
+inline constexpr int kPictureForms = 12;
+
 /// Fine forms on a surface, too fine for its model: felt, not seen.
 struct TouchTexture {
   enum class Kind : std::uint8_t {
@@ -20,7 +24,9 @@ struct TouchTexture {
     /// Straight and parallel; at angle_rad = 0 they run along y.
     ridges,
     /// Rows of round bumps.
-    bumps
+    bumps,
+    /// As its `tile` says.
+    picture
   };
   Kind kind = Kind::none;
   /// From one form to the next, 0.1 ... 20 mm.
@@ -29,6 +35,10 @@ struct TouchTexture {
   double height_m = 30e-6;
   /// Turned to the left by this.
   double angle_rad = 0.0;
+  /// Of a picture: the square that repeats itself, kTextureSide x kTextureSide control values −1 … 1 of a
+  /// uniform cubic B-spline, rows from the top, in which no form is finer than kPictureForms to the side. Its
+  /// side is kPictureForms · pitch_m.
+  std::vector<float> tile = {};
 
   bool operator==(const TouchTexture&) const = default;
 };
@@ -36,7 +46,7 @@ struct TouchTexture {
 std::string_view name_of(TouchTexture::Kind kind);
 std::optional<TouchTexture::Kind> texture_kind_from(std::string_view name);
 
-/// Every number finite and in its range.
+/// Every number finite and in its range, and a tile where it is a picture.
 bool is_sound(const TouchTexture& texture);
 
 /// A texture for the tick: one square that repeats itself for ever, as a uniform cubic B-spline of 64 x 64

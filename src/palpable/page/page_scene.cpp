@@ -82,7 +82,6 @@ double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
 
 std::vector<protocol::Law> page_laws(const models::Scene& scene) {
   std::vector<protocol::Law> laws;
-  const bool is_field = models::is_field(scene.model);
   for (const auto law : haptics::laws_for(scene)) {
     const std::string_view name = haptics::name_of(law);
     const auto* words = std::find_if(std::begin(kLawWords), std::end(kLawWords),
@@ -98,7 +97,7 @@ std::vector<protocol::Law> page_laws(const models::Scene& scene) {
     told.stiffness_default = in_newtons ? 1.0 : scene.materials.front().stiffness_N_per_m;
     told.has_friction = !known || words->has_friction;
     told.has_materials = !in_newtons;
-    told.has_texture = !is_field && (law == haptics::Law::proxy || law == haptics::Law::groove);
+    told.has_texture = law == haptics::Law::proxy || law == haptics::Law::groove;
     told.has_neighbourhood = law == haptics::Law::tracing;
     laws.push_back(std::move(told));
   }

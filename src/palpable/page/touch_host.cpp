@@ -315,7 +315,10 @@ Result<void> TouchHost::attempt(const std::map<std::int64_t, protocol::Edit>& ed
     }
     m.static_friction = wish.friction;
     m.dynamic_friction = sliding;
-    m.texture = {*kind, wish.pitch_m, wish.height_m, wish.angle_deg / kDegrees};
+    if (*kind == models::TouchTexture::Kind::picture && m.texture.tile.empty())
+      return Error{ErrorCode::usage, "this material has no texture from a picture", wish.texture};
+    // A picture's tile stays, so that a person may come back to it.
+    m.texture = {*kind, wish.pitch_m, wish.height_m, wish.angle_deg / kDegrees, std::move(m.texture.tile)};
   }
   if (auto done = session_.change_materials(std::move(materials), touch); !done) return done;
   edited_ = true;

@@ -61,11 +61,6 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
   for (auto& material : scene.materials) {
     auto& texture = material.texture;
     if (texture.kind == models::TouchTexture::Kind::none) continue;
-    if (models::is_field(scene.model)) {
-      prepared.notices.push_back("The texture of " + material.name + " is not felt: fields carry none yet.");
-      texture = {};
-      continue;
-    }
     const double most_m = haptics::most_height_m(texture.pitch_m);
     if (texture.pitch_m < finest_m) {
       prepared.notices.push_back(fmt::format(
