@@ -5,8 +5,11 @@
 #include "palpable/core/vec3.hpp"
 #include "palpable/models/distance_surface.hpp"
 #include "palpable/sculpt/box.hpp"
+#include "palpable/sculpt/triangle_shortlist.hpp"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace palpable::sculpt {
 
@@ -14,9 +17,6 @@ namespace palpable::sculpt {
 /// relief, points). Any thread.
 class DistanceSource {
  public:
-  DistanceSource() = default;
-  DistanceSource(const DistanceSource&) = delete;
-  DistanceSource& operator=(const DistanceSource&) = delete;
   virtual ~DistanceSource() = default;
 
   /// A source's own memory from one call to the next, a start for places near each other. New at first, one
@@ -26,13 +26,31 @@ class DistanceSource {
     /// The last place and its distance (0: none yet): nearer to it than that, nothing changes its side.
     Vec3 place_m;
     double distance_m = 0.0;
+    /// How far the last answer may be beside what its surface stands for, metres and radians: between samples
+    /// it is a guess. 0 where the surface is exact.
+    double coarse_m = 0.0, coarse_turn = 0.0;
+    /// What was found of the balls that were entered; the first `entered` count.
+    std::vector<TriangleShortlist> balls;
+    std::size_t entered = 0;
   };
+
+  /// The next places all lie in this ball, which lies in the last one entered and not left: a source may look
+  /// round it once, for all of them.
+  virtual void enter(Vec3 /*centre_m*/, double /*radius_m*/, Hint& /*hint*/) const {}
+  virtual void leave(Hint& /*hint*/) const {}
 
   /// Euclidean distance to the surface at any finite place, negative inside, and its gradient: a unit vector
   /// (on edges and medial sheets that of one side).
   virtual models::FieldSample at(Vec3 place_m, Hint& hint) const = 0;
   /// Of the solid's surface.
   virtual Box bounds() const = 0;
+
+ protected:
+  DistanceSource() = default;
+  DistanceSource(const DistanceSource&) = default;
+  DistanceSource(DistanceSource&&) = default;
+  DistanceSource& operator=(const DistanceSource&) = default;
+  DistanceSource& operator=(DistanceSource&&) = default;
 };
 
 }  // namespace palpable::sculpt

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <string_view>
 #include <utility>
 
 namespace palpable::sculpt {
@@ -21,42 +22,62 @@ using models::FieldTree;
 /// levels of the tree share them. Remembers as many as fit; the others are asked again.
 class SharedSamples {
  public:
-  explicit SharedSamples(const DistanceSource& source) : source_(source), slots_(kSlots) {}
+  SharedSamples(const DistanceSource& source, const Earlier* earlier)
+      : source_(source), earlier_(earlier), slots_(earlier == nullptr ? kSlots : kSlots / 4) {}
 
-  /// A new lattice of `count` places along each axis; `origin_m` is its first.
-  void begin(Vec3 origin_m, double step_m, int count) {
-    origin_m_ = origin_m;
+  /// A new lattice of `count` places along each axis; its first lies at `from_grid_m` from the grid's origin.
+  void begin(const FieldGrid& grid, Vec3 from_grid_m, int count) {
+    const double step_m = 0.5 * grid.cell_m;
+    from_grid_m_ = from_grid_m;
+    origin_m_ = grid.origin_m + from_grid_m;
     step_m_ = step_m;
     count_ = static_cast<std::uint64_t>(count);
     hint_ = {};
     ++lattice_;
   }
-  const FieldSample& at(std::array<int, 3> place) {
+  struct Answer {
+    FieldSample sample;
+    /// Whether the place is nearest to what changed since the earlier field.
+    bool changed = false;
+    double coarse_m = 0.0, coarse_turn = 0.0;
+  };
+  const Answer& at(std::array<int, 3> place) {
     const std::uint64_t index =
         (static_cast<std::uint64_t>(place[2]) * count_ + static_cast<std::uint64_t>(place[1])) * count_ +
         static_cast<std::uint64_t>(place[0]);
     const std::uint64_t key = lattice_ << 40U | index;
-    Slot& slot = slots_[index % kSlots];
+    Slot& slot = slots_[index % slots_.size()];
     if (slot.key != key) {
-      slot.sample = between(step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
-                                           static_cast<double>(place[2])});
+      const Vec3 from_first_m = step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
+                                               static_cast<double>(place[2])};
+      slot.answer.sample = between(from_first_m);
+      slot.answer.coarse_m = hint_.coarse_m;
+      slot.answer.coarse_turn = hint_.coarse_turn;
+      slot.answer.changed = earlier_ != nullptr &&
+                            earlier_->changed_at(from_grid_m_ + from_first_m, slot.answer.sample.distance_m);
       slot.key = key;
     }
-    return slot.sample;
+    return slot.answer;
   }
+  /// All places lie in this ball until it is left.
+  void enter(Vec3 centre_from_grid_m, double radius_m) {
+    source_.enter(origin_m_ - from_grid_m_ + centre_from_grid_m, radius_m, hint_);
+  }
+  void leave() { source_.leave(hint_); }
   /// At any place from the lattice's first.
-  FieldSample between(Vec3 from_origin_m) { return source_.at(origin_m_ + from_origin_m, hint_); }
+  FieldSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
 
  private:
   static constexpr std::size_t kSlots = std::size_t{1} << 19U;
   struct Slot {
     /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
     std::uint64_t key = 0;
-    FieldSample sample;
+    Answer answer;
   };
   const DistanceSource& source_;
+  const Earlier* earlier_;
   DistanceSource::Hint hint_;
-  Vec3 origin_m_;
+  Vec3 origin_m_, from_grid_m_;
   double step_m_ = 0.0;
   std::uint64_t count_ = 0;
   std::uint64_t lattice_ = 0;
@@ -84,7 +105,7 @@ class BranchBuilder {
  public:
   BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
                 const Earlier* earlier, const Work& work)
-      : grid_(grid), bounds_(bounds), earlier_(earlier), work_(work), shared_(source) {
+      : grid_(grid), bounds_(bounds), earlier_(earlier), work_(work), shared_(source, earlier) {
     // A cell on the surface is never larger than this: finer things could hide between its samples.
     longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
   }
@@ -92,9 +113,14 @@ class BranchBuilder {
   /// Builders may be used for one root cell after another.
   Branch build(std::array<int, 3> corner, std::size_t root) {
     Branch branch;
+    if (earlier_ != nullptr) {
+      const double half_m = 0.5 * grid_.cell_m * (1 << grid_.levels);
+      branch.kept = earlier_->is_far(place_of(corner) + Vec3{half_m, half_m, half_m}, half_m);
+      if (branch.kept) return branch;
+    }
     root_ = corner;
     recent_ = {};
-    shared_.begin(grid_.origin_m + place_of(corner), 0.5 * grid_.cell_m, (2 << grid_.levels) + 1);
+    shared_.begin(grid_, place_of(corner), (2 << grid_.levels) + 1);
     branch.entry =
         build(corner, grid_.levels, earlier_ == nullptr ? kNone : earlier_->tree.roots[root], branch);
     return branch;
@@ -108,25 +134,36 @@ class BranchBuilder {
 
   /// `was`: the cell's entry in the earlier tree, or kNone.
   std::uint32_t build(std::array<int, 3> corner, int level, std::uint32_t was, Branch& branch) {
-    const int side = 1 << level;
     CellSamples samples;
-    samples.half_m = 0.5 * grid_.cell_m * side;
+    samples.half_m = 0.5 * grid_.cell_m * (1 << level);
     samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
-    const auto ask = [&](std::size_t k) {
-      samples.at[k] = shared_.at(lattice_place(corner, side, fit_place(k)));
-    };
-    constexpr std::size_t kCentre = kFitPlaces / 2;
-    ask(kCentre);
-    if (was != kNone && earlier_->is_far(samples.centre_m, samples.half_m, samples.at[kCentre].distance_m))
+    if (was != kNone && earlier_->is_far(samples.centre_m, samples.half_m))
       return copied(earlier_->tree, was, branch);
-    for (std::size_t k = 0; k < kFitPlaces; ++k) ask(k);
+    // Round the cell's corners, and a little for the places' rounding.
+    shared_.enter(samples.centre_m, 1.7321 * samples.half_m);
+    const std::uint32_t entry = build_within(samples, corner, level, was, branch);
+    shared_.leave();
+    return entry;
+  }
+
+  std::uint32_t build_within(CellSamples& samples, std::array<int, 3> corner, int level, std::uint32_t was,
+                             Branch& branch) {
+    const int side = 1 << level;
+    std::size_t changed = 0;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const SharedSamples::Answer& answer = shared_.at(lattice_place(corner, side, fit_place(k)));
+      samples.at[k] = answer.sample;
+      samples.coarse_m = std::max(samples.coarse_m, answer.coarse_m);
+      samples.coarse_turn = std::max(samples.coarse_turn, answer.coarse_turn);
+      changed += answer.changed;
+    }
     if (was != kNone) {
-      const Change change = earlier_->change(samples);
       const bool whole = (was & FieldTree::kLeaf) != 0;
-      if (change == Change::none && whole) return copied(earlier_->tree, was, branch);
-      if (change != Change::all && !whole) return split(corner, level, was, branch);
+      if (changed == 0 && whole) return copied(earlier_->tree, was, branch);
+      if (changed < kFitPlaces && !whole) return split(corner, level, was, branch);
     }
     // Half the diagonal of a cube, and a little.
+    constexpr std::size_t kCentre = kFitPlaces / 2;
     const bool on_surface = std::abs(samples.at[kCentre].distance_m) < 1.8 * samples.half_m;
     if (on_surface && side > longest_on_surface_ && !work_.cancelled())
       return split(corner, level, kNone, branch);
@@ -255,6 +292,37 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
   if (too_many())
     return too_large(1.0 * static_cast<double>(bytes) * count / std::max(1, done.load()), options);
   return branches;
+}
+
+std::uint32_t Joiner::moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node) {
+  if ((entry & FieldTree::kLeaf) == 0) return entry + first_node;
+  const std::uint32_t* words = &branch.words[entry & ~FieldTree::kLeaf];
+  const std::size_t count = models::LeafHead{words[0]}.words();
+  const std::string_view key(reinterpret_cast<const char*>(words), count * sizeof(std::uint32_t));
+  const auto [at, fresh] =
+      known_.try_emplace(std::string(key), static_cast<std::uint32_t>(tree_.words.size()));
+  if (fresh) tree_.words.insert(tree_.words.end(), words, words + count);
+  return at->second | FieldTree::kLeaf;
+}
+
+std::uint32_t Joiner::kept(std::uint32_t entry) {
+  if ((entry & FieldTree::kLeaf) == 0) {
+    const auto node = static_cast<std::uint32_t>(tree_.nodes.size() / 8);
+    tree_.nodes.resize(tree_.nodes.size() + 8);
+    for (std::size_t child = 0; child < 8; ++child) {
+      const std::uint32_t below = kept(earlier_->nodes[8 * std::size_t{entry} + child]);
+      tree_.nodes[8 * std::size_t{node} + child] = below;
+    }
+    return node;
+  }
+  // What was shared stays shared.
+  std::uint32_t& went = kept_words_[entry & ~FieldTree::kLeaf];
+  if (went == 0) {
+    const std::uint32_t* words = &earlier_->words[entry & ~FieldTree::kLeaf];
+    went = static_cast<std::uint32_t>(tree_.words.size()) + 1;
+    tree_.words.insert(tree_.words.end(), words, words + models::LeafHead{*words}.words());
+  }
+  return (went - 1) | FieldTree::kLeaf;
 }
 
 FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options) {

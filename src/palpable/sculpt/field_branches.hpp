@@ -13,7 +13,6 @@
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -24,19 +23,18 @@ struct Branch {
   std::uint32_t entry = 0;
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> words;
+  /// Nothing changed in it: it stays as in the earlier tree, and the rest is empty.
+  bool kept = false;
 };
-
-/// How a cell stands to what changed in its solid.
-enum class Change : std::uint8_t { none, partly, all };
 
 /// A field that is to be sampled again in part.
 struct Earlier {
   const models::FieldTree& tree;
-  /// Of a cell (its centre from the grid's origin) and the distance that the source now tells at the places
-  /// of the cell's fit. Any thread.
-  std::function<Change(const CellSamples&)> change;
-  /// The same, from the centre's distance alone: true only where nothing changed.
-  std::function<bool(Vec3 centre_m, double half_m, double distance_m)> is_far;
+  /// Whether the nearest place of the surface may be among what changed, of a place from the grid's origin
+  /// and the distance that the source now tells there. Any thread.
+  std::function<bool(Vec3 from_origin_m, double distance_m)> changed_at;
+  /// Of a cell, without asking the source: true only where nothing changed.
+  std::function<bool(Vec3 centre_m, double half_m)> is_far;
 };
 
 /// Samples all root cells, x fastest. With an earlier tree of the same grid, its cells that did not change
@@ -49,10 +47,19 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const mode
 /// The bounds of a field whose solid's longest side is `longest_m`.
 FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options);
 
-/// Joins the branches; leaves that hold the same share their words.
+/// Joins the branches, in the order of their root cells; leaves that hold the same share their words.
 class Joiner {
  public:
+  /// `earlier`: the tree that kept branches are in, or null.
+  explicit Joiner(const models::FieldTree* earlier = nullptr) : earlier_(earlier) {
+    if (earlier_ != nullptr) kept_words_.resize(earlier_->words.size());
+  }
   void add(const Branch& branch) {
+    if (branch.kept) {
+      const std::uint32_t entry = kept(earlier_->roots[tree_.roots.size()]);
+      tree_.roots.push_back(entry);
+      return;
+    }
     const auto first_node = static_cast<std::uint32_t>(tree_.nodes.size() / 8);
     for (const std::uint32_t entry : branch.nodes) tree_.nodes.push_back(moved(entry, branch, first_node));
     tree_.roots.push_back(moved(branch.entry, branch, first_node));
@@ -60,19 +67,14 @@ class Joiner {
   models::FieldTree take() { return std::move(tree_); }
 
  private:
-  std::uint32_t moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node) {
-    if ((entry & models::FieldTree::kLeaf) == 0) return entry + first_node;
-    const std::uint32_t* words = &branch.words[entry & ~models::FieldTree::kLeaf];
-    const std::size_t count = models::LeafHead{words[0]}.words();
-    const std::string_view key(reinterpret_cast<const char*>(words), count * sizeof(std::uint32_t));
-    const auto [at, fresh] =
-        known_.try_emplace(std::string(key), static_cast<std::uint32_t>(tree_.words.size()));
-    if (fresh) tree_.words.insert(tree_.words.end(), words, words + count);
-    return at->second | models::FieldTree::kLeaf;
-  }
+  std::uint32_t moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node);
+  std::uint32_t kept(std::uint32_t entry);
 
   models::FieldTree tree_;
+  const models::FieldTree* earlier_;
   std::unordered_map<std::string, std::uint32_t> known_;
+  /// Where the earlier tree's words of a leaf went, and 1; 0: not yet.
+  std::vector<std::uint32_t> kept_words_;
 };
 
 }  // namespace palpable::sculpt

@@ -7,14 +7,20 @@
 #include "palpable/core/work.hpp"
 #include "palpable/models/distance_field.hpp"
 #include "palpable/sculpt/field_from_source.hpp"
+#include "palpable/sculpt/smooth_surface.hpp"
 #include "palpable/sculpt/surface_correction.hpp"
+
+#include <optional>
 
 namespace palpable::sculpt {
 
-/// A field and the predicted surface that it is corrected by.
+/// A field and the predicted surface that it is corrected by. Hand it on (std::move): a copy costs more than
+/// a small correction.
 struct CorrectedField {
   models::DistanceField field;
   CorrectedSurface surface;
+  /// The surface as it stands, ready to be asked; made by the first correction, and moved by each.
+  std::optional<SmoothSurface> solid = std::nullopt;
   /// Whether the last correction reached out of the field's grid, so that all of it was sampled anew.
   bool sampled_anew = false;
 };

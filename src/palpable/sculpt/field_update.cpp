@@ -6,6 +6,8 @@
 #include "palpable/sculpt/triangle_tree.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace palpable::sculpt {
@@ -22,26 +24,26 @@ Result<DistanceField> updated_field(const DistanceField& field, const DistanceSo
   FitBounds bounds = bounds_for(options.resolution * grid.cell_m, grid.cell_m, options);
   bounds.bound_m = field.errors().bound_m;
   const TriangleTree triangles(changed);
-  // How much farther the changed triangles are than the surface, old or new: where it is above 0, the nearest
-  // place did not change. Changes by at most 2 per metre.
-  const auto farther_m = [&](Vec3 from_origin_m, double distance_m) {
-    const double nearest_m =
-        std::sqrt(triangles.nearest(grid.origin_m + from_origin_m, 0).squared_distance_m2);
-    return nearest_m - (1.0 + 2.0 * TriangleTree::kNearestSlack) * std::abs(distance_m);
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  const auto changed_within = [&](Vec3 from_origin_m, double radius_m) {
+    return triangles.any_within(grid.origin_m + from_origin_m, radius_m, kNone);
   };
   Earlier earlier{field.tree(), {}, {}};
-  earlier.is_far = [&](Vec3 centre_m, double half_m, double distance_m) {
-    return farther_m(centre_m, distance_m) > 2.0 * std::sqrt(3.0) * half_m;
+  // Where the changed triangles, old and new, are farther than the surface, the nearest place did not change.
+  earlier.changed_at = [&](Vec3 from_origin_m, double distance_m) {
+    return changed_within(from_origin_m, (1.0 + 2.0 * TriangleTree::kNearestSlack) * std::abs(distance_m));
   };
-  earlier.change = [&](const CellSamples& samples) {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < kFitPlaces; ++k)
-      count += farther_m(samples.centre_m + samples.half_m * fit_place(k), samples.at[k].distance_m) <= 0.0;
-    return count == 0 ? Change::none : count == kFitPlaces ? Change::all : Change::partly;
+  // How much farther they are changes by at most 2 per metre; and the earlier field tells the earlier
+  // distance as far as its own bounds allow (leaf_fit.cpp).
+  earlier.is_far = [&](Vec3 centre_m, double half_m) {
+    const double distance_m = std::abs(field.sample(grid.origin_m + centre_m).distance_m);
+    const double error_m =
+        grid.cell_m + 5.0 * bounds.bound_m + 10.0 * bounds.bound_m / bounds.outside_m * distance_m;
+    return !changed_within(centre_m, distance_m + error_m + 2.0 * std::sqrt(3.0) * half_m);
   };
   const auto branches = branches_of(source, grid, bounds, options, &earlier, work);
   if (!branches) return branches.error();
-  Joiner joiner;
+  Joiner joiner(&field.tree());
   for (const Branch& branch : *branches) joiner.add(branch);
   return DistanceField::from_tree(grid, joiner.take(), field.errors());
 }

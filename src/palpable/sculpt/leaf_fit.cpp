@@ -64,7 +64,11 @@ class Judge {
   double at(const LeafFit& leaf, Vec3 u, const FieldSample& truth, Squares& squares) const {
     const Vec3 x = samples_.centre_m + samples_.half_m * u;
     const FieldSample s = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_);
-    const Allowance a = allowance(truth.distance_m, side_, bounds_);
+    Allowance a = allowance(truth.distance_m, side_, bounds_);
+    a.value_m += samples_.coarse_m;
+    a.value_rms_m += 0.5 * samples_.coarse_m;
+    a.gradient += samples_.coarse_turn;
+    a.gradient_rms += 0.5 * samples_.coarse_turn;
     const double value = std::abs(s.distance_m - truth.distance_m);
     if (leaf.count > LeafHead::kCurvedWords + 1) {
       // Where a kink is rounded, the rounding's own error is allowed, and the gradient turns.

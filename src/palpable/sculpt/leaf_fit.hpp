@@ -35,6 +35,9 @@ struct CellSamples {
   Vec3 centre_m;
   double half_m = 0.0;
   std::array<models::FieldSample, kFitPlaces> at;
+  /// How far they may be beside what their surface stands for (DistanceSource::Hint): a leaf need not follow
+  /// them more closely.
+  double coarse_m = 0.0, coarse_turn = 0.0;
 };
 
 /// A leaf's words (models/field_leaf.hpp), and how far they err: up to 1 keeps every bound.

@@ -2,36 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/mesh_distance.hpp"
 
+#include "palpable/sculpt/nearest_in_balls.hpp"
 #include "palpable/sculpt/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace palpable::sculpt {
 namespace {
 
-/// How triangles meet at an edge or a corner.
-enum class Joint : std::uint8_t {
-  /// Two by two, all around.
-  closed,
-  /// Some end on the middle of another's edge; nothing is open.
-  seam,
-  /// On a rim.
-  open
-};
-
 /// An edge of a mesh with all its triangles.
 struct Edge {
   std::uint32_t from = 0, to = 0;
   /// Of the sum of its triangles' normals.
   Vec3 normal;
-  Joint joint = Joint::closed;
+  /// Whether its triangles are two, each on one side. On rims, and where triangles end on the middle of
+  /// another's edge, they are not.
+  bool closed = true;
 };
 
 /// A mesh's edges, and which of them each triangle has: 0-1, 1-2, 2-0.
@@ -60,10 +51,8 @@ Edges edges_of(const Mesh& mesh, const std::vector<Vec3>& faces) {
   Edges edges;
   edges.of_triangle.resize(mesh.triangles.size());
   for (std::size_t i = 0; i < uses.size();) {
-    Edge edge{static_cast<std::uint32_t>(uses[i].ends >> 32U),
-              static_cast<std::uint32_t>(uses[i].ends),
-              {},
-              Joint::closed};
+    Edge edge{
+        static_cast<std::uint32_t>(uses[i].ends >> 32U), static_cast<std::uint32_t>(uses[i].ends), {}, true};
     const std::size_t first = i;
     int balance = 0;
     for (; i < uses.size() && uses[i].ends == uses[first].ends; ++i) {
@@ -71,8 +60,7 @@ Edges edges_of(const Mesh& mesh, const std::vector<Vec3>& faces) {
       edge.normal += faces[uses[i].triangle];
       balance += uses[i].upwards ? 1 : -1;
     }
-    if (i - first != 2) edge.joint = Joint::seam;
-    if (balance != 0) edge.joint = Joint::open;
+    edge.closed = i - first == 2 && balance == 0;
     edges.all.push_back(edge);
   }
   return edges;
@@ -88,19 +76,10 @@ std::vector<Vec3> face_normals(const Mesh& mesh) {
   return faces;
 }
 
-/// The edges of a mesh that do not close, as triangles without an area.
-Mesh rims_of(const Mesh& mesh) {
-  Mesh rims;
-  rims.vertices_m = mesh.vertices_m;
-  for (const Edge& edge : edges_of(mesh, face_normals(mesh)).all)
-    if (edge.joint == Joint::open) rims.triangles.push_back({edge.from, edge.to, edge.to});
-  return rims;
-}
-
 /// For each part of each triangle, what is needed to tell the side of a place that is nearest to it.
 class Joints {
  public:
-  Joints(const Mesh& surface, const std::optional<TriangleTree>& rims, double touching_m)
+  explicit Joints(const Mesh& surface)
       : triangles_(surface.triangles),
         faces_(face_normals(surface)),
         edges_(edges_of(surface, faces_)),
@@ -111,28 +90,20 @@ class Joints {
         const Vec3 a = unit(vertex(k + 1) - vertex(k)), b = unit(vertex(k + 2) - vertex(k));
         corners_[triangles_[t][k]].normal += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * faces_[t];
       }
-    for (Edge& edge : edges_.all) {
-      if (edge.joint == Joint::closed) continue;
-      const Vec3 middle = 0.5 * (surface.vertices_m[edge.from] + surface.vertices_m[edge.to]);
-      // An edge of the surface may be without a partner because it was cut: open is only what was so before.
-      const bool open =
-          rims && rims->any_within(middle, touching_m, std::numeric_limits<std::uint32_t>::max());
-      edge.joint = open ? Joint::open : Joint::seam;
-      for (const std::uint32_t end : {edge.from, edge.to})
-        corners_[end].joint = std::max(corners_[end].joint, edge.joint);
-    }
+    for (const Edge& edge : edges_.all)
+      if (!edge.closed) corners_[edge.from].closed = corners_[edge.to].closed = false;
   }
 
   struct At {
     Vec3 normal;
-    Joint joint = Joint::closed;
+    bool closed = true;
   };
   At at(std::uint32_t triangle, TrianglePart part) const {
-    if (part == TrianglePart::face) return {faces_[triangle], Joint::closed};
+    if (part == TrianglePart::face) return {faces_[triangle], true};
     if (part <= TrianglePart::edge_20) {
       const auto side = static_cast<std::size_t>(part) - static_cast<std::size_t>(TrianglePart::edge_01);
       const Edge& edge = edges_.all[edges_.of_triangle[triangle][side]];
-      return {edge.normal, edge.joint};
+      return {edge.normal, edge.closed};
     }
     const auto corner = static_cast<std::size_t>(part) - static_cast<std::size_t>(TrianglePart::corner_0);
     return corners_[triangles_[triangle][corner]];
@@ -148,20 +119,23 @@ class Joints {
 
 class MeshDistance final : public DistanceSource {
  public:
-  MeshDistance(const Mesh& surface, const std::optional<TriangleTree>& rims,
-               std::optional<TriangleTree> whole, double touching_m)
-      : tree_(surface),
-        joints_(surface, rims, touching_m),
-        whole_(std::move(whole)),
-        bounds_(bounds_of(surface)),
-        touching_m_(touching_m) {}
+  MeshDistance(const Mesh& surface, const Mesh& whole)
+      : tree_(surface), joints_(surface), whole_(whole), bounds_(bounds_of(surface)) {
+    const Box box = bounds_of(whole);
+    // Files keep single precision: what touches there may be apart by its last digit.
+    touching_m_ = 2e-7 * norm(box.most_m - box.least_m);
+  }
 
   models::FieldSample at(Vec3 p, Hint& hint) const override {
-    const NearestTriangle near = tree_.nearest(p, hint.triangle);
+    const NearestTriangle near = nearest_in_ball(tree_, p, hint);
     const models::FieldSample sample = sample_at(p, near, hint);
-    hint = {near.triangle, p, sample.distance_m};
+    remember(near, p, sample.distance_m, hint);
     return sample;
   }
+  void enter(Vec3 centre_m, double radius_m, Hint& hint) const override {
+    enter_ball(tree_, centre_m, radius_m, hint);
+  }
+  void leave(Hint& hint) const override { --hint.entered; }
   Box bounds() const override { return bounds_; }
 
  private:
@@ -171,32 +145,26 @@ class MeshDistance final : public DistanceSource {
     if (near.part == TrianglePart::face) return {dot(way, there.normal), there.normal};
     const double distance = std::sqrt(near.squared_distance_m2);
     if (distance <= touching_m_) return {0.0, joints_.face(near.triangle)};
-    const double sign = is_inside(p, way, near, there, hint) ? -1.0 : 1.0;
+    const double sign = is_inside(p, way, there, hint) ? -1.0 : 1.0;
     return {sign * distance, (sign / distance) * way};
   }
 
-  bool is_inside(Vec3 p, Vec3 way, const NearestTriangle& near, const Joints::At& there,
-                 const Hint& hint) const {
-    if (there.joint == Joint::closed) return dot(way, there.normal) < 0.0;
+  bool is_inside(Vec3 p, Vec3 way, const Joints::At& there, const Hint& hint) const {
+    // The nearest place is known to a few parts in ten thousand: hardly turned, a normal tells nothing.
+    constexpr double kTelling = 0.1;
+    const double height = dot(way, there.normal);
+    if (there.closed &&
+        height * height > kTelling * kTelling * squared_norm(way) * squared_norm(there.normal))
+      return height < 0.0;
     // As the last place, if that is nearer than any surface.
     if (squared_norm(p - hint.place_m) < 0.99 * hint.distance_m * hint.distance_m)
       return hint.distance_m < 0.0;
-    if (there.joint == Joint::open) return whole_->winding(p) > 0.5;
-    // Seen from the nearest point, all triangles there are a right angle or more from p. The nearest in
-    // angle, with nothing between, is the one whose plane is farthest.
-    const Vec3 reach{touching_m_, touching_m_, touching_m_};
-    double height = 0.0;
-    tree_.visit_box(near.point_m - reach, near.point_m + reach, [&](std::uint32_t t) {
-      if (!tree_.reaches(t, near.point_m, touching_m_)) return;
-      const double here = dot(way, joints_.face(t));
-      if (std::abs(here) > std::abs(height)) height = here;
-    });
-    return height < 0.0;
+    return whole_.winding(p) > 0.5;
   }
 
   TriangleTree tree_;
   Joints joints_;
-  std::optional<TriangleTree> whole_;
+  TriangleTree whole_;
   Box bounds_;
   double touching_m_ = 0.0;
 };
@@ -204,13 +172,7 @@ class MeshDistance final : public DistanceSource {
 }  // namespace
 
 std::unique_ptr<DistanceSource> mesh_distance(const Mesh& surface, const Mesh& whole) {
-  const Box box = bounds_of(whole);
-  // Files keep single precision: what touches there may be apart by its last digit.
-  const double touching_m = 2e-7 * norm(box.most_m - box.least_m);
-  const Mesh rims = rims_of(whole);
-  if (rims.triangles.empty())
-    return std::make_unique<MeshDistance>(surface, std::nullopt, std::nullopt, touching_m);
-  return std::make_unique<MeshDistance>(surface, TriangleTree(rims), TriangleTree(whole), touching_m);
+  return std::make_unique<MeshDistance>(surface, whole);
 }
 
 }  // namespace palpable::sculpt

@@ -11,9 +11,8 @@ namespace palpable::sculpt {
 
 /// The distance to a mesh's triangles (at least one, all with an area, facing outwards): of an edge or a
 /// corner whose triangles close up, the side is told by their normals (angle-weighted pseudo-normals,
-/// Baerentzen & Aanaes 2005); of one where corners stand on other triangles' edges, by the triangle there
-/// that faces most towards or away; on the rims that `whole` leaves open, by its winding number. `whole` is
-/// the mesh that the surface was taken from.
+/// Baerentzen & Aanaes 2005); where they do not (rims; corners that stand on other triangles' edges), or
+/// hardly tell, by the winding number of `whole`, the mesh that the surface was taken from.
 std::unique_ptr<DistanceSource> mesh_distance(const Mesh& surface, const Mesh& whole);
 
 }  // namespace palpable::sculpt

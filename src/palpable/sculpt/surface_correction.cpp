@@ -2,40 +2,60 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/surface_correction.hpp"
 
+#include "palpable/sculpt/box.hpp"
 #include "palpable/sculpt/point_index.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <queue>
+#include <span>
 #include <utility>
 
 namespace palpable::sculpt {
-namespace {
 
-/// Normals and neighbours of a closed mesh's vertices.
-struct Samples {
+struct SampleNetwork {
+  struct Way {
+    std::uint32_t to = 0;
+    double length_m = 0.0;
+  };
   std::vector<Vec3> normals;
-  std::vector<std::vector<std::uint32_t>> neighbours;
+  /// Sample i's neighbours are ways[begin[i]] ... ways[begin[i + 1] - 1].
+  std::vector<std::uint32_t> begin;
+  std::vector<Way> ways;
+
+  std::span<const Way> from(std::uint32_t i) const {
+    return {ways.data() + begin[i], begin[i + 1] - begin[i]};
+  }
 };
 
-Samples samples_of(const Mesh& mesh) {
-  Samples s;
-  s.normals.resize(mesh.vertices_m.size());
-  s.neighbours.resize(mesh.vertices_m.size());
+namespace {
+
+SampleNetwork network_of(const Mesh& mesh) {
+  SampleNetwork n;
+  n.normals.resize(mesh.vertices_m.size());
+  n.begin.resize(mesh.vertices_m.size() + 1);
   for (const auto& t : mesh.triangles) {
     const Vec3 a = mesh.vertices_m[t[0]];
     const Vec3 twice = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
-    for (std::size_t k = 0; k < 3; ++k) {
-      s.normals[t[k]] += twice;
+    for (const std::uint32_t i : t) {
+      n.normals[i] += twice;
       // Each edge of a closed mesh runs once in each direction.
-      s.neighbours[t[k]].push_back(t[(k + 1) % 3]);
+      ++n.begin[i + 1];
     }
   }
-  for (Vec3& n : s.normals) n = unit(n);
-  return s;
+  for (Vec3& normal : n.normals) normal = unit(normal);
+  for (std::size_t i = 1; i < n.begin.size(); ++i) n.begin[i] += n.begin[i - 1];
+  n.ways.resize(3 * mesh.triangles.size());
+  std::vector<std::uint32_t> next(n.begin.begin(), n.begin.end() - 1);
+  for (const auto& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      n.ways[next[a]++] = {b, norm(mesh.vertices_m[b] - mesh.vertices_m[a])};
+    }
+  return n;
 }
 
 /// Where the line p + t d meets a triangle (Moller & Trumbore 1997), its borders included.
@@ -55,19 +75,29 @@ std::optional<double> meets(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
 }
 
 /// For each sample the shortest way along its normal to the measured surface, if there is one.
-std::vector<std::optional<double>> ways_to(const Mesh& measured, const Mesh& predicted,
-                                           const Samples& samples, double reach_m) {
-  std::vector<std::optional<double>> ways(predicted.vertices_m.size());
-  const PointIndex index(predicted.vertices_m, reach_m);
+std::vector<std::optional<double>> ways_to(const Mesh& measured, const CorrectedSurface& surface,
+                                           double reach_m) {
+  const std::vector<Vec3>& samples = surface.predicted.vertices_m;
+  std::vector<std::optional<double>> ways(samples.size());
   const Vec3 beyond{reach_m, reach_m, reach_m};
+  const Box whole = bounds_of(measured);
+  // A measured surface is a small part: only samples near it are sorted.
+  std::vector<std::uint32_t> near;
+  std::vector<Vec3> places;
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    const Vec3 low = samples[i] - whole.least_m + beyond, high = whole.most_m + beyond - samples[i];
+    if (std::min({low.x, low.y, low.z, high.x, high.y, high.z}) < 0.0) continue;
+    near.push_back(i);
+    places.push_back(samples[i]);
+  }
+  const PointIndex index(places, reach_m);
   for (const auto& t : measured.triangles) {
-    const Vec3 a = measured.vertices_m[t[0]];
-    const Vec3 b = measured.vertices_m[t[1]];
-    const Vec3 c = measured.vertices_m[t[2]];
-    const Vec3 least{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-    const Vec3 most{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
-    index.in_box(least - beyond, most + beyond, [&](std::uint32_t i) {
-      const auto way = meets(predicted.vertices_m[i], samples.normals[i], a, b, c);
+    const std::array<Vec3, 3> c{measured.vertices_m[t[0]], measured.vertices_m[t[1]],
+                                measured.vertices_m[t[2]]};
+    const Box box = bounds_of(std::span(c));
+    index.in_box(box.least_m - beyond, box.most_m + beyond, [&](std::uint32_t k) {
+      const std::uint32_t i = near[k];
+      const auto way = meets(samples[i], surface.network->normals[i], c[0], c[1], c[2]);
       if (!way || std::abs(*way) > reach_m) return;
       if (!ways[i] || std::abs(*way) < std::abs(*ways[i])) ways[i] = way;
     });
@@ -80,47 +110,50 @@ std::vector<std::optional<double>> ways_to(const Mesh& measured, const Mesh& pre
 /// say, exact on a sphere.
 class Geodesic {
  public:
-  Geodesic(const Mesh& mesh, const Samples& samples)
-      : mesh_(mesh), samples_(samples), walked_(mesh.vertices_m.size(), kFar) {}
+  explicit Geodesic(const CorrectedSurface& surface)
+      : places_m_(surface.predicted.vertices_m),
+        network_(*surface.network),
+        walked_(places_m_.size(), kFar) {}
 
+  /// Calls visit(sample) for those that may be within the radius: distance_m() tells.
   template <class Visit>
   void around(std::uint32_t from, double radius_m, Visit&& visit) {
     constexpr double kZigzag = 1.25;
-    using Step = std::pair<double, std::uint32_t>;
-    std::priority_queue<Step, std::vector<Step>, std::greater<>> open;
-    std::vector<std::uint32_t> seen;
     const auto reach = [&](std::uint32_t i, double walked) {
       if (walked >= walked_[i] || walked > kZigzag * radius_m) return;
-      if (walked_[i] == kFar) seen.push_back(i);
+      if (walked_[i] == kFar) seen_.push_back(i);
       walked_[i] = walked;
-      open.push({walked, i});
+      open_.push_back({i, walked});
     };
     reach(from, 0.0);
-    while (!open.empty()) {
-      const auto [walked, i] = open.top();
-      open.pop();
-      if (walked > walked_[i]) continue;
-      for (const std::uint32_t next : samples_.neighbours[i])
-        reach(next, walked + norm(mesh_.vertices_m[next] - mesh_.vertices_m[i]));
+    // Edges are about as long as each other: few are walked twice, first come first served.
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      const SampleNetwork::Way here = open_[k];
+      if (here.length_m > walked_[here.to]) continue;
+      for (const SampleNetwork::Way& way : network_.from(here.to))
+        reach(way.to, here.length_m + way.length_m);
     }
-    for (const std::uint32_t i : seen) {
-      const double distance = arc(from, i);
-      if (distance < radius_m) visit(i, distance);
+    for (const std::uint32_t i : seen_) {
+      if (squared_norm(places_m_[from] - places_m_[i]) < radius_m * radius_m) visit(i);
       walked_[i] = kFar;
     }
+    seen_.clear();
+    open_.clear();
   }
 
- private:
-  double arc(std::uint32_t a, std::uint32_t b) const {
-    const double chord = norm(mesh_.vertices_m[a] - mesh_.vertices_m[b]);
-    const double half_sine = 0.5 * norm(samples_.normals[a] - samples_.normals[b]);
+  double distance_m(std::uint32_t a, std::uint32_t b) const {
+    const double chord = norm(places_m_[a] - places_m_[b]);
+    const double half_sine = 0.5 * norm(network_.normals[a] - network_.normals[b]);
     return half_sine > 1e-6 ? chord * std::asin(std::min(half_sine, 1.0)) / half_sine : chord;
   }
 
+ private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
-  const Mesh& mesh_;
-  const Samples& samples_;
+  const std::vector<Vec3>& places_m_;
+  const SampleNetwork& network_;
   std::vector<double> walked_;
+  std::vector<std::uint32_t> seen_;
+  std::vector<SampleNetwork::Way> open_;
 };
 
 Result<void> check(const Mesh& measured, const CorrectionOptions& options) {
@@ -141,8 +174,10 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
   Vec3 sum;
   double weights = 0.0;
   double nearest = delta_m;
-  geodesic.around(y, delta_m, [&](std::uint32_t x, double distance_m) {
+  geodesic.around(y, delta_m, [&](std::uint32_t x) {
     if (!s.measured[x]) return;
+    const double distance_m = geodesic.distance_m(x, y);
+    if (distance_m >= delta_m) return;
     const double w = (delta_m - distance_m) / (delta_m * distance_m);
     sum += w * w * s.translations_m[x];
     weights += w * w;
@@ -150,7 +185,7 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
   });
   if (weights == 0.0) return {};
   const double u = nearest / delta_m;
-  return (1.0 - u * u * (3.0 - 2.0 * u)) / weights * sum;
+  return (1.0 - u * u * u * (10.0 - u * (15.0 - 6.0 * u))) / weights * sum;
 }
 
 }  // namespace
@@ -162,12 +197,16 @@ Mesh CorrectedSurface::adapted() const {
 }
 
 Mesh CorrectedSurface::changed() const {
-  std::vector<bool> is_moved(predicted.vertices_m.size());
-  for (const Moved& m : moved) is_moved[m.sample] = true;
+  // What moved, and two rings around it: its triangles, and those with a corner in common.
+  std::vector<bool> is_near(predicted.vertices_m.size());
+  for (const Moved& m : moved) {
+    is_near[m.sample] = true;
+    for (const SampleNetwork::Way& way : network->from(m.sample)) is_near[way.to] = true;
+  }
   Mesh now;
   std::vector<std::uint32_t> place(predicted.vertices_m.size(), std::numeric_limits<std::uint32_t>::max());
   for (auto t : predicted.triangles) {
-    if (std::none_of(t.begin(), t.end(), [&](std::uint32_t i) { return is_moved[i]; })) continue;
+    if (std::none_of(t.begin(), t.end(), [&](std::uint32_t i) { return is_near[i]; })) continue;
     for (std::uint32_t& i : t) {
       if (place[i] == std::numeric_limits<std::uint32_t>::max()) {
         place[i] = static_cast<std::uint32_t>(now.vertices_m.size());
@@ -197,6 +236,7 @@ Result<CorrectedSurface> predicted_surface(Mesh mesh) {
   CorrectedSurface s;
   s.translations_m.resize(mesh.vertices_m.size());
   s.measured.resize(mesh.vertices_m.size());
+  s.network = std::make_shared<const SampleNetwork>(network_of(mesh));
   s.predicted = std::move(mesh);
   return s;
 }
@@ -205,9 +245,9 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
                                          const CorrectionOptions& options, const Work& work) {
   if (auto sound = check(measured, options); !sound) return std::move(sound).error();
   s.moved.clear();
-  const Samples samples = samples_of(s.predicted);
+  const SampleNetwork& network = *s.network;
   work.report(0.1, "meeting the measured surface");
-  const auto ways = ways_to(measured, s.predicted, samples, options.reach_m);
+  const auto ways = ways_to(measured, s, options.reach_m);
   const auto move_to = [&](std::size_t i, Vec3 translation) {
     if (s.translations_m[i] == translation) return;
     s.moved.push_back({static_cast<std::uint32_t>(i), s.translations_m[i]});
@@ -217,25 +257,37 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
   for (std::uint32_t i = 0; i < ways.size(); ++i) {
     if (!ways[i]) continue;
     s.measured[i] = true;
-    move_to(i, *ways[i] * samples.normals[i]);
+    move_to(i, *ways[i] * network.normals[i]);
     pulled.push_back(i);
   }
   if (work.cancelled()) return Work::interrupted();
   work.report(0.5, "following around it");
-  Geodesic geodesic(s.predicted, samples);
-  std::vector<bool> follows(s.measured.size());
   // What follows is reached from what was pulled across its border: samples with a neighbour that was not.
   const auto at_border = [&](std::uint32_t i) {
-    const auto& around = samples.neighbours[i];
-    return std::any_of(around.begin(), around.end(), [&](std::uint32_t n) { return !ways[n]; });
+    const auto around = network.from(i);
+    return std::any_of(around.begin(), around.end(), [&](const auto& way) { return !ways[way.to]; });
   };
   std::erase_if(pulled, [&](std::uint32_t i) { return !at_border(i); });
-  for (const std::uint32_t i : pulled)
-    geodesic.around(i, options.transition_m, [&](std::uint32_t y, double) {
-      if (!s.measured[y]) follows[y] = true;
-    });
-  for (std::uint32_t y = 0; y < follows.size(); ++y)
-    if (follows[y]) move_to(y, transition(y, s, geodesic, options.transition_m));
+  std::vector<std::uint32_t> follows;
+  {
+    Geodesic geodesic(s);
+    std::vector<bool> known = s.measured;
+    for (const std::uint32_t i : pulled)
+      geodesic.around(i, options.transition_m, [&](std::uint32_t y) {
+        if (known[y] || geodesic.distance_m(i, y) >= options.transition_m) return;
+        known[y] = true;
+        follows.push_back(y);
+      });
+  }
+  std::sort(follows.begin(), follows.end());
+  std::vector<Vec3> translations(follows.size());
+  constexpr int kGrain = 64;
+  parallel_for(work, static_cast<int>(follows.size()), kGrain, [&](int begin, int end) {
+    Geodesic geodesic(s);
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
+      translations[k] = transition(follows[k], s, geodesic, options.transition_m);
+  });
+  for (std::size_t k = 0; k < follows.size(); ++k) move_to(follows[k], translations[k]);
   if (work.cancelled()) return Work::interrupted();
   return s;
 }

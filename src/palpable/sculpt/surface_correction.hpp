@@ -7,6 +7,7 @@
 #include "palpable/core/work.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -19,10 +20,15 @@ struct CorrectionOptions {
   double transition_m = 0.005;
 };
 
+/// How a predicted surface's samples lie to each other: found once, for all corrections.
+struct SampleNetwork;
+
 /// A predicted surface on its way to what was measured.
 struct CorrectedSurface {
   /// As predicted, closed; a sample a vertex.
   Mesh predicted;
+  /// Of `predicted`; never null.
+  std::shared_ptr<const SampleNetwork> network;
   /// Where each sample goes. 0 where nothing was measured near.
   std::vector<Vec3> translations_m;
   /// Whether a sample is of the set W: pulled onto the measured surface itself.
@@ -36,8 +42,9 @@ struct CorrectedSurface {
 
   /// The surface as it stands.
   Mesh adapted() const;
-  /// The triangles that the last correction changed, as they were and as they are: only where one of them is
-  /// the nearest does a field need another look. Empty where nothing changed.
+  /// The triangles that the last correction changed, as they were and as they are, with those that share a
+  /// corner with them, whose normals turned: only where one of them is the nearest does a field need another
+  /// look. Empty where nothing changed.
   Mesh changed() const;
 };
 
@@ -48,8 +55,9 @@ Result<CorrectedSurface> predicted_surface(Mesh mesh);
 /// whose normal meets the measured surface, outside or inside, move onto it (W); samples within the
 /// transition's geodesic distance of W follow by eq. 2 with its weights corrected,
 ///   t(y) = phi(min GD / delta) sum w_i t_i / sum w_i,  w_i = ((delta - GD_i)+ / (delta GD_i))^2,
-///   phi(s) = 1 - 3 s^2 + 2 s^3,
-/// so that the surface has neither step nor crease through the transition. Correcting again with more data
+///   phi(s) = 1 - 10 s^3 + 15 s^4 - 6 s^5,
+/// so that the surface has neither step nor crease through the transition, nor a jump of its curvature, which
+/// would show between samples. Correcting again with more data
 /// keeps what was measured before (a later measurement of the same sample replaces it) and recomputes
 /// translations only within the transition of the samples that changed. Errors: usage for options out of
 /// range, invalid_input for a measured mesh that names vertices it does not have or holds NaN, interrupted.

@@ -20,13 +20,6 @@ constexpr std::size_t kStack = 80;
 Vec3 smaller(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 larger(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
 
-double squared_distance(Vec3 p, Vec3 low, Vec3 high) {
-  const double x = std::max({low.x - p.x, 0.0, p.x - high.x});
-  const double y = std::max({low.y - p.y, 0.0, p.y - high.y});
-  const double z = std::max({low.z - p.z, 0.0, p.z - high.z});
-  return x * x + y * y + z * z;
-}
-
 /// The solid angle of a triangle seen from p (van Oosterom & Strackee 1983).
 double solid_angle(Vec3 p, const std::array<Vec3, 3>& t) {
   const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
@@ -114,28 +107,99 @@ TriangleTree::TriangleTree(const Mesh& mesh) {
   }
   corners_ = std::move(sorted);
   dipoles_.resize(nodes_.size());
-  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
-    dipoles_[i] = dipole_of(i);
-    add_slab(nodes_[i], dipoles_[i]);
+  // Children come after their parents.
+  for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > 0;) bound(i);
+  origin_m_ = 0.5 * (nodes_[0].low + nodes_[0].high);
+  lane_of_.assign(nodes_.size(), kNone);
+  gather(0);
+}
+
+std::uint32_t TriangleTree::gather(std::uint32_t at) {
+  const auto four = static_cast<std::uint32_t>(fours_.size());
+  fours_.emplace_back();
+  std::array<std::uint32_t, FourBoxes::kCount> members{};
+  std::size_t count = 0;
+  const auto add_parts = [&](std::uint32_t node, auto&& add) {
+    if (nodes_[node].right == 0) return add(node);
+    add(node + 1);
+    add(nodes_[node].right);
+  };
+  const auto add_one = [&](std::uint32_t node) { members[count++] = node; };
+  add_parts(at, [&](std::uint32_t child) { child == at ? add_one(child) : add_parts(child, add_one); });
+  fours_[four].node.fill(kNone);
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    const std::uint32_t node = members[lane];
+    fours_[four].node[lane] = node;
+    lane_of_[node] = static_cast<std::uint32_t>(FourBoxes::kCount * four + lane);
+    put_into_four(node);
+    const std::uint32_t below = nodes_[node].right == 0 ? kNone : gather(node);
+    fours_[four].below[lane] = below;
   }
+  return four;
 }
 
-void TriangleTree::add_slab(Node& node, const Dipole& dipole) const {
-  node.normal = unit(dipole.area_m2);
-  node.slab_low = std::numeric_limits<double>::infinity();
-  node.slab_high = -node.slab_low;
+OrientedBox TriangleTree::oriented_box(const Node& node, Vec3 area_m2) const {
+  OrientedBox box;
+  box.axes = {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}};
+  const Vec3 low = node.low - origin_m_, high = node.high - origin_m_;
+  box.low = {low.x, low.y, low.z};
+  box.high = {high.x, high.y, high.z};
+  constexpr std::uint32_t kFew = 1024;
+  const double size = norm(area_m2);
+  if (node.count > kFew || !(size > 0.0)) return box;
+  const Vec3 n = area_m2 / size;
+  const Vec3 least = std::abs(n.x) <= std::min(std::abs(n.y), std::abs(n.z)) ? box.axes[0]
+                     : std::abs(n.y) <= std::abs(n.z)                        ? box.axes[1]
+                                                                             : box.axes[2];
+  const Vec3 across = unit(cross(n, least));
+  box.axes = {n, across, cross(n, across)};
+  box.low.fill(std::numeric_limits<double>::infinity());
+  box.high.fill(-std::numeric_limits<double>::infinity());
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-    for (const Vec3 corner : corners_[i]) {
-      const double along = dot(node.normal, corner);
-      node.slab_low = std::min(node.slab_low, along);
-      node.slab_high = std::max(node.slab_high, along);
-    }
+    for (const Vec3 corner : corners_[i])
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double along = dot(box.axes[axis], corner - origin_m_);
+        box.low[axis] = std::min(box.low[axis], along);
+        box.high[axis] = std::max(box.high[axis], along);
+      }
+  return box;
 }
 
-double TriangleTree::squared_distance(Vec3 p, const Node& node) {
-  const double along = dot(node.normal, p);
-  const double beyond = std::max({node.slab_low - along, along - node.slab_high, 0.0});
-  return std::max(beyond * beyond, palpable::sculpt::squared_distance(p, node.low, node.high));
+void TriangleTree::put_into_four(std::uint32_t at) {
+  const std::uint32_t lane = lane_of_[at];
+  if (lane == kNone) return;
+  // Rounding of a coordinate, of the place asked for, and of the sums: a few last digits.
+  const double slack = 1e-6 * norm(larger(nodes_[0].high - origin_m_, origin_m_ - nodes_[0].low));
+  fours_[lane / FourBoxes::kCount].boxes.set(lane % FourBoxes::kCount,
+                                             oriented_box(nodes_[at], dipoles_[at].area_m2), slack);
+}
+
+void TriangleTree::move(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+  std::vector<std::uint32_t> places;
+  places.reserve(triangles.size());
+  for (const std::uint32_t i : triangles) {
+    const auto& t = mesh.triangles[i];
+    corners_[place_[i]] = {mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]};
+    places.push_back(place_[i]);
+  }
+  std::sort(places.begin(), places.end());
+  if (!places.empty()) bound_over(0, places);
+}
+
+void TriangleTree::bound_over(std::uint32_t at, std::span<const std::uint32_t> places) {
+  if (const std::uint32_t right = nodes_[at].right; right != 0) {
+    const auto middle = static_cast<std::size_t>(
+        std::lower_bound(places.begin(), places.end(), nodes_[right].first) - places.begin());
+    if (middle > 0) bound_over(at + 1, places.first(middle));
+    if (middle < places.size()) bound_over(right, places.subspan(middle));
+  }
+  bound(at);
+  put_into_four(at);
+}
+
+void TriangleTree::bound(std::uint32_t at) {
+  bound_box(at);
+  bound_dipole(at);
 }
 
 std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t count,
@@ -144,20 +208,13 @@ std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t count,
   Node node;
   node.first = first;
   node.count = count;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  node.low = {kFar, kFar, kFar};
-  node.high = {-kFar, -kFar, -kFar};
-  Vec3 low = node.low, high = node.high;
+  nodes_.push_back(node);
+  if (count <= kLeafTriangles) return at;
+  Vec3 low = centres[order_[first]], high = low;
   for (std::uint32_t i = first; i < first + count; ++i) {
-    for (const Vec3 corner : corners_[order_[i]]) {
-      node.low = smaller(node.low, corner);
-      node.high = larger(node.high, corner);
-    }
     low = smaller(low, centres[order_[i]]);
     high = larger(high, centres[order_[i]]);
   }
-  nodes_.push_back(node);
-  if (count <= kLeafTriangles) return at;
   const Vec3 size = high - low;
   const auto key = [&](std::uint32_t t) {
     const Vec3 c = centres[t];
@@ -172,84 +229,190 @@ std::uint32_t TriangleTree::build(std::uint32_t first, std::uint32_t count,
   return at;
 }
 
-TriangleTree::Dipole TriangleTree::dipole_of(std::uint32_t node) const {
-  Dipole dipole;
-  double area_m2 = 0.0;
-  const Node& n = nodes_[node];
-  for (std::uint32_t i = n.first; i < n.first + n.count; ++i) {
-    const Corners& c = corners_[i];
-    const Vec3 area = 0.5 * cross(c[1] - c[0], c[2] - c[0]);
-    const double size = norm(area);
-    dipole.area_m2 += area;
-    dipole.centre_m += (size / 3.0) * (c[0] + c[1] + c[2]);
-    area_m2 += size;
+void TriangleTree::bound_box(std::uint32_t at) {
+  Node& node = nodes_[at];
+  if (node.right != 0) {
+    node.low = smaller(nodes_[at + 1].low, nodes_[node.right].low);
+    node.high = larger(nodes_[at + 1].high, nodes_[node.right].high);
+    return;
   }
-  dipole.centre_m = area_m2 > 0.0 ? dipole.centre_m / area_m2 : (n.low + n.high) / 2.0;
+  node.low = node.high = corners_[node.first][0];
+  for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+    for (const Vec3 corner : corners_[i]) {
+      node.low = smaller(node.low, corner);
+      node.high = larger(node.high, corner);
+    }
+}
+
+void TriangleTree::bound_dipole(std::uint32_t at) {
+  const Node& n = nodes_[at];
+  Dipole dipole;
+  const auto add = [&](Vec3 area_m2, double size_m2, Vec3 centre_m) {
+    dipole.area_m2 += area_m2;
+    dipole.size_m2 += size_m2;
+    dipole.centre_m += size_m2 * centre_m;
+  };
+  if (n.right != 0) {
+    for (const std::uint32_t child : {at + 1, n.right})
+      add(dipoles_[child].area_m2, dipoles_[child].size_m2, dipoles_[child].centre_m);
+  } else {
+    for (std::uint32_t i = n.first; i < n.first + n.count; ++i) {
+      const Corners& c = corners_[i];
+      const Vec3 area = 0.5 * cross(c[1] - c[0], c[2] - c[0]);
+      add(area, norm(area), (c[0] + c[1] + c[2]) / 3.0);
+    }
+  }
+  dipole.centre_m = dipole.size_m2 > 0.0 ? dipole.centre_m / dipole.size_m2 : (n.low + n.high) / 2.0;
   dipole.radius_m = norm(larger(n.high - dipole.centre_m, dipole.centre_m - n.low));
-  return dipole;
+  dipoles_[at] = dipole;
+}
+
+NearestTriangle TriangleTree::measured(Vec3 p, std::uint32_t place) const {
+  const Corners& c = corners_[place];
+  NearestTriangle found = nearest_on_triangle(p, c[0], c[1], c[2]);
+  found.triangle = order_[place];
+  return found;
+}
+
+void TriangleTree::try_leaf(Vec3 p, std::uint32_t node, NearestTriangle& best) const {
+  const std::uint32_t end = nodes_[node].first + nodes_[node].count;
+  for (std::uint32_t i = nodes_[node].first; i < end; ++i) {
+    const NearestTriangle found = measured(p, i);
+    if (found.squared_distance_m2 < best.squared_distance_m2) best = found;
+  }
 }
 
 NearestTriangle TriangleTree::nearest(Vec3 p, std::uint32_t guess) const {
-  const auto measure = [&](std::uint32_t i) {
-    NearestTriangle found = nearest_on_triangle(p, corners_[i][0], corners_[i][1], corners_[i][2]);
-    found.triangle = order_[i];
-    return found;
-  };
-  NearestTriangle best = measure(place_[guess]);
-  constexpr double kShare = (1.0 - kNearestSlack) * (1.0 - kNearestSlack);
+  NearestTriangle best = measured(p, place_[guess]);
+  const std::array<float, 3> place = from_origin(p);
   struct Entry {
-    std::uint32_t node;
-    double squared;
+    std::uint32_t node, below;
+    float squared;
   };
-  std::array<Entry, kStack> stack;
+  std::array<Entry, FourBoxes::kCount * kStack> stack;
   std::size_t size = 0;
-  stack[size++] = {0, squared_distance(p, nodes_[0])};
+  stack[size++] = {0, 0, 0.0F};
   while (size > 0) {
     const Entry entry = stack[--size];
-    if (entry.squared >= kShare * best.squared_distance_m2) continue;
-    const Node& node = nodes_[entry.node];
-    if (node.right == 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        const NearestTriangle found = measure(i);
-        if (found.squared_distance_m2 < best.squared_distance_m2) best = found;
-      }
+    if (static_cast<double>(entry.squared) >= kShare * best.squared_distance_m2) continue;
+    if (entry.below == kNone) {
+      try_leaf(p, entry.node, best);
       continue;
     }
-    Entry near{entry.node + 1, squared_distance(p, nodes_[entry.node + 1])};
-    Entry far{node.right, squared_distance(p, nodes_[node.right])};
-    if (far.squared < near.squared) std::swap(near, far);
-    if (far.squared < kShare * best.squared_distance_m2) stack[size++] = far;
-    if (near.squared < kShare * best.squared_distance_m2) stack[size++] = near;
+    const Four& four = fours_[entry.below];
+    const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+    // The nearest comes last, and is looked at first.
+    const std::size_t first = size;
+    for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane) {
+      if (!(static_cast<double>(squared[lane]) < kShare * best.squared_distance_m2)) continue;
+      std::size_t at = size++;
+      for (; at > first && stack[at - 1].squared < squared[lane]; --at) stack[at] = stack[at - 1];
+      stack[at] = {four.node[lane], four.below[lane], squared[lane]};
+    }
   }
   return best;
 }
 
+NearestTriangle TriangleTree::nearest(Vec3 p, std::uint32_t guess, const TriangleShortlist& among) const {
+  if (among.is_whole) return nearest(p, guess);
+  NearestTriangle best = measured(p, place_[guess]);
+  const std::array<float, 3> place = from_origin(p);
+  const double off_centre_m = norm(p - among.centre_m);
+  for (const TriangleShortlist::Four& four : among.fours) {
+    const double least_m = four.from_m - off_centre_m;
+    if (least_m > 0.0 && least_m * least_m > best.squared_distance_m2) break;
+    const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+    for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane)
+      if (static_cast<double>(squared[lane]) < kShare * best.squared_distance_m2)
+        try_leaf(p, four.node[lane], best);
+  }
+  return best;
+}
+
+void TriangleTree::list_near(Vec3 centre, double radius_m, std::uint32_t guess,
+                             const TriangleShortlist* within, TriangleShortlist& list) const {
+  list.centre_m = centre;
+  list.fours.clear();
+  const bool listed = within != nullptr && !within->is_whole;
+  const NearestTriangle near = listed ? nearest(centre, guess, *within) : nearest(centre, guess);
+  const double reach_m = (std::sqrt(near.squared_distance_m2) + 2.0 * radius_m) * (1.0 + 1e-6);
+  const auto reach2 = static_cast<float>(reach_m * reach_m);
+  const std::array<float, 3> place = from_origin(centre);
+  struct Found {
+    float squared;
+    std::uint32_t node;
+    const FourBoxes* boxes;
+    std::size_t lane;
+  };
+  std::array<Found, TriangleShortlist::kMost> found;
+  std::size_t count = 0;
+  list.is_whole = false;
+  const auto add = [&](const FourBoxes& boxes, std::size_t lane, std::uint32_t node, float squared) {
+    if (count < found.size())
+      found[count++] = {squared, node, &boxes, lane};
+    else
+      list.is_whole = true;
+  };
+  if (listed) {
+    for (const TriangleShortlist::Four& four : within->fours) {
+      const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+      for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane)
+        if (squared[lane] <= reach2) add(four.boxes, lane, four.node[lane], squared[lane]);
+    }
+  } else {
+    std::array<std::uint32_t, FourBoxes::kCount * kStack> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0 && !list.is_whole) {
+      const Four& four = fours_[stack[--size]];
+      const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+      for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane) {
+        if (!(squared[lane] <= reach2)) continue;
+        if (four.below[lane] == kNone)
+          add(four.boxes, lane, four.node[lane], squared[lane]);
+        else
+          stack[size++] = four.below[lane];
+      }
+    }
+  }
+  if (list.is_whole) return;
+  std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
+            [](const Found& a, const Found& b) {
+              return a.squared < b.squared || (a.squared == b.squared && a.node < b.node);
+            });
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t lane = i % FourBoxes::kCount;
+    if (lane == 0) {
+      list.fours.emplace_back();
+      list.fours.back().from_m = std::sqrt(static_cast<double>(found[i].squared)) * (1.0 - 1e-6);
+    }
+    list.fours.back().boxes.set(lane, *found[i].boxes, found[i].lane);
+    list.fours.back().node[lane] = found[i].node;
+  }
+}
+
 bool TriangleTree::any_within(Vec3 p, double radius_m, std::uint32_t except) const {
   const double radius2 = radius_m * radius_m;
-  std::array<std::uint32_t, kStack> stack;
+  const std::array<float, 3> place = from_origin(p);
+  std::array<std::uint32_t, FourBoxes::kCount * kStack> stack;
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
-    const std::uint32_t at = stack[--size];
-    const Node& node = nodes_[at];
-    if (squared_distance(p, node) > radius2) continue;
-    if (node.right != 0) {
-      stack[size++] = at + 1;
-      stack[size++] = node.right;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (order_[i] == except) continue;
-      const Corners& c = corners_[i];
-      if (nearest_on_triangle(p, c[0], c[1], c[2]).squared_distance_m2 <= radius2) return true;
+    const Four& four = fours_[stack[--size]];
+    const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+    for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane) {
+      if (static_cast<double>(squared[lane]) > radius2) continue;
+      if (four.below[lane] != kNone) {
+        stack[size++] = four.below[lane];
+        continue;
+      }
+      if (four.node[lane] == kNone) continue;
+      const Node& node = nodes_[four.node[lane]];
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        if (order_[i] != except && measured(p, i).squared_distance_m2 <= radius2) return true;
     }
   }
   return false;
-}
-
-bool TriangleTree::reaches(std::uint32_t triangle, Vec3 p, double radius_m) const {
-  const Corners& c = corners_[place_[triangle]];
-  return nearest_on_triangle(p, c[0], c[1], c[2]).squared_distance_m2 <= radius_m * radius_m;
 }
 
 double TriangleTree::winding(Vec3 p) const {

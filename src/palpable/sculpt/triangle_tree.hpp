@@ -4,6 +4,8 @@
 
 #include "palpable/core/mesh.hpp"
 #include "palpable/sculpt/box.hpp"
+#include "palpable/sculpt/four_boxes.hpp"
+#include "palpable/sculpt/triangle_shortlist.hpp"
 
 #include <array>
 #include <cstdint>
@@ -27,10 +29,16 @@ struct NearestTriangle {
 /// The point of one triangle nearest to `p` (Ericson 2005, 5.1.5).
 NearestTriangle nearest_on_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c);
 
-/// A bounding-volume tree over a mesh's triangles (at least one, all corners finite). Immutable; any thread.
+/// A bounding-volume tree over a mesh's triangles (at least one, all corners finite). Queries: any thread.
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
+
+  /// These triangles of the mesh went elsewhere: only what stands over them is bounded anew. The tree is
+  /// divided as before, so triangles that move far make it slower, never wrong. No query at the same time.
+  void move(const Mesh& mesh, std::span<const std::uint32_t> triangles);
+
+  Box bounds() const { return {nodes_[0].low, nodes_[0].high}; }
 
   static constexpr double kNearestSlack = 3e-4;
 
@@ -38,11 +46,15 @@ class TriangleTree {
   /// that. `guess`: a triangle that may be near (any valid index); it only saves time.
   NearestTriangle nearest(Vec3 p, std::uint32_t guess) const;
 
+  /// The same of a place in the ball that the list was made for.
+  NearestTriangle nearest(Vec3 p, std::uint32_t guess, const TriangleShortlist& among) const;
+
+  /// What may be nearest to the places of a ball. `within`: of a ball around it, or null.
+  void list_near(Vec3 centre, double radius_m, std::uint32_t guess, const TriangleShortlist* within,
+                 TriangleShortlist& list) const;
+
   /// Whether a triangle other than `except` comes within `radius_m` of `p`.
   bool any_within(Vec3 p, double radius_m, std::uint32_t except) const;
-
-  /// Whether the triangle comes within `radius_m` of `p`.
-  bool reaches(std::uint32_t triangle, Vec3 p, double radius_m) const;
 
   /// Calls visit(index) for every triangle whose own box meets this one.
   template <class Visit>
@@ -61,10 +73,6 @@ class TriangleTree {
  private:
   struct Node {
     Vec3 low, high;
-    /// The triangles lie between two planes across their mean normal: on curved surfaces far tighter than the
-    /// box, which lets a place that is nearly as far from everything (a sphere's middle) be answered.
-    Vec3 normal;
-    double slab_low = 0.0, slab_high = 0.0;
     /// Inner: the left child follows its parent, `right` is the other; a leaf: right == 0.
     std::uint32_t right = 0;
     std::uint32_t first = 0;
@@ -75,6 +83,8 @@ class TriangleTree {
     Vec3 area_m2;
     Vec3 centre_m;
     double radius_m = 0.0;
+    /// The triangles' own areas, summed.
+    double size_m2 = 0.0;
   };
   using Corners = std::array<Vec3, 3>;
 
@@ -97,13 +107,43 @@ class TriangleTree {
     }
   }
 
-  static double squared_distance(Vec3 p, const Node& node);
-  void add_slab(Node& node, const Dipole& dipole) const;
+  static constexpr double kShare = (1.0 - kNearestSlack) * (1.0 - kNearestSlack);
+  std::array<float, 3> from_origin(Vec3 p) const {
+    const Vec3 v = p - origin_m_;
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  }
+  NearestTriangle measured(Vec3 p, std::uint32_t place) const;
+  void try_leaf(Vec3 p, std::uint32_t node, NearestTriangle& best) const;
   std::uint32_t build(std::uint32_t first, std::uint32_t count, const std::vector<Vec3>& centres);
-  Dipole dipole_of(std::uint32_t node) const;
+  /// Box and dipole of a node whose children have theirs.
+  void bound(std::uint32_t at);
+  void bound_box(std::uint32_t at);
+  void bound_dipole(std::uint32_t at);
+  /// Joins a node's grandchildren, and all below them, into fours; returns the number of the first.
+  std::uint32_t gather(std::uint32_t at);
+  void put_into_four(std::uint32_t at);
+  /// Of few triangles: along their mean normal, for on curved surfaces that is far tighter than a box along
+  /// the scene's axes, and lets a place that is nearly as far from everything (a sphere's middle) be
+  /// answered.
+  OrientedBox oriented_box(const Node& node, Vec3 area_m2) const;
+  /// `places`: of corners_, sorted; all of them the node's.
+  void bound_over(std::uint32_t at, std::span<const std::uint32_t> places);
+
+  /// Two levels of the tree in one, for nearest().
+  struct Four {
+    FourBoxes boxes;
+    /// Their nodes, and below an inner one its own four.
+    std::array<std::uint32_t, FourBoxes::kCount> node, below;
+  };
+  static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
   std::vector<Node> nodes_;
   std::vector<Dipole> dipoles_;
+  std::vector<Four> fours_;
+  /// For each node its lane in fours_: 4 x which + lane, or kNone.
+  std::vector<std::uint32_t> lane_of_;
+  /// fours_ count from here.
+  Vec3 origin_m_;
   /// In the order of the leaves; order_ gives their index in the mesh and place_ the way back.
   std::vector<Corners> corners_;
   std::vector<std::uint32_t> order_;
