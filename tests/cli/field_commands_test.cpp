@@ -170,6 +170,7 @@ TEST_F(FieldCommands, BadSolidsAreRefusedInOneSentence) {
       {"size.json",
        R"({"primitives": [{"size_m": [1, -1, 1], "exponents": [1, 1], "position_m": [0, 0, 0]}]})"},
       {"none.json", R"({"primitives": []})"},
+      {"halfaxes.json", R"({"primitives": [{"exponents": [1, 1], "position_m": [0, 0, 0]}]})"},
       {"shape.json", R"({"primitives": 7})"},
       {"plane.ply",
        "ply\nformat ascii 1.0\nelement vertex 16\nproperty float x\nproperty float y\nproperty float z\n"
@@ -184,6 +185,7 @@ TEST_F(FieldCommands, BadSolidsAreRefusedInOneSentence) {
     EXPECT_EQ(outcome.exit_code, 3) << name << ": " << outcome.err;
     EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(name));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("exception"))) << name;
     EXPECT_FALSE(std::filesystem::exists(path("x.palp"))) << name;
   }
 }

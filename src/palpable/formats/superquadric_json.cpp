@@ -33,6 +33,8 @@ Json json_of(const models::Superquadric& s) {
 Result<models::Superquadric> superquadric_from(const Json& json) {
   if (json.value("type", "superquadric") != "superquadric")
     return invalid_input("only superquadrics are known as primitives");
+  for (const char* key : {"size_m", "exponents", "position_m"})
+    if (!json.contains(key)) return invalid_input(std::string("lacks ") + key);
   models::Superquadric s;
   s.size_m = vec3_from(json.at("size_m"));
   const auto exponents = json.at("exponents").get<std::array<double, 2>>();
@@ -68,8 +70,10 @@ Result<std::vector<models::Superquadric>> superquadrics_from(const Json& json) {
 Result<std::vector<models::Superquadric>> decode_superquadrics(std::span<const std::byte> file) {
   try {
     return superquadrics_from(Json::parse(as_text(file)));
-  } catch (const Json::exception& e) {
-    return invalid_input(std::string("is not a list of primitives: ") + e.what());
+  } catch (const Json::parse_error& e) {
+    return invalid_input("is no JSON from byte " + std::to_string(e.byte) + " on");
+  } catch (const Json::exception&) {
+    return invalid_input("is not a list of primitives: one of its values is missing or of another kind");
   }
 }
 
