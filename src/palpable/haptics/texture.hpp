@@ -56,8 +56,11 @@ class Textures {
 
   /// How much of a pattern a loop can carry when the hand moves so fast: all of it up to a quarter of a form
   /// a tick, nothing from half of one. Tick path.
-  static double carried(double speed_m_per_s, double dt_s, double pitch_m) noexcept {
-    return std::clamp(2.0 - kTicksAForm * speed_m_per_s * dt_s / pitch_m, 0.0, 1.0);
+  static double carried(Vec3 velocity_m_per_s, double dt_s, double pitch_m) noexcept {
+    // Most strokes are slow: they wait for no root.
+    const double reach2_m2 = kTicksAForm * kTicksAForm * dt_s * dt_s * squared_norm(velocity_m_per_s);
+    if (reach2_m2 <= pitch_m * pitch_m) return 1.0;
+    return std::max(0.0, 2.0 - std::sqrt(reach2_m2) / pitch_m);
   }
 
  private:

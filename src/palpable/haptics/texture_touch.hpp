@@ -72,16 +72,17 @@ template <class Laid>
 void add_texture(const Hand& hand, const models::TexturePattern* pattern, const TexturedPlace& at,
                  Laid&& laid, TextureTouch& state, Feel& feel) noexcept {
   constexpr double kEase_s = 0.010;
+  constexpr double kWhole = 1.0 - 1e-6;
   if (pattern == nullptr) {
     state.share = 0.0;
     return;
   }
   if (state.label != feel.label) state.share = 0.0;
   state.label = feel.label;
-  state.share += hand.dt_s / (hand.dt_s + kEase_s) * (1.0 - state.share);
+  if (state.share < kWhole) state.share += hand.dt_s / (hand.dt_s + kEase_s) * (1.0 - state.share);
   if (!(at.depth_m > 0.0)) return;
   const double share =
-      state.share * Textures::carried(norm(hand.velocity_m_per_s.v), hand.dt_s, pattern->pitch_m());
+      state.share * Textures::carried(hand.velocity_m_per_s.v, hand.dt_s, pattern->pitch_m());
   const TextureRise rise = laid(*pattern, at);
   const double k = share * at.stiffness_N_per_m;
   const double higher_N = std::max(k * rise.height_m, -dot(feel.force_N.v, at.normal));

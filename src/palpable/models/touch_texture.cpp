@@ -79,13 +79,21 @@ std::vector<double> pattern_of(TouchTexture::Kind kind) {
   return values;
 }
 
-/// `place` modulo the square's side, 0 <= . < kSide.
-double wrapped(double place) noexcept {
-  const double turns = place * (1.0 / kSide);
-  const double whole = static_cast<double>(static_cast<std::int64_t>(turns));
-  const double rest = (turns - whole) * kSide;
-  return rest < 0.0 ? rest + kSide : rest;
-}
+/// The control value before a place (in samples, within a thousand million), modulo the square's side, and
+/// how far beyond it the place lies, 0 ... 1.
+struct Wrapped {
+  explicit Wrapped(double place) noexcept {
+    // A whole number of squares further on, where places are positive: rounding down is then one conversion.
+    constexpr double kFarOn = 0x1p31;
+    static_assert((std::int64_t{1} << 31) % kSide == 0 && (kSide & (kSide - 1)) == 0);
+    const double positive = place + kFarOn;
+    const auto whole = static_cast<std::int64_t>(positive);
+    index = static_cast<std::size_t>(whole & (kSide - 1));
+    beyond = positive - static_cast<double>(whole);
+  }
+  std::size_t index;
+  double beyond;
+};
 
 }  // namespace
 
@@ -128,15 +136,10 @@ TexturePattern::TexturePattern(const TouchTexture& texture)
 }
 
 HeightSample TexturePattern::sample(double x_m, double y_m) const noexcept {
-  const double u = wrapped((cos_ * x_m + sin_ * y_m) * samples_per_m_);
-  const double v = wrapped((cos_ * y_m - sin_ * x_m) * samples_per_m_);
-  // Rounding may reach the side itself.
-  const int i = std::min(static_cast<int>(u), kSide - 1);
-  const int j = std::min(static_cast<int>(v), kSide - 1);
+  const Wrapped u((cos_ * x_m + sin_ * y_m) * samples_per_m_);
+  const Wrapped v((cos_ * y_m - sin_ * x_m) * samples_per_m_);
   const SplineLook look =
-      SplineBlock({values_.data() + static_cast<std::size_t>(j) * kStride + static_cast<std::size_t>(i),
-                   kStride, u - i, v - j})
-          .look();
+      SplineBlock({values_.data() + v.index * kStride + u.index, kStride, u.beyond, v.beyond}).look();
   const double du = look.right * samples_per_m_;
   const double dv = look.down * samples_per_m_;
   return {look.z, cos_ * du - sin_ * dv, sin_ * du + cos_ * dv};
