@@ -113,6 +113,42 @@ TEST_F(SolidCommands, DenseFieldsTooLargeAreRefusedWithTheSizeAndWhatFits) {
   EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
 }
 
+TEST_F(SolidCommands, DepthMapsFromSeveralPlacesBecomeOneSolid) {
+  // A wall at 0.3 m with a box of 60 mm before it, seen from the left and from the right.
+  const auto frame = [&](const std::string& name, double eye_m) {
+    Raster<std::uint16_t> depth(160, 120);
+    for (int y = 0; y < 120; ++y)
+      for (int x = 0; x < 160; ++x) {
+        const double right = (x - 79.5) / 200.0, down = (y - 59.5) / 200.0;
+        const bool box = std::abs(eye_m + 0.24 * right) < 0.03 && std::abs(0.24 * down) < 0.03;
+        depth(x, y) = static_cast<std::uint16_t>(box ? 2400 : 3000);
+      }
+    ASSERT_TRUE(formats::write_png(path(name), depth));
+  };
+  frame("f1.png", -0.02);
+  frame("f2.png", 0.02);
+  write_text(path("k.json"),
+             R"({"fx": 200, "fy": 200, "cx": 79.5, "cy": 59.5, "width": 160, "height": 120})");
+  write_text(path("poses.csv"), "frame,qw,qx,qy,qz,tx,ty,tz\n1,1,0,0,0,-0.02,0,0\n2,1,0,0,0,0.02,0,0\n");
+  const auto fuse = [&](const std::string& poses) {
+    return palpable({"make", path("f1.png"), path("f2.png"), "-o", path("out.palp"), "--kind", "depth",
+                     "--poses", path(poses), "--calibration", path("k.json"), "--depth-scale", "0.0001",
+                     "--resolution", "64"});
+  };
+  const Outcome outcome = fuse("poses.csv");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("2 depth maps were fused"));
+  // The poses' world is kept: z away from the cameras.
+  EXPECT_LT(distance_m("out.palp", "0,0,0.25"), -0.004);
+  EXPECT_GT(distance_m("out.palp", "0,0,0.23"), 0.004);
+  EXPECT_GT(distance_m("out.palp", "0.05,0,0.27"), 0.004);
+  std::filesystem::remove(path("out.palp"));
+  write_text(path("poses.csv"), "frame,qw,qx,qy,qz,tx,ty,tz\n1,1,0,0,0,0,0,0\n");
+  expect_refused(fuse("poses.csv"), "f2.png", "has no pose");
+  write_text(path("poses.csv"), "frame,qw,qx,qy,qz,tx,ty,tz\n1,2,0,0,0,0,0,0\n");
+  expect_refused(fuse("poses.csv"), "poses.csv", "no unit quaternion");
+}
+
 TEST_F(SolidCommands, FingersWithPadsAreTouchedWithForceAndTorque) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
   ASSERT_EQ(make("m.obj").exit_code, 0);

@@ -162,7 +162,11 @@ Result<Answer> info(const std::string& path) {
   std::visit([&](const auto& model) { add_model(answer, *model); }, scene.model);
   answer.text += fmt::format("  {:.1f} MB in memory, {:.1f} MB on disk\n", static_cast<double>(memory) / 1e6,
                              static_cast<double>(file->file_bytes) / 1e6);
-  if (!scene.source.inputs.empty())
+  constexpr std::size_t kMostNamed = 3;
+  if (scene.source.inputs.size() > kMostNamed)
+    answer.text += fmt::format("  from {} files, {} the first ({})\n", scene.source.inputs.size(),
+                               scene.source.inputs.front(), scene.source.method);
+  else if (!scene.source.inputs.empty())
     answer.text +=
         fmt::format("  from {} ({})\n", fmt::join(scene.source.inputs, " and "), scene.source.method);
   for (const models::Material& material : scene.materials)

@@ -75,6 +75,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
                  "Bound of the distance's error near the surface, mm; else 1/10000 of the longest side");
+  options.text("--poses", arguments.poses,
+               "Of several depth maps: where their cameras stood, CSV frame,qw,qx,qy,qz,tx,ty,tz");
   options.flag("--dense", arguments.dense,
                "Of a field: distances at every place of a lattice, to compare with");
   options.flag("--paper", arguments.paper,
@@ -135,6 +137,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
   if (arguments.threshold) options.contours.threshold = *arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;
+  options.poses = arguments.poses;
   options.field.resolution = arguments.resolution;
   if (arguments.dense) options.field_keeping = session::FieldKeeping::dense;
   if (arguments.paper) options.field_keeping = session::FieldKeeping::paper;

@@ -41,6 +41,7 @@ struct MakeArguments {
   int grid_points = 160;
   std::optional<double> max_error_mm;
   bool dense = false;
+  std::string poses;
   bool paper = false;
   std::string background = "keep";
   std::string texture = "left";

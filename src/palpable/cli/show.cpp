@@ -31,7 +31,12 @@ struct Arguments {
 draw::Heading heading_of(const Arguments& arguments, const models::Scene& scene, const std::string& what) {
   const Vec3 size = models::size_m(scene);
   std::string from;
-  for (const std::string& input : scene.source.inputs)
+  constexpr std::size_t kMostNamed = 3;
+  const auto& inputs = scene.source.inputs;
+  if (inputs.size() > kMostNamed)
+    from = fmt::format(", made from {} files, {} the first", inputs.size(),
+                       std::filesystem::path(inputs.front()).filename().string());
+  for (const std::string& input : inputs.size() > kMostNamed ? std::vector<std::string>{} : inputs)
     from += (from.empty() ? ", made from " : " and ") + std::filesystem::path(input).filename().string();
   return {fmt::format("{}: {}", std::filesystem::path(arguments.scene).stem().string(), what),
           fmt::format("{:.0f} × {:.0f} mm, {:.1f} mm high{}", 1000.0 * size.x, 1000.0 * size.y,

@@ -5,11 +5,13 @@
 #include "palpable/formats/superquadric_json.hpp"
 #include "palpable/formats/vdb.hpp"
 #include "palpable/models/relief_solid.hpp"
+#include "palpable/sculpt/cloud_normals.hpp"
 #include "palpable/sculpt/cloud_surface.hpp"
 #include "palpable/sculpt/dense_field_from_source.hpp"
 #include "palpable/sculpt/level_set_surface.hpp"
 #include "palpable/sculpt/mesh_solid.hpp"
 #include "palpable/sculpt/superquadric_source.hpp"
+#include "palpable/session/fuse_frames.hpp"
 #include "palpable/session/places.hpp"
 #include "palpable/sources/mesh_file.hpp"
 #include "palpable/sources/points_file.hpp"
@@ -38,6 +40,13 @@ Result<sculpt::Box> box_of(const Mesh& mesh) {
     }
   if (!box) return invalid_input("is a mesh without a finite triangle");
   return *box;
+}
+
+/// First the one, which neither scales nor moves, then the other.
+SceneFromInput then(const SceneFromInput& turn, const SceneFromInput& place) {
+  SceneFromInput both = place;
+  both.rotation = turn.rotation;
+  return both;
 }
 
 /// Into the box of that size, standing on z = 0.
@@ -132,22 +141,62 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const std::opti
   return solid;
 }
 
-Result<Solid> solid_from_level_set(const std::filesystem::path& file, const std::optional<Vec3>& size_m,
+/// From a contour of voxels, which tells its surface to `exact_to_m` of the input.
+Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const MakeOptions& options) {
+  const auto transform = place_mesh(surface, options.relief.size_m);
+  if (!transform) return transform.error();
+  const auto box = box_of(surface);
+  if (!box) return box.error();
+  if (const auto fits = check_size(*box, options); !fits) return fits.error();
+  auto distance = sculpt::solid_from_contour(surface);
+  if (!distance) return distance.error();
+  Solid solid;
+  solid.distance = std::move(*distance);
+  solid.scene_from_input = *transform;
+  solid.exact_to_m = transform->scale * exact_to_m;
+  return solid;
+}
+
+Result<Solid> solid_from_level_set(const std::filesystem::path& file, const MakeOptions& options,
                                    const Work& work) {
   const auto set = formats::read_vdb(file);
   if (!set) return set.error();
   auto surface = sculpt::surface_of_level_set(*set, work);
   if (!surface) return surface.error();
-  const auto transform = place_mesh(*surface, size_m);
-  if (!transform) return transform.error();
-  auto distance = sculpt::solid_from_contour(*surface);
-  if (!distance) return distance.error();
   // Between places of a grid an edge is lost by about so much.
   constexpr double kOfAVoxel = 0.1;
-  Solid solid;
-  solid.distance = std::move(*distance);
-  solid.scene_from_input = *transform;
-  solid.exact_to_m = kOfAVoxel * transform->scale * norm(set->steps_m[0]);
+  return solid_of_contour(std::move(*surface), kOfAVoxel * norm(set->steps_m[0]), options);
+}
+
+Result<Solid> solid_from_frames(const MakeOptions& options, const Work& work) {
+  auto fused = fused_surface(options, work);
+  if (!fused) return fused.error();
+  // The noise of depth cameras is no finer.
+  constexpr double kOfAVoxel = 0.5;
+  auto solid = solid_of_contour(std::move(fused->surface), kOfAVoxel * fused->voxel_m, options);
+  if (!solid) return at_place(solid.error(), options.inputs.front());
+  solid->scene_from_input = then(fused->scene_from_input, solid->scene_from_input);
+  solid->notes = std::move(fused->notes);
+  return solid;
+}
+
+Result<Solid> solid_from_points(const std::filesystem::path& file, const MakeOptions& options,
+                                const Work& work) {
+  auto cloud = sources::read_points(file);
+  if (!cloud) return cloud.error();
+  const bool estimated = cloud->normals.empty();
+  if (estimated) {
+    cloud = sculpt::with_normals(*std::move(cloud), work);
+    if (!cloud) return cloud.error();
+  }
+  auto surface = sculpt::surface_of_cloud(*cloud, {}, work);
+  if (!surface) return surface.error();
+  auto solid = solid_of(std::move(*surface), options.relief.size_m, options, work);
+  if (solid && estimated)
+    solid->notes.insert(solid->notes.begin(),
+                        "The points have no normals: they were estimated from their neighbours and turned "
+                        "outwards part by part, which may fail where a thing is thin or was seen from one "
+                        "side only.");
   return solid;
 }
 
@@ -161,13 +210,10 @@ Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& 
     return solid_of(std::move(*shapes), size_m);
   }
   if (input.kind == sources::InputKind::points) {
-    const auto cloud = sources::read_points(file);
-    if (!cloud) return cloud.error();
-    auto surface = sculpt::surface_of_cloud(*cloud, {}, work);
-    if (!surface) return surface.error();
-    return solid_of(std::move(*surface), size_m, options, work);
+    return solid_from_points(file, options, work);
   }
-  if (input.kind == sources::InputKind::level_set) return solid_from_level_set(file, size_m, work);
+  if (input.kind == sources::InputKind::level_set) return solid_from_level_set(file, options, work);
+  if (input.kind == sources::InputKind::depth) return solid_from_frames(options, work);
   auto mesh = sources::read_mesh(file);
   if (!mesh) return mesh.error();
   return solid_of(std::move(*mesh), size_m, options, work);
@@ -223,7 +269,7 @@ Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Inp
   models::Scene scene;
   scene.scene_from_input = solid->scene_from_input;
   scene.source.method = fmt::format("field of {}, {}", sources::name_of(input.kind), field->method);
-  scene.source.inputs = {file.string()};
+  for (const auto& name : input.files) scene.source.inputs.push_back(name.string());
   scene.source.made_by = options.made_by;
   scene.model = std::move(field->model);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(solid->notes)};

@@ -3,6 +3,7 @@
 #include "palpable/session/make_scene.hpp"
 
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/session/fuse_frames.hpp"
 #include "palpable/session/make_contours.hpp"
 #include "palpable/session/make_field.hpp"
 #include "palpable/session/places.hpp"
@@ -221,6 +222,14 @@ Error not_yet(const sources::Input& input) {
           names_of(input.files)};
 }
 
+/// Several depth maps of one scene become a field.
+Result<MadeScene> from_frames(const MakeOptions& options, const Work& work) {
+  if (options.as != MakeAs::field && options.as != MakeAs::by_input)
+    return Error{ErrorCode::usage, "several depth maps become a field and nothing else yet",
+                 names_of(options.inputs)};
+  return field_from_file(options, {sources::InputKind::depth, options.inputs, {}}, work);
+}
+
 bool is_available(vision::StereoMethod method) {
   const auto methods = vision::available_stereo_methods();
   return std::find(methods.begin(), methods.end(), method) != methods.end();
@@ -243,6 +252,7 @@ vision::StereoMethod default_method() {
 }
 
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
+  if (fuses_frames(options)) return from_frames(options, work);
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
   if (as_contours(options, *input)) return contours_from_picture(options, work);
@@ -272,6 +282,12 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
 }
 
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
+  if (fuses_frames(options)) {
+    auto made = from_frames(options, work);
+    if (!made) return made.error();
+    take(std::move(*made));
+    return {};
+  }
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
   if (input->kind != sources::InputKind::stereo || as_contours(options, *input)) {

@@ -68,6 +68,8 @@ struct MakeOptions {
   std::optional<vision::StereoMethod> method;
   /// 0 = found automatically.
   int max_disparity_px = 0;
+  /// Of several depth maps: where their cameras stood (session/fuse_frames.hpp); empty = all in one place.
+  std::filesystem::path poses;
   /// What is known of a depth file; what is not given is as its sidecar or the file itself says.
   sources::DepthSettings depth;
   /// How one picture holds a pair.
