@@ -45,6 +45,9 @@ Allowance allowance(double distance_m, double side, const FitBounds& b) {
   return a;
 }
 
+/// How far beside its true place a kink may lie, in finest cells.
+constexpr double kKinkInCells = 0.1;
+
 /// The errors of a leaf, place by place.
 class Judge {
  public:
@@ -71,10 +74,12 @@ class Judge {
     a.gradient_rms += 0.5 * samples_.coarse_turn;
     const double value = std::abs(s.distance_m - truth.distance_m);
     if (leaf.count > LeafHead::kCurvedWords + 1) {
-      // Where a kink is rounded, the rounding's own error is allowed, and the gradient turns.
+      // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink
+      // must be where it is in truth.
       const FieldSample sharp = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, 1e-3 * round_m_);
       if (std::abs(sharp.distance_m - s.distance_m) > 1e-3 * round_m_)
-        return value / std::max(a.value_m, 0.35 * bounds_.cell_m);
+        return std::abs(sharp.distance_m - truth.distance_m) /
+               std::max(a.value_m, kKinkInCells * bounds_.cell_m);
     }
     const double turned2 = squared_norm(s.gradient - truth.gradient);
     squares.value += value * value / (a.value_rms_m * a.value_rms_m);

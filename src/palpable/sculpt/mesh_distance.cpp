@@ -88,22 +88,20 @@ class Joints {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto vertex = [&](std::size_t i) { return surface.vertices_m[triangles_[t][i % 3]]; };
         const Vec3 a = unit(vertex(k + 1) - vertex(k)), b = unit(vertex(k + 2) - vertex(k));
-        corners_[triangles_[t][k]].normal += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * faces_[t];
+        corners_[triangles_[t][k]] += std::acos(std::clamp(dot(a, b), -1.0, 1.0)) * faces_[t];
       }
-    for (const Edge& edge : edges_.all)
-      if (!edge.closed) corners_[edge.from].closed = corners_[edge.to].closed = false;
+    all_closed_ = std::all_of(edges_.all.begin(), edges_.all.end(), [](const Edge& e) { return e.closed; });
   }
 
-  struct At {
-    Vec3 normal;
-    bool closed = true;
-  };
-  At at(std::uint32_t triangle, TrianglePart part) const {
-    if (part == TrianglePart::face) return {faces_[triangle], true};
+  /// Whether all edges close. Where some do not, bodies were cut along each other or touch, and even an edge
+  /// with its two triangles may lie on the middle of a third.
+  bool all_closed() const { return all_closed_; }
+  Vec3 at(std::uint32_t triangle, TrianglePart part) const {
+    if (part == TrianglePart::face) return faces_[triangle];
     if (part <= TrianglePart::edge_20) {
       const auto side = static_cast<std::size_t>(part) - static_cast<std::size_t>(TrianglePart::edge_01);
       const Edge& edge = edges_.all[edges_.of_triangle[triangle][side]];
-      return {edge.normal, edge.closed};
+      return edge.normal;
     }
     const auto corner = static_cast<std::size_t>(part) - static_cast<std::size_t>(TrianglePart::corner_0);
     return corners_[triangles_[triangle][corner]];
@@ -114,7 +112,8 @@ class Joints {
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<Vec3> faces_;
   Edges edges_;
-  std::vector<At> corners_;
+  std::vector<Vec3> corners_;
+  bool all_closed_ = true;
 };
 
 class MeshDistance final : public DistanceSource {
@@ -141,20 +140,20 @@ class MeshDistance final : public DistanceSource {
  private:
   models::FieldSample sample_at(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
     const Vec3 way = p - near.point_m;
-    const Joints::At there = joints_.at(near.triangle, near.part);
-    if (near.part == TrianglePart::face) return {dot(way, there.normal), there.normal};
+    const Vec3 there = joints_.at(near.triangle, near.part);
+    if (near.part == TrianglePart::face) return {dot(way, there), there};
     const double distance = std::sqrt(near.squared_distance_m2);
     if (distance <= touching_m_) return {0.0, joints_.face(near.triangle)};
     const double sign = is_inside(p, way, there, hint) ? -1.0 : 1.0;
     return {sign * distance, (sign / distance) * way};
   }
 
-  bool is_inside(Vec3 p, Vec3 way, const Joints::At& there, const Hint& hint) const {
+  bool is_inside(Vec3 p, Vec3 way, Vec3 there, const Hint& hint) const {
     // The nearest place is known to a few parts in ten thousand: hardly turned, a normal tells nothing.
     constexpr double kTelling = 0.1;
-    const double height = dot(way, there.normal);
-    if (there.closed &&
-        height * height > kTelling * kTelling * squared_norm(way) * squared_norm(there.normal))
+    const double height = dot(way, there);
+    if (joints_.all_closed() &&
+        height * height > kTelling * kTelling * squared_norm(way) * squared_norm(there))
       return height < 0.0;
     // As the last place, if that is nearer than any surface.
     if (squared_norm(p - hint.place_m) < 0.99 * hint.distance_m * hint.distance_m)
