@@ -57,6 +57,20 @@ Result<Benchmark> time_one(const models::Scene& scene, const haptics::LawParamet
   return benchmark;
 }
 
+/// Times laws with their defaults, one after the other.
+Result<void> time_laws(const models::Scene& scene, const std::vector<haptics::Law>& laws,
+                       const std::vector<haptics::PathSample>& path, std::vector<Benchmark>& benchmarks) {
+  for (const haptics::Law law : laws) {
+    haptics::LawParameters parameters;
+    parameters.law = law;
+    if (interrupted()) return Work::interrupted();
+    auto benchmark = time_one(scene, parameters, path);
+    if (!benchmark) return benchmark.error();
+    benchmarks.push_back(std::move(*benchmark));
+  }
+  return {};
+}
+
 /// Our own surface: hills, a ridge and a step of 100 x 75 mm, 640 x 480 samples, 15 mm high.
 Result<models::Scene> own_scene() {
   constexpr int kWidth = 640, kHeight = 480;
@@ -101,15 +115,7 @@ Result<void> add_field_set(std::vector<Benchmark>& benchmarks, const Work& work)
   const auto path = own_field_path(field.distance);
   benchmarks.push_back({fmt::format("field/value-gradient/{}", size_text(*scene)), path.size(),
                         time_samples(field.distance, path), field.distance.memory_bytes()});
-  for (const haptics::Law law : {haptics::Law::proxy, haptics::Law::penalty}) {
-    haptics::LawParameters parameters;
-    parameters.law = law;
-    if (interrupted()) return Work::interrupted();
-    auto benchmark = time_one(*scene, parameters, path);
-    if (!benchmark) return benchmark.error();
-    benchmarks.push_back(std::move(*benchmark));
-  }
-  return {};
+  return time_laws(*scene, {haptics::Law::proxy, haptics::Law::penalty}, path, benchmarks);
 }
 
 Result<std::vector<Benchmark>> own_set(const Work& work) {
@@ -117,14 +123,8 @@ Result<std::vector<Benchmark>> own_set(const Work& work) {
   if (!scene) return scene.error();
   const auto path = own_path(*scene);
   std::vector<Benchmark> benchmarks;
-  for (const haptics::Law law : haptics::laws_for(*scene)) {
-    haptics::LawParameters parameters;
-    parameters.law = law;
-    if (interrupted()) return Work::interrupted();
-    auto benchmark = time_one(*scene, parameters, path);
-    if (!benchmark) return benchmark.error();
-    benchmarks.push_back(std::move(*benchmark));
-  }
+  if (auto timed = time_laws(*scene, haptics::laws_for(*scene), path, benchmarks); !timed)
+    return timed.error();
   // What a fingertip meets on the page: a ball of 1 mm, friction and a texture.
   models::Scene textured = *scene;
   textured.materials.front().texture.kind = models::TouchTexture::Kind::grain;
