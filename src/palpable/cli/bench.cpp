@@ -153,7 +153,7 @@ Result<std::vector<Benchmark>> given_set(const Arguments& arguments) {
 Answer answer_of(const std::vector<Benchmark>& benchmarks) {
   Answer answer;
   answer.json["benchmarks"] = Json::array();
-  answer.text = fmt::format("{:32}{:>9}{:>10}{:>11}{:>9}{:>11}{:>10}\n", "", "ticks", "contact", "median ns",
+  answer.text = fmt::format("{:40}{:>9}{:>10}{:>11}{:>9}{:>11}{:>10}\n", "", "ticks", "contact", "median ns",
                             "p99 ns", "p99.9 ns", "max ns");
   for (const Benchmark& b : benchmarks) {
     const haptics::LatencySummary& l = b.times.latency;
@@ -165,7 +165,7 @@ Answer answer_of(const std::vector<Benchmark>& benchmarks) {
                                          {"p99_9_ns", l.p99_9_ns},
                                          {"max_ns", l.max_ns},
                                          {"memory_bytes", b.memory_bytes}});
-    answer.text += fmt::format("{:32}{:>9}{:>9.1f}%{:>11.1f}{:>9.1f}{:>11.1f}{:>10.0f}\n", b.name, b.ticks,
+    answer.text += fmt::format("{:40}{:>9}{:>9.1f}%{:>11.1f}{:>9.1f}{:>11.1f}{:>10.0f}\n", b.name, b.ticks,
                                100.0 * b.times.contact_fraction, l.p50_ns, l.p99_ns, l.p99_9_ns, l.max_ns);
   }
   return answer;
