@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The errors of a mesh's field beside its exact distance (docs/fields.md): a model of 100 mm at 512 cells,
 // from 3 mm inside to 1 mm outside. Objects of an OBJ file whose name ends with "_table" are left out.
-// With --dense first, the two dense ways to keep it too, with size, time of building and of a query.
+// Queries are timed warm along a path, and cold (x86 only). With --dense first, the two dense ways to keep it
+// too, with size, time of building and of a query.
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/scene_file.hpp"
 #include "palpable/models/scene.hpp"
@@ -157,6 +158,49 @@ double query_ns(const Distance& field) {
   return runs[runs.size() / 2];
 }
 
+#if defined(__x86_64__)
+/// One query at a time at random places near the surface, with the whole field put out of the processor's
+/// caches before each; what telling the time takes is taken off.
+void tell_cold(const models::DistanceField& field) {
+  constexpr int kQueries = 1500;
+  constexpr std::size_t kLine = 64;
+  const auto forget = [](const std::vector<std::uint32_t>& words) {
+    const auto* bytes = reinterpret_cast<const char*>(words.data());
+    for (std::size_t i = 0; i < sizeof(std::uint32_t) * words.size(); i += kLine)
+      __builtin_ia32_clflush(bytes + i);
+  };
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::vector<double> times_ns, nothing_ns;
+  double sum = 0.0;
+  while (times_ns.size() < kQueries) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 size = field.size_m();
+    const Vec3 p = field.origin_m() + Vec3{x * size.x, y * size.y, z * size.z};
+    if (std::abs(field.sample(p).distance_m) > 0.001) continue;
+    forget(field.tree().roots);
+    forget(field.tree().nodes);
+    forget(field.tree().words);
+    __builtin_ia32_mfence();
+    const auto before = Clock::now();
+    const auto begin = Clock::now();
+    const models::FieldSample s = field.sample(p);
+    sum += s.distance_m + s.gradient.x;
+    const auto end = Clock::now();
+    nothing_ns.push_back(1e9 * std::chrono::duration<double>(begin - before).count());
+    times_ns.push_back(1e9 * std::chrono::duration<double>(end - begin).count());
+  }
+  std::sort(times_ns.begin(), times_ns.end());
+  std::sort(nothing_ns.begin(), nothing_ns.end());
+  if (!std::isfinite(sum)) std::printf("a query is no number\n");
+  const auto at = [&](double share) {
+    return times_ns[static_cast<std::size_t>(share * (kQueries - 1))] - nothing_ns[nothing_ns.size() / 2];
+  };
+  std::printf("  cold, near the surface: median %.0f ns, 90 %% %.0f, 99 %% %.0f, most %.0f\n", at(0.5),
+              at(0.9), at(0.99), at(1.0));
+}
+#endif
+
 /// One way to keep the field: its size in memory and in a scene file, and how long it takes.
 template <models::DistanceSurface Distance>
 void tell(const char* name, Distance distance, double build_s, const sculpt::DistanceSource& source) {
@@ -190,6 +234,9 @@ int main(int argc, char** argv) {
     auto field = sculpt::field_from_source(*solid->distance, {}, {});
     if (!field) return 1;
     std::printf("%s: %zu triangles, %zu cells\n", argv[i], mesh->triangles.size(), field->leaves());
+#if defined(__x86_64__)
+    tell_cold(*field);
+#endif
     tell("adaptive", *std::move(field), seconds_since(begin), *solid->distance);
     if (!dense_too) continue;
     for (const auto content : {models::DenseContent::distance, models::DenseContent::distance_and_force}) {

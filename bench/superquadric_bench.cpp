@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <optional>
+#include <vector>
 
 namespace {
 
@@ -37,6 +39,52 @@ void measure(const char* name, const FitCaseOptions& options, const FitOptions& 
               100.0 * at_share(relative, 0.5), 100.0 * at_share(relative, 0.9));
 }
 
+/// How far fitted taper and bend are beside the true ones. A shape turned end over end, or with x and y
+/// changed, has another taper for the same surface: they are compared in the true shape's axes.
+struct ParameterErrors {
+  double taper = 0.0;
+  /// Of the whole body's bend, its curvature times its half length.
+  double bend = 0.0;
+};
+std::optional<ParameterErrors> parameter_errors(const models::Superquadric& fitted,
+                                                const models::Superquadric& truth) {
+  const auto axis = [&](Vec3 v) {
+    return truth.scene_from_shape.inverse().rotate(fitted.scene_from_shape.rotate(v));
+  };
+  const Vec3 x = axis({1.0, 0.0, 0.0}), y = axis({0.0, 1.0, 0.0}), z = axis({0.0, 0.0, 1.0});
+  // Bodies whose z is another axis are other descriptions altogether.
+  if (std::abs(z.z) < 0.9) return std::nullopt;
+  const double end = z.z > 0.0 ? 1.0 : -1.0;
+  const bool straight = std::abs(x.x) > std::abs(x.y);
+  const double taper_x = end * (straight ? fitted.taper_x : fitted.taper_y),
+               taper_y = end * (straight ? fitted.taper_y : fitted.taper_x);
+  const Vec3 fitted_bend =
+      fitted.bend_per_m * (std::cos(fitted.bend_angle_rad) * x + std::sin(fitted.bend_angle_rad) * y);
+  const Vec3 true_bend =
+      truth.bend_per_m * Vec3{std::cos(truth.bend_angle_rad), std::sin(truth.bend_angle_rad), 0.0};
+  return ParameterErrors{std::max(std::abs(taper_x - truth.taper_x), std::abs(taper_y - truth.taper_y)),
+                         truth.size_m.z * norm(fitted_bend - true_bend)};
+}
+
+void measure_parameters(const char* name, const FitCaseOptions& options, const FitOptions& fit, int cases) {
+  std::vector<double> taper, bend;
+  for (int k = 0; k < cases; ++k) {
+    const FitCase c = make_fit_case(static_cast<unsigned>(k + 1), options);
+    const auto fitted = fit_superquadric(c.points, c.view, fit);
+    if (!fitted) continue;
+    const auto errors = parameter_errors(fitted->shape, c.truth);
+    if (!errors) continue;
+    taper.push_back(errors->taper);
+    bend.push_back(errors->bend);
+  }
+  if (taper.empty()) return;
+  std::printf(
+      "%-32s taper off by %.4f / %.4f, bend over its length by %.4f / %.4f (%zu of %d with the same z "
+      "axis)\n",
+      name, at_share(taper, 0.5), at_share(taper, 0.9), at_share(bend, 0.5), at_share(bend, 0.9),
+      taper.size(), cases);
+}
+
 }  // namespace
 
 int main() {
@@ -62,5 +110,9 @@ int main() {
   measure("whole, tapered", options, {FitMethod::robust, FitDeformation::taper}, kCases);
   options.deformation = FitDeformation::taper_and_bend;
   measure("whole, tapered and bent", options, {FitMethod::robust, FitDeformation::taper_and_bend}, kCases);
+  measure_parameters("whole, tapered and bent", options, {FitMethod::robust, FitDeformation::taper_and_bend},
+                     kCases);
+  options.deformation = FitDeformation::taper;
+  measure_parameters("whole, tapered", options, {FitMethod::robust, FitDeformation::taper}, kCases);
   return 0;
 }
