@@ -74,13 +74,14 @@ Result<Seen> seen_by_pair(const MakeOptions& options, const std::filesystem::pat
   const auto pair = read_stereo_pair(
       {options.inputs, options.calibration, options.layout, options.align, options.moved_m}, work);
   if (!pair) return pair.error();
+  // Told before the pair is matched, which takes seconds.
+  if (!pair->pair.rig)
+    return invalid_input("is a pair of unknown cameras, whose depth has no metres: give --calibration",
+                         options.inputs.front().string());
   const auto match = vision::match_confirmed(pair->pair, options.method.value_or(default_method()),
                                              {options.max_disparity_px}, work);
   if (!match) return at_place(match.error(), options.inputs.front());
   const auto depth = depth_from_disparity(match->disparity);
-  if (!depth)
-    return invalid_input("is a pair of unknown cameras, whose depth has no metres: give --calibration",
-                         options.inputs.front().string());
   auto seen = seen_by(*depth, labels);
   if (!seen) return at_place(seen.error(), options.inputs.front());
   seen->notes = pair->notes;
