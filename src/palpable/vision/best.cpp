@@ -24,6 +24,9 @@ namespace {
 constexpr int kAloneRounds = 3;
 constexpr int kTogetherRounds = 3;
 constexpr int kLastRounds = 2;
+/// Of the regions of like colour, finer than what merge_regions() is used for elsewhere: a region should lie
+/// on one surface, or on two.
+constexpr double kRegionComplexity = 128.0;
 /// The nearest of the far end that a hidden surface may lie at: this fraction of what is seen lies further.
 constexpr double kFurthestSeen = 0.005;
 constexpr float kFurthestMargin_px = 1.0F;
@@ -31,6 +34,7 @@ constexpr float kFurthestMargin_px = 1.0F;
 /// All that is known of one view; the right one is kept mirrored, so that both are matched alike.
 struct View {
   MatchView picture;
+  Regions regions;
   CostVolume costs;
   PlaneMap start;
   PlaneMap map;
@@ -86,6 +90,12 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   View right;
   left.picture = match_view(input.left, input.left_grey, work);
   right.picture = match_view(mirrored(input.right), mirrored(input.right_grey), work);
+  parallel_for(work, 2, 1, [&](int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      if (k == 0) left.regions = merge_regions(input.left, kRegionComplexity);
+      if (k == 1) right.regions = merge_regions(mirrored(input.right), kRegionComplexity);
+    }
+  });
   left.costs = right.costs = CostVolume(w, h, input.disparities);
   const Raster<float> everything(w, h, 1.0F);
   {
@@ -104,7 +114,7 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   PlaneCandidates candidates(w, h);
   int round = 0;
   const auto search = [&](View& view, const OtherView& other, const Raster<float>& trust) {
-    propose_planes(view.picture.colour, view.map, view.start, trust, round, candidates, work);
+    propose_planes(view.picture.colour, view.map, view.start, trust, view.regions, round, candidates, work);
     plane_costs(view.costs, other, candidates, work);
     choose_planes(view.picture.colour, candidates, view.map, work);
   };

@@ -42,9 +42,6 @@ class Draws {
  public:
   explicit Draws(std::uint32_t start) : state_(start) {}
   int up_to(int largest) { return 1 + static_cast<int>(next() % static_cast<std::uint32_t>(largest)); }
-  int within(int largest) {
-    return static_cast<int>(next() % static_cast<std::uint32_t>(2 * largest + 1)) - largest;
-  }
   float unit() { return static_cast<float>(static_cast<int>(next() % 2001U) - 1000) / 1000.0F; }
 
  private:
@@ -257,13 +254,15 @@ PlaneCandidates::PlaneCandidates(int width_, int height_) : width(width_), heigh
 }
 
 void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const PlaneMap& start,
-                    const Raster<float>& trust, int round, PlaneCandidates& out, const Work& work) {
+                    const Raster<float>& trust, const Regions& regions, int round, PlaneCandidates& out,
+                    const Work& work) {
   // Far neighbours by turns nearer and further, so that a plane crosses large untextured areas in few rounds.
   constexpr std::array kReach_px{2, 6, 14, 4, 20, 9, 3, 30};
   const int reach = kReach_px[static_cast<std::size_t>(round) % kReach_px.size()];
   const float change = std::max(0.06F, 0.5F * std::pow(0.6F, static_cast<float>(round)));
   const PlaneMap fine = fit_planes(colour, map, trust, {3, 1}, work);
   const PlaneMap broad = fit_planes(colour, map, trust, {12, 3}, work);
+  const RegionPlanes of_region = planes_of_regions(regions, fine, trust, work);
   parallel_for(work, out.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < out.width; ++x) {
@@ -282,9 +281,8 @@ void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const Plane
           candidates.add_from(*from, x, y - away);
           candidates.add_from(*from, x, y + away);
         }
-        const int vertical = draws.up_to(reach);
-        candidates.add_from(broad, x + draws.within(reach), y - vertical);
-        candidates.add_from(broad, x + draws.within(reach), y + vertical);
+        for (const RegionPlane& plane : of_region[static_cast<std::size_t>(regions.of_pixel(x, y))])
+          candidates.add(plane.at(x, y), plane.slope_x, plane.slope_y);
         const float shift = draws.unit();
         candidates.add(fine.disparity(x, y) + shift * change, fine.slope_x(x, y), fine.slope_y(x, y));
         const float shift_2 = 0.5F * draws.unit();

@@ -4,6 +4,7 @@
 
 #include "palpable/vision/cost_volume.hpp"
 #include "palpable/vision/planes.hpp"
+#include "palpable/vision/region_planes.hpp"
 
 #include <array>
 #include <vector>
@@ -11,10 +12,10 @@
 namespace palpable::vision {
 
 /// A semi-global search over slanted planes: each pixel has a handful of candidate planes, drawn from its own
-/// plane, planes fitted around it, its neighbours' and small changes; eight path sweeps (Hirschmueller 2008)
-/// carry a smoothness that costs nothing along a plane: |f_p(q) - f_q(q)| + |f_p(p) - f_q(p)| (the curvature
-/// of Olsson, Ulen & Boykov 2013), truncated, and weaker across colour edges. The cheapest candidate becomes
-/// the pixel's plane, and the next round draws anew from there.
+/// plane, planes fitted around it, its neighbours', its region's and small changes; eight path sweeps
+/// (Hirschmueller 2008) carry a smoothness that costs nothing along a plane: |f_p(q) - f_q(q)| + |f_p(p) -
+/// f_q(p)| (the curvature of Olsson, Ulen & Boykov 2013), truncated, and weaker across colour edges. The
+/// cheapest candidate becomes the pixel's plane, and the next round draws anew from there.
 struct PlaneCandidates {
   static constexpr int kCount = 16;
   int width = 0;
@@ -48,9 +49,10 @@ inline constexpr float kHiddenCost = 1.2F;
 /// rising.
 float matching_cost_at(const CostVolume& volume, int x, int y, float disparity);
 
-/// Fills the candidates' planes for round `round` (0, 1, …) of the search.
+/// Fills the candidates' planes for round `round` (0, 1, …) of the search. `regions`: of like colour.
 void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const PlaneMap& start,
-                    const Raster<float>& trust, int round, PlaneCandidates& out, const Work& work);
+                    const Raster<float>& trust, const Regions& regions, int round, PlaneCandidates& out,
+                    const Work& work);
 
 /// Sets the candidates' own costs from the volume, between its disparities by a cubic. With another view, a
 /// candidate that lies behind the other view's surface is hidden there and costs a constant; one that lies

@@ -147,10 +147,11 @@ TEST(PlaneSearch, FindsASlantFromAFlatStart) {
     }
   const ColourPlanes colour = moved_texture(0, 0.0).colour;
   const Raster<float> all(kWidth, kHeight, 1.0F);
+  const Regions whole{Raster<std::int32_t>(kWidth, kHeight, 0), {kWidth * kHeight}};
   PlaneCandidates candidates(kWidth, kHeight);
   PlaneMap map = start;
   for (int round = 0; round < 4; ++round) {
-    propose_planes(colour, map, start, all, round, candidates, {});
+    propose_planes(colour, map, start, all, whole, round, candidates, {});
     plane_costs(costs, {}, candidates, {});
     choose_planes(colour, candidates, map, {});
   }
