@@ -3,17 +3,23 @@
 #include "palpable/formats/field_streams.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 
-// The bytes are a field's streams, each with its length before it in two bytes, as they are behind zstd and
-// the archive's checksums. What can be read answers everywhere with a number, and comes back the same.
+// The first byte chooses a grid; the others are a field's streams, each with its length before it in two
+// bytes, as they are behind zstd and the archive's checksums. What can be read answers everywhere with a
+// number, and comes back the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable;
-  const models::FieldGrid grid{{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}};
+  if (size == 0) return 0;
+  constexpr std::array<models::FieldGrid, 2> kGrids{
+      models::FieldGrid{{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}},
+      models::FieldGrid{{0.0, 0.0, 0.0}, 0.00125, 0, {20, 20, 20}}};
+  const models::FieldGrid& grid = kGrids[data[0] % kGrids.size()];
   formats::FieldStreams streams;
-  std::size_t at = 0;
+  std::size_t at = 1;
   for (auto& stream : streams.bytes) {
     if (size - at < 2) break;
     const std::size_t length = std::min(data[at] | (std::size_t{data[at + 1]} << 8U), size - at - 2);

@@ -2,11 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/zstd_frame.hpp"
 
+#include <algorithm>
 #include <cstdlib>
+#include <span>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using palpable::formats::Bytes;
+
+/// An archive whose every member that the description names holds `content`, packed, with its checksums.
+Bytes archive_of(std::span<const std::byte> description, std::span<const std::byte> content) {
+  using namespace palpable;
+  constexpr int kLevel = 1;
+  formats::ZipMembers members{{"scene.json", Bytes(description.begin(), description.end())}};
+  const auto frame = formats::zstd_frame(content, kLevel);
+  const auto json = nlohmann::json::parse(as_text(description), nullptr, false);
+  const auto add = [&](const nlohmann::json& name) {
+    if (frame && name.is_string() && name != "scene.json") members[name.get<std::string>()] = *frame;
+  };
+  if (json.is_object() && json.contains("model") && json["model"].is_object())
+    for (const auto& value : json["model"]) {
+      add(value);
+      if (value.is_structured())
+        for (const auto& part : value) add(part);
+    }
+  const auto archive = formats::zip(members);
+  return archive ? *archive : Bytes();
+}
+
+}  // namespace
 
 // The bytes are tried as a whole file, and as the scene.json of an archive whose checksums are right, so that
-// the parser behind the checksums is met too. A scene that can be read can be written.
+// the parser behind the checksums is met too; and as a description with what its members hold unpacked. A
+// scene that can be read can be written.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable::formats;
   const auto file = std::as_bytes(std::span(data, size));
@@ -14,5 +47,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (scene && !encode_scene(scene->scene, scene->others)) std::abort();
   const auto archive = zip({{"scene.json", Bytes(file.begin(), file.end())}});
   if (archive) static_cast<void>(decode_scene(*archive));
+  if (size < 2) return 0;
+  // Behind the length of the description, in two bytes, and the description: what the model's members hold.
+  const std::size_t length = std::min(data[0] | (std::size_t{data[1]} << 8U), size - 2);
+  const auto packed = archive_of(file.subspan(2, length), file.subspan(2 + length));
+  const auto unpacked = decode_scene(packed);
+  if (unpacked && !encode_scene(unpacked->scene, unpacked->others)) std::abort();
   return 0;
 }

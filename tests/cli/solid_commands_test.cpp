@@ -149,6 +149,44 @@ TEST_F(SolidCommands, DepthMapsFromSeveralPlacesBecomeOneSolid) {
   expect_refused(fuse("poses.csv"), "poses.csv", "no unit quaternion");
 }
 
+TEST_F(SolidCommands, TheEgocentricViewTurnsWithItsExplorer) {
+  write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
+  ASSERT_EQ(make("m.obj").exit_code, 0);
+  // The explorer stands right of the box and faces it: ahead is left, and the wall pushes back.
+  write_text(path("walk.csv"), "t_s,x_m,y_m,heading_deg\n0,0.1,0,0\n0.01,0.05,0,90\n");
+  std::string steps = "t_s,x_m,y_m,z_m\n";
+  for (int i = 0; i <= 100; ++i)
+    steps += std::to_string(0.011 + 0.001 * i) + ",0," + std::to_string(0.022 + 0.0001 * i) + ",0\n";
+  write_text(path("path.csv"), steps);
+  const auto probe = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{
+        "probe",   path("out.palp"), "--path", path("path.csv"), "-o",  path("f.csv"), "--law",
+        "penalty", "--damping",      "0",      "--stiffness",    "1000"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return palpable(arguments).exit_code;
+  };
+  ASSERT_EQ(probe({"--view", "egocentric", "--walk", path("walk.csv")}), 0);
+  const std::string forces = read_text(path("f.csv"));
+  std::istringstream last(forces.substr(forces.rfind('\n', forces.size() - 2) + 1));
+  std::vector<double> numbers;
+  for (std::string field; std::getline(last, field, ',') && numbers.size() < 7;)
+    numbers.push_back(std::stod(field));
+  EXPECT_NEAR(numbers[2], 0.032, 1e-12);
+  EXPECT_NEAR(numbers[4], 0.0, 0.01);
+  EXPECT_NEAR(numbers[5], -2.0, 0.05);
+  EXPECT_NEAR(numbers[6], 0.0, 0.01);
+  EXPECT_EQ(probe({"--walk", path("walk.csv")}), 2);
+  // Live, recorded and said.
+  const Outcome touched = palpable({"touch", path("out.palp"), "--headless", "--seconds", "0.2", "--view",
+                                    "egocentric", "--walk", path("walk.csv"), "--record", path("t.rec")});
+  EXPECT_EQ(touched.exit_code, 0) << touched.err;
+  EXPECT_THAT(touched.err, HasSubstr("facing left"));
+  EXPECT_THAT(read_text(path("t.rec")), HasSubstr("\"translation_m\":[0.05,0.0,"));
+  EXPECT_EQ(palpable({"touch", path("out.palp"), "--view", "egocentric"}).exit_code, 2);
+  write_text(path("walk.csv"), "t_s,x_m,y_m,heading_deg\n1,0,0,0\n1,0,0,0\n");
+  EXPECT_EQ(probe({"--view", "egocentric", "--walk", path("walk.csv")}), 3);
+}
+
 TEST_F(SolidCommands, FingersWithPadsAreTouchedWithForceAndTorque) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
   ASSERT_EQ(make("m.obj").exit_code, 0);

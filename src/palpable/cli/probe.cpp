@@ -3,6 +3,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/tool_options.hpp"
+#include "palpable/cli/view_options.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
 #include "palpable/formats/scene_file.hpp"
@@ -18,6 +19,7 @@ namespace {
 struct Arguments {
   std::string scene, path, output, tool;
   LawArguments law;
+  ViewArguments view;
 };
 
 bool has_extent(const Arguments& arguments) { return !arguments.tool.empty() && arguments.tool != "point"; }
@@ -27,6 +29,37 @@ void append_fields(std::string& row, std::initializer_list<double> values) {
     row += ',';
     append_number(row, value);
   }
+}
+
+using Walk = std::vector<session::WalkStep>;
+
+/// Where a pose that is told in the explorer's frame stands in the scene.
+haptics::ToolPose in_scene(haptics::ToolPose pose, const Walk& walk) {
+  if (walk.empty()) return pose;
+  const auto& told = pose.scene_from_tool;
+  const Transform<session::ExplorerFrame, haptics::ToolFrame> explorer_from_tool{told.rotation,
+                                                                                 told.translation_m, 1.0};
+  pose.scene_from_tool =
+      session::scene_from_explorer(session::stance_at(walk, pose.t_s)) * explorer_from_tool;
+  return pose;
+}
+
+/// And back: the pose, and what is felt there, as the explorer tells them.
+haptics::ToolPose in_view(haptics::ToolPose pose, const Walk& walk) {
+  if (walk.empty()) return pose;
+  const auto told =
+      session::scene_from_explorer(session::stance_at(walk, pose.t_s)).inverse() * pose.scene_from_tool;
+  pose.scene_from_tool = {told.rotation, told.translation_m, 1.0};
+  return pose;
+}
+
+haptics::ToolFeel in_view(haptics::ToolFeel feel, double t_s, const Walk& walk) {
+  if (walk.empty()) return feel;
+  const auto explorer_from_scene = session::scene_from_explorer(session::stance_at(walk, t_s)).inverse();
+  feel.force_N.v = rotate_force(explorer_from_scene, feel.force_N).v;
+  feel.torque_Nm.v = rotate_force(explorer_from_scene, feel.torque_Nm).v;
+  feel.proxy.v = (explorer_from_scene * feel.proxy).v;
+  return feel;
 }
 
 void append_row(std::string& csv, const ToolPath& path, const Arguments& arguments,
@@ -53,8 +86,11 @@ Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
   const models::Scene& scene = file->scene;
   const auto tool = tool_from(arguments.tool);
   if (!tool) return tool.error();
-  const auto path = read_tool_path(arguments.path);
+  auto path = read_tool_path(arguments.path);
   if (!path) return path.error();
+  const auto walk = walk_from(arguments.view);
+  if (!walk) return walk.error();
+  for (haptics::ToolPose& pose : path->poses) pose = in_scene(pose, *walk);
   const auto parameters = law_parameters(arguments.law, scene);
   if (!parameters) return parameters.error();
   const auto touchable = haptics::make_touchable(scene, *parameters);
@@ -67,14 +103,14 @@ Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
   std::size_t contacts = 0;
   double strongest_N = 0.0, strongest_Nm = 0.0;
   std::set<int> probes;
-  haptics::probe_tools(**touchable, *tool, path->poses,
-                       [&](const haptics::ToolPose& pose, const haptics::ToolFeel& feel) {
-                         append_row(csv, *path, arguments, pose, feel);
-                         contacts += feel.contact ? 1 : 0;
-                         strongest_N = std::max(strongest_N, norm(feel.force_N));
-                         strongest_Nm = std::max(strongest_Nm, norm(feel.torque_Nm));
-                         probes.insert(pose.probe);
-                       });
+  haptics::probe_tools(
+      **touchable, *tool, path->poses, [&](const haptics::ToolPose& pose, const haptics::ToolFeel& feel) {
+        append_row(csv, *path, arguments, in_view(pose, *walk), in_view(feel, pose.t_s, *walk));
+        contacts += feel.contact ? 1 : 0;
+        strongest_N = std::max(strongest_N, norm(feel.force_N));
+        strongest_Nm = std::max(strongest_Nm, norm(feel.torque_Nm));
+        probes.insert(pose.probe);
+      });
   if (interrupted()) return Work::interrupted();
   if (const auto written = write_file_atomically(arguments.output, std::as_bytes(std::span(csv))); !written)
     return written.error();
@@ -118,6 +154,7 @@ void add_probe(Program& program) {
       "(0 to 63) and qw,qx,qy,qz");
   options.required_text("-o,--output", arguments->output, "CSV to write");
   add_tool_option(options, arguments->tool);
+  add_view_options(options, arguments->view);
   add_law_options(options, arguments->law);
 }
 

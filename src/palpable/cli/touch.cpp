@@ -4,6 +4,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/make_options.hpp"
+#include "palpable/cli/view_options.hpp"
 #include "palpable/device/open.hpp"
 #include "palpable/haptics/pacing.hpp"
 #include "palpable/haptics/zero_force.hpp"
@@ -44,6 +45,7 @@ struct Arguments {
   double seconds = 10.0;
   std::optional<double> rate_hz;
   std::string as_published;
+  ViewArguments view;
 };
 
 Result<session::TouchSettings> settings_of(const Arguments& arguments,
@@ -101,6 +103,7 @@ Answer answer_of(const session::TouchStatistics& statistics) {
 /// What a touch needs, with page or without.
 struct Plan {
   session::MakeOptions make;
+  std::vector<session::WalkStep> walk;
   session::TouchSettings settings;
   session::SessionOptions options;
   std::int64_t begin_ns = 0;
@@ -111,6 +114,10 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
   auto speaker = voice::open_speaker();
   if (!speaker) return console.note(speaker.error().sentence());
   const auto speech = std::make_shared<voice::Voice>(std::move(*speaker));
+  headless.on_stance = [speech, &console](const session::Stance& stance) {
+    console.note(session::words_of(stance));
+    speech->say(voice::Importance::news, session::words_of(stance));
+  };
   headless.on_event = [speech](const haptics::TouchEvent& event, const models::Scene& scene) {
     using Kind = haptics::TouchEvent::Kind;
     if (event.kind == Kind::fault)
@@ -131,6 +138,8 @@ Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, 
   headless.seconds = arguments.seconds;
   headless.recording = arguments.recording;
   headless.begin_ns = plan.begin_ns;
+  headless.walk = plan.walk;
+  headless.on_stance = [&console](const session::Stance& stance) { console.note(session::words_of(stance)); };
   if (!arguments.device.empty()) headless.device_url = arguments.device;
   headless.on_notice = [&console](const std::string& sentence) { console.note(sentence); };
   headless.on_missed = [&console](const haptics::MissedDeadline& missed) {
@@ -254,6 +263,11 @@ Result<Answer> touch(Arguments arguments, Console& console) {
     console.note((*published)->differs);
   }
   plan.begin_ns = haptics::monotonic_ns();
+  const auto walk = walk_from(arguments.view);
+  if (!walk) return walk.error();
+  plan.walk = *walk;
+  if (!walk->empty() && !arguments.headless)
+    return Error{ErrorCode::usage, "the page shows the exocentric view only: give --headless too", "--view"};
   if (arguments.make.detail == kCompareDetails)
     return Error{ErrorCode::usage, "all operators at once cannot be touched: compare them with palpable make",
                  "--detail"};
@@ -294,6 +308,7 @@ void add_touch(Program& program) {
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
   options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
+  add_view_options(options, arguments->view);
   options.flag("--speak", arguments->speak, "Say faults and labels aloud in a headless touch");
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},

@@ -73,8 +73,6 @@ Result<std::vector<float>> exact_distances(const DistanceSource& source, const L
       for (int k = 0; k < lattice.counts[0]; ++k) {
         // There and back, so that a place is near the last one.
         const int x = y % 2 == 0 ? k : lattice.counts[0] - 1 - k;
-        // Every place's side is found anew: a wrong one would be handed on along the row.
-        hint.distance_m = 0.0;
         values[lattice.index(x, y, z)] =
             static_cast<float>(source.at(lattice.place_m(x, y, z), hint).distance_m);
       }

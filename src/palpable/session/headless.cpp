@@ -13,6 +13,18 @@ namespace {
 
 constexpr auto kLook = std::chrono::milliseconds(20);
 
+/// Takes the explorer to the last step that is due, if one is.
+Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, double t_s, std::size_t& next) {
+  std::size_t due = next;
+  while (due < options.walk.size() && options.walk[due].t_s <= t_s) ++due;
+  if (due == next) return {};
+  next = due;
+  const Stance& stance = options.walk[due - 1].stance;
+  if (auto stood = session.stand(stance); !stood) return stood;
+  if (options.on_stance) options.on_stance(stance);
+  return {};
+}
+
 }  // namespace
 
 Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOptions& options,
@@ -36,11 +48,19 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   tell_notices();
 
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(options.seconds);
+  const auto start = Clock::now();
+  const auto end = start + std::chrono::duration<double>(options.seconds);
+  std::size_t next_step = 0;
   while (Clock::now() < end && !work.cancelled()) {
     const auto before = Clock::now();
+    const double t_s = std::chrono::duration<double>(before - start).count();
+    if (auto walked = walk_on(session, options, t_s, next_step); !walked) return std::move(walked).error();
     if (auto better = maker.take(kLook)) {
       if (auto changed = session.change_scene(std::move(better)); !changed) return std::move(changed).error();
+      // A new scene is laid out anew: the explorer stands in it where they stood.
+      if (next_step > 0)
+        if (auto stood = session.stand(options.walk[next_step - 1].stance); !stood)
+          return std::move(stood).error();
       tell_notices();
     }
     for (const auto& missed : session.take_missed())

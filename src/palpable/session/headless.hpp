@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace palpable::session {
 
@@ -23,6 +24,10 @@ struct HeadlessOptions {
   std::filesystem::path recording;
   /// CLOCK_MONOTONIC when the person asked; 0 = now.
   std::int64_t begin_ns = 0;
+  /// How an explorer goes, seconds from the first scene on; empty = the exocentric view.
+  std::vector<WalkStep> walk;
+  /// For each place where the explorer stands, as they come there; may be empty.
+  std::function<void(const Stance&)> on_stance;
   /// For each sentence on what the device's limits changed, at the beginning and with each better scene; may
   /// be empty.
   std::function<void(const std::string&)> on_notice;

@@ -209,6 +209,11 @@ void TouchSession::recentre() {
   static_cast<void>(inside_->change(scene(), settings(), place));
 }
 
+Result<void> TouchSession::stand(const Stance& stance) {
+  const std::lock_guard changing(inside_->changing);
+  return inside_->change(scene(), settings(), with_explorer(inside_->scene_from_device, stance));
+}
+
 void TouchSession::stop() {
   static_cast<void>(stop_recording());
   inside_->loop->stop();

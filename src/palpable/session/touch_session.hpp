@@ -8,6 +8,7 @@
 #include "palpable/models/scene.hpp"
 #include "palpable/session/touch_settings.hpp"
 #include "palpable/session/touch_statistics.hpp"
+#include "palpable/session/walk.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -58,6 +59,10 @@ class TouchSession {
   bool paused() const;
   /// Places the scene so that the hand is at its middle, level with its highest point.
   void recentre();
+  /// The egocentric frame of reference: from now on the device's middle stands and turns with an explorer;
+  /// its height and scale stay. Forces cross-fade; recordings note the new place. Errors: as
+  /// change_settings().
+  Result<void> stand(const Stance& stance);
   void stop();
 
   /// Only for the device `pointer:`; ignored by others. Scene frame, so that the page need not know the
