@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -119,7 +120,8 @@ class Joints {
 class MeshDistance final : public DistanceSource {
  public:
   MeshDistance(const Mesh& surface, const Mesh& whole)
-      : tree_(surface), joints_(surface), whole_(whole), bounds_(bounds_of(surface)) {
+      : tree_(surface), joints_(surface), bounds_(bounds_of(surface)) {
+    if (&surface != &whole) whole_.emplace(whole);
     const Box box = bounds_of(whole);
     // Files keep single precision: what touches there may be apart by its last digit.
     touching_m_ = 2e-7 * norm(box.most_m - box.least_m);
@@ -158,12 +160,13 @@ class MeshDistance final : public DistanceSource {
     // As the last place, if that is nearer than any surface.
     if (squared_norm(p - hint.place_m) < 0.99 * hint.distance_m * hint.distance_m)
       return hint.distance_m < 0.0;
-    return whole_.winding(p) > 0.5;
+    return (whole_ ? *whole_ : tree_).winding(p) > 0.5;
   }
 
   TriangleTree tree_;
   Joints joints_;
-  TriangleTree whole_;
+  /// The mesh that the surface was taken from, if it is another.
+  std::optional<TriangleTree> whole_;
   Box bounds_;
   double touching_m_ = 0.0;
 };

@@ -7,6 +7,8 @@
 #include "palpable/sculpt/surface_cut.hpp"
 #include "palpable/sculpt/triangle_tree.hpp"
 
+#include <optional>
+
 namespace palpable::sculpt {
 
 std::vector<std::string> MeshRepair::notes() const {
@@ -32,14 +34,17 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   solid.repair.turned_parts = orient_outwards(whole, work.seed);
   solid.repair.closed_holes = close_holes(whole);
   if (work.cancelled()) return Work::interrupted();
-  const TriangleTree tree(whole);
+  // Given back before the distance makes its own: of millions of triangles it takes gigabytes.
+  std::optional<TriangleTree> tree(whole);
   work.report(0.02, "finding the solid's surface");
   if (work.cancelled()) return Work::interrupted();
-  if (is_watertight(whole) && is_own_surface(whole, tree, work.seed)) {
+  if (is_watertight(whole) && is_own_surface(whole, *tree, work.seed)) {
+    tree.reset();
     solid.distance = mesh_distance(whole, whole);
     return solid;
   }
-  const SolidSurface surface = surface_of(whole, tree, finest_m, work);
+  const SolidSurface surface = surface_of(whole, *tree, finest_m, work);
+  tree.reset();
   if (work.cancelled()) return Work::interrupted();
   solid.repair.inner = surface.inner;
   if (surface.mesh.triangles.empty()) return invalid_input("is a mesh that encloses no volume");
