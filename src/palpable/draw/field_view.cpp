@@ -21,7 +21,18 @@ constexpr double kMm = 1000.0;
 constexpr double kWidth_px = 1000.0;
 constexpr double kLeft_px = 92.0;
 constexpr double kTop_px = 110.0;
-constexpr double kColourSpan_m = 0.005;
+/// The colours are at their deepest so many lines of equal distance from the surface.
+constexpr double kColourLines = 5.0;
+
+/// Between lines of equal distance: a round number, 1 mm in a cut 100 mm wide.
+double line_spacing_mm(const Plot& plot) {
+  constexpr double kMostLines = 120.0;
+  const double least = (plot.right - plot.left) / kMostLines;
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double step : {1.0, 2.0, 5.0})
+    if (step * decade >= least) return step * decade;
+  return 10.0 * decade;
+}
 
 /// Brown inside, blue outside, both deeper with the distance, white at the surface; t from -1 to 1.
 Rgb8 distance_colour(double t) {
@@ -37,13 +48,14 @@ template <models::DistanceSurface Distance>
 Raster<Rgb8> distances(const Distance& field, double y_m, const Plot& plot) {
   Raster<Rgb8> picture(static_cast<int>(plot.area.width) * 2, static_cast<int>(plot.area.height) * 2);
   const double step_m = (plot.right - plot.left) / kMm / picture.width();
+  const double spacing_m = line_spacing_mm(plot) / kMm;
   for (int j = 0; j < picture.height(); ++j)
     for (int i = 0; i < picture.width(); ++i) {
       const double x_m = plot.left / kMm + (i + 0.5) * step_m, z_m = plot.top / kMm - (j + 0.5) * step_m;
       const double d = field.sample({x_m, y_m, z_m}).distance_m;
-      Rgb8 colour = distance_colour(d / kColourSpan_m);
-      // A line at every whole millimetre, the surface itself black.
-      const double from_line_m = std::abs(d - 1e-3 * std::round(d / 1e-3));
+      Rgb8 colour = distance_colour(d / (kColourLines * spacing_m));
+      // The surface itself is black.
+      const double from_line_m = std::abs(d - spacing_m * std::round(d / spacing_m));
       if (from_line_m < 0.6 * step_m) colour = {130, 130, 130};
       if (std::abs(d) < 1.2 * step_m) colour = {0, 0, 0};
       picture(i, j) = colour;
@@ -75,13 +87,13 @@ void draw_cells(Canvas& /*canvas*/, const models::DenseField& /*field*/, double 
 
 template <models::DistanceSurface Distance>
 void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& plot) {
-  constexpr double kArrowsAcross = 40.0, kPixelsPerN = 8.0, kLongest_px = 26.0;
+  constexpr double kArrowsAcross = 40.0, kPixelsALine = 8.0, kLongest_px = 26.0;
   const double spacing_mm = (plot.right - plot.left) / kArrowsAcross;
   for (double z = plot.bottom + 0.5 * spacing_mm; z < plot.top; z += spacing_mm)
     for (double x = plot.left + 0.5 * spacing_mm; x < plot.right; x += spacing_mm) {
       const models::FieldSample s = field.sample({x / kMm, y_m, z / kMm});
       if (s.distance_m >= 0.0) continue;
-      const double length = std::min(kLongest_px, -s.distance_m * kMm * kPixelsPerN);
+      const double length = std::min(kLongest_px, -s.distance_m * kMm / line_spacing_mm(plot) * kPixelsALine);
       const Spot from = plot.at(x, z);
       canvas.arrow(from, {from.x + length * s.gradient.x, from.y - length * s.gradient.z},
                    {{150, 20, 40}, 1.6});
@@ -101,6 +113,7 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
   const double width_px = height_px * size.x / size.z;
   plot.area = {kLeft_px, kTop_px, width_px, height_px};
   const Rect bar{plot.area.right() + 30.0, kTop_px, 18.0, std::clamp(height_px, 60.0, 260.0)};
+  const double spacing_mm = line_spacing_mm(plot);
   const double note_y = std::max(plot.area.bottom(), bar.bottom()) + 70.0;
   return {static_cast<int>(bar.right() + 110.0), static_cast<int>(note_y + 60.0),
           [=, field = std::move(field)](Canvas& canvas) {
@@ -109,14 +122,14 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
             draw_cells(canvas, field->distance, y_m, plot);
             draw_forces(canvas, field->distance, y_m, plot);
             draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
-            draw_colour_bar(canvas, bar, -kMm * kColourSpan_m, kMm * kColourSpan_m, "distance, mm",
-                            bar_colour);
+            draw_colour_bar(canvas, bar, -kColourLines * spacing_mm, kColourLines * spacing_mm,
+                            "distance, mm", bar_colour);
             const char* const cells = std::is_same_v<Distance, DistanceField> ? "thin squares: cells; " : "";
             canvas.text(
-                fmt::format("Cut at {} mm of the height. Black: the surface; grey lines: every millimetre; "
-                            "{}arrows: the force of a spring of 1 N/mm inside, 8 pixels a "
-                            "newton, at most 26.",
-                            label_of(kMm * y_m, 0.1), cells),
+                fmt::format(
+                    "Cut at {} mm of the height. Black: the surface; grey lines: every {} mm; "
+                    "{}arrows: the force of a spring inside, 8 pixels for each line of depth, at most 26.",
+                    label_of(kMm * y_m, 0.1), label_of(spacing_mm, spacing_mm), cells),
                 {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
           }};
 }
