@@ -3,6 +3,7 @@
 #include "palpable/session/scene_hash.hpp"
 
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <string_view>
 
@@ -73,6 +74,16 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Grid>& grid) {
   for (const std::uint8_t on : o.occupied) hash.add(std::uint32_t{on});
 }
 
+/// Nothing where there is none, as before there were textures.
+void add_texture(Fnv1a& hash, const models::TouchTexture& texture) {
+  if (texture.kind == models::TouchTexture::Kind::none) return;
+  hash.add(models::name_of(texture.kind));
+  for (const double v : {texture.pitch_m, texture.height_m, texture.angle_rad}) hash.add(v);
+  if (texture.kind != models::TouchTexture::Kind::picture) return;
+  // A scene file keeps fifteen bits of each value.
+  for (const float v : texture.tile) hash.add(static_cast<std::uint32_t>(std::lround(32767.0F * v) + 32768));
+}
+
 }  // namespace
 
 std::string scene_hash(const models::Scene& scene) {
@@ -84,6 +95,7 @@ std::string scene_hash(const models::Scene& scene) {
     hash.add(material.damping_Ns_per_m);
     hash.add(material.static_friction);
     hash.add(material.dynamic_friction);
+    add_texture(hash, material.texture);
   }
   hash.add(scene.labels);
   std::string digits(16, '0');
