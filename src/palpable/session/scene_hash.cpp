@@ -81,7 +81,8 @@ void add_texture(Fnv1a& hash, const models::TouchTexture& texture) {
   for (const double v : {texture.pitch_m, texture.height_m, texture.angle_rad}) hash.add(v);
   if (texture.kind != models::TouchTexture::Kind::picture) return;
   // A scene file keeps fifteen bits of each value.
-  for (const float v : texture.tile) hash.add(static_cast<std::uint32_t>(std::lround(32767.0F * v) + 32768));
+  for (const float v : texture.tile)
+    hash.add(static_cast<std::uint32_t>(std::lround(32767.0 * static_cast<double>(v)) + 32768));
 }
 
 }  // namespace
