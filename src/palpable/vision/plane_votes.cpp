@@ -92,8 +92,9 @@ void carry_behind(const ColourPlanes& colour, const Raster<float>& other_dispari
   constexpr float kBehind_px = 1.0F;
   constexpr float kCarriedWeight = 0.5F;
   const auto hidden = [&](Pixel p, float disparity) {
+    // Out of view is nothing seen (NaN) or infinitely near: true as well.
     const float in_front = seen_at(other_disparity, p, disparity);
-    return std::isfinite(in_front) && in_front > disparity + kBehind_px;
+    return !(in_front <= disparity + kBehind_px);
   };
   const auto alike = [](int difference) {
     const float c = static_cast<float>(difference) / kLikeColour;
