@@ -87,6 +87,8 @@ class TriangleTree {
     double size_m2 = 0.0;
   };
   using Corners = std::array<Vec3, 3>;
+  /// Deeper than any tree over 2^32 triangles that halves them.
+  static constexpr std::size_t kStack = 80;
 
   static bool meet(Vec3 low, Vec3 high, Vec3 other_low, Vec3 other_high) {
     return low.x <= other_high.x && low.y <= other_high.y && low.z <= other_high.z && high.x >= other_low.x &&
