@@ -131,6 +131,24 @@ struct SweepRow {
   int direction;
 };
 
+/// The least of them, by halves: one after the other each would wait for the last.
+inline __attribute__((always_inline)) float least_of(const Lanes& values) {
+  static_assert(kCount == 16);
+  typedef float Eight __attribute__((vector_size(32)));
+  typedef float Four __attribute__((vector_size(16)));
+  Eight low, high;
+  std::memcpy(&low, &values, sizeof low);
+  std::memcpy(&high, reinterpret_cast<const float*>(&values) + 8, sizeof high);
+  low = low < high ? low : high;
+  Four left, right;
+  std::memcpy(&left, &low, sizeof left);
+  std::memcpy(&right, reinterpret_cast<const float*>(&low) + 4, sizeof right);
+  left = left < right ? left : right;
+  const float first = left[0] < left[1] ? left[0] : left[1];
+  const float second = left[2] < left[3] ? left[2] : left[3];
+  return first < second ? first : second;
+}
+
 /// One row of the four paths whose predecessors come before it in the sweep: beside, and the three of the row
 /// before.
 PALPABLE_VECTORIZE
@@ -168,13 +186,21 @@ void sweep_row(const SweepRow& row) {
         const auto dy = static_cast<float>(step_y);
         const float per_px = 0.5F * kStep_per_px * tie;
         const Lanes carried_back = disparity - (slope_x * dx + slope_y * dy);
+        // The source's planes carried on to here, all at once: the loop then takes one of each as a scalar.
+        Lanes source_d, source_sx, source_sy;
+        std::memcpy(&source_d, d, sizeof source_d);
+        std::memcpy(&source_sx, sx, sizeof source_sx);
+        std::memcpy(&source_sy, sy, sizeof source_sy);
+        const Lanes carried = source_d + (source_sx * dx + source_sy * dy);
+        float carried_on[kCount];
+        std::memcpy(carried_on, &carried, sizeof carried);
         Lanes best = zero + (least + kLargestStep * tie);
         for (int i = 0; i < kCount; ++i) {
-          const Lanes ahead = (zero + (d[i] + (sx[i] * dx + sy[i] * dy))) - disparity;
-          const Lanes behind = (zero + d[i]) - carried_back;
+          const Lanes ahead = carried_on[i] - disparity;
+          const Lanes behind = d[i] - carried_back;
           const Lanes bend = reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(ahead) & magnitude) +
                              reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(behind) & magnitude);
-          const Lanes reached = (zero + paths[i]) + per_px * bend;
+          const Lanes reached = paths[i] + per_px * bend;
           best = reached < best ? reached : best;
         }
         path = cost + best - least;
@@ -182,8 +208,7 @@ void sweep_row(const SweepRow& row) {
       total += path;
       float stored[kCount];
       std::memcpy(stored, &path, sizeof path);
-      float least = stored[0];
-      for (int j = 1; j < kCount; ++j) least = stored[j] < least ? stored[j] : least;
+      const float least = least_of(path);
       if (k == 0) {
         std::memcpy(beside, stored, sizeof stored);
         least_beside = least;
