@@ -27,9 +27,11 @@ struct Electorate {
   float near_px;
   /// All votes together must weigh so much.
   float fewest;
-  /// Of the weights, sorted by disparity, so much lies below the winner.
-  float quantile;
 };
+
+/// Of the votes' weights, sorted by disparity, so much lies below the winner: behind what hides it the
+/// further third is right; where nothing does, neither side is likelier.
+constexpr float kBehind = 0.35F, kMedian = 0.5F;
 
 /// The other picture's disparity at the match; NaN where that lies outside it.
 float seen_at(const Raster<float>& other_disparity, Pixel p, float disparity) {
@@ -46,10 +48,10 @@ class Poll {
   }
 
   /// The winner among the planes of pixels whose weight is above 0; alike(difference) weighs their colours,
-  /// admitted(disparity) says which votes count. Weight 0: too few.
+  /// admitted(disparity) says which votes count; the quantile is kBehind or kMedian. Weight 0: too few.
   template <class Alike, class Admitted>
   Vote winner(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight, Pixel p,
-              const Alike& alike, const Admitted& admitted) {
+              const Alike& alike, const Admitted& admitted, float quantile) {
     votes_.clear();
     float total = 0.0F;
     for (int dy = -who_.reach_px; dy <= who_.reach_px; dy += who_.step_px)
@@ -71,7 +73,7 @@ class Poll {
     float sum = 0.0F;
     for (const Vote& vote : votes_) {
       sum += vote.weight;
-      if (sum >= who_.quantile * total) return vote;
+      if (sum >= quantile * total) return vote;
     }
     return votes_.back();
   }
@@ -86,8 +88,7 @@ class Poll {
 
 void carry_behind(const ColourPlanes& colour, const Raster<float>& other_disparity, PlaneMap& map,
                   const Work& work) {
-  constexpr Electorate kAround{
-      .reach_px = 20, .step_px = 2, .near_px = 12.0F, .fewest = 1.0F, .quantile = 0.35F};
+  constexpr Electorate kAround{.reach_px = 20, .step_px = 2, .near_px = 12.0F, .fewest = 1.0F};
   constexpr float kLikeColour = 20.0F;
   constexpr float kBehind_px = 1.0F;
   constexpr float kCarriedWeight = 0.5F;
@@ -111,8 +112,10 @@ void carry_behind(const ColourPlanes& colour, const Raster<float>& other_dispari
       Poll poll(kAround);
       for (int i = begin; i < end; ++i) {
         const Pixel p = left[static_cast<std::size_t>(i)];
-        found[static_cast<std::size_t>(i)] =
-            poll.winner(colour, map, weight, p, alike, [&](float d) { return hidden(p, d); });
+        const bool in_view = std::isfinite(seen_at(other_disparity, p, map.disparity(p.x, p.y)));
+        found[static_cast<std::size_t>(i)] = poll.winner(
+            colour, map, weight, p, alike, [&](float d) { return hidden(p, d); },
+            in_view ? kBehind : kMedian);
       }
     });
     std::vector<Pixel> rest;
@@ -134,8 +137,7 @@ void carry_behind(const ColourPlanes& colour, const Raster<float>& other_dispari
 
 Raster<float> settled(const ColourPlanes& colour, const Raster<float>& other_disparity, const PlaneMap& map,
                       const Work& work) {
-  constexpr Electorate kAround{
-      .reach_px = 15, .step_px = 2, .near_px = 12.0F, .fewest = 0.5F, .quantile = 0.5F};
+  constexpr Electorate kAround{.reach_px = 15, .step_px = 2, .near_px = 12.0F, .fewest = 0.5F};
   constexpr float kLikeColour = 10.0F;
   const auto alike = [](int difference) { return std::exp(-static_cast<float>(difference) / kLikeColour); };
   const Raster<float> agreed = agreement(map.disparity, other_disparity);
@@ -148,7 +150,8 @@ Raster<float> settled(const ColourPlanes& colour, const Raster<float>& other_dis
         const float d = map.disparity(x, y);
         // Only what the other picture shows further away contradicts.
         if (agreed(x, y) > 0.0F || !(seen_at(other_disparity, p, d) <= d)) continue;
-        const Vote vote = poll.winner(colour, map, agreed, p, alike, [](float) { return true; });
+        const Vote vote = poll.winner(
+            colour, map, agreed, p, alike, [](float) { return true; }, kMedian);
         if (vote.weight > 0.0F) out(x, y) = vote.disparity;
       }
   });

@@ -12,8 +12,8 @@ namespace palpable::vision {
 /// Carries surfaces on over what something nearer hides from the other camera, or what lies out of its view.
 /// No colour of the other picture holds a disparity there, so the search leaves slopes between the nearer
 /// surface and the one behind it. The planes with which the pixel would be hidden or out of view vote, those
-/// of pixels that both views agree about first, round by round inwards; of them the further third wins.
-/// Slopes are carried on with the disparities.
+/// of pixels that both views agree about first, round by round inwards; of them the further third wins, out
+/// of view the median. Slopes are carried on with the disparities.
 void carry_behind(const ColourPlanes& colour, const Raster<float>& other_disparity, PlaneMap& map,
                   const Work& work);
 
