@@ -102,6 +102,13 @@ void carry_behind(const ColourPlanes& colour, const Raster<float>& other_dispari
     return 1.0F / (1.0F + c * c);
   };
   Raster<float> weight = agreement(map.disparity, other_disparity);
+  // One pixel's slope is noise, which would be carried far: those of wide windows on the same surface.
+  const PlaneMap wide = fit_planes(colour, map, weight, {24, 4}, work);
+  for (std::size_t i = 0; i < weight.count(); ++i) {
+    if (!(weight.values()[i] > 0.0F)) continue;
+    map.slope_x.values()[i] = wide.slope_x.values()[i];
+    map.slope_y.values()[i] = wide.slope_y.values()[i];
+  }
   std::vector<Pixel> left;
   for (int y = 0; y < colour.height(); ++y)
     for (int x = 0; x < colour.width(); ++x)
