@@ -57,10 +57,23 @@ TEST_F(Touch, AsPublishedTakesAPapersLawAndRate) {
   EXPECT_THAT(recorded, HasSubstr("\"as_published\":\"shi\""));
   EXPECT_THAT(recorded, HasSubstr("\"rate_hz\":500"));
   EXPECT_THAT(recorded, HasSubstr("sobel"));
-  const Outcome field =
-      palpable({"touch", path("left.png"), path("right.png"), "--headless", "--as-published", "moustakas"});
-  EXPECT_EQ(field.exit_code, 2);
-  EXPECT_THAT(field.err, HasSubstr("field"));
+}
+
+TEST_F(Touch, AsPublishedByMoustakasKeepsDistanceAndForceEverywhere) {
+  write_text(
+      path("ball.json"),
+      R"({"primitives": [{"size_m": [0.02, 0.02, 0.02], "exponents": [1, 1], "position_m": [0, 0, 0]}]})");
+  const Outcome touched =
+      palpable({"touch", path("ball.json"), "--resolution", "32", "--headless", "--seconds", "1",
+                "--as-published", "moustakas", "--record", path("m.rec"), "--json"});
+  ASSERT_EQ(touched.exit_code, 0) << touched.err;
+  const auto recorded = read_text(path("m.rec"));
+  EXPECT_THAT(recorded, HasSubstr("\"as_published\":\"moustakas\""));
+  EXPECT_THAT(recorded, HasSubstr("penalty"));
+  const Outcome made = palpable(
+      {"make", path("ball.json"), "--resolution", "32", "--as-published", "moustakas", "-o", path("m.palp")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(palpable({"info", path("m.palp"), "--json"}).json()["kind"], "dense-field");
 }
 
 TEST_F(Touch, EndsWhenItIsInterruptedAndStillTellsWhatItMeasured) {

@@ -21,7 +21,11 @@ constexpr std::array kPublished{
     Published{"gomez", Law::averaged, PenaltyDirection::normal, 997.0, "pyramid", "", "101.6x101.6x15",
               "bicubic", "The weights of the average are corrected; the offset is 1 mm."},
     Published{"ghd", Law::tracing, PenaltyDirection::gradient, 400.0, "", "paper", "140x100x15", "",
-              "Eq. 8 is corrected so that it does not push a resting hand."}};
+              "Eq. 8 is corrected so that it does not push a resting hand."},
+    Published{"moustakas", Law::penalty, PenaltyDirection::gradient, std::nullopt, "", "", "", "",
+              "The force's sign is corrected, and its field begins with the exact surface, not with one of "
+              "superquadrics.",
+              session::MakeAs::field, true}};
 
 }  // namespace
 
@@ -35,10 +39,7 @@ Result<std::optional<Published>> published_as(const std::string& name) {
   const auto* found = std::find_if(kPublished.begin(), kPublished.end(),
                                    [&name](const Published& p) { return p.name == name; });
   if (found == kPublished.end())
-    return Error{
-        ErrorCode::usage,
-        "the law of " + name + " needs a force field made of superquadrics, which scenes do not hold yet",
-        "--as-published"};
+    return Error{ErrorCode::usage, "there is no paper named " + name, "--as-published"};
   return std::optional(*found);
 }
 
@@ -48,6 +49,7 @@ void apply_published(const Published& published, MakeArguments& arguments) {
   if (arguments.size.empty()) arguments.size = published.size;
   if (arguments.resample == "none" && !published.resampling.empty())
     arguments.resample = published.resampling;
+  if (published.keeps_forces && !arguments.dense) arguments.paper = true;
 }
 
 }  // namespace palpable::cli

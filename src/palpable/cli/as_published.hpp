@@ -30,13 +30,14 @@ struct Published {
   std::string_view differs;
   /// What the scene became.
   session::MakeAs as = session::MakeAs::by_input;
+  /// A field's distance and force stored at every place of a lattice.
+  bool keeps_forces = false;
 };
 
 /// Adds --as-published. `name` must outlive the parsing.
 void add_as_published(Options& options, std::string& name);
 
-/// The paper's settings; nothing for an empty name. Errors: usage, for the paper whose law does not exist
-/// yet.
+/// The paper's settings; nothing for an empty name. Errors: usage, for another name.
 Result<std::optional<Published>> published_as(const std::string& name);
 
 /// Sets how the scene is made where `arguments` leave it open.
