@@ -197,7 +197,7 @@ class NoteBox {
 /// Where the page saves the scene: a scene into its own file, all else beside nothing that is there, in the
 /// folder that the person is in.
 std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs) {
-  const std::filesystem::path first = inputs.empty() ? "scene" : inputs.front();
+  std::filesystem::path first = inputs.empty() ? "scene" : inputs.front();
   if (inputs.size() == 1 && first.extension() == ".palp") return first;
   const std::string stem = first.has_stem() ? first.stem().string() : "scene";
   std::filesystem::path free = stem + ".palp";

@@ -16,9 +16,9 @@ namespace palpable::formats {
 Result<nlohmann::json> write_material(const models::Material& material, std::size_t number,
                                       ZipMembers& members);
 
-/// The material of a description; its texture's picture is taken out of `members`. Whether its numbers are
-/// sound is for check_scene() to say. May throw nlohmann::json::exception where the description is not as it
-/// should be.
-Result<models::Material> read_material(const nlohmann::json& description, ZipMembers& members);
+/// The material of its description `j`; its texture's picture is taken out of `members`. Whether its numbers
+/// are sound is for check_scene() to say. May throw nlohmann::json::exception where it is not as it should
+/// be.
+Result<models::Material> read_material(const nlohmann::json& j, ZipMembers& members);
 
 }  // namespace palpable::formats

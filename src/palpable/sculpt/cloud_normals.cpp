@@ -112,7 +112,8 @@ class Turning {
     double out = 0.0;
     for (int k = 0; k < 27; ++k) {
       if (k == 13) continue;
-      const Vec3 way = unit({k % 3 - 1.0, k / 3 % 3 - 1.0, k / 9 - 1.0});
+      const int row = k / 3 % 3, layer = k / 9;
+      const Vec3 way = unit({k % 3 - 1.0, row - 1.0, layer - 1.0});
       const auto farthest = std::max_element(part.begin(), part.end(), [&](std::uint32_t a, std::uint32_t b) {
         return dot(way, cloud_.places_m[a]) < dot(way, cloud_.places_m[b]);
       });

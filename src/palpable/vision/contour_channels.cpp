@@ -91,6 +91,7 @@ std::vector<WeightedChannel> edge_channels(const Image& image, const Work& work)
   const bool colour = image.channels >= 3;
   const bool alpha = image.channels % 2 == 0;
   std::vector<WeightedChannel> out;
+  out.reserve(3);
   for (int c = 0; c < (colour ? 3 : 1); ++c)
     out.push_back({Raster<float>(image.width, image.height), c == 0 ? 1.0F : 2.0F});
   parallel_for(work, image.height, 16, [&, scale = scale, offset = offset](int begin, int end) {

@@ -15,7 +15,7 @@ int reach(double sigma_px) { return static_cast<int>(std::ceil(4.5 * sigma_px));
 
 /// Sixteen pixels of a row, wherever it begins.
 constexpr int kLanes = 16;
-typedef float Lanes __attribute__((vector_size(sizeof(float) * kLanes)));
+using Lanes = float __attribute__((vector_size(sizeof(float) * kLanes)));
 inline __attribute__((always_inline)) void get(const float* from, Lanes& to) {
   std::memcpy(&to, from, sizeof to);
 }
@@ -128,6 +128,7 @@ std::vector<float> half_gaussian(double sigma_px) {
     sum += (k == 0 ? 1.0 : 2.0) * g[static_cast<std::size_t>(k)];
   }
   std::vector<float> taps;
+  taps.reserve(g.size());
   for (const double v : g) taps.push_back(static_cast<float>(v / sum));
   return taps;
 }
@@ -141,6 +142,7 @@ std::vector<float> half_gaussian_derivative(double sigma_px) {
     ramp += 2.0 * k * d[static_cast<std::size_t>(k)];
   }
   std::vector<float> taps;
+  taps.reserve(d.size());
   for (const double v : d) taps.push_back(static_cast<float>(v / ramp));
   return taps;
 }

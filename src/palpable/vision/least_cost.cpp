@@ -17,7 +17,7 @@ constexpr std::uint16_t kLargest = std::numeric_limits<std::uint16_t>::max();
 
 // Places are 16-bit lanes too; the compiler does not find that by itself.
 constexpr int kLanes = 32;
-typedef std::uint16_t Lanes __attribute__((vector_size(2 * kLanes)));
+using Lanes = std::uint16_t __attribute__((vector_size(2 * kLanes)));
 
 struct AllLanes {
   std::array<std::uint16_t, kLanes> of;

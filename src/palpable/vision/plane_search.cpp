@@ -28,8 +28,8 @@ constexpr float kAgreement_px = 1.0F;
 constexpr float kRamp_px = 0.5F;
 
 /// A vector of all candidates of a pixel.
-typedef float Lanes __attribute__((vector_size(sizeof(float) * kCount)));
-typedef int LaneMasks __attribute__((vector_size(sizeof(int) * kCount)));
+using Lanes = float __attribute__((vector_size(sizeof(float) * kCount)));
+using LaneMasks = int __attribute__((vector_size(sizeof(int) * kCount)));
 
 std::uint32_t mixed(std::uint32_t a) {
   a = (a ^ (a >> 16)) * 0x7feb352dU;
@@ -134,8 +134,8 @@ struct SweepRow {
 /// The least of them, by halves: one after the other each would wait for the last.
 inline __attribute__((always_inline)) float least_of(const Lanes& values) {
   static_assert(kCount == 16);
-  typedef float Eight __attribute__((vector_size(32)));
-  typedef float Four __attribute__((vector_size(16)));
+  using Eight = float __attribute__((vector_size(32)));
+  using Four = float __attribute__((vector_size(16)));
   Eight low, high;
   std::memcpy(&low, &values, sizeof low);
   std::memcpy(&high, reinterpret_cast<const float*>(&values) + 8, sizeof high);
