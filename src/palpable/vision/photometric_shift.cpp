@@ -29,21 +29,6 @@ constexpr float kLeastWeight = 1.0F;
 constexpr float kLeastGradient2 = 1e-3F;
 constexpr float kAgreement_px = 1.0F;
 
-template <class T>
-Raster<T> left_columns(const Raster<T>& raster, int columns) {
-  Raster<T> out(columns, raster.height());
-  for (int y = 0; y < raster.height(); ++y) std::copy_n(raster.row(y).begin(), columns, out.row(y).begin());
-  return out;
-}
-
-PlaneMap left_columns(const PlaneMap& map, int columns) {
-  PlaneMap out;
-  out.disparity = left_columns(map.disparity, columns);
-  out.slope_x = left_columns(map.slope_x, columns);
-  out.slope_y = left_columns(map.slope_y, columns);
-  return out;
-}
-
 /// What the pictures say at each pixel of the map: by how much the left one is brighter than the right one
 /// at the match, how fast the right one's luma changes there, and whether both see the same there, 0 or 1.
 struct Evidence {
@@ -59,12 +44,6 @@ bool all_see(const Raster<float>& other_disparity, int first, int y, float dispa
     if (!(std::fabs(seen - disparity) <= kAgreement_px)) return false;
   }
   return true;
-}
-
-/// Whether the match at this disparity lies where the other picture shows nothing.
-bool out_of_view(const Raster<float>& other_disparity, int x, int y, float disparity) {
-  const int there = static_cast<int>(std::floor(static_cast<float>(x) - disparity + 0.5F));
-  return !other_disparity.contains(there, y) || std::isinf(other_disparity(there, y));
 }
 
 /// Compares the pictures along row y, the right one read by Catmull and Rom's cubic.
@@ -160,59 +139,6 @@ void measure(const ColourPlanes& colour, const Evidence& evidence, PlaneMap& map
       [&](const Sums& sums, int y) { shift_row(sums, y, evidence.weight, map, trust); });
 }
 
-/// How many columns at the left hold everything that is out of view.
-int columns_out_of_view(const Raster<float>& other_disparity, const Raster<float>& disparity) {
-  int columns = 0;
-  for (int y = 0; y < disparity.height(); ++y)
-    for (int x = columns; x < disparity.width(); ++x)
-      if (out_of_view(other_disparity, x, y, disparity(x, y))) columns = x + 1;
-  return columns;
-}
-
-/// The planes of what both cameras see, carried on over what the other camera does not: whatever the search
-/// left there, no colour held it to. Each round reaches half a window further; a last one evens out what the
-/// wide windows, which skip pixels, carried on by different ways.
-void carry_out_of_view(const ColourPlanes& colour, const Raster<float>& trust, const Raster<float>& before,
-                       const Raster<float>& other_disparity, PlaneMap& map, const Work& work) {
-  constexpr FitWindow kFar{.radius_px = 12, .step_px = 3, .like_colour = 45.0F};
-  constexpr FitWindow kNear{.radius_px = 4, .step_px = 1, .like_colour = 45.0F};
-  constexpr int kAtOnce_px = 7;
-  constexpr float kCarriedWeight = 0.2F;
-  const int columns = columns_out_of_view(other_disparity, before);
-  if (columns == 0) return;
-  const int w = std::min(map.disparity.width(), columns + kFar.radius_px);
-  const ColourPlanes near{left_columns(colour.r, w), left_columns(colour.g, w), left_columns(colour.b, w)};
-  PlaneMap part = left_columns(map, w);
-  Raster<float> weight = left_columns(trust, w);
-  Raster<float> next = weight;
-  const auto take = [&](const PlaneMap& fit, int x, int y) {
-    const float b = before(x, y);
-    map.disparity(x, y) = part.disparity(x, y) = std::clamp(fit.disparity(x, y), b - kMost_px, b + kMost_px);
-    map.slope_x(x, y) = part.slope_x(x, y) = fit.slope_x(x, y);
-    map.slope_y(x, y) = part.slope_y(x, y) = fit.slope_y(x, y);
-  };
-  for (bool reached = true; reached && !work.cancelled();) {
-    reached = false;
-    const PlaneMap fit = fit_planes(near, part, weight, kFar, work);
-    for (int y = 0; y < map.disparity.height(); ++y)
-      for (int x = 0; x < columns; ++x) {
-        if (next(x, y) > 0.0F || !out_of_view(other_disparity, x, y, before(x, y))) continue;
-        const auto beside = weight.row(y).subspan(static_cast<std::size_t>(x));
-        if (std::none_of(beside.begin(), beside.begin() + std::min(kAtOnce_px, w - x),
-                         [](float v) { return v > 0.0F; }))
-          continue;
-        take(fit, x, y);
-        next(x, y) = kCarriedWeight;
-        reached = true;
-      }
-    weight = next;
-  }
-  const PlaneMap even = fit_planes(near, part, weight, kNear, work);
-  for (int y = 0; y < map.disparity.height(); ++y)
-    for (int x = 0; x < columns; ++x)
-      if (out_of_view(other_disparity, x, y, before(x, y))) take(even, x, y);
-}
-
 }  // namespace
 
 void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
@@ -245,7 +171,6 @@ void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>
       d = std::clamp(d, b - kMost_px, b + kMost_px);
     }
   }
-  carry_out_of_view(colour, trust, before, other_disparity, map, work);
 }
 
 }  // namespace palpable::vision

@@ -15,8 +15,7 @@ namespace palpable::vision {
 ///
 /// `luma`, `other`: the two pictures' luma; x in `luma` matches x - d in `other`, whose own disparities are
 /// `other_disparity`, infinite where that picture shows nothing. Only what both agree about, edges of nearer
-/// things left out, is measured; what is out of the other picture's view at the left takes the planes beside
-/// it. The same result for any number of threads.
+/// things left out, is measured. The same result for any number of threads.
 void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
                           const Raster<std::uint8_t>& other, const Raster<float>& other_disparity,
                           PlaneMap& map, const Work& work);
