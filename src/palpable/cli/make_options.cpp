@@ -174,18 +174,16 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   return options;
 }
 
-Result<session::MakeOptions> sample_options() {
+Result<MakeArguments> with_sample(MakeArguments arguments) {
   std::error_code ignored;
   const auto beside =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
   for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)}) {
     if (!std::filesystem::exists(folder / "sculpture_left.png", ignored)) continue;
-    session::MakeOptions options;
-    options.made_by = kMadeBy;
-    options.inputs = {folder / "sculpture_left.png", folder / "sculpture_right.png"};
-    if (std::filesystem::exists(folder / "sculpture_calib.txt", ignored))
-      options.calibration = folder / "sculpture_calib.txt";
-    return options;
+    arguments.inputs = {(folder / "sculpture_left.png").string(), (folder / "sculpture_right.png").string()};
+    const std::filesystem::path calibration = folder / "sculpture_calib.txt";
+    if (std::filesystem::exists(calibration, ignored)) arguments.stereo.calibration = calibration.string();
+    return arguments;
   }
   return Error{ErrorCode::failed, "the sample that comes with palpable is not installed", PALPABLE_SAMPLES};
 }

@@ -56,8 +56,9 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments);
 /// "WxHxD" in millimetres as metres; each 1 to 1000 mm. Errors: usage.
 Result<Vec3> size_from(const std::string& text);
 
-/// The sample that comes with the program: its left and right picture and its calibration. Looked for beside
-/// an installed program, then where it was built. Errors: failed, where it is not there.
-Result<session::MakeOptions> sample_options();
+/// The arguments with the sample that comes with the program for their input: its left and right picture and
+/// its calibration. Looked for beside an installed program, then where it was built. Errors: failed, where it
+/// is not there.
+Result<MakeArguments> with_sample(MakeArguments arguments);
 
 }  // namespace palpable::cli

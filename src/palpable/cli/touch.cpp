@@ -271,7 +271,12 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   if (arguments.make.detail == kCompareDetails)
     return Error{ErrorCode::usage, "all operators at once cannot be touched: compare them with palpable make",
                  "--detail"};
-  const auto make = arguments.make.inputs.empty() ? sample_options() : make_options(arguments.make);
+  if (arguments.make.inputs.empty()) {
+    auto with_input = with_sample(std::move(arguments.make));
+    if (!with_input) return with_input.error();
+    arguments.make = *std::move(with_input);
+  }
+  const auto make = make_options(arguments.make);
   if (!make) return make.error();
   plan.make = *make;
   if (*published) plan.make.as = (*published)->as;
