@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/float_block.hpp"
 #include "palpable/formats/model_codec.hpp"
+#include "palpable/formats/solid_field_json.hpp"
 #include "palpable/formats/superquadric_json.hpp"
 #include "palpable/formats/vec3_json.hpp"
 
@@ -84,15 +85,7 @@ Result<models::Model> read_dense_field(const nlohmann::json& description, const 
       lattice, content, std::move(values),
       {0.0, description.at("error_p99_m").get<double>(), description.at("error_max_m").get<double>()});
   if (!dense) return dense.error();
-  auto field = models::field_of(*std::move(dense), vec3_from(description.at("least_m")),
-                                vec3_from(description.at("most_m")));
-  if (!field) return field.error();
-  if (description.contains("primitives")) {
-    auto primitives = superquadrics_from(description);
-    if (!primitives) return primitives.error();
-    field->primitives = *std::move(primitives);
-  }
-  return models::Model(std::make_shared<const models::FieldOnLattice>(*std::move(field)));
+  return model_from(*std::move(dense), description);
 }
 
 }  // namespace palpable::formats

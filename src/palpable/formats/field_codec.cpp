@@ -3,6 +3,7 @@
 #include "palpable/formats/byte_block.hpp"
 #include "palpable/formats/field_streams.hpp"
 #include "palpable/formats/model_codec.hpp"
+#include "palpable/formats/solid_field_json.hpp"
 #include "palpable/formats/superquadric_json.hpp"
 #include "palpable/formats/vec3_json.hpp"
 
@@ -87,15 +88,7 @@ Result<models::Model> read_field(const nlohmann::json& description, const ZipMem
                              description.at("error_max_m").get<double>()};
   auto distance = models::DistanceField::from_tree(grid, std::move(*tree), errors);
   if (!distance) return distance.error();
-  auto field = models::field_of(std::move(*distance), vec3_from(description.at("least_m")),
-                                vec3_from(description.at("most_m")));
-  if (!field) return field.error();
-  if (description.contains("primitives")) {
-    auto primitives = superquadrics_from(description);
-    if (!primitives) return primitives.error();
-    field->primitives = *std::move(primitives);
-  }
-  return models::Model(std::make_shared<const models::Field>(std::move(*field)));
+  return model_from(*std::move(distance), description);
 }
 
 }  // namespace palpable::formats

@@ -1,0 +1,31 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/formats/superquadric_json.hpp"
+#include "palpable/formats/vec3_json.hpp"
+#include "palpable/models/scene.hpp"
+
+#include <memory>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::formats {
+
+/// The model of a solid's distance, however it is kept: with the box that it fills and the primitives that
+/// its description states. May throw nlohmann::json::exception, as model_codec.hpp says.
+template <class Distance>
+Result<models::Model> model_from(Distance distance, const nlohmann::json& description) {
+  auto field = models::field_of(std::move(distance), vec3_from(description.at("least_m")),
+                                vec3_from(description.at("most_m")));
+  if (!field) return field.error();
+  if (description.contains("primitives")) {
+    auto primitives = superquadrics_from(description);
+    if (!primitives) return primitives.error();
+    field->primitives = *std::move(primitives);
+  }
+  return models::Model(std::make_shared<const models::SolidField<Distance>>(*std::move(field)));
+}
+
+}  // namespace palpable::formats
