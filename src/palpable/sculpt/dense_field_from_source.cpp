@@ -4,6 +4,7 @@
 
 #include "palpable/sculpt/fast_marching.hpp"
 #include "palpable/sculpt/field_from_source.hpp"
+#include "palpable/sculpt/field_too_large.hpp"
 #include "palpable/sculpt/measured_errors.hpp"
 
 #include <algorithm>
@@ -37,16 +38,6 @@ double bytes_of(const Lattice& lattice, DenseContent content) {
   double places = 1.0;
   for (const int count : lattice.counts) places *= count;
   return static_cast<double>(sizeof(float) * models::floats_of(content)) * places;
-}
-
-Error too_large(double needed_bytes, int fits, const DenseFieldOptions& options) {
-  constexpr double kMebi = 1024.0 * 1024.0;
-  return {ErrorCode::failed,
-          "would take " + std::to_string(std::lround(needed_bytes / kMebi)) + " MiB as a dense field of " +
-              std::to_string(options.resolution) + " cells, more than the " +
-              std::to_string(options.most_bytes >> 20U) + " MiB that are allowed; " + std::to_string(fits) +
-              " cells would fit",
-          {}};
 }
 
 /// Calls each(z) for every layer of places, on all threads.
@@ -143,7 +134,7 @@ Result<Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& optio
   while (fits > 16 &&
          bytes_of(lattice_of(bounds, *spacing_m * options.resolution / fits), options.content) > most)
     --fits;
-  return too_large(needed, fits, options);
+  return field_too_large("a dense field", needed, options.most_bytes, options.resolution, fits);
 }
 
 Result<models::DenseField> dense_field_from_source(const DistanceSource& source,

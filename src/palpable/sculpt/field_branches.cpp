@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/field_branches.hpp"
 
+#include "palpable/sculpt/field_too_large.hpp"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -248,13 +250,7 @@ Error too_large(double needed_bytes, const FieldOptions& options) {
   const double share = std::sqrt(static_cast<double>(options.most_bytes) / needed_bytes);
   const int fits =
       std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
-  constexpr double kMebi = 1024.0 * 1024.0;
-  return {ErrorCode::failed,
-          "would take about " + std::to_string(std::lround(needed_bytes / kMebi)) + " MiB as a field of " +
-              std::to_string(options.resolution) + " cells, more than the " +
-              std::to_string(options.most_bytes >> 20U) + " MiB that are allowed; " + std::to_string(fits) +
-              " cells fit",
-          {}};
+  return field_too_large("a field", needed_bytes, options.most_bytes, options.resolution, fits);
 }
 
 }  // namespace

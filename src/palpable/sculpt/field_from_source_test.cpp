@@ -117,7 +117,7 @@ TEST(FieldFromSource, RefusesWhatWouldTakeTooMuchMemoryAndSaysWhatFits) {
   const auto refused = field_from_source(Ball(0.02), options, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::failed);
-  EXPECT_NE(refused.error().message.find("cells fit"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("cells would fit"), std::string::npos) << refused.error().message;
 }
 
 TEST(MeshSolid, TurnsAnInsideOutMesh) {

@@ -49,52 +49,52 @@ bool meets_box(Vec3 p, Vec3 inverse, Vec3 low, Vec3 high) {
   return from <= to;
 }
 
-}  // namespace
-
-double TriangleTree::winding(Vec3 p) const {
-  constexpr double kFarRadii = 2.5;
-  double sum = 0.0;
-  std::array<std::uint32_t, kStack> stack;
+/// Calls leaf(node) for the leaves under every node, told by its number, that is to be opened; from the root.
+template <std::size_t kMost, class Nodes, class Opens, class Leaf>
+void descend(const Nodes& nodes, const Opens& opens, const Leaf& leaf) {
+  std::array<std::uint32_t, kMost> stack;
   std::size_t size = 0;
   stack[size++] = 0;
   while (size > 0) {
     const std::uint32_t at = stack[--size];
-    const Dipole& dipole = dipoles_[at];
-    const Vec3 way = dipole.centre_m - p;
-    const double distance2 = squared_norm(way);
-    if (distance2 > kFarRadii * kFarRadii * dipole.radius_m * dipole.radius_m) {
-      sum += dot(dipole.area_m2, way) / (distance2 * std::sqrt(distance2));
-      continue;
-    }
-    const Node& node = nodes_[at];
+    if (!opens(at)) continue;
+    const auto& node = nodes[at];
     if (node.right == 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) sum += solid_angle(p, corners_[i]);
+      leaf(node);
     } else {
       stack[size++] = at + 1;
       stack[size++] = node.right;
     }
   }
+}
+
+}  // namespace
+
+double TriangleTree::winding(Vec3 p) const {
+  constexpr double kFarRadii = 2.5;
+  double sum = 0.0;
+  const auto opens = [&](std::uint32_t at) {
+    const Dipole& dipole = dipoles_[at];
+    const Vec3 way = dipole.centre_m - p;
+    const double distance2 = squared_norm(way);
+    if (distance2 <= kFarRadii * kFarRadii * dipole.radius_m * dipole.radius_m) return true;
+    sum += dot(dipole.area_m2, way) / (distance2 * std::sqrt(distance2));
+    return false;
+  };
+  descend<kStack>(nodes_, opens, [&](const Node& node) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) sum += solid_angle(p, corners_[i]);
+  });
   return sum / (4.0 * std::numbers::pi);
 }
 
 int TriangleTree::crossings(Vec3 p, Vec3 direction) const {
   const Vec3 inverse{1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z};
   int count = 0;
-  std::array<std::uint32_t, kStack> stack;
-  std::size_t size = 0;
-  stack[size++] = 0;
-  while (size > 0) {
-    const std::uint32_t at = stack[--size];
-    const Node& node = nodes_[at];
-    if (!meets_box(p, inverse, node.low, node.high)) continue;
-    if (node.right == 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        count += meets(p, direction, corners_[i]) ? 1 : 0;
-    } else {
-      stack[size++] = at + 1;
-      stack[size++] = node.right;
-    }
-  }
+  const auto opens = [&](std::uint32_t at) { return meets_box(p, inverse, nodes_[at].low, nodes_[at].high); };
+  descend<kStack>(nodes_, opens, [&](const Node& node) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      count += meets(p, direction, corners_[i]) ? 1 : 0;
+  });
   return count;
 }
 
