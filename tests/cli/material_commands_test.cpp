@@ -70,6 +70,7 @@ TEST_F(Materials, ALabelWithoutAMaterialIsRefused) {
 
 TEST_F(Materials, ATextureTooFineForTheLoopIsLeftOutAndSaid) {
   ASSERT_EQ(make({"--material", "0:texture=ridges,pitch=0.2"}).exit_code, 0);
+  EXPECT_THAT(palpable({"info", path("a.palp")}).out, HasSubstr("texture ridges every 0.2 mm"));
   const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
   EXPECT_EQ(touched.exit_code, 0);
   EXPECT_THAT(touched.err, HasSubstr("left out"));
@@ -84,6 +85,8 @@ TEST_F(Materials, ATextureIsTakenFromAPictureOfHeights) {
   const auto told = palpable({"info", path("a.palp"), "--json"});
   EXPECT_THAT(told.out, HasSubstr("\"kind\":\"picture\""));
   EXPECT_THAT(told.out, HasSubstr("\"pitch_m\":0.002"));
+  EXPECT_THAT(palpable({"info", path("a.palp")}).out,
+              HasSubstr("texture of a picture, 24 mm wide, 30 um high"));
   const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
   EXPECT_EQ(touched.exit_code, 0);
   EXPECT_THAT(touched.err, Not(HasSubstr("texture")));

@@ -34,7 +34,9 @@ function ts() {
   const specs = (messages) =>
     JSON.stringify(Object.fromEntries(Object.entries(messages).map(([name, m]) => [name, m.fields])), withoutDoc, 2);
   return `${licence}import type { Specs } from '../codec';\n
-export const protocolVersion = ${protocol.version};\n
+export const protocolVersion = ${protocol.version};
+/** The side of a picture that is a texture, in pitches. */
+export const pictureForms = ${protocol.picture_forms};\n
 ${direction(protocol.from_page, 'FromPage')}
 ${direction(protocol.to_page, 'ToPage')}
 export const fromPageSpecs: Specs = ${specs(protocol.from_page)};\n
@@ -87,6 +89,8 @@ function cpp() {
 namespace palpable::page::protocol {
 
 constexpr std::int64_t kVersion = ${protocol.version};
+/// The side of a picture that is a texture, in pitches.
+constexpr int kPictureForms = ${protocol.picture_forms};
 
 /// What a field may hold: numbers lowest…highest, strings of at most \`longest\` bytes, lists of at most \`most\`.
 struct Limits {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel for materials: how one region of the scene answers a touch.
 import { element, shown, type Settings } from './controls';
-import type { Law } from './generated/protocol';
+import { pictureForms, type Law } from './generated/protocol';
 import type { Material } from './materials';
 
 type Numbers = { [K in keyof Material]: Material[K] extends number ? K : never }[keyof Material];
@@ -25,6 +25,11 @@ const sliders: Slider[] = [
   { id: 'texture-height', key: 'height_m', scale: 1e6, unit: 'µm', texture: true },
   { id: 'texture-angle', key: 'angle_deg', scale: 1, unit: '°', texture: true },
 ];
+
+/** What the pitch alone does not tell of a texture from a picture. */
+function sideOf({ texture, pitch_m }: Material, key: Numbers): string {
+  return texture === 'picture' && key === 'pitch_m' ? `, picture ${shown(pitch_m * pictureForms * 1e3)} mm` : '';
+}
 
 export class MaterialPanel {
   private settings: Settings;
@@ -85,7 +90,7 @@ export class MaterialPanel {
       input.disabled = texture === true && (!canTexture || material.texture === 'none');
       const value = material[key] * scale;
       input.value = String(value);
-      const words = input.disabled ? (canTexture ? 'no texture' : 'not in this law') : `${shown(value)} ${unit}`.trim();
+      const words = input.disabled ? (canTexture ? 'no texture' : 'not in this law') : `${shown(value)} ${unit}${sideOf(material, key)}`.trim();
       input.setAttribute('aria-valuetext', words);
       element(`${id}-value`).textContent = words;
     }

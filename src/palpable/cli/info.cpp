@@ -40,6 +40,22 @@ Json json_of(const models::Material& material) {
   return json;
 }
 
+/// One line for a person; a texture after it where there is one.
+std::string words_of(const models::Material& material) {
+  std::string words = fmt::format("  material {}: {:g} N/m, {:g} N·s/m, friction {:g} (sliding {:g})",
+                                  material.name, material.stiffness_N_per_m, material.damping_Ns_per_m,
+                                  material.static_friction, material.dynamic_friction);
+  const auto& texture = material.texture;
+  if (texture.kind == models::TouchTexture::Kind::picture)
+    words +=
+        fmt::format(", texture of a picture, {:g} mm wide", 1e3 * texture.pitch_m * models::kPictureForms);
+  else if (texture.kind != models::TouchTexture::Kind::none)
+    words += fmt::format(", texture {} every {:g} mm", models::name_of(texture.kind), 1e3 * texture.pitch_m);
+  if (texture.kind != models::TouchTexture::Kind::none)
+    words += fmt::format(", {:g} um high", 1e6 * texture.height_m);
+  return words + "\n";
+}
+
 Json laws_of(const models::Scene& scene) {
   Json laws = Json::array();
   for (const haptics::Law law : haptics::laws_for(scene)) laws.push_back(haptics::name_of(law));
@@ -169,10 +185,7 @@ Result<Answer> info(const std::string& path) {
   else if (!scene.source.inputs.empty())
     answer.text +=
         fmt::format("  from {} ({})\n", fmt::join(scene.source.inputs, " and "), scene.source.method);
-  for (const models::Material& material : scene.materials)
-    answer.text += fmt::format("  material {}: {:g} N/m, {:g} N·s/m, friction {:g} (sliding {:g})\n",
-                               material.name, material.stiffness_N_per_m, material.damping_Ns_per_m,
-                               material.static_friction, material.dynamic_friction);
+  for (const models::Material& material : scene.materials) answer.text += words_of(material);
   return answer;
 }
 

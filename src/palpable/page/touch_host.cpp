@@ -137,6 +137,8 @@ void TouchHost::place_pointer() {
 }
 
 protocol::Materials TouchHost::materials() {
+  static_assert(protocol::kPictureForms == models::kPictureForms,
+                "the page tells a picture's side from its pitch");
   protocol::Materials all;
   {
     const std::lock_guard lock(mutex_);
