@@ -58,6 +58,8 @@ describe('reading rasters', () => {
   });
   it('takes a picture', () =>
     expect(readRaster(frame([raster.magic, 2, 7, 2, 1], new Uint8Array([1, 2, 3, 4, 5, 6])))).toMatchObject({ kind: 'picture' }));
+  it('takes cells', () =>
+    expect(readRaster(frame([raster.magic, 3, 7, 2, 1], new Uint8Array([1, 2, 3, 4, 5, 6])))).toMatchObject({ kind: 'cells' }));
   it.each([
     ['a short header', frame([raster.magic, 1, 7, 3], new Uint8Array())],
     ['another magic', frame([1, 1, 7, 3, 2], heights)],

@@ -65,7 +65,7 @@ export interface HeightsFrame {
   heights: Float32Array;
 }
 export interface PictureFrame {
-  kind: 'picture';
+  kind: 'picture' | 'cells';
   scene: number;
   columns: number;
   rows: number;
@@ -83,10 +83,11 @@ export function readRaster(buffer: ArrayBuffer): HeightsFrame | PictureFrame | s
   ];
   if (magic !== raster.magic) return 'the frame is not a raster';
   const isHeights = kind === raster.kinds.heights;
-  if (!isHeights && kind !== raster.kinds.picture) return 'there is no raster of that kind';
+  const isCells = kind === raster.kinds.cells;
+  if (!isHeights && !isCells && kind !== raster.kinds.picture) return 'there is no raster of that kind';
   if (columns < 1 || rows < 1 || buffer.byteLength - headerBytes !== columns * rows * (isHeights ? 4 : 3))
     return 'the raster is not as long as its size says';
-  if (!isHeights) return { kind: 'picture', scene, columns, rows, rgb: new Uint8Array(buffer, headerBytes) };
+  if (!isHeights) return { kind: isCells ? 'cells' : 'picture', scene, columns, rows, rgb: new Uint8Array(buffer, headerBytes) };
   const heights = new Float32Array(columns * rows);
   for (let i = 0; i < heights.length; ++i) heights[i] = view.getFloat32(headerBytes + 4 * i, true);
   if (!heights.every(Number.isFinite)) return 'a height is not a number';

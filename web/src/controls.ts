@@ -116,6 +116,12 @@ export class Controls {
     element<HTMLInputElement>('tilt').disabled = settings.page.view === 'flat';
   }
 
+  /** Only a field has cells to show. */
+  offerCells(there: boolean): void {
+    const option = element<HTMLOptionElement>('surface-cells');
+    option.hidden = option.disabled = !there;
+  }
+
   law(): Law | undefined {
     return this.laws.find(({ name }) => name === this.settings.touch.law);
   }

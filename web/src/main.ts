@@ -52,6 +52,7 @@ class TouchPage implements KeyTarget {
   private scene: Scene | null = null;
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
+  private cells: PictureFrame | null = null;
   private state: State | null = null;
   private paused = false;
   private tell = true;
@@ -109,6 +110,7 @@ class TouchPage implements KeyTarget {
   private change(settings: Settings, what: string): void {
     this.keeper.change(settings, what);
     this.apply();
+    if (what === 'surface' && settings.page.surface === 'cells' && this.scene) this.voice.say(this.scene.cells, Importance.answer);
   }
 
   private apply(): void {
@@ -169,6 +171,7 @@ class TouchPage implements KeyTarget {
         this.scene = message;
         element('scene-name').textContent = message.name;
         this.trace.scene(message.kind, message.width_m, message.depth_m);
+        this.controls.offerCells(message.cells !== '');
         document.title = `${message.name} – Palpable`;
         return;
       case 'settings':
@@ -197,15 +200,18 @@ class TouchPage implements KeyTarget {
       const first = this.surface === null;
       const { width_m, depth_m, name } = this.scene;
       this.surface = new Surface(frame.columns, frame.rows, frame.heights, width_m, depth_m);
-      this.picture = null;
+      this.picture = this.cells = null;
       this.tell = true;
       this.stage.element.setAttribute('aria-label', `Relief of ${name} to touch`);
       if (first) this.voice.say(`${name} is ready to be touched. D describes it, H is help.`, Importance.news);
+    } else if (frame.kind === 'cells') {
+      this.cells = frame;
     } else {
       this.picture = frame;
     }
     if (this.surface === null || (this.scene.has_picture && this.picture === null)) return;
-    this.stage.show(this.surface, this.picture);
+    if (this.scene.cells !== '' && this.cells === null) return;
+    this.stage.show(this.surface, this.picture, this.cells);
     this.showProbe();
   }
 

@@ -4,7 +4,7 @@
 // port and palpable's changes; nothing is kept before something was changed, and resetting removes it.
 
 export interface Preferences {
-  surface: 'picture' | 'unlit' | 'clay';
+  surface: 'picture' | 'unlit' | 'clay' | 'cells';
   view: '3d' | 'flat';
   tilt: number;
   sound: boolean;
@@ -26,7 +26,7 @@ export const defaults: Preferences = {
 };
 
 const name = 'palpable_page';
-const choices = { surface: ['picture', 'unlit', 'clay'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
+const choices = { surface: ['picture', 'unlit', 'clay', 'cells'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
 const ranges = { tilt: [0, 60], volume: [0, 100] };
 
 /** The preferences in a document.cookie; what is missing or makes no sense is the default. */

@@ -15,6 +15,7 @@ export class Stage {
   private kind: Preferences['view'] | null = null;
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
+  private cells: PictureFrame | null = null;
   private exaggeration = 1;
   private look: Preferences;
   private canDo3d = true;
@@ -25,15 +26,18 @@ export class Stage {
     this.set(1, look);
   }
 
-  show(surface: Surface, picture: PictureFrame | null): void {
+  show(surface: Surface, picture: PictureFrame | null, cells: PictureFrame | null): void {
     this.surface = surface;
     this.picture = picture;
-    this.view?.show(surface, picture);
+    this.cells = cells;
+    this.lay();
   }
 
   set(exaggeration: number, look: Preferences): void {
     this.exaggeration = exaggeration;
+    const covered = (look.surface === 'cells') !== (this.look.surface === 'cells');
     this.look = look;
+    if (covered) this.lay();
     const wanted = this.canDo3d ? look.view : 'flat';
     if (wanted !== this.kind) this.build(wanted);
     document.documentElement.dataset.theme = themeOf(look.theme);
@@ -53,6 +57,11 @@ export class Stage {
     this.view?.draw();
   }
 
+  /** Puts the surface into the view, with the picture or its cells on it. */
+  private lay(): void {
+    if (this.surface) this.view?.show(this.surface, this.look.surface === 'cells' ? (this.cells ?? this.picture) : this.picture);
+  }
+
   private build(wanted: Preferences['view']): void {
     this.view?.dispose();
     this.kind = wanted;
@@ -67,7 +76,7 @@ export class Stage {
       this.view = new FlatView();
       this.element.append(this.view.canvas);
     }
-    if (this.surface) this.view.show(this.surface, this.picture);
+    this.lay();
     this.view.resize();
     this.view.set(this.exaggeration, this.look);
   }

@@ -1,6 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Every state that a person may meet: looked at by axe-core here, and by people in web/test-results.
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import { keepPicture, launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
@@ -121,6 +124,26 @@ describe('the page where something is amiss', () => {
     await page.goto(running.address);
     await page.getByRole('alert').filter({ hasText: 'was used already' }).waitFor();
     await context.close();
+  });
+
+  it('a field shows its cells, and says what they are', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'palpable-cells-'));
+    const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => `v ${x} ${y} ${z}`)));
+    const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`);
+    writeFileSync(join(folder, 'box.obj'), [...corners, ...faces, ''].join('\n'));
+    const own = await startProgram(join(folder, 'box.obj'), '--resolution', '48', '--size', '100x100x50');
+    try {
+      const { page, context, complaints } = await openPage(browser, own.address);
+      await page.getByLabel('Surface', { exact: true }).selectOption('Cells of the field');
+      await page.locator('#spoken').filter({ hasText: /The field has \d+ cells; at the surface they are/ }).waitFor();
+      await keepPicture(page, 'cells');
+      expect(await violations(page)).toEqual([]);
+      expect(complaints).toEqual([]);
+      await context.close();
+    } finally {
+      await own.stop();
+      rmSync(folder, { recursive: true, force: true });
+    }
   });
 
   it('the end of the session is said', async () => {

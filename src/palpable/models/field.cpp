@@ -9,16 +9,29 @@
 namespace palpable::models {
 namespace {
 
+/// Between a height outside and one inside, where the distance changes its sign.
+template <DistanceSurface Distance>
+double crossing_m(const Distance& field, double x_m, double y_m, double outside_m, double inside_m) {
+  // Ten halvings of at most a quarter of a cell: a four-thousandth of it.
+  constexpr int kHalvings = 10;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle_m = 0.5 * (outside_m + inside_m);
+    (field.sample({x_m, y_m, middle_m}).distance_m > 0.0 ? outside_m : inside_m) = middle_m;
+  }
+  return 0.5 * (outside_m + inside_m);
+}
+
 /// Down from the top of the grid by the distance itself, which no surface is nearer than.
 template <DistanceSurface Distance>
 double height_m(const Distance& field, double x_m, double y_m, double lowest_m) {
-  double z_m = field.origin_m().z + field.size_m().z;
-  if (!field.contains({x_m, y_m, z_m})) return lowest_m;
+  double outside_m = field.origin_m().z + field.size_m().z;
+  if (!field.contains({x_m, y_m, outside_m})) return lowest_m;
   constexpr double kShare = 0.95;
   const double shortest_m = 0.25 * field.cell_m();
-  while (z_m > lowest_m) {
+  for (double z_m = outside_m; z_m > lowest_m;) {
     const double distance_m = field.sample({x_m, y_m, z_m}).distance_m;
-    if (distance_m <= 0.0) return z_m;
+    if (distance_m <= 0.0) return crossing_m(field, x_m, y_m, outside_m, z_m);
+    outside_m = z_m;
     z_m -= std::max(kShare * distance_m, shortest_m);
   }
   return lowest_m;

@@ -22,6 +22,8 @@ struct PageScene {
   Raster<float> height_m;
   /// Covers the same rectangle; may be empty.
   Raster<Rgb8> picture;
+  /// The cells of a field at its surface, over the same rectangle; empty where `about.cells` is.
+  Raster<Rgb8> cells;
 };
 
 /// What the page's server asks of the touch that it shows. All calls come from the one thread that runs

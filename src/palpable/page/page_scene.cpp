@@ -3,11 +3,13 @@
 #include "palpable/page/page_scene.hpp"
 
 #include "palpable/haptics/laws.hpp"
+#include "palpable/page/surface_cells.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace palpable::page {
 namespace {
@@ -71,6 +73,10 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   about.lowest_m = static_cast<double>(*lowest);
   about.highest_m = static_cast<double>(*highest);
   about.has_picture = !scene.texture.empty();
+  if (auto cells = surface_cells(scene)) {
+    page->cells = std::move(cells->picture);
+    about.cells = std::move(cells->words);
+  }
   for (const auto& material : scene.materials)
     about.labels.push_back(material.name == models::Material{}.name ? std::string() : material.name);
   return page;

@@ -201,9 +201,9 @@ std::string write_heights(std::uint32_t scene, const Raster<float>& height_m) {
   return raster_frame(RasterKind::heights, scene, height_m);
 }
 
-std::string write_picture(std::uint32_t scene, const Raster<Rgb8>& picture) {
+std::string write_picture(RasterKind kind, std::uint32_t scene, const Raster<Rgb8>& picture) {
   static_assert(sizeof(Rgb8) == 3);
-  return raster_frame(RasterKind::picture, scene, picture);
+  return raster_frame(kind, scene, picture);
 }
 
 Raster<float> thinned(const Raster<float>& raster, int longest_side) {

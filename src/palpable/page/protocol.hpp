@@ -24,7 +24,8 @@ std::string write_message(const Message& message);
 
 /// Binary frames (protocol.json, "raster").
 std::string write_heights(std::uint32_t scene, const Raster<float>& height_m);
-std::string write_picture(std::uint32_t scene, const Raster<Rgb8>& picture);
+/// `kind`: picture or cells.
+std::string write_picture(RasterKind kind, std::uint32_t scene, const Raster<Rgb8>& picture);
 
 /// The raster with at most `longest_side` columns and rows: means over whole blocks, so that thin peaks keep
 /// their place (the corner cases: an empty raster and one small enough come back unchanged).

@@ -123,9 +123,12 @@ class Room {
     scene_frames_ = {
         text_frame(scene->about),
         binary(protocol::write_heights(number, protocol::thinned(scene->height_m, kLongestHeightSide)))};
-    if (scene->about.has_picture)
+    const auto push = [&](protocol::RasterKind kind, const Raster<Rgb8>& picture) {
       scene_frames_.push_back(
-          binary(protocol::write_picture(number, protocol::thinned(scene->picture, kLongestPictureSide))));
+          binary(protocol::write_picture(kind, number, protocol::thinned(picture, kLongestPictureSide))));
+    };
+    if (scene->about.has_picture) push(protocol::RasterKind::picture, scene->picture);
+    if (!scene->about.cells.empty()) push(protocol::RasterKind::cells, scene->cells);
   }
 
   // A copy is walked through: a client that is shown out leaves the list meanwhile.
