@@ -144,12 +144,19 @@ TEST_F(FieldCommands, CorrectsAFieldByAMeasuredSurface) {
       {"correct", path("b.palp"), path("measured.obj"), "-o", path("c.palp"), "--transition", "6", "--json"});
   ASSERT_EQ(corrected.exit_code, 0) << corrected.err;
   EXPECT_GT(corrected.json()["measured_samples"], 50);
-  const auto d = distances(path("c.palp"), {"0,0,0.0215", "0.012,0,0.012", "0,0,-0.0205", "0,0.015,-0.015"});
+  const auto d = distances(path("c.palp"), {"0,0,0.0215", "0.014,0,0.013", "0,0,-0.0205", "0,0.015,-0.015"});
   EXPECT_NEAR(d[0], 0.0005, 1e-4);
-  // 4 mm deep, where the bound is looser.
-  EXPECT_NEAR(d[1], 0.0169706 - 0.021, 2e-4);
+  EXPECT_NEAR(d[1], 0.019105 - 0.021, 1e-4);
   EXPECT_NEAR(d[2], 0.0005, 1e-4);
   EXPECT_NEAR(d[3], 0.0212132 - 0.02, 1e-4);
+
+  // Too deep for the volume around what was measured, unless it is asked for.
+  const std::string deep = "0,0,0.011";
+  EXPECT_NEAR(distances(path("c.palp"), {deep})[0], distances(path("b.palp"), {deep})[0], 1e-5);
+  ASSERT_EQ(palpable({"correct", path("b.palp"), path("measured.obj"), "-o", path("e.palp"), "--everywhere"})
+                .exit_code,
+            0);
+  EXPECT_NEAR(distances(path("e.palp"), {deep})[0], 0.011 - 0.021, 2e-4);
 
   write_text(path("elsewhere.obj"), half_ball(0.2));
   const Outcome missed = palpable({"correct", path("b.palp"), path("elsewhere.obj"), "-o", path("x.palp")});

@@ -16,6 +16,7 @@ struct Arguments {
   std::string scene, measured, output;
   double reach_mm = 10.0;
   double transition_mm = 5.0;
+  bool everywhere = false;
 };
 
 Result<Answer> correct(const Arguments& arguments, Console& console) {
@@ -24,9 +25,10 @@ Result<Answer> correct(const Arguments& arguments, Console& console) {
   auto measured = sources::read_mesh(arguments.measured);
   if (!measured) return measured.error();
   const auto begin = std::chrono::steady_clock::now();
-  auto corrected =
-      session::correct_scene(file->scene, *std::move(measured),
-                             {0.001 * arguments.reach_mm, 0.001 * arguments.transition_mm}, console.work());
+  const sculpt::CorrectionOptions correction{
+      0.001 * arguments.reach_mm, 0.001 * arguments.transition_mm,
+      arguments.everywhere ? sculpt::CorrectedVolume::everywhere : sculpt::CorrectedVolume::near_measured};
+  auto corrected = session::correct_scene(file->scene, *std::move(measured), correction, console.work());
   if (!corrected) {
     const bool by_scene = corrected.error().code == ErrorCode::usage;
     if (corrected.error().place.empty())
@@ -71,6 +73,8 @@ void add_correct(Program& program) {
       "Millimetres along its normal in which a place of the field's surface looks for the measured one");
   options.number("--transition", arguments->transition_mm, {0.001, 1000.0},
                  "Millimetres around what was measured in which the surface follows smoothly");
+  options.flag("--everywhere", arguments->everywhere,
+               "Give new distances also deep inside and far outside, which takes longer");
 }
 
 }  // namespace palpable::cli

@@ -23,6 +23,8 @@ class DistanceSource {
   /// for each thread.
   struct Hint {
     std::uint32_t triangle = 0;
+    /// Of a second surface that a source looks at.
+    std::uint32_t second_triangle = 0;
     /// The last place and its distance (0: none yet): nearer to it than that, nothing changes its side.
     Vec3 place_m;
     double distance_m = 0.0;

@@ -2,12 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/field_correction.hpp"
 
-#include "palpable/sculpt/field_update.hpp"
-
 #include <utility>
 #include <vector>
 
 namespace palpable::sculpt {
+
+SolidChange change_of(const CorrectedSurface& surface, double cell_m, const CorrectionOptions& options) {
+  SolidChange change;
+  change.triangles = surface.changed();
+  change.step_m = surface.greatest_step_m();
+  // Half a cell farther the field's window still reaches, and facets sag.
+  const double within_m = options.transition_m + change.step_m + cell_m;
+  if (options.volume == CorrectedVolume::everywhere || surface.pulled.empty() ||
+      change.step_m > 0.5 * within_m)
+    return change;
+  change.around = surface.pulled_surface();
+  change.within_m = within_m;
+  return change;
+}
 
 Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measured,
                                        const CorrectionOptions& correction, const FieldOptions& options,
@@ -28,9 +40,17 @@ Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measur
   }
   const Box box = after.solid->bounds();
   after.sampled_anew = !after.field.contains(box.least_m) || !after.field.contains(box.most_m);
-  auto field = after.sampled_anew
-                   ? field_from_source(*after.solid, options, work)
-                   : updated_field(after.field, *after.solid, after.surface.changed(), options, work);
+  if (!after.sampled_anew) {
+    auto field = updated_field(after.field, *after.solid,
+                               change_of(after.surface, after.field.cell_m(), correction), options, work);
+    if (!field) return field.error();
+    if (*field) {
+      after.field = **std::move(field);
+      return after;
+    }
+    after.sampled_anew = true;
+  }
+  auto field = field_from_source(*after.solid, options, work);
   if (!field) return field.error();
   after.field = *std::move(field);
   return after;

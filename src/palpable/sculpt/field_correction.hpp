@@ -7,6 +7,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/models/distance_field.hpp"
 #include "palpable/sculpt/field_from_source.hpp"
+#include "palpable/sculpt/field_update.hpp"
 #include "palpable/sculpt/smooth_surface.hpp"
 #include "palpable/sculpt/surface_correction.hpp"
 
@@ -21,15 +22,20 @@ struct CorrectedField {
   CorrectedSurface surface;
   /// The surface as it stands, ready to be asked; made by the first correction, and moved by each.
   std::optional<SmoothSurface> solid = std::nullopt;
-  /// Whether the last correction reached out of the field's grid, so that all of it was sampled anew.
+  /// Whether the last correction could not be followed in part, so that all of the field was sampled anew: it
+  /// reached out of the grid, or the field no longer fits the solid far from the surface.
   bool sampled_anew = false;
 };
 
+/// What the last correction of a surface changed of its solid, in a field of cells that long. Near what was
+/// measured means: no farther than the transition, the longest way that the surface moved now and two cells;
+/// where the surface moved by more than half of that, and where nothing was measured, everywhere.
+SolidChange change_of(const CorrectedSurface& surface, double cell_m, const CorrectionOptions& options);
+
 /// Force-field correction of Moustakas et al. 2007: the surface goes to what was measured
-/// (correct_surface()), and the field is sampled again only in cells where what changed is the nearest; the
-/// others stay as they are to the bit. `before.surface` is the field's own, predicted or already corrected.
-/// Errors: as correct_surface() and updated_field(): failed where the corrected solid reaches out of the
-/// field's grid.
+/// (correct_surface()), and the field is sampled again only in cells of options.volume where what changed is
+/// the nearest; the others stay as they are to the bit. `before.surface` is the field's own, predicted or
+/// already corrected. Errors: as correct_surface() and field_from_source().
 Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measured,
                                        const CorrectionOptions& correction, const FieldOptions& options,
                                        const Work& work);

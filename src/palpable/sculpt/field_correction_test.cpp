@@ -101,9 +101,6 @@ TEST_P(FieldCorrection, ReachesWhatWasMeasuredSmoothlyAndLeavesTheRestToTheBit) 
     const int x = cell(0), y = cell(1), z = cell(2);
     const models::DistanceField::Leaf was = before.field.leaf_of(x, y, z);
     if (grid.origin_m.z + cell_m * (was.corner[2] + was.side) > -far_m) continue;
-    // Far outside, towards the grid's corners, the nearest place is one that moved.
-    if (before.field.sample(grid.origin_m + cell_m * Vec3{x + 0.5, y + 0.5, z + 0.5}).distance_m > 0.001)
-      continue;
     const models::DistanceField::Leaf is = after->field.leaf_of(x, y, z);
     ASSERT_EQ(is.side, was.side);
     const std::uint32_t* old_words = &before.field.tree().words[was.words];
@@ -125,6 +122,67 @@ TEST(FieldCorrection, CorrectingAgainByTheSameSurfaceChangesNothing) {
   ASSERT_TRUE(twice);
   EXPECT_TRUE(twice->surface.moved.empty());
   EXPECT_EQ(twice->field.tree().words, once->field.tree().words);
+}
+
+/// A cap of the ball's surface around +z, `out_m` farther out.
+Mesh cap(double out_m) {
+  Mesh mesh = sphere(kRadius_m + out_m, 0.0012);
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::any_of(t.begin(), t.end(),
+                       [&](std::uint32_t i) { return mesh.vertices_m[i].z < 0.8 * kRadius_m; });
+  });
+  return mesh;
+}
+
+/// The solid that a field was corrected to.
+const DistanceSource& solid_of(const CorrectedField& field) { return *field.solid; }
+
+TEST(FieldCorrection, TellsTheCorrectedDistanceNearTheSurfaceAndGoesOverIntoTheOldOneSmoothly) {
+  const CorrectedField before = ball();
+  const auto after = corrected_field(before, cap(0.0005), {kReach_m, kTransition_m}, options(), {});
+  ASSERT_TRUE(after) << after.error().sentence();
+  ASSERT_FALSE(after->sampled_anew);
+  const double within_m = kTransition_m + 0.0005 + 2.0 * before.field.cell_m();
+  double last_m = 0.0;
+  for (double depth_m = -0.001; depth_m < 0.018; depth_m += 0.00005) {
+    const Vec3 p{0.0003, 0.0002, kRadius_m + 0.0005 - depth_m};
+    DistanceSource::Hint hint;
+    const double truth_m = solid_of(*after).at(p, hint).distance_m;
+    const models::FieldSample is = after->field.sample(p);
+    if (depth_m < 0.0029) {
+      EXPECT_NEAR(is.distance_m, truth_m, 1e-4) << depth_m;
+    }
+    if (depth_m > within_m) {
+      EXPECT_NEAR(is.distance_m, before.field.sample(p).distance_m, 4e-5) << depth_m;
+    }
+    // Deeper is deeper, all the way.
+    if (depth_m > 0.0 && depth_m < 0.015) {
+      EXPECT_LT(is.distance_m, last_m) << depth_m;
+      EXPECT_GT(is.gradient.z, 0.4) << depth_m;
+    }
+    last_m = is.distance_m;
+  }
+}
+
+TEST(FieldCorrection, TellsTheCorrectedDistanceEverywhereIfItIsAskedTo) {
+  CorrectionOptions correction{kReach_m, kTransition_m, CorrectedVolume::everywhere};
+  const auto after = corrected_field(ball(), cap(0.0005), correction, options(), {});
+  ASSERT_TRUE(after) << after.error().sentence();
+  const Vec3 p{0.0003, 0.0002, 0.008};
+  DistanceSource::Hint hint;
+  EXPECT_NEAR(after->field.sample(p).distance_m, solid_of(*after).at(p, hint).distance_m, 2e-4);
+}
+
+TEST(FieldCorrection, IsMadeAnewWhereManySmallCorrectionsAddUp) {
+  CorrectedField field = ball();
+  bool anew = false;
+  for (int step = 1; step <= 12 && !anew; ++step) {
+    auto next = corrected_field(std::move(field), cap(-0.0009 * step), {0.02, 0.002}, options(), {});
+    ASSERT_TRUE(next) << next.error().sentence();
+    anew = next->sampled_anew;
+    field = *std::move(next);
+  }
+  EXPECT_TRUE(anew);
 }
 
 }  // namespace

@@ -34,8 +34,10 @@ TEST(UpdatedField, FollowsWhatChangedAndKeepsTheRestToTheBit) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t i) { return changed.vertices_m[i].x < 0.0; }) ||
            std::all_of(t.begin(), t.end(), [&](std::uint32_t i) { return changed.vertices_m[i].z == 0.0; });
   });
-  const auto after = updated_field(*before, *after_solid->distance, changed, options, {});
-  ASSERT_TRUE(after) << after.error().sentence();
+  const auto updated = updated_field(*before, *after_solid->distance, {changed, {}}, options, {});
+  ASSERT_TRUE(updated) << updated.error().sentence();
+  const auto& after = *updated;
+  ASSERT_TRUE(after);
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const Vec3 size = before->grid().size_m();
@@ -76,7 +78,7 @@ TEST(UpdatedField, RefusesASolidThatLeavesItsBox) {
   const auto small = field_from_source(Ball(0.01), options, {});
   ASSERT_TRUE(small);
   const Mesh any = box_mesh({-0.02, -0.02, -0.02}, {0.02, 0.02, 0.02});
-  const auto refused = updated_field(*small, Ball(0.02), any, options, {});
+  const auto refused = updated_field(*small, Ball(0.02), {any, {}}, options, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::failed);
 }

@@ -3,12 +3,13 @@
 #include "palpable/sculpt/surface_correction.hpp"
 
 #include "palpable/sculpt/box.hpp"
-#include "palpable/sculpt/point_index.hpp"
+#include "palpable/sculpt/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
@@ -76,32 +77,36 @@ std::optional<double> meets(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
 
 /// For each sample the shortest way along its normal to the measured surface, if there is one.
 std::vector<std::optional<double>> ways_to(const Mesh& measured, const CorrectedSurface& surface,
-                                           double reach_m) {
+                                           double reach_m, const Work& work) {
   const std::vector<Vec3>& samples = surface.predicted.vertices_m;
   std::vector<std::optional<double>> ways(samples.size());
-  const Vec3 beyond{reach_m, reach_m, reach_m};
-  const Box whole = bounds_of(measured);
-  // A measured surface is a small part: only samples near it are sorted.
+  if (measured.triangles.empty()) return ways;
+  const TriangleTree tree(measured);
+  const Box whole = tree.bounds();
+  // A measured surface is a small part: only samples near it are looked at.
   std::vector<std::uint32_t> near;
-  std::vector<Vec3> places;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    const Vec3 low = samples[i] - whole.least_m + beyond, high = whole.most_m + beyond - samples[i];
-    if (std::min({low.x, low.y, low.z, high.x, high.y, high.z}) < 0.0) continue;
-    near.push_back(i);
-    places.push_back(samples[i]);
+    const Vec3 low = samples[i] - whole.least_m, high = whole.most_m - samples[i];
+    if (std::min({low.x, low.y, low.z, high.x, high.y, high.z}) >= -reach_m) near.push_back(i);
   }
-  const PointIndex index(places, reach_m);
-  for (const auto& t : measured.triangles) {
-    const std::array<Vec3, 3> c{measured.vertices_m[t[0]], measured.vertices_m[t[1]],
-                                measured.vertices_m[t[2]]};
-    const Box box = bounds_of(std::span(c));
-    index.in_box(box.least_m - beyond, box.most_m + beyond, [&](std::uint32_t k) {
+  constexpr int kGrain = 64;
+  parallel_for(work, static_cast<int>(near.size()), kGrain, [&](int begin, int end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
       const std::uint32_t i = near[k];
-      const auto way = meets(samples[i], surface.network->normals[i], c[0], c[1], c[2]);
-      if (!way || std::abs(*way) > reach_m) return;
-      if (!ways[i] || std::abs(*way) < std::abs(*ways[i])) ways[i] = way;
-    });
-  }
+      const Vec3 normal = surface.network->normals[i];
+      const std::array ends{samples[i] - reach_m * normal, samples[i] + reach_m * normal};
+      const Box box = bounds_of(std::span<const Vec3>(ends));
+      std::optional<double> shortest;
+      tree.visit_box(box.least_m, box.most_m, [&](std::uint32_t t) {
+        const auto& c = measured.triangles[t];
+        const auto way = meets(samples[i], normal, measured.vertices_m[c[0]], measured.vertices_m[c[1]],
+                               measured.vertices_m[c[2]]);
+        if (!way || std::abs(*way) > reach_m) return;
+        if (!shortest || std::abs(*way) < std::abs(*shortest)) shortest = way;
+      });
+      ways[i] = shortest;
+    }
+  });
   return ways;
 }
 
@@ -231,6 +236,33 @@ Mesh CorrectedSurface::changed() const {
   return now;
 }
 
+Mesh CorrectedSurface::pulled_surface() const {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  Mesh mesh;
+  std::vector<std::uint32_t> place(predicted.vertices_m.size(), kNone);
+  for (const std::uint32_t i : pulled) {
+    place[i] = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    mesh.vertices_m.push_back(predicted.vertices_m[i] + translations_m[i]);
+  }
+  std::vector<bool> lone(pulled.size(), true);
+  for (const auto& t : predicted.triangles) {
+    const std::array<std::uint32_t, 3> at{place[t[0]], place[t[1]], place[t[2]]};
+    if (std::find(at.begin(), at.end(), kNone) != at.end()) continue;
+    mesh.triangles.push_back(at);
+    for (const std::uint32_t i : at) lone[i] = false;
+  }
+  for (std::uint32_t i = 0; i < lone.size(); ++i)
+    if (lone[i]) mesh.triangles.push_back({i, i, i});
+  return mesh;
+}
+
+double CorrectedSurface::greatest_step_m() const {
+  double greatest2 = 0.0;
+  for (const Moved& m : moved)
+    greatest2 = std::max(greatest2, squared_norm(translations_m[m.sample] - m.before_m));
+  return std::sqrt(greatest2);
+}
+
 Result<CorrectedSurface> predicted_surface(Mesh mesh) {
   if (!is_watertight(mesh)) return invalid_input("a predicted surface must be closed");
   CorrectedSurface s;
@@ -247,18 +279,18 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
   s.moved.clear();
   const SampleNetwork& network = *s.network;
   work.report(0.1, "meeting the measured surface");
-  const auto ways = ways_to(measured, s, options.reach_m);
+  const auto ways = ways_to(measured, s, options.reach_m, work);
   const auto move_to = [&](std::size_t i, Vec3 translation) {
     if (s.translations_m[i] == translation) return;
     s.moved.push_back({static_cast<std::uint32_t>(i), s.translations_m[i]});
     s.translations_m[i] = translation;
   };
-  std::vector<std::uint32_t> pulled;
+  s.pulled.clear();
   for (std::uint32_t i = 0; i < ways.size(); ++i) {
     if (!ways[i]) continue;
     s.measured[i] = true;
     move_to(i, *ways[i] * network.normals[i]);
-    pulled.push_back(i);
+    s.pulled.push_back(i);
   }
   if (work.cancelled()) return Work::interrupted();
   work.report(0.5, "following around it");
@@ -267,12 +299,13 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
     const auto around = network.from(i);
     return std::any_of(around.begin(), around.end(), [&](const auto& way) { return !ways[way.to]; });
   };
-  std::erase_if(pulled, [&](std::uint32_t i) { return !at_border(i); });
+  std::vector<std::uint32_t> border;
+  std::copy_if(s.pulled.begin(), s.pulled.end(), std::back_inserter(border), at_border);
   std::vector<std::uint32_t> follows;
   {
     Geodesic geodesic(s);
     std::vector<bool> known = s.measured;
-    for (const std::uint32_t i : pulled)
+    for (const std::uint32_t i : border)
       geodesic.around(i, options.transition_m, [&](std::uint32_t y) {
         if (known[y] || geodesic.distance_m(i, y) >= options.transition_m) return;
         known[y] = true;
@@ -281,7 +314,7 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
   }
   std::sort(follows.begin(), follows.end());
   std::vector<Vec3> translations(follows.size());
-  constexpr int kGrain = 64;
+  constexpr int kGrain = 256;
   parallel_for(work, static_cast<int>(follows.size()), kGrain, [&](int begin, int end) {
     Geodesic geodesic(s);
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)

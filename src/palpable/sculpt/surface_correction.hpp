@@ -12,12 +12,16 @@
 
 namespace palpable::sculpt {
 
+/// Where a correction gives the field new distances (field_update.hpp).
+enum class CorrectedVolume { near_measured, everywhere };
+
 struct CorrectionOptions {
   /// How far along its normal a sample of the predicted surface looks for the measured one, outwards and
   /// inwards, > 0.
   double reach_m = 0.01;
   /// Width of the transition around what was measured: delta of Moustakas 2007, eq. 2; > 0.
   double transition_m = 0.005;
+  CorrectedVolume volume = CorrectedVolume::near_measured;
 };
 
 /// How a predicted surface's samples lie to each other: found once, for all corrections.
@@ -39,6 +43,8 @@ struct CorrectedSurface {
     Vec3 before_m;
   };
   std::vector<Moved> moved;
+  /// Samples that the last correction found on the measured surface, rising; moved or there already.
+  std::vector<std::uint32_t> pulled;
 
   /// The surface as it stands.
   Mesh adapted() const;
@@ -46,6 +52,11 @@ struct CorrectedSurface {
   /// corner with them, whose normals turned: only where one of them is the nearest does a field need another
   /// look. Empty where nothing changed.
   Mesh changed() const;
+  /// What the last correction pulled onto the measured surface, as it stands: the triangles between samples
+  /// of `pulled`, and the others of them as triangles without extent.
+  Mesh pulled_surface() const;
+  /// The longest way that a sample moved at the last correction.
+  double greatest_step_m() const;
 };
 
 /// Before any correction. Errors: invalid_input for a mesh that is not closed.

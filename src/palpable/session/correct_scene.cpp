@@ -58,7 +58,9 @@ Result<CorrectedScene> correct_scene(const models::Scene& scene, Mesh measured,
                  {}};
   if (after->sampled_anew)
     corrected.made.notes.emplace_back(
-        "The corrected solid reaches out of the field's box: the field was sampled anew.");
+        "The corrected solid reaches out of the field's box, or earlier corrections have left too much "
+        "behind "
+        "deep inside: the field was sampled anew.");
   const sculpt::Box box = sculpt::bounds_of(surface.adapted());
   auto whole = models::field_of(std::move(after->field), box.least_m, box.most_m);
   if (!whole) return whole.error();
