@@ -19,12 +19,12 @@ struct ColourSegments {
 struct SegmentOptions {
   /// The mean shift's window: pixels to each side, and levels of 255.
   double radius_px = 5.0;
-  double colour_levels = 12.0;
+  double colour_levels = 4.0;
   /// Neighbours whose shifted colours differ by less than this, in the channel that differs most, belong
   /// together.
-  int same_levels = 4;
+  int same_levels = 2;
   /// Smaller pieces join the neighbour whose colour is nearest.
-  int least_pixels = 24;
+  int least_pixels = 12;
 };
 
 /// Mean shift in position and colour (Comaniciu & Meer 2002), then connected components. Errors: failed,
