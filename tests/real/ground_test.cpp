@@ -76,11 +76,18 @@ TEST_F(RenderedHeads, StandOnATableThatIsFoundFromExactDisparity) { expect_groun
 
 TEST_F(RenderedHeads, StandOnATableThatIsFoundFromMatchedDisparity) {
   if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
+  const auto match = vision::match(pair_, StereoMethod::best, {}, Work{});
+  ASSERT_TRUE(match);
+  expect_ground(match->disparity.disparity_px, "best", 0.98);
+}
+
+TEST_F(RenderedHeads, StandOnATableThatIsFoundWhileItIsLive) {
+  if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
   const auto match = vision::match(pair_, StereoMethod::fast, {}, Work{});
   ASSERT_TRUE(match);
-  // The aim is 98 % here too, and `best` misses it (docs/measurements.md): matching bends the table beside
+  // The aim is 98 % here too, and `fast` misses it (docs/measurements.md): its steps bend the table beside
   // the heads. This guards what is reached.
-  expect_ground(match->disparity.disparity_px, "matched", 0.95);
+  expect_ground(match->disparity.disparity_px, "fast", 0.97);
 }
 
 }  // namespace

@@ -3,155 +3,19 @@
 #include "palpable/vision/ground.hpp"
 
 #include "palpable/vision/background.hpp"
+#include "palpable/vision/ground_plane.hpp"
 #include "palpable/vision/regions.hpp"
+#include "palpable/vision/side_by_colour.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
+
+#include <opencv2/imgproc.hpp>
 
 namespace palpable::vision {
 namespace {
-
-struct Sample {
-  double x, y, d;
-};
-
-/// Known pixels of a regular grid, about `wanted` of them.
-std::vector<Sample> samples_of(const Raster<float>& disparity_px, double wanted) {
-  const int step =
-      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(disparity_px.count()) / wanted)));
-  std::vector<Sample> samples;
-  for (int y = step / 2; y < disparity_px.height(); y += step)
-    for (int x = step / 2; x < disparity_px.width(); x += step)
-      if (std::isfinite(disparity_px(x, y))) samples.push_back({1.0 * x, 1.0 * y, disparity_px(x, y)});
-  return samples;
-}
-
-std::optional<DisparityPlane> plane_through(const Sample& p, const Sample& q, const Sample& r) {
-  const double ux = q.x - p.x, uy = q.y - p.y, ud = q.d - p.d, vx = r.x - p.x, vy = r.y - p.y, vd = r.d - p.d;
-  const double area = ux * vy - uy * vx;
-  if (std::abs(area) < 25.0) return std::nullopt;
-  const double a = (ud * vy - uy * vd) / area, b = (ux * vd - ud * vx) / area;
-  return DisparityPlane{a, b, p.d - a * p.x - b * p.y};
-}
-
-/// A ground comes nearer towards the bottom of the picture, noticeably, and the camera's roll is moderate.
-bool could_be_ground(const DisparityPlane& plane, int height, double range_px) {
-  constexpr double kMostRoll = 0.6;
-  const double rise_px = plane.b * height;
-  return rise_px > std::max(2.0, 0.12 * range_px) && std::abs(plane.a) < kMostRoll * plane.b;
-}
-
-/// Inliers count up to 1 each. Nothing lies under a ground: what seems to, speaks against it.
-double support_of(const DisparityPlane& plane, std::span<const Sample> samples, double tolerance_px) {
-  constexpr double kUnder = 0.5;
-  double support = 0.0;
-  for (const Sample& s : samples) {
-    const double r = (s.d - plane.at(s.x, s.y)) / tolerance_px;
-    if (std::abs(r) < 1.0) support += 1.0 - r * r;
-    if (r < -2.0 && plane.at(s.x, s.y) > 0.0) support -= kUnder;
-  }
-  return support;
-}
-
-double range_of(std::vector<Sample> samples) {
-  const auto quantile = [&samples](double q) {
-    const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(samples.size() - 1));
-    std::nth_element(samples.begin(), samples.begin() + k, samples.end(),
-                     [](const Sample& a, const Sample& b) { return a.d < b.d; });
-    return samples[static_cast<std::size_t>(k)].d;
-  };
-  return quantile(0.98) - quantile(0.02);
-}
-
-std::optional<DisparityPlane> best_supported(std::span<const Sample> samples, int width, int height,
-                                             const Work& work) {
-  constexpr int kTrials = 3000;
-  constexpr double kTolerance_px = 0.75;
-  const double range_px = range_of({samples.begin(), samples.end()});
-  std::mt19937_64 random(work.seed);
-  // Three points from anywhere seldom share a plane: the second and third are sought near the first.
-  const double reach = 0.3 * std::max(width, height);
-  const auto pick = [&] { return samples[random() % samples.size()]; };
-  const auto pick_near = [&](const Sample& p) {
-    for (int attempt = 0; attempt < 8; ++attempt)
-      if (const Sample q = pick(); std::hypot(q.x - p.x, q.y - p.y) < reach) return q;
-    return pick();
-  };
-  std::optional<DisparityPlane> best;
-  double most = 0.0;
-  for (int trial = 0; trial < kTrials && !work.cancelled(); ++trial) {
-    const Sample p = pick();
-    const auto plane = plane_through(p, pick_near(p), pick_near(p));
-    if (!plane || !could_be_ground(*plane, height, range_px)) continue;
-    const double support = support_of(*plane, samples, kTolerance_px);
-    if (support > most) {
-      most = support;
-      best = plane;
-    }
-  }
-  return most > 0.0 ? best : std::nullopt;
-}
-
-/// Weighted least squares: solves the 3 x 3 normal equations by Cramer's rule, about the samples' centre.
-DisparityPlane fitted(std::span<const Sample> samples, std::span<const double> weights) {
-  double sw = 0, sx = 0, sy = 0, sd = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    sw += weights[i];
-    sx += weights[i] * samples[i].x;
-    sy += weights[i] * samples[i].y;
-    sd += weights[i] * samples[i].d;
-  }
-  const double mx = sx / sw, my = sy / sw, md = sd / sw;
-  double xx = 0, xy = 0, yy = 0, xd = 0, yd = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double x = samples[i].x - mx, y = samples[i].y - my, d = samples[i].d - md;
-    xx += weights[i] * x * x;
-    xy += weights[i] * x * y;
-    yy += weights[i] * y * y;
-    xd += weights[i] * x * d;
-    yd += weights[i] * y * d;
-  }
-  const double determinant = xx * yy - xy * xy;
-  const double a = (xd * yy - yd * xy) / determinant, b = (yd * xx - xd * xy) / determinant;
-  return {a, b, md - a * mx - b * my};
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-struct Fit {
-  DisparityPlane plane;
-  /// Standard deviation of the inliers, robustly.
-  double sigma_px = 0.0;
-};
-
-/// Tukey's biweight, iterated; the scale from the inliers' median deviation.
-std::optional<Fit> refined(DisparityPlane plane, std::span<const Sample> samples) {
-  constexpr int kIterations = 12;
-  constexpr double kTukey = 4.685, kLeastSigma_px = 0.02, kMostSigma_px = 0.35, kNear_px = 1.5;
-  double sigma = kMostSigma_px;
-  std::vector<double> weights(samples.size());
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
-    std::vector<double> near;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double r = samples[i].d - plane.at(samples[i].x, samples[i].y);
-      if (std::abs(r) < std::min(kNear_px, 6.0 * sigma)) near.push_back(std::abs(r));
-      const double u = r / (kTukey * sigma);
-      weights[i] = std::abs(u) < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;
-    }
-    if (near.size() < 50) return std::nullopt;
-    plane = fitted(samples, weights);
-    sigma = std::clamp(1.4826 * median(std::move(near)), kLeastSigma_px, kMostSigma_px);
-  }
-  return Fit{plane, sigma};
-}
 
 /// For each region, the share of its known pixels that lie on the plane.
 std::vector<double> shares_on_plane(const Regions& regions, const Raster<float>& disparity_px,
@@ -204,8 +68,8 @@ Lie lie_at(int x, int y, const Regions& regions, const Raster<float>& disparity_
 /// A pixel belongs to the ground where its neighbourhood lies on the plane and runs along it: the foot of a
 /// thing lies on it too, but rises from it. A region that is mostly ground takes in pixels that the matching
 /// left somewhat off or unknown.
-Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& disparity_px, const Fit& fit,
-                             const Work& work) {
+Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& disparity_px,
+                             const GroundPlane& fit, const Work& work) {
   constexpr double kMostly = 0.8, kLeast_px = 0.12;
   const double tolerance_px = std::max(2.0 * fit.sigma_px, kLeast_px);
   const double near_px = std::max(4.0 * tolerance_px, 0.5), rises = -0.5 * fit.plane.b;
@@ -247,6 +111,83 @@ Raster<std::uint8_t> majority(const Raster<std::uint8_t>& mask) {
   return out;
 }
 
+/// What the other picture shows at each of its columns: the nearest disparity that lands there.
+Raster<float> nearest_there(const Raster<float>& disparity_px) {
+  Raster<float> out(disparity_px.width(), disparity_px.height(), -std::numeric_limits<float>::infinity());
+  for (int y = 0; y < out.height(); ++y) {
+    for (int x = 0; x < out.width(); ++x) {
+      const float d = disparity_px(x, y);
+      if (!std::isfinite(d)) continue;
+      const int there = static_cast<int>(std::lround(static_cast<float>(x) - d));
+      if (there >= 0 && there < out.width()) out(there, y) = std::max(out(there, y), d);
+    }
+  }
+  return out;
+}
+
+/// Whether the other camera does not see this pixel, if it lies at this disparity.
+bool hidden(const Raster<float>& nearest, int x, int y, double disparity) {
+  constexpr double kBehind_px = 1.0;
+  const auto there = static_cast<int>(std::lround(x - disparity));
+  return there < 0 || (there < nearest.width() && nearest(there, y) > disparity + kBehind_px);
+}
+
+cv::Mat opened(const cv::Mat& mask, const cv::Mat& square) {
+  cv::Mat out;
+  cv::morphologyEx(mask, out, cv::MORPH_OPEN, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
+  return out;
+}
+
+cv::Mat shrunk_by(const cv::Mat& mask, const cv::Mat& square) {
+  cv::Mat out;
+  cv::erode(mask, out, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
+  return out;
+}
+
+/// Matching windows carry the disparity of one side over to the other; so beside the ground's border the
+/// picture decides, except for what is thinner than that. So it does where disparity is but a guess: where
+/// the other camera sees neither what was measured nor the ground in its place.
+Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& disparity_px,
+                         const DisparityPlane& plane) {
+  constexpr int kBorder_px = 8;
+  const Raster<float> nearest = nearest_there(disparity_px);
+  Raster<Side> side(mask.width(), mask.height());
+  const cv::Mat ground(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
+  const cv::Mat rest = 255 - ground;
+  const cv::Mat square = cv::Mat::ones(2 * kBorder_px + 1, 2 * kBorder_px + 1, CV_8U);
+  const cv::Mat wide_ground = opened(ground, square), deep_ground = shrunk_by(ground, square);
+  const cv::Mat wide_rest = opened(rest, square), deep_rest = shrunk_by(rest, square);
+  for (int y = 0; y < mask.height(); ++y) {
+    for (int x = 0; x < mask.width(); ++x) {
+      const float d = disparity_px(x, y);
+      const bool is_ground = mask(x, y) != 0;
+      const bool beside =
+          is_ground ? wide_ground.at<std::uint8_t>(y, x) != 0 && deep_ground.at<std::uint8_t>(y, x) == 0
+                    : wide_rest.at<std::uint8_t>(y, x) != 0 && deep_rest.at<std::uint8_t>(y, x) == 0;
+      const bool guessed = !is_ground && (!std::isfinite(d) || hidden(nearest, x, y, d)) &&
+                           hidden(nearest, x, y, plane.at(x, y));
+      if (guessed)
+        side(x, y) = Side::unknown;
+      else if (is_ground)
+        side(x, y) = beside ? Side::perhaps_inside : Side::inside;
+      else
+        side(x, y) = beside ? Side::perhaps_outside : Side::outside;
+    }
+  }
+  return side;
+}
+
+/// The mask with its borders where the picture has them.
+Raster<std::uint8_t> along_edges(const Raster<Rgb8>& left, const Raster<std::uint8_t>& mask,
+                                 const Raster<float>& disparity_px, const DisparityPlane& plane,
+                                 const Work& work) {
+  Raster<Side> side = sides_known(mask, disparity_px, plane);
+  decide_by_colour(left, side, work);
+  Raster<std::uint8_t> out(mask.width(), mask.height());
+  for (std::size_t i = 0; i < out.count(); ++i) out.values()[i] = side.values()[i] == Side::inside ? 255 : 0;
+  return out;
+}
+
 void measure(Ground& ground, const Raster<float>& disparity_px) {
   double squares = 0.0, known = 0.0, seen = 0.0;
   for (int y = 0; y < disparity_px.height(); ++y) {
@@ -268,16 +209,13 @@ void measure(Ground& ground, const Raster<float>& disparity_px) {
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                   const Work& work) {
   PALPABLE_CHECK(left.width() == disparity_px.width() && left.height() == disparity_px.height());
-  constexpr double kTried = 6000.0, kFitted = 60000.0, kLeastShare = 0.05;
-  const auto few = samples_of(disparity_px, kTried);
-  if (few.size() < 100) return std::nullopt;
-  const auto found = best_supported(few, disparity_px.width(), disparity_px.height(), work);
-  if (!found || work.cancelled()) return std::nullopt;
-  const auto fit = refined(*found, samples_of(disparity_px, kFitted));
-  if (!fit) return std::nullopt;
+  constexpr double kLeastShare = 0.05;
+  const auto found = find_ground_plane(disparity_px, work);
+  if (!found) return std::nullopt;
   Ground ground;
-  ground.plane = fit->plane;
-  ground.mask = majority(mask_of(merge_regions(left), disparity_px, *fit, work));
+  ground.plane = found->plane;
+  ground.mask = majority(mask_of(merge_regions(left), disparity_px, *found, work));
+  ground.mask = majority(along_edges(left, ground.mask, disparity_px, ground.plane, work));
   measure(ground, disparity_px);
   if (ground.share < kLeastShare || work.cancelled()) return std::nullopt;
   return ground;

@@ -33,9 +33,9 @@ struct Ground {
 };
 
 /// Finds the ground: a robust plane fit in disparity among planes that rise towards the bottom of the
-/// picture, then the picture's regions (merge_regions) decide which pixels belong to it. nullopt where no
-/// such plane holds at least a twentieth of the picture. `left` and `disparity_px` have the same size.
-/// Deterministic for a seed; polls work.cancel (gives nullopt then).
+/// picture, then the picture's regions (merge_regions) decide which pixels belong to it, and at its borders
+/// their colours. nullopt where no such plane holds at least a twentieth of the picture. `left` and
+/// `disparity_px` have the same size. Deterministic for a seed; polls work.cancel (gives nullopt then).
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                   const Work& work);
 

@@ -76,6 +76,31 @@ TEST(FindGround, FindsNoneBeforeAWall) {
   EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
 }
 
+TEST(FindGround, TakesNoWallThatLiesInStepsForAGround) {
+  // The wall recedes a little downwards, as before a camera that looks down.
+  Scene scene = room(0.0, 0.0);
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 320; ++x)
+      scene.disparity_px(x, y) = std::round(static_cast<float>(55.0 - 0.0075 * x - 0.0035 * y));
+  EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
+}
+
+TEST(FindGround, KeepsToThePictureWhereTheDisparityOfThingsSpreadsOverTheFloor) {
+  constexpr int kSpread_px = 6;
+  const Scene exact = room(0.05, 0.0);
+  Scene scene = exact;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 320; ++x)
+      for (int u = std::max(0, x - kSpread_px); u <= std::min(319, x + kSpread_px); ++u)
+        if (exact.seen(u, y) == Seen::object)
+          scene.disparity_px(x, y) = std::max(scene.disparity_px(x, y), exact.disparity_px(u, y));
+  const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
+  ASSERT_TRUE(ground);
+  const Shares shares = shares_of(ground->mask, scene.seen);
+  EXPECT_GT(shares.ground_found, 0.98);
+  EXPECT_LT(shares.object_lost, 0.02);
+}
+
 TEST(NormalOf, PointsUpFromALevelFloor) {
   // A camera 1 m above a level floor that looks level: Z = fy h / (y - cy), so d = B (y - cy) / h.
   const StereoRig rig{{500.0, 500.0, 320.0, 240.0, 640, 480}, 0.1, 0.0};
