@@ -132,6 +132,19 @@ bool hidden(const Raster<float>& nearest, int x, int y, double disparity) {
   return there < 0 || (there < nearest.width() && nearest(there, y) > disparity + kBehind_px);
 }
 
+/// The plane's disparity at the far end of the ground, but for a few pixels.
+double furthest_of(const Raster<std::uint8_t>& mask, const DisparityPlane& plane) {
+  constexpr double kBeyond = 0.01;
+  std::vector<double> seen;
+  for (int y = 0; y < mask.height(); ++y)
+    for (int x = 0; x < mask.width(); ++x)
+      if (mask(x, y) != 0) seen.push_back(plane.at(x, y));
+  if (seen.empty()) return std::numeric_limits<double>::infinity();
+  const auto end = seen.begin() + static_cast<std::ptrdiff_t>(kBeyond * static_cast<double>(seen.size()));
+  std::nth_element(seen.begin(), end, seen.end());
+  return *end;
+}
+
 cv::Mat opened(const cv::Mat& mask, const cv::Mat& square) {
   cv::Mat out;
   cv::morphologyEx(mask, out, cv::MORPH_OPEN, square, {-1, -1}, 1, cv::BORDER_REPLICATE);
@@ -146,11 +159,13 @@ cv::Mat shrunk_by(const cv::Mat& mask, const cv::Mat& square) {
 
 /// Matching windows carry the disparity of one side over to the other; so beside the ground's border the
 /// picture decides, except for what is thinner than that. So it does where disparity is but a guess: where
-/// the other camera sees neither what was measured nor the ground in its place.
+/// the other camera sees neither what was measured nor the ground in its place, no further away than the
+/// ground is seen elsewhere.
 Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& disparity_px,
                          const DisparityPlane& plane) {
   constexpr int kBorder_px = 8;
   const Raster<float> nearest = nearest_there(disparity_px);
+  const double furthest = furthest_of(mask, plane);
   Raster<Side> side(mask.width(), mask.height());
   const cv::Mat ground(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
   const cv::Mat rest = 255 - ground;
@@ -164,7 +179,8 @@ Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& 
       const bool beside =
           is_ground ? wide_ground.at<std::uint8_t>(y, x) != 0 && deep_ground.at<std::uint8_t>(y, x) == 0
                     : wide_rest.at<std::uint8_t>(y, x) != 0 && deep_rest.at<std::uint8_t>(y, x) == 0;
-      const bool guessed = !is_ground && (!std::isfinite(d) || hidden(nearest, x, y, d)) &&
+      const bool guessed = !is_ground && plane.at(x, y) >= furthest &&
+                           (!std::isfinite(d) || hidden(nearest, x, y, d)) &&
                            hidden(nearest, x, y, plane.at(x, y));
       if (guessed)
         side(x, y) = Side::unknown;
