@@ -155,24 +155,34 @@ inline void set_half_angles(std::uint32_t* words) noexcept {
   }
 }
 
-/// A leaf's distance and gradient. `x`: from the field's origin; `u`: from the leaf's centre in halves of its
-/// side, half_m. Tick path.
-inline FieldSample leaf_at(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m,
-                           double round_m) noexcept {
+/// Calls visit(i, sample) with what piece i of a leaf says by itself. `x`: from the field's origin; `u`: from
+/// the leaf's centre in halves of its side, half_m. Tick path.
+template <class Visit>
+void visit_pieces(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m, const Visit& visit) noexcept {
   const LeafHead head{words[0]};
   const int pieces = head.pieces();
   const std::uint32_t* at = words + 1 + 2 * (pieces - 1);
-  const auto next = [&](int i) {
+  for (int i = 0; i < pieces; ++i) {
     const bool curved = head.curved(i);
-    const FieldSample s = curved ? detail::curved_at(at, u, half_m) : detail::plane_at(at, x);
+    visit(i, curved ? detail::curved_at(at, u, half_m) : detail::plane_at(at, x));
     at += curved ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
-    return s;
-  };
-  FieldSample sample = next(0);
-  for (int i = 1; i < pieces; ++i) {
-    const HalfAngle half{std::bit_cast<float>(words[2 * i - 1]), std::bit_cast<float>(words[2 * i])};
-    sample = joined(sample, next(i), head.meeting(i - 1), half, round_m);
   }
+}
+
+/// The first i pieces of a leaf, joined, with piece i.
+inline FieldSample joined_by(const std::uint32_t* words, int i, const FieldSample& before,
+                             const FieldSample& piece, double round_m) noexcept {
+  const HalfAngle half{std::bit_cast<float>(words[2 * i - 1]), std::bit_cast<float>(words[2 * i])};
+  return joined(before, piece, LeafHead{words[0]}.meeting(i - 1), half, round_m);
+}
+
+/// A leaf's distance and gradient; arguments as visit_pieces(). Tick path.
+inline FieldSample leaf_at(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m,
+                           double round_m) noexcept {
+  FieldSample sample;
+  visit_pieces(words, x, u, half_m, [&](int i, const FieldSample& piece) {
+    sample = i == 0 ? piece : joined_by(words, i, sample, piece, round_m);
+  });
   return sample;
 }
 

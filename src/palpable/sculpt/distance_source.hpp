@@ -7,6 +7,7 @@
 #include "palpable/sculpt/box.hpp"
 #include "palpable/sculpt/triangle_shortlist.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,9 +26,13 @@ class DistanceSource {
     std::uint32_t triangle = 0;
     /// Of a second surface that a source looks at.
     std::uint32_t second_triangle = 0;
-    /// The last place and its distance (0: none yet): nearer to it than that, nothing changes its side.
-    Vec3 place_m;
-    double distance_m = 0.0;
+    /// The last places and their distances (0: none yet): nearer to them than that, nothing changes its side.
+    struct Answered {
+      Vec3 place_m;
+      double distance_m = 0.0;
+    };
+    std::array<Answered, 8> last;
+    std::size_t oldest = 0;
     /// How far the last answer may be beside what its surface stands for, metres and radians: between samples
     /// it is a guess. 0 where the surface is exact.
     double coarse_m = 0.0, coarse_turn = 0.0;

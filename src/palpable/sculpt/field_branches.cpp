@@ -169,10 +169,10 @@ class BranchBuilder {
     const bool on_surface = std::abs(samples.at[kCentre].distance_m) < 1.8 * samples.half_m;
     if (on_surface && side > longest_on_surface_ && !work_.cancelled())
       return split(corner, level, kNone, branch);
+    samples.is_last = side <= smallest_side(samples);
     const LeafFit leaf = fit_leaf(samples, bounds_, recent_);
-    const bool fits = leaf.error <= 1.0 && holds_between(leaf, samples);
-    if (!fits && side > smallest_side(samples) && !work_.cancelled())
-      return split(corner, level, kNone, branch);
+    const bool fits = leaf.error <= 1.0 && (samples.is_last || holds_between(leaf, samples));
+    if (!fits && !samples.is_last && !work_.cancelled()) return split(corner, level, kNone, branch);
     if (fits) recent_.add(leaf);
     const auto begin = static_cast<std::uint32_t>(branch.words.size());
     branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
@@ -201,8 +201,9 @@ class BranchBuilder {
     return node;
   }
 
-  /// Asks at places between those of the fit, where something small may hide. A few places may err a little
-  /// more: the bound was judged at the others.
+  /// Asks at places between those of the fit, where something small may hide: many near the surface, a few
+  /// elsewhere, where what is small has no distance of its own. They may err a little more: the bound was
+  /// judged at the others.
   bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
     constexpr std::array<Vec3, 9> kBetween{{{0.4, -0.45, 0.35},
                                             {0.6, 0.56, 0.52},
@@ -214,7 +215,12 @@ class BranchBuilder {
                                             {0.66, -0.68, -0.64},
                                             {-0.62, -0.7, -0.66}}};
     constexpr double kSlack = 1.5;
-    return std::all_of(kBetween.begin(), kBetween.end(), [&](Vec3 u) {
+    constexpr std::ptrdiff_t kFew = 4;
+    const bool is_near = std::any_of(samples.at.begin(), samples.at.end(), [&](const FieldSample& s) {
+      return s.distance_m > -bounds_.inside_m && s.distance_m < bounds_.outside_m;
+    });
+    const auto end = is_near ? kBetween.end() : kBetween.begin() + kFew;
+    return std::all_of(kBetween.begin(), end, [&](Vec3 u) {
       const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
       return leaf_error(leaf, samples, u, truth, bounds_) <= kSlack;
     });

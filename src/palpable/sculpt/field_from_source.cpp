@@ -60,6 +60,12 @@ Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {
   return cell_m;
 }
 
+double facet_rounding_m(const Box& bounds, const FieldOptions& options) {
+  const auto cell_m = finest_cell_m(bounds, options);
+  if (!cell_m) return 0.0;
+  return std::min(kKinkInCells * *cell_m, 2.0 * bounds_for(longest_side(bounds), *cell_m, options).bound_m);
+}
+
 Result<DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
                                         const Work& work) {
   const Box box = source.bounds();

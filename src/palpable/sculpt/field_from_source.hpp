@@ -29,6 +29,11 @@ struct FieldOptions {
 /// for a solid without extent.
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 
+/// How far beside the facets of a curved surface the smooth one may be taken that they stand for
+/// (solid_from_mesh()): a tenth of a finest cell, as a kink may lie beside its true place (docs/fields.md),
+/// and no more than twice the error bound. 0 for what finest_cell_m() refuses.
+double facet_rounding_m(const Box& bounds, const FieldOptions& options);
+
 /// How far a field reaches beyond the solid in `bounds`: 6 % of its longest side, at least 2 mm.
 double field_margin_m(const Box& bounds);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/field_from_source.hpp"
 
+#include "palpable/models/superquadric_samples.hpp"
 #include "palpable/sculpt/mesh_solid.hpp"
 #include "palpable/sculpt/surface_cut.hpp"
 #include "palpable/sculpt/test_solids.hpp"
@@ -183,6 +184,55 @@ TEST(MeshSolid, CutsWhatOthersCrossWithoutCuttingItSmall) {
   }
   // Top and bottom, the slab's sides, and the towers' sides above the slab.
   EXPECT_NEAR(area_m2, 2.0 * 4.0 + 4.0 * 2.0 * 0.1 + 16.0 * 4.0 * 0.3 * 0.3, 1e-6);
+}
+
+TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {
+  models::Superquadric ball;
+  ball.size_m = {0.02, 0.02, 0.02};
+  const Mesh mesh = models::mesh_of(ball, 0.001);
+  constexpr double kFinest_m = 0.0005, kRounding_m = 2e-5;
+  const auto rounded = solid_from_mesh(mesh, kFinest_m, {}, kRounding_m);
+  const auto exact = solid_from_mesh(mesh, kFinest_m, {});
+  ASSERT_TRUE(rounded && exact);
+  EXPECT_EQ(rounded->repair.rounded, mesh.triangles.size());
+  EXPECT_FALSE(rounded->repair.notes().empty());
+  EXPECT_EQ(exact->repair.rounded, 0U);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-0.024, 0.024);
+  DistanceSource::Hint hint, other;
+  double facets_m = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p{x, y, z};
+    if (norm(p) < 0.01) continue;
+    const double distance_m = rounded->distance->at(p, hint).distance_m;
+    const double of_facets_m = exact->distance->at(p, other).distance_m;
+    ASSERT_NEAR(distance_m, norm(p) - 0.02, 1e-6);
+    ASSERT_NEAR(distance_m, of_facets_m, kRounding_m);
+    facets_m = std::max(facets_m, std::abs(of_facets_m - (norm(p) - 0.02)));
+  }
+  EXPECT_GT(facets_m, 3e-6);
+}
+
+TEST(MeshSolid, KeepsFacetsThatStandTooFarOffASmoothSurfaceOrAreLarge) {
+  models::Superquadric ball;
+  ball.size_m = {0.02, 0.02, 0.02};
+  const Mesh mesh = models::mesh_of(ball, 0.001);
+  const auto exact = solid_from_mesh(mesh, 0.0005, {});
+  const auto too_far = solid_from_mesh(mesh, 0.0005, {}, 1e-6);
+  const auto too_large = solid_from_mesh(mesh, 0.00005, {}, 2e-5);
+  ASSERT_TRUE(exact && too_far && too_large);
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(-0.024, 0.024);
+  DistanceSource::Hint hint, first, second;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p{x, y, z};
+    const double distance_m = exact->distance->at(p, hint).distance_m;
+    const double slack_m = 2.0 * TriangleTree::kNearestSlack * std::abs(distance_m);
+    ASSERT_NEAR(too_far->distance->at(p, first).distance_m, distance_m, 1e-6 + slack_m);
+    ASSERT_NEAR(too_large->distance->at(p, second).distance_m, distance_m, 1e-9 + slack_m);
+  }
 }
 
 TEST(MeshSolid, RefusesMeshesWithoutASolid) {

@@ -45,9 +45,6 @@ Allowance allowance(double distance_m, double side, const FitBounds& b) {
   return a;
 }
 
-/// How far beside its true place a kink may lie, in finest cells.
-constexpr double kKinkInCells = 0.1;
-
 /// The errors of a leaf, place by place.
 class Judge {
  public:
@@ -61,36 +58,40 @@ class Judge {
   struct Squares {
     double value = 0.0;
     double gradient = 0.0;
+    double greater() const { return std::max(value, gradient); }
   };
 
   /// The greater of value and gradient error over their allowances at one place; adds to the squares.
   double at(const LeafFit& leaf, Vec3 u, const FieldSample& truth, Squares& squares) const {
     const Vec3 x = samples_.centre_m + samples_.half_m * u;
-    const FieldSample s = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_);
+    const std::uint32_t* words = leaf.words.data();
+    const double sharp_round_m = 1e-3 * round_m_;
+    FieldSample s, sharp;
+    models::visit_pieces(words, x, u, samples_.half_m, [&](int i, const FieldSample& piece) {
+      sharp = i == 0 ? piece : models::joined_by(words, i, sharp, piece, sharp_round_m);
+      s = i == 0 ? piece : models::joined_by(words, i, s, piece, round_m_);
+    });
     Allowance a = allowance(truth.distance_m, side_, bounds_);
     a.value_m += samples_.coarse_m;
     a.value_rms_m += 0.5 * samples_.coarse_m;
     a.gradient += samples_.coarse_turn;
     a.gradient_rms += 0.5 * samples_.coarse_turn;
+    // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink must
+    // be where it is in truth.
+    if (std::abs(sharp.distance_m - s.distance_m) > sharp_round_m)
+      return std::abs(sharp.distance_m - truth.distance_m) /
+             std::max(a.value_m, kKinkInCells * bounds_.cell_m);
     const double value = std::abs(s.distance_m - truth.distance_m);
-    if (leaf.count > LeafHead::kCurvedWords + 1) {
-      // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink
-      // must be where it is in truth.
-      const FieldSample sharp = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, 1e-3 * round_m_);
-      if (std::abs(sharp.distance_m - s.distance_m) > 1e-3 * round_m_)
-        return std::abs(sharp.distance_m - truth.distance_m) /
-               std::max(a.value_m, kKinkInCells * bounds_.cell_m);
-    }
     const double turned2 = squared_norm(s.gradient - truth.gradient);
     squares.value += value * value / (a.value_rms_m * a.value_rms_m);
     squares.gradient += turned2 / (a.gradient_rms * a.gradient_rms);
     return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
   }
 
-  /// The greatest error of the distance, over all places; infinite as error().
-  double greatest_m(const LeafFit& leaf) const {
+  /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`.
+  double greatest_m(const LeafFit& leaf, double enough_m) const {
     double greatest = 0.0;
-    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+    for (std::size_t k = 0; k < kFitPlaces && greatest < enough_m; ++k) {
       const Vec3 u = fit_place(k);
       const Vec3 x = samples_.centre_m + samples_.half_m * u;
       const double distance = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_).distance_m;
@@ -106,12 +107,13 @@ class Judge {
   double error(const LeafFit& leaf, double enough) const {
     double worst = 0.0;
     Squares squares;
-    for (std::size_t k = 0; k < kFitPlaces && worst <= enough; ++k) {
+    const double enough2 = enough * enough * kFitPlaces;
+    for (std::size_t k = 0; k < kFitPlaces && worst <= enough && squares.greater() <= enough2; ++k) {
       const double here = at(leaf, fit_place(k), samples_.at[k], squares);
       if (!std::isfinite(here)) return std::numeric_limits<double>::infinity();
       worst = std::max(worst, here);
     }
-    return std::max(worst, std::sqrt(std::max(squares.value, squares.gradient) / kFitPlaces));
+    return std::max(worst, std::sqrt(squares.greater() / kFitPlaces));
   }
 
  private:
@@ -229,18 +231,19 @@ class Search {
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
     if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
-    const bool astray =
-        judge_.is_finest() && judge_.greatest_m(best_) > std::max(kAstray * bounds_.cell_m, closest_m_);
-    return astray ? closest_ : best_;
+    if (!judge_.is_finest()) return best_;
+    const double astray_m = std::max(kAstray * bounds_.cell_m, closest_m_);
+    return judge_.greatest_m(best_, kNoLimit) > astray_m ? closest_ : best_;
   }
 
  private:
   static constexpr std::size_t kCentre = kFitPlaces / 2;
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   Piece plane(std::size_t k) const { return plane_through(samples_, k, bounds_.cell_m); }
   Piece quadratic(const Quadratic& c) const { return quadratic_of(c, samples_.half_m, bounds_.cell_m); }
 
   bool try_leaf(LeafFit leaf) {
-    leaf.error = judge_.error(leaf, std::max(1.0, best_.error));
+    leaf.error = judge_.error(leaf, samples_.is_last ? std::max(1.0, best_.error) : 1.0);
     if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
     if (best_.count > 0 && best_.error <= 1.0) return true;
     if (judge_.is_finest()) keep_closest(leaf);
@@ -251,7 +254,7 @@ class Search {
   /// that errs least in it may be far off. In finest cells.
   static constexpr double kAstray = 0.3;
   void keep_closest(LeafFit leaf) {
-    const double greatest_m = judge_.greatest_m(leaf);
+    const double greatest_m = judge_.greatest_m(leaf, closest_m_);
     if (!(greatest_m < closest_m_)) return;
     closest_m_ = greatest_m;
     leaf.error = std::max(leaf.error, 1.0 + 1e-9);
@@ -305,7 +308,7 @@ class Search {
   Extremes ends_;
   LeafFit best_;
   LeafFit closest_;
-  double closest_m_ = std::numeric_limits<double>::infinity();
+  double closest_m_ = kNoLimit;
 };
 
 }  // namespace

@@ -24,6 +24,9 @@ struct FitBounds {
   double cell_m = 0.0;
 };
 
+/// How far beside its true place a kink may lie, in finest cells.
+inline constexpr double kKinkInCells = 0.1;
+
 /// Where a cell is asked for its distance: 3 x 3 x 3 places over it, its corners among them. Each answers
 /// with a value and a gradient, so 108 numbers meet the 10 of a quadratic.
 inline constexpr std::size_t kFitPlaces = 27;
@@ -38,6 +41,9 @@ struct CellSamples {
   /// How far they may be beside what their surface stands for (DistanceSource::Hint): a leaf need not follow
   /// them more closely.
   double coarse_m = 0.0, coarse_turn = 0.0;
+  /// The cell is not cut any further: if no leaf keeps the bounds, the one that errs least is wanted. Of
+  /// others it is then not known by how much they are missed.
+  bool is_last = true;
 };
 
 /// A leaf's words (models/field_leaf.hpp), and how far they err: up to 1 keeps every bound.

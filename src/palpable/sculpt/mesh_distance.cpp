@@ -151,16 +151,8 @@ class MeshDistance final : public DistanceSource {
   }
 
   bool is_inside(Vec3 p, Vec3 way, Vec3 there, const Hint& hint) const {
-    // The nearest place is known to a few parts in ten thousand: hardly turned, a normal tells nothing.
-    constexpr double kTelling = 0.1;
-    const double height = dot(way, there);
-    if (joints_.all_closed() &&
-        height * height > kTelling * kTelling * squared_norm(way) * squared_norm(there))
-      return height < 0.0;
-    // As the last place, if that is nearer than any surface.
-    if (squared_norm(p - hint.place_m) < 0.99 * hint.distance_m * hint.distance_m)
-      return hint.distance_m < 0.0;
-    return (whole_ ? *whole_ : tree_).winding(p) > 0.5;
+    const TriangleTree& whole = whole_ ? *whole_ : tree_;
+    return joints_.all_closed() ? is_behind(whole, p, way, there, hint) : is_behind(whole, p, hint);
   }
 
   TriangleTree tree_;

@@ -4,9 +4,11 @@
 
 #include "palpable/sculpt/mesh_distance.hpp"
 #include "palpable/sculpt/mesh_orientation.hpp"
+#include "palpable/sculpt/smooth_surface.hpp"
 #include "palpable/sculpt/surface_cut.hpp"
 #include "palpable/sculpt/triangle_tree.hpp"
 
+#include <cmath>
 #include <optional>
 
 namespace palpable::sculpt {
@@ -22,10 +24,36 @@ std::vector<std::string> MeshRepair::notes() const {
        " parts of the mesh were turned to face outwards.");
   tell(closed_holes, "One hole in the mesh was closed.", " holes in the mesh were closed.");
   tell(inner, "One triangle inside the solid was left out.", " triangles inside the solid were left out.");
+  if (rounded > 0)
+    notes.push_back(std::to_string(rounded) +
+                    " small facets were taken for the smooth surface that they stand for, at most " +
+                    std::to_string(std::lround(1e6 * rounded_m)) + " um beside them.");
   return notes;
 }
 
-Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work) {
+namespace {
+
+/// Few small facets are not worth it.
+constexpr std::size_t kOneOf = 10;
+
+/// Null where there are few facets to be rounded.
+std::unique_ptr<DistanceSource> rounded(const Mesh& whole, double finest_m, double rounding_m,
+                                        MeshRepair& repair) {
+  constexpr double kFinestCells = 2.0;
+  // Corners are exact; between them, normals that are means of facets leave about so much open.
+  constexpr double kCoarseShare = 0.1;
+  auto smooth = std::make_unique<SmoothSurface>(
+      whole, SmoothSurface::Rounding{rounding_m, kFinestCells * finest_m, kCoarseShare});
+  const std::size_t count = smooth->rounded_facets();
+  if (count * kOneOf < whole.triangles.size()) return nullptr;
+  repair.rounded = count;
+  repair.rounded_m = rounding_m;
+  return smooth;
+}
+
+}  // namespace
+
+Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work, double rounding_m) {
   work.report(0.0, "mending the mesh");
   MeshSolid solid;
   Mesh whole = welded(mesh, solid.repair.degenerate);
@@ -40,7 +68,8 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   if (work.cancelled()) return Work::interrupted();
   if (is_watertight(whole) && is_own_surface(whole, *tree, work.seed)) {
     tree.reset();
-    solid.distance = mesh_distance(whole, whole);
+    if (rounding_m > 0.0) solid.distance = rounded(whole, finest_m, rounding_m, solid.repair);
+    if (!solid.distance) solid.distance = mesh_distance(whole, whole);
     return solid;
   }
   const SolidSurface surface = surface_of(whole, *tree, finest_m, work);

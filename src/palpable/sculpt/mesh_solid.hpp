@@ -24,6 +24,9 @@ struct MeshRepair {
   std::size_t closed_holes = 0;
   /// Triangles that have the solid on both of their sides, or on none: not part of its surface.
   std::size_t inner = 0;
+  /// Facets that were taken for a smooth surface, and how far that lies beside them at most.
+  std::size_t rounded = 0;
+  double rounded_m = 0.0;
   /// One sentence each, for the person.
   std::vector<std::string> notes() const;
 };
@@ -37,9 +40,13 @@ struct MeshSolid {
 /// parts are turned to face outwards (by the parity of rays, as Takayama et al. 2014), holes closed, and the
 /// solid is where the triangles wind round a place at least once (generalised winding number, Jacobson et al.
 /// 2013); triangles inside the solid, where bodies overlap, are left out, and those that are partly inside
-/// cut along the lines where others cross them, into pieces no smaller than `finest_m`. Errors: invalid_input
-/// for a mesh without triangles or without a volume, interrupted.
-Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work);
+/// cut along the lines where others cross them, into pieces no smaller than `finest_m`. With `rounding_m`,
+/// the facets of a mesh that is taken as it is are taken for the smooth surface that they stand for
+/// (SmoothSurface) where it lies no farther beside them, and where they are so small that none of their
+/// places is more than two finest cells from an edge. Errors: invalid_input for a mesh without triangles or
+/// without a volume, interrupted.
+Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
+                                  double rounding_m = 0.0);
 
 /// The solid inside a surface that was contoured (dual_contour.hpp): its triangles face outwards and close,
 /// though its sheets may touch, so nothing is mended. Errors: invalid_input for a mesh without triangles.

@@ -18,10 +18,27 @@ inline NearestTriangle nearest_in_ball(const TriangleTree& tree, Vec3 p, const D
   return hint.entered == 0 ? tree.nearest(p, hint.triangle)
                            : tree.nearest(p, hint.triangle, hint.balls[hint.entered - 1]);
 }
+/// Whether a place is inside: as one of the last places, if that is nearer than any surface, else by the
+/// winding number.
+inline bool is_behind(const TriangleTree& tree, Vec3 p, const DistanceSource::Hint& hint) {
+  for (const auto& last : hint.last)
+    if (squared_norm(p - last.place_m) < 0.99 * last.distance_m * last.distance_m)
+      return last.distance_m < 0.0;
+  return tree.winding(p) > 0.5;
+}
+/// Whether a place is inside, told by `normal` where it is nearest to a closed surface, on the `way` from
+/// there.
+inline bool is_behind(const TriangleTree& tree, Vec3 p, Vec3 way, Vec3 normal,
+                      const DistanceSource::Hint& hint) {
+  // The nearest place is known to a few parts in ten thousand: hardly turned, a normal tells nothing.
+  constexpr double kTelling = 0.1;
+  const double height = dot(way, normal);
+  if (height * height > kTelling * kTelling * squared_norm(way) * squared_norm(normal)) return height < 0.0;
+  return is_behind(tree, p, hint);
+}
 inline void remember(const NearestTriangle& near, Vec3 p, double distance_m, DistanceSource::Hint& hint) {
   hint.triangle = near.triangle;
-  hint.place_m = p;
-  hint.distance_m = distance_m;
+  hint.last[hint.oldest++ % hint.last.size()] = {p, distance_m};
 }
 
 }  // namespace palpable::sculpt

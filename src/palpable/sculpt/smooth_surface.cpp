@@ -44,6 +44,22 @@ namespace {
 /// Neighbours whose normals differ by more meet in an edge: the cosine of 20 degrees.
 constexpr double kSmoothCosine = 0.9397;
 
+/// The radius of the greatest circle in a triangle.
+double inradius_m(const std::array<Vec3, 3>& t) {
+  const double around_m = norm(t[1] - t[0]) + norm(t[2] - t[1]) + norm(t[0] - t[2]);
+  return norm(cross(t[1] - t[0], t[2] - t[0])) / around_m;
+}
+
+/// How far a surface that bends evenly would stand before two triangles that turn by `turn` over a common
+/// edge: before the middle of equal-sided ones h turn / 3, of long strips h turn / 8.
+double bulge_over_edge_m(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double edge_m,
+                         double turn) {
+  const auto height_m = [&](const std::array<Vec3, 3>& t) {
+    return norm(cross(t[1] - t[0], t[2] - t[0])) / edge_m;
+  };
+  return std::max(height_m(a), height_m(b)) * turn / 3.0;
+}
+
 double angle_between(Vec3 a, Vec3 b) { return std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0)); }
 
 /// Where a place stands: weights on a patch's plane, and how many of its normals above it.
@@ -86,12 +102,15 @@ bool stand(const SmoothSurface::Patch& patch, Vec3 p, Foot& foot) {
 
 }  // namespace
 
-SmoothSurface::SmoothSurface(Mesh mesh)
-    : mesh_(std::move(mesh)),
+SmoothSurface::SmoothSurface(Mesh mesh, const Rounding& rounding)
+    : rounding_(rounding),
+      mesh_(std::move(mesh)),
       tree_(mesh_),
       faces_(mesh_.triangles.size()),
       normals_(mesh_.triangles.size()),
       across_(mesh_.triangles.size()),
+      smooth_(mesh_.triangles.size()),
+      around_(mesh_.vertices_m.size()),
       fan_begin_(mesh_.vertices_m.size() + 1) {
   for (const auto& t : mesh_.triangles)
     for (const std::uint32_t v : t) ++fan_begin_[v + 1];
@@ -103,6 +122,7 @@ SmoothSurface::SmoothSurface(Mesh mesh)
     set_face(t);
   }
   find_neighbours();
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) set_edges(t);
   for (std::uint32_t v = 0; v < mesh_.vertices_m.size(); ++v) set_normals(v);
 }
 
@@ -126,13 +146,33 @@ void SmoothSurface::set_face(std::uint32_t triangle) {
   faces_[triangle] = unit(cross(mesh_.vertices_m[t[1]] - a, mesh_.vertices_m[t[2]] - a));
 }
 
-bool SmoothSurface::is_smooth(std::uint32_t a, std::uint32_t b) const {
-  return dot(faces_[a], faces_[b]) > kSmoothCosine;
+void SmoothSurface::set_edges(std::uint32_t triangle) {
+  for (std::size_t side = 0; side < 3; ++side) {
+    const std::uint32_t other = across_[triangle][side];
+    const auto corners = [&](std::uint32_t t) {
+      const auto& of = mesh_.triangles[t];
+      return std::array{mesh_.vertices_m[of[0]], mesh_.vertices_m[of[1]], mesh_.vertices_m[of[2]]};
+    };
+    const auto one = corners(triangle), two = corners(other);
+    const bool smooth = dot(faces_[triangle], faces_[other]) > kSmoothCosine &&
+                        std::max(inradius_m(one), inradius_m(two)) <= rounding_.largest_facet_m &&
+                        bulge_over_edge_m(one, two, norm(one[(side + 1) % 3] - one[side]),
+                                          norm(faces_[triangle] - faces_[other])) <= rounding_.most_m;
+    const auto back = static_cast<std::size_t>(
+        std::find(across_[other].begin(), across_[other].end(), triangle) - across_[other].begin());
+    const auto set = [&](std::uint32_t t, std::size_t k) {
+      const auto bit = static_cast<std::uint8_t>(1U << k);
+      smooth_[t] = static_cast<std::uint8_t>(smooth ? smooth_[t] | bit : smooth_[t] & ~bit);
+    };
+    set(triangle, side);
+    set(other, back);
+  }
 }
 
 void SmoothSurface::set_normals(std::uint32_t vertex) {
   const auto corners = fan(vertex);
   std::vector<std::uint32_t> left(corners.begin(), corners.end());
+  around_[vertex] = {};
   while (!left.empty()) {
     // All that is reached from one of them without crossing an edge.
     std::vector<std::uint32_t> part{left.back()};
@@ -142,14 +182,16 @@ void SmoothSurface::set_normals(std::uint32_t vertex) {
       const std::uint32_t t = part[i] / 3, k = part[i] % 3;
       const auto place = [&](std::uint32_t j) { return mesh_.vertices_m[mesh_.triangles[t][(k + j) % 3]]; };
       sum += angle_between(place(1) - place(0), place(2) - place(0)) * faces_[t];
-      for (const std::uint32_t next : {across_[t][k], across_[t][(k + 2) % 3]}) {
+      for (const std::size_t side : {std::size_t{k}, std::size_t{(k + 2) % 3}}) {
+        const std::uint32_t next = across_[t][side];
         const auto at =
             std::find_if(left.begin(), left.end(), [&](std::uint32_t c) { return c / 3 == next; });
-        if (at == left.end() || !is_smooth(t, next)) continue;
+        if (at == left.end() || !is_smooth(t, side)) continue;
         part.push_back(*at);
         left.erase(at);
       }
     }
+    around_[vertex] += sum;
     for (const std::uint32_t corner : part) normals_[corner / 3][corner % 3] = unit(sum);
   }
 }
@@ -166,8 +208,9 @@ void SmoothSurface::move(std::span<const Move> moves) {
   };
   only_once(triangles);
   std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t t : triangles) set_face(t);
   for (const std::uint32_t t : triangles) {
-    set_face(t);
+    set_edges(t);
     vertices.insert(vertices.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
   }
   only_once(vertices);
@@ -183,25 +226,25 @@ Vec3 SmoothSurface::pseudo_normal(const NearestTriangle& near) const {
     return faces_[near.triangle] + faces_[across_[near.triangle][side]];
   }
   const auto corner = static_cast<std::size_t>(near.part) - static_cast<std::size_t>(corner_0);
-  Vec3 sum;
-  for (const std::uint32_t c : fan(mesh_.triangles[near.triangle][corner])) {
-    const auto& t = mesh_.triangles[c / 3];
-    const Vec3 middle = mesh_.vertices_m[t[c % 3]];
-    sum +=
-        angle_between(mesh_.vertices_m[t[(c + 1) % 3]] - middle, mesh_.vertices_m[t[(c + 2) % 3]] - middle) *
-        faces_[c / 3];
-  }
-  return sum;
+  return around_[mesh_.triangles[near.triangle][corner]];
 }
 
-models::FieldSample SmoothSurface::faceted(Vec3 p, const NearestTriangle& near) const {
+models::FieldSample SmoothSurface::faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
   const Vec3 way = p - near.point_m;
   const Vec3 normal = pseudo_normal(near);
   if (near.part == TrianglePart::face) return {dot(way, normal), normal};
   const double distance = std::sqrt(near.squared_distance_m2);
   if (distance == 0.0) return {0.0, unit(normal)};
-  const double sign = dot(way, normal) < 0.0 ? -1.0 : 1.0;
+  const double sign = is_behind(tree_, p, way, normal, hint) ? -1.0 : 1.0;
   return {sign * distance, (sign / distance) * way};
+}
+
+std::size_t SmoothSurface::rounded_facets() const {
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    count += std::any_of(normals_[t].begin(), normals_[t].end(),
+                         [&](Vec3 n) { return squared_norm(n - faces_[t]) > 1e-12; });
+  return count;
 }
 
 std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const NearestTriangle& near,
@@ -221,18 +264,20 @@ std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const Neares
     if (weights[least] >= -kBorder) {
       const Vec3 normal = patch.normal(foot.u, foot.v);
       const double length = norm(normal);
-      const double distance_m = foot.along * length - patch.bulge_m(foot.u, foot.v);
+      const double bulge_m = patch.bulge_m(foot.u, foot.v);
+      if (std::abs(bulge_m) > rounding_.most_m) return std::nullopt;
+      const double distance_m = foot.along * length - bulge_m;
       const double slack_m =
           patch.greatest_bulge_m() + 2.0 * TriangleTree::kNearestSlack * std::abs(faceted_m);
       if (!(std::abs(std::abs(distance_m) - std::abs(faceted_m)) <= slack_m)) return std::nullopt;
       return models::FieldSample{distance_m, normal / length};
     }
-    const std::uint32_t next = across_[triangle][(least + 1) % 3];
-    if (!is_smooth(triangle, next)) return std::nullopt;
+    const std::size_t side = (least + 1) % 3;
+    if (!is_smooth(triangle, side)) return std::nullopt;
     // The same place of the common edge.
     from = patch.place(foot.u, foot.v);
     along = foot.along;
-    triangle = next;
+    triangle = across_[triangle][side];
   }
   return std::nullopt;
 }
@@ -245,10 +290,9 @@ void SmoothSurface::leave(Hint& hint) const { --hint.entered; }
 models::FieldSample SmoothSurface::at(Vec3 place_m, Hint& hint) const {
   const NearestTriangle near = nearest_in_ball(tree_, place_m, hint);
   const Patch patch = patch_of(near.triangle);
-  // A surface that bends evenly bulges by a quarter of that in the middle.
-  hint.coarse_m = 0.25 * patch.greatest_bulge_m();
-  hint.coarse_turn = 0.25 * patch.greatest_turn();
-  models::FieldSample sample = faceted(place_m, near);
+  hint.coarse_m = rounding_.coarse_share * patch.greatest_bulge_m();
+  hint.coarse_turn = rounding_.coarse_share * patch.greatest_turn();
+  models::FieldSample sample = faceted(place_m, near, hint);
   if (const auto smooth = projected(place_m, near, sample.distance_m)) sample = *smooth;
   remember(near, place_m, sample.distance_m, hint);
   return sample;

@@ -7,9 +7,12 @@
 #include "palpable/sculpt/triangle_tree.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -23,8 +26,23 @@ namespace palpable::sculpt {
 /// move.
 class SmoothSurface final : public DistanceSource {
  public:
+  /// Which facets are taken for a smooth surface; all, unless it is said.
+  struct Rounding {
+    /// The smooth surface lies no farther beside the facets than this: edges that would need more stay sharp.
+    double most_m = std::numeric_limits<double>::infinity();
+    /// Edges of facets whose greatest inscribed circle is larger stay sharp, however little they turn.
+    double largest_facet_m = std::numeric_limits<double>::infinity();
+    /// The part of a facet's rise and turn that a field of it need not follow (DistanceSource::Hint): a
+    /// surface that bends evenly stands a quarter of the rise before the facet's middle, and that far corners
+    /// that were measured may be beside it.
+    double coarse_share = 0.25;
+  };
   /// A mesh that is_watertight().
-  explicit SmoothSurface(Mesh mesh);
+  explicit SmoothSurface(Mesh mesh) : SmoothSurface(std::move(mesh), Rounding{}) {}
+  SmoothSurface(Mesh mesh, const Rounding& rounding);
+
+  /// How many facets are not flat any more.
+  std::size_t rounded_facets() const;
 
   struct Move {
     std::uint32_t vertex = 0;
@@ -48,12 +66,17 @@ class SmoothSurface final : public DistanceSource {
   }
   void find_neighbours();
   void set_face(std::uint32_t triangle);
+  void set_edges(std::uint32_t triangle);
   void set_normals(std::uint32_t vertex);
-  bool is_smooth(std::uint32_t a, std::uint32_t b) const;
+  /// Across a triangle's edge.
+  bool is_smooth(std::uint32_t triangle, std::size_t side) const {
+    return (smooth_[triangle] >> side & 1U) != 0;
+  }
   Vec3 pseudo_normal(const NearestTriangle& near) const;
-  models::FieldSample faceted(Vec3 p, const NearestTriangle& near) const;
+  models::FieldSample faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const;
   std::optional<models::FieldSample> projected(Vec3 p, const NearestTriangle& near, double faceted_m) const;
 
+  Rounding rounding_;
   Mesh mesh_;
   TriangleTree tree_;
   std::vector<Vec3> faces_;
@@ -61,6 +84,10 @@ class SmoothSurface final : public DistanceSource {
   std::vector<std::array<Vec3, 3>> normals_;
   /// The triangle across each edge: 0-1, 1-2, 2-0.
   std::vector<std::array<std::uint32_t, 3>> across_;
+  /// Which of these edges are smooth, a bit each.
+  std::vector<std::uint8_t> smooth_;
+  /// For each vertex the sum of the faces around it, weighted by their angles.
+  std::vector<Vec3> around_;
   /// The corners at each vertex, as 3 triangle + corner; vertex v's from fan_begin_[v].
   std::vector<std::uint32_t> fan_begin_, fans_;
 };

@@ -110,7 +110,10 @@ Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const MakeO
   if (const auto fits = check_size(*box, options); !fits) return fits.error();
   const auto cell_m = sculpt::finest_cell_m(*box, options.field);
   if (!cell_m) return cell_m.error();
-  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work);
+  // The dense ways are there to be compared with: they keep the triangles as they are.
+  const double rounding_m =
+      options.field_keeping == FieldKeeping::adaptive ? sculpt::facet_rounding_m(*box, options.field) : 0.0;
+  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, rounding_m);
   if (!made) return made.error();
   solid.distance = std::move(made->distance);
   solid.notes = made->repair.notes();
