@@ -7,14 +7,14 @@
 
 namespace palpable::vision {
 
-void mark_mutual(std::span<const float> left_px, std::span<const float> right_px,
+void mark_mutual(std::span<const float> left_px, std::span<const float> right_px, int right_first,
                  std::span<std::uint8_t> trusted) {
   const auto width = static_cast<std::ptrdiff_t>(left_px.size());
   for (std::ptrdiff_t x = 0; x < width; ++x) {
     const auto i = static_cast<std::size_t>(x);
     const std::ptrdiff_t to = x - std::lround(left_px[i]);
-    trusted[i] =
-        to >= 0 && to < width && std::abs(right_px[static_cast<std::size_t>(to)] - left_px[i]) <= 1.0F;
+    trusted[i] = to >= right_first && to < width &&
+                 std::abs(right_px[static_cast<std::size_t>(to)] - left_px[i]) <= 1.0F;
   }
 }
 

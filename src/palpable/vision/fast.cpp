@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 namespace palpable::vision {
 namespace {
@@ -23,8 +22,6 @@ namespace {
 /// half the sum of both is the cost.
 constexpr CostOptions kCost{.census_weight = 1, .colour_limit = 20, .colour_weight = 3, .halvings = 1};
 static_assert((63 + kCost.colour_limit * kCost.colour_weight) / 2 <= kLargestCost);
-/// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view.
-constexpr float kOutOfView = 0.6F;
 /// Costs are averaged with those of neighbours 1, 2 and 4 columns and 1 and 2 rows away whose colour is
 /// alike.
 constexpr int kColumnPasses = 3;
@@ -42,14 +39,6 @@ constexpr int kTwoStripes = 400;
 constexpr int kLeadIn = 12;
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// What lies out of view neither attracts nor repels.
-void fill_out_of_view(std::uint8_t* cost, int known, int stride) {
-  if (known >= stride) return;
-  const float mean = static_cast<float>(std::accumulate(cost, cost + known, 0)) / static_cast<float>(known);
-  const auto least = static_cast<float>(*std::min_element(cost, cost + known));
-  std::fill(cost + known, cost + stride, static_cast<std::uint8_t>(least + kOutOfView * (mean - least)));
-}
 
 /// (a + 2 b + c) / 4, rounded up and down.
 PALPABLE_VECTORIZE void smooth(const std::uint8_t* __restrict a, const std::uint8_t* __restrict b,
@@ -141,8 +130,6 @@ class StripeMatcher {
   void add_row(int y) {
     Bytes& out = ring(y);
     costs_.fill_row(y, stride_, out.data());
-    for (int x = 0; x < std::min(width_, stride_ - 1); ++x)
-      fill_out_of_view(out.data() + at(x), x + 1, stride_);
     for (int pass = 0; pass < kColumnPasses; ++pass) {
       const int reach = 1 << pass;
       differences_to(colour_, y, -reach, y, difference_);
@@ -249,6 +236,7 @@ Result<MatchOutput> match_fast(const MatchInput& input, const StereoOptions&, co
   });
   if (work.cancelled()) return Work::interrupted();
 
+  hide_before(input.right_first, right_px);
   out.confidence = agreement(out.disparity_px, right_px);
   Raster<std::uint8_t> trusted(w, h);
   for (std::size_t i = 0; i < trusted.count(); ++i) trusted.values()[i] = out.confidence.values()[i] > 0.0F;

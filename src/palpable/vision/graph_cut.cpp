@@ -141,19 +141,21 @@ Solution solve(const MatchInput& input, int level, const Work& work) {
   return out;
 }
 
-/// What a nearer surface covers in the right picture is hidden there: its disparity is not to be trusted.
-Raster<std::uint8_t> seen_by_both(const Raster<int>& label) {
+/// What a nearer surface covers in the right picture, or what it does not show, is hidden there: its
+/// disparity is not to be trusted.
+Raster<std::uint8_t> seen_by_both(const Raster<int>& label, int right_first) {
   Raster<std::uint8_t> seen(label.width(), label.height());
   std::vector<int> nearest(static_cast<std::size_t>(label.width()));
   for (int y = 0; y < label.height(); ++y) {
     std::fill(nearest.begin(), nearest.end(), -1);
     for (int x = 0; x < label.width(); ++x) {
-      if (x < label(x, y)) continue;
+      if (x < label(x, y) + right_first) continue;
       int& there = nearest[static_cast<std::size_t>(x - label(x, y))];
       there = std::max(there, label(x, y));
     }
     for (int x = 0; x < label.width(); ++x)
-      seen(x, y) = x >= label(x, y) && nearest[static_cast<std::size_t>(x - label(x, y))] <= label(x, y) + 1;
+      seen(x, y) = x >= label(x, y) + right_first &&
+                   nearest[static_cast<std::size_t>(x - label(x, y))] <= label(x, y) + 1;
   }
   return seen;
 }
@@ -165,7 +167,7 @@ Result<MatchOutput> match_graph_cut(const MatchInput& input, const StereoOptions
   if (work.cancelled()) return Work::interrupted();
   const Raster<int>& label = solution.label;
   MatchOutput output{surface_through(label, work), {}};
-  fill_from_behind(seen_by_both(label), output.disparity_px);
+  fill_from_behind(seen_by_both(label, input.right_first), output.disparity_px);
   return output;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace palpable::vision {
@@ -19,6 +20,11 @@ Raster<float> agreement(const Raster<float>& disparity, const Raster<float>& oth
       if (other.contains(there, y) && std::fabs(other(there, y) - d) <= kAgreement_px) out(x, y) = 1.0F;
     }
   return out;
+}
+
+void hide_before(int first, Raster<float>& other) {
+  for (int y = 0; y < other.height(); ++y)
+    std::fill_n(other.row(y).begin(), std::min(first, other.width()), std::numeric_limits<float>::infinity());
 }
 
 float quantile_where(const Raster<float>& values, const Raster<float>& weight, double at) {

@@ -6,6 +6,7 @@
 #include "palpable/vision/census.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace palpable::vision {
 namespace {
@@ -62,6 +63,21 @@ PALPABLE_VECTORIZE void add_weighted(const std::uint8_t* __restrict colour, cons
   }
 }
 
+/// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view: it
+/// neither attracts nor repels.
+constexpr float kOutOfView = 0.6F;
+
+/// Sets the costs of the disparities from `known` on, whose matches lie out of view.
+void fill_out_of_view(std::uint8_t* cost, int known, int stride) {
+  std::uint8_t neutral = 0;
+  if (known > 0) {
+    const float mean = static_cast<float>(std::accumulate(cost, cost + known, 0)) / static_cast<float>(known);
+    const auto least = static_cast<float>(*std::min_element(cost, cost + known));
+    neutral = static_cast<std::uint8_t>(least + kOutOfView * (mean - least));
+  }
+  std::fill(cost + known, cost + stride, neutral);
+}
+
 }  // namespace
 
 MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
@@ -92,7 +108,7 @@ void compare_row(const MatchView& view, int y, const ReversedRow& there, int str
 MatchingCost::MatchingCost(const MatchInput& input, const CostOptions& options, const Work& work)
     : options_(options),
       left_(match_view(input.left, input.left_grey, work)),
-      right_{colour_planes(input.right), census_9x7(input.right_grey, work), {}} {}
+      right_{colour_planes(input.right), census_9x7(input.right_grey, work), {}, input.right_first} {}
 
 void MatchingCost::fill_row(int y, int stride, std::uint8_t* out) const {
   struct Scratch {
@@ -105,6 +121,10 @@ void MatchingCost::fill_row(int y, int stride, std::uint8_t* out) const {
   scratch.colour.resize(count);
   compare_row(left_, y, scratch.row, stride, out, scratch.colour.data());
   add_weighted(scratch.colour.data(), options_, count, out);
+  const int last = std::min(left_.census.width(), right_.first + stride - 1);
+  for (int x = 0; x < last; ++x)
+    fill_out_of_view(out + static_cast<std::size_t>(x) * static_cast<std::size_t>(stride),
+                     std::max(0, x + 1 - right_.first), stride);
 }
 
 }  // namespace palpable::vision

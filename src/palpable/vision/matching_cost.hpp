@@ -67,8 +67,8 @@ class MatchingCost {
   const ColourPlanes& left_colour() const { return left_.colour; }
 
   /// Fills out[x * stride + d] with the cost 0…kLargestMatchingCost of pixel (x, y) at disparity d, for d <
-  /// stride; where x - d lies outside the right picture, its first column stands in. `out` has width * stride
-  /// items.
+  /// stride; where x - d lies before what the right picture shows, one that neither attracts nor repels.
+  /// `out` has width * stride items.
   void fill_row(int y, int stride, std::uint8_t* out) const;
 
  private:

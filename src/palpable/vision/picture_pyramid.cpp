@@ -38,7 +38,8 @@ Raster<std::uint8_t> luma(const Raster<Rgb8>& picture) {
 }  // namespace
 
 MatchInput halved(const MatchInput& input) {
-  MatchInput out{halved(input.left), halved(input.right), {}, {}, input.disparities / 2 + 1};
+  MatchInput out{halved(input.left),        halved(input.right),  {}, {},
+                 input.disparities / 2 + 1, input.right_first / 2};
   out.left_grey = luma(out.left);
   out.right_grey = luma(out.right);
   return out;

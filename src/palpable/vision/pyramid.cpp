@@ -51,10 +51,12 @@ struct View {
   const CorrelationPicture& other;
   int sign;
   int disparities;
+  /// The right picture shows something from this column on.
+  int right_first;
   float error(int x, int y, int d) const { return correlation_error(own, other, x, y, x - sign * d); }
   bool visible(int x, int d) const {
     const int to = x - sign * d;
-    return to >= 0 && to < own.width();
+    return to >= 0 && to < own.width() && (sign > 0 ? to : x) >= right_first;
   }
 };
 
@@ -187,8 +189,8 @@ Maps match_level(const MatchInput& input, const Work& work) {
   if (work.cancelled()) return coarse;
   const CorrelationPicture left(input.left_grey);
   const CorrelationPicture right(input.right_grey);
-  const View from_left{left, right, 1, input.disparities};
-  const View from_right{right, left, -1, input.disparities};
+  const View from_left{left, right, 1, input.disparities, input.right_first};
+  const View from_right{right, left, -1, input.disparities, input.right_first};
   Maps out{first_match(from_left, coarse.left, work), first_match(from_right, coarse.right, work), {}};
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
@@ -297,7 +299,7 @@ Result<MatchOutput> match_pyramid(const MatchInput& input, const StereoOptions& 
   work.report(0.7, "refining");
   const CorrelationPicture left(input.left_grey);
   const CorrelationPicture right(input.right_grey);
-  refine({left, right, 1, input.disparities}, options, output.disparity_px, work);
+  refine({left, right, 1, input.disparities, input.right_first}, options, output.disparity_px, work);
   if (work.cancelled()) return Work::interrupted();
   return output;
 }

@@ -43,7 +43,7 @@ class ScanlineMatcher {
     mirror(y);
     path_.find(mirrored_, mirrored_grey_, right_px_, occluded_right_);
     std::reverse(right_px_.begin(), right_px_.end());
-    mark_mutual(disparity_px, right_px_, trusted);
+    mark_mutual(disparity_px, right_px_, input_.right_first, trusted);
     for (std::size_t x = 0; x < columns_; ++x)
       if (occluded_[x] != 0) trusted[x] = 0;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/segments.hpp"
 
+#include "palpable/vision/left_right.hpp"
 #include "palpable/vision/median.hpp"
 #include "palpable/vision/plane_search.hpp"
 #include "palpable/vision/plane_votes.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 // Hong & Chen 2004 as Gomez 2012 describes it (segment_planes), for each of the two pictures; then borders
@@ -100,8 +100,7 @@ void propose_planes(const SegmentPlanes& surfaces, PlaneCandidates& out, const W
 /// behind it.
 Raster<float> seen_from_other(const View& other, int first) {
   Raster<float> out = mirrored(other.map.disparity);
-  for (int y = 0; y < out.height(); ++y)
-    std::fill_n(out.row(y).begin(), std::min(first, out.width()), std::numeric_limits<float>::infinity());
+  hide_before(first, out);
   return out;
 }
 
@@ -119,7 +118,9 @@ void settle_borders(std::array<View, 2>& views, int right_first, const Work& wor
     for (View& view : views) {
       view.picture = match_view(view.input.left, view.input.left_grey, work);
       view.costs = CostVolume(w, h, input.disparities);
-      pixel_costs(view.picture, match_view(view.input.right, view.input.right_grey, work), view.costs, work);
+      MatchView there = match_view(view.input.right, view.input.right_grey, work);
+      there.first = view.input.right_first;
+      pixel_costs(view.picture, there, view.costs, work);
       average_over_crosses(view.picture.colour, view.costs, scratch, work);
       view.map = map_of(view.surfaces);
     }

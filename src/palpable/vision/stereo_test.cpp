@@ -67,6 +67,20 @@ TEST_P(EveryMethod, GivesTheSameBytesForEveryThreadCount) {
   EXPECT_TRUE(a->disparity.disparity_px == b->disparity.disparity_px);
 }
 
+TEST_P(EveryMethod, CarriesSurfacesOnWhereTheOtherPictureEnds) {
+  SyntheticScene near;
+  near.ground_px = 40.0;
+  near.box_px = 46.0;
+  const auto found = match(render(near), GetParam(), {}, {});
+  ASSERT_TRUE(found);
+  int bad = 0;
+  for (int y = 0; y < near.height; ++y)
+    for (int x = 0; x < 40; ++x)
+      bad +=
+          std::abs(static_cast<double>(found->disparity.disparity_px(x, y)) - near.ground_px) <= 1.0 ? 0 : 1;
+  EXPECT_LE(bad, near.height * 40 / 20);
+}
+
 TEST_P(EveryMethod, StopsWhenCancelled) {
   const std::atomic<bool> cancel{true};
   Work work;
