@@ -63,8 +63,9 @@ double corner_rms_px(const StereoPair& pair) {
 
 TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
   // A board repeats itself: features find nothing on it, tracked corners do. Of the eleven pairs whose board
-  // is whole in both pictures nine reach 0.32 pixels; two do not (docs/measurements.md).
-  for (const int i : {1, 4, 9, 14}) {
+  // is whole in both pictures ten reach 0.32 pixels; one does not (docs/measurements.md). Of pair 5 a chance
+  // turn explains more features than the true one.
+  for (const int i : {1, 5, 9, 14}) {
     const auto aligned = align_uncalibrated(chessboard(i), {});
     ASSERT_TRUE(aligned);
     EXPECT_GT(aligned->residual_before_px, 8.0) << i;

@@ -107,6 +107,8 @@ struct Way {
 struct Evidence {
   std::vector<FeatureMatch> matches;
   Way way;
+  /// Of the corners tracked last, so many lay on common rows already.
+  double share = 0.0;
 };
 
 /// Turns, unless moving rows explains far more: then the left picture stays as it is.
@@ -150,9 +152,9 @@ double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_
 
 /// Once features have made the pictures about straight, corners are tracked between them: features alone are
 /// few, and none lie where a pattern repeats itself.
-Result<Evidence> evidence_of(const StereoPair& pair, const Eye& eye,
-                             const std::vector<FeatureMatch>& features, TurnedCameras first,
-                             const Work& work) {
+Result<Evidence> evidence_from(const StereoPair& pair, const Eye& eye,
+                               const std::vector<FeatureMatch>& features, TurnedCameras first,
+                               const Work& work) {
   constexpr int kRounds = 2;
   const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height);
   Evidence out{features, way_of(features, std::move(first), pair.left)};
@@ -161,13 +163,28 @@ Result<Evidence> evidence_of(const StereoPair& pair, const Eye& eye,
     if (work.cancelled()) return Work::interrupted();
     const auto tracked = tracked_matches(straightened(pair, out.way), out.way.straight_matches(), work);
     if (!tracked) return tracked.error();
-    const double share = share_on_rows(*tracked, 0.5 * tolerance_px);
+    out.share = share_on_rows(*tracked, 0.5 * tolerance_px);
     out.matches = features;
     for (const FeatureMatch& m : *tracked) out.matches.push_back(as_it_came(m, out.way));
     out.way = way_of(out.matches, turns_to_scanlines(out.matches, eye, tolerance_px, work.seed), pair.left);
-    if (share > kNearlyAll) break;
+    if (out.share > kNearlyAll) break;
   }
   return out;
+}
+
+/// Where features are few, a turn that some of them agree on by chance leads corners astray. Where most
+/// corners say so, it begins once more with what all features agree on roughly, and more matches decide.
+Result<Evidence> evidence_of(const StereoPair& pair, const Eye& eye,
+                             const std::vector<FeatureMatch>& features, TurnedCameras first,
+                             const Work& work) {
+  constexpr double kMost = 0.6;
+  Result<Evidence> out = evidence_from(pair, eye, features, std::move(first), work);
+  if (!out || out->share > kMost) return out;
+  const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height);
+  Result<Evidence> again =
+      evidence_from(pair, eye, features, rough_turns(features, eye, tolerance_px, work.seed), work);
+  if (!again) return again;
+  return again->way.cameras.matches.size() > out->way.cameras.matches.size() ? again : out;
 }
 
 /// Straightens the pair unless that leaves too much; `out` is the pair as it came.

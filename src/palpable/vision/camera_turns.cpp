@@ -241,6 +241,13 @@ TurnedCameras turns_to_scanlines(const std::vector<FeatureMatch>& matches, const
   return as_good(plane, space, kEnough * tolerance_px) ? plane : space;
 }
 
+TurnedCameras rough_turns(const std::vector<FeatureMatch>& matches, const Eye& eye, double tolerance_px,
+                          std::uint64_t seed) {
+  constexpr double kRoughly = 4.0;
+  if (matches.size() < 8) return {};
+  return settled(matches, eye, Freedom::plane, kRoughly * tolerance_px, seed);
+}
+
 std::vector<FeatureMatch> within(const std::vector<FeatureMatch>& matches, const Straightening& by,
                                  double tolerance_px) {
   std::vector<FeatureMatch> out;

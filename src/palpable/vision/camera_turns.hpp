@@ -52,6 +52,11 @@ struct TurnedCameras {
 TurnedCameras turns_to_scanlines(const std::vector<FeatureMatch>& matches, const Eye& eye,
                                  double tolerance_px, std::uint64_t seed);
 
+/// The simplest of explanations, and only roughly: the right picture moved up or down and turned in its
+/// plane, so that most matches come within a few pixels of common scanlines.
+TurnedCameras rough_turns(const std::vector<FeatureMatch>& matches, const Eye& eye, double tolerance_px,
+                          std::uint64_t seed);
+
 /// Those that share scanlines once straightened, within `tolerance_px`.
 std::vector<FeatureMatch> within(const std::vector<FeatureMatch>& matches, const Straightening& by,
                                  double tolerance_px);
