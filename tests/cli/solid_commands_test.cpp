@@ -93,6 +93,10 @@ TEST_F(SolidCommands, DenseFieldsAreMadeTouchedAndDrawnLikeOthers) {
     }
     EXPECT_EQ(palpable({"show", path("out.palp"), "-o", path("cut.png")}).exit_code, 0);
     EXPECT_EQ(palpable({"export", path("out.palp"), "-o", path("out.stl")}).exit_code, 0);
+    const Outcome level_set = palpable({"export", path("out.palp"), "-o", path("f.vdb"), "--grid", "33"});
+    ASSERT_EQ(level_set.exit_code, 0) << level_set.err;
+    ASSERT_EQ(palpable({"make", path("f.vdb"), "-o", path("back.palp"), "--resolution", "32"}).exit_code, 0);
+    EXPECT_NEAR(distance_m("back.palp", "0.003,0,0.0185"), -0.0015, 1e-4);
     EXPECT_EQ(palpable({"touch", path("out.palp"), "--headless", "--seconds", "0.1"}).exit_code, 0);
     std::filesystem::remove(path("out.palp"));
   }
@@ -182,7 +186,8 @@ TEST_F(SolidCommands, TheEgocentricViewTurnsWithItsExplorer) {
   EXPECT_EQ(touched.exit_code, 0) << touched.err;
   EXPECT_THAT(touched.err, HasSubstr("facing left"));
   EXPECT_THAT(read_text(path("t.rec")), HasSubstr("\"translation_m\":[0.05,0.0,"));
-  EXPECT_EQ(palpable({"touch", path("out.palp"), "--view", "egocentric"}).exit_code, 2);
+  EXPECT_EQ(
+      palpable({"touch", path("out.palp"), "--view", "egocentric", "--walk", path("walk.csv")}).exit_code, 2);
   write_text(path("walk.csv"), "t_s,x_m,y_m,heading_deg\n1,0,0,0\n1,0,0,0\n");
   EXPECT_EQ(probe({"--view", "egocentric", "--walk", path("walk.csv")}), 3);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each key does on the relief: the one table for the page and for its help.
 
+import { pace, turnBy } from './explorer';
+
 export interface Move {
   /** Metres. */
   x: number;
@@ -15,6 +17,9 @@ export interface KeyTarget {
   describe(): void;
   where(): void;
   recentre(): void;
+  /** Metres ahead, and degrees to the left. */
+  walk(by: { ahead: number; left: number }): void;
+  stance(): void;
   pause(): void;
   mute(): void;
   help(): void;
@@ -58,6 +63,19 @@ export const keyRows: KeyRow[] = [
   { shown: 'D', does: 'Describe what stands where', keys: ['d'], act: (target) => target.describe() },
   { shown: 'P', does: 'Say position and height', keys: ['p'], act: (target) => target.where() },
   { shown: 'Home', does: 'Back to the middle', keys: ['Home'], act: (target) => target.recentre() },
+  {
+    shown: 'W, S',
+    does: 'In the egocentric view: walk 5 millimetres ahead, back; with Shift 20',
+    keys: ['w', 's'],
+    act: (target, { key, shiftKey }) => target.walk({ ahead: (key.toLowerCase() === 'w' ? 1 : -1) * (shiftKey ? 4 : 1) * pace, left: 0 }),
+  },
+  {
+    shown: 'A, F',
+    does: 'In the egocentric view: turn left, right by 15 degrees; with Shift by 45',
+    keys: ['a', 'f'],
+    act: (target, { key, shiftKey }) => target.walk({ ahead: 0, left: (key.toLowerCase() === 'a' ? 1 : -1) * (shiftKey ? 3 : 1) * turnBy }),
+  },
+  { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.stance() },
   { shown: 'Space', does: 'Pause, go on', keys: [' '], act: (target) => target.pause() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
   { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },

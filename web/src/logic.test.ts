@@ -178,6 +178,8 @@ describe('keys', () => {
     describe: () => calls.push('describe'),
     where: () => calls.push('where'),
     recentre: () => calls.push('recentre'),
+    walk: ({ ahead, left }) => calls.push(`walk ${ahead} ${left}`),
+    stance: () => calls.push('stance'),
     pause: () => calls.push('pause'),
     mute: () => calls.push('mute'),
     help: () => calls.push('help'),
@@ -188,6 +190,15 @@ describe('keys', () => {
     type('ArrowUp');
     type('ArrowLeft', true);
     expect(calls).toEqual([`move 0 ${fineStep} 0`, `move ${-coarseStep} 0 0`]);
+  });
+  it('walk and turn, farther with Shift', () => {
+    calls.length = 0;
+    type('w');
+    type('S', true);
+    type('a');
+    type('F', true);
+    type('e');
+    expect(calls).toEqual(['walk 0.005 0', 'walk -0.02 0', 'walk 0 15', 'walk 0 -45', 'stance']);
   });
   it('leave the browser its own', () => {
     calls.length = 0;

@@ -6,6 +6,7 @@ import type { HeightsFrame, PictureFrame } from './codec';
 import { Connection } from './connection';
 import { Controls, element, type Settings } from './controls';
 import { motionWords, positionWords, sceneWords } from './describe';
+import { Explorer, pace, turnBy } from './explorer';
 import { Feedback } from './feedback';
 import { protocolVersion, type Hello, type Law, type Scene, type Settings as Told, type State, type ToPage } from './generated/protocol';
 import { fillHelp, showHelp } from './help';
@@ -42,6 +43,7 @@ class TouchPage implements KeyTarget {
   private readonly feedback = new Feedback();
   private readonly readouts = new Readouts();
   private readonly hand = new ProbeHand();
+  private readonly explorer = new Explorer();
   private readonly trace = new TracePanel({
     place: () => this.probePlace(),
     say: (words) => this.voice.say(words, Importance.answer),
@@ -73,7 +75,9 @@ class TouchPage implements KeyTarget {
   move(by: Move): void {
     if (this.surface === null) return;
     if (!this.handMoves()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
-    const free = this.hand.step(by.x, by.y, by.press, this.surface);
+    // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
+    const way = this.explorer.inScene(by);
+    const free = this.hand.step(way.x, way.y, by.press, this.surface);
     this.tell = true;
     this.voice.say(() => (by.press !== 0 ? this.pressWords() : `${free ? '' : 'Rim of the scene, '}${this.motionWords()}`), Importance.motion);
   }
@@ -88,9 +92,26 @@ class TouchPage implements KeyTarget {
   }
   recentre(): void {
     this.hand.recentre();
+    this.explorer.reset();
     this.tell = true;
     this.connection.send({ type: 'recentre' });
+    this.stand();
     this.voice.say('In the middle.', Importance.answer);
+  }
+  walk({ ahead, left }: { ahead: number; left: number }): void {
+    if (this.surface === null) return;
+    if (!this.hello?.egocentric) return this.voice.say('Walking is for the egocentric view: start with --view egocentric.', Importance.answer);
+    const before = this.explorer.stance;
+    if (left !== 0) this.explorer.turn(left);
+    if (ahead !== 0 && !this.explorer.walk(ahead, this.surface)) this.voice.say('The scene ends here.', Importance.answer);
+    const place = this.explorer.carried(this.hand.place, before);
+    this.hand.step(place.x - this.hand.place.x, place.y - this.hand.place.y, 0, this.surface);
+    this.tell = true;
+    this.stand();
+  }
+  stance(): void {
+    if (!this.hello?.egocentric) return this.voice.say('You look on from outside: this is the exocentric view.', Importance.answer);
+    this.stand();
   }
   pause(): void {
     this.connection.send({ type: 'pause', paused: !this.paused });
@@ -191,6 +212,10 @@ class TouchPage implements KeyTarget {
   private greeted(hello: Hello): void {
     this.hello = hello;
     this.readouts.setDevice(hello.device);
+    element('walking').hidden = element('stance-row').hidden = !hello.egocentric;
+    // A device's middle is to be where this page has the explorer stand.
+    if (hello.pointer_moves) this.showStance();
+    else this.stand();
     if (hello.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
   }
 
@@ -212,6 +237,7 @@ class TouchPage implements KeyTarget {
     if (this.surface === null || (this.scene.has_picture && this.picture === null)) return;
     if (this.scene.cells !== '' && this.cells === null) return;
     this.stage.show(this.surface, this.picture, this.cells);
+    this.showStance();
     this.showProbe();
   }
 
@@ -251,6 +277,20 @@ class TouchPage implements KeyTarget {
   private pressWords(): string {
     const depth = Math.abs(this.hand.press * 1000).toFixed(1);
     return this.hand.press >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
+  }
+
+  /** Tells the program where the explorer stands, which says it in words. */
+  private stand(): void {
+    if (!this.hello?.egocentric) return;
+    const { x, y, heading } = this.explorer.stance;
+    this.connection.send({ type: 'stand', x_m: x, y_m: y, heading_deg: heading });
+    this.showStance();
+  }
+  private showStance(): void {
+    if (!this.hello?.egocentric) return;
+    this.readouts.stance(this.explorer.stance);
+    // On contours the line is their trace.
+    if (this.scene?.kind !== 'contours') this.stage.line(this.explorer.arrow());
   }
 
   private showProbe(): void {
@@ -313,6 +353,11 @@ class TouchPage implements KeyTarget {
       recentre: () => this.recentre(),
       describe: () => this.describe(),
       where: () => this.where(),
+      'walk-ahead': () => this.walk({ ahead: pace, left: 0 }),
+      'walk-back': () => this.walk({ ahead: -pace, left: 0 }),
+      'turn-left': () => this.walk({ ahead: 0, left: turnBy }),
+      'turn-right': () => this.walk({ ahead: 0, left: -turnBy }),
+      stance: () => this.stance(),
       help: () => this.help(),
       undo: () => this.undoOrRedo('undo'),
       redo: () => this.undoOrRedo('redo'),

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the page shows in figures: status, position, height, force and its plot, rates; and the banner for what went wrong.
 import { element } from './controls';
+import type { Stance } from './explorer';
 import type { State } from './generated/protocol';
 import { ForcePlot } from './plot';
 
@@ -31,6 +32,11 @@ export class Readouts {
     this.plot.add(state.t_s, force);
     this.rate = state.rate_hz;
     this.shown = state;
+  }
+
+  stance({ x, y, heading }: Stance): void {
+    const facing = heading === 0 ? 'up' : `${Math.abs(heading)}° ${heading > 0 ? 'left' : 'right'}`;
+    element('read-stance').textContent = `${millimetres(x)}, ${millimetres(y)}, facing ${facing}`;
   }
 
   /** Nothing is known any more. */

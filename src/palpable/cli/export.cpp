@@ -140,7 +140,8 @@ Result<Answer> export_surface(const Distance& field, const models::Scene& scene,
 }
 
 /// A level set for Blender and others, `grid` voxels along the longest side.
-Result<Answer> export_vdb(const models::DistanceField& field, const Arguments& arguments, const Work& work) {
+template <models::DistanceSurface Distance>
+Result<Answer> export_vdb(const Distance& field, const Arguments& arguments, const Work& work) {
   formats::VdbOptions options;
   options.voxel_m = spacing_of(field, arguments.grid);
   if (arguments.band == "full") options.band = formats::VdbBand::full;
@@ -182,7 +183,8 @@ Result<Answer> export_distances(const Distance& field, const Arguments& argument
   return answer;
 }
 
-Result<Answer> export_model(const models::Field& field, const models::Scene& scene,
+template <models::DistanceSurface Distance>
+Result<Answer> export_model(const models::SolidField<Distance>& field, const models::Scene& scene,
                             const Arguments& arguments, const Work& work) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
   if (ending == ".stl" || ending == ".ply" || ending == ".glb")
@@ -190,15 +192,6 @@ Result<Answer> export_model(const models::Field& field, const models::Scene& sce
   if (ending == ".vdb") return export_vdb(field.distance, arguments, work);
   if (ending == ".npz") return export_distances(field.distance, arguments);
   return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
-}
-
-Result<Answer> export_model(const models::FieldOnLattice& field, const models::Scene& scene,
-                            const Arguments& arguments, const Work& work) {
-  const std::string ending = std::filesystem::path(arguments.output).extension().string();
-  if (ending == ".stl" || ending == ".ply" || ending == ".glb")
-    return export_surface(field.distance, scene, arguments, work);
-  if (ending == ".npz") return export_distances(field.distance, arguments);
-  return Error{ErrorCode::usage, "a dense field is exported as .stl, .ply, .glb or .npz", arguments.output};
 }
 
 /// occupied[i, j, k] (0 or 1) stands at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.

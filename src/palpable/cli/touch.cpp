@@ -212,7 +212,8 @@ Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::T
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
                                  [&maker] { return maker.take(std::chrono::milliseconds(0)); },
-                                 save_path(plan.make.inputs)});
+                                 save_path(plan.make.inputs),
+                                 !plan.walk.empty()});
   notes.open([&host](const std::string& sentence) { host.say("info", sentence); });
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
@@ -266,8 +267,9 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   const auto walk = walk_from(arguments.view);
   if (!walk) return walk.error();
   plan.walk = *walk;
-  if (!walk->empty() && !arguments.headless)
-    return Error{ErrorCode::usage, "the page shows the exocentric view only: give --headless too", "--view"};
+  if (!arguments.view.walk.empty() && !arguments.headless)
+    return Error{ErrorCode::usage, "on the page the person walks: leave it out, or give --headless too",
+                 "--walk"};
   if (arguments.make.detail == kCompareDetails)
     return Error{ErrorCode::usage, "all operators at once cannot be touched: compare them with palpable make",
                  "--detail"};

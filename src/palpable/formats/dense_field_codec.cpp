@@ -34,8 +34,6 @@ Result<void> write_dense_field(const models::FieldOnLattice& field, nlohmann::js
                  {"spacing_m", lattice.spacing_m},
                  {"counts", lattice.counts},
                  {"content", floats == 1 ? kDistance : kDistanceAndForce},
-                 {"least_m", json_of(field.least_m)},
-                 {"most_m", json_of(field.most_m)},
                  {"error_p99_m", dense.errors().p99_m},
                  {"error_max_m", dense.errors().max_m}};
   std::vector<float> values(lattice.places());
@@ -46,8 +44,7 @@ Result<void> write_dense_field(const models::FieldOnLattice& field, nlohmann::js
     members[kMembers[number]] = *std::move(packed);
     description["values"].push_back(kMembers[number]);
   }
-  for (const models::Superquadric& shape : field.primitives)
-    description["primitives"].push_back(json_of(shape));
+  describe_solid(field, description);
   return {};
 }
 

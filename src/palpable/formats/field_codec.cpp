@@ -36,8 +36,6 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
                  {"cell_m", grid.cell_m},
                  {"levels", grid.levels},
                  {"roots", grid.roots},
-                 {"least_m", json_of(field.least_m)},
-                 {"most_m", json_of(field.most_m)},
                  {"error_bound_m", field.distance.errors().bound_m},
                  {"error_p99_m", field.distance.errors().p99_m},
                  {"error_max_m", field.distance.errors().max_m},
@@ -52,8 +50,7 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
     member.insert(member.end(), bytes->begin(), bytes->end());
   }
   description["parts"] = sizes;
-  for (const models::Superquadric& shape : field.primitives)
-    description["primitives"].push_back(json_of(shape));
+  describe_solid(field, description);
   members[kCells] = std::move(member);
   return {};
 }

@@ -13,6 +13,15 @@
 
 namespace palpable::formats {
 
+/// The box that a solid fills and the primitives that it was sampled from, into its description.
+template <class Distance>
+void describe_solid(const models::SolidField<Distance>& field, nlohmann::json& description) {
+  description["least_m"] = json_of(field.least_m);
+  description["most_m"] = json_of(field.most_m);
+  for (const models::Superquadric& shape : field.primitives)
+    description["primitives"].push_back(json_of(shape));
+}
+
 /// The model of a solid's distance, however it is kept: with the box that it fills and the primitives that
 /// its description states. May throw nlohmann::json::exception, as model_codec.hpp says.
 template <class Distance>

@@ -5,6 +5,7 @@
 #include "palpable/core/level_set.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/models/dense_field.hpp"
 #include "palpable/models/distance_field.hpp"
 
 #include <cstddef>
@@ -33,6 +34,8 @@ struct VdbOptions {
 /// threads, polls cancel. Errors: usage for a voxel that makes over 4096 along a side; failed for over 2 GiB
 /// of voxels, naming what they would take, and what OpenVDB reports; interrupted.
 Result<std::vector<std::byte>> encode_vdb(const models::DistanceField& field, const VdbOptions& options,
+                                          const Work& work);
+Result<std::vector<std::byte>> encode_vdb(const models::DenseField& field, const VdbOptions& options,
                                           const Work& work);
 
 /// Whether these are the first bytes of an OpenVDB file.

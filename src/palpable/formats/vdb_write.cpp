@@ -51,16 +51,16 @@ struct Blocks {
 constexpr double kHalfWidth_voxels = 3.0;
 
 /// Which blocks the band reaches.
-std::vector<int> blocks_in_band(const models::DistanceField& field, const Blocks& blocks, VdbBand band,
-                                const Work& work) {
+template <models::DistanceSurface Distance>
+std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
   std::vector<std::uint8_t> wanted(static_cast<std::size_t>(blocks.total()));
   parallel_for(work, blocks.total(), 64, [&](int begin, int end) {
     for (int i = begin; i < end && !work.cancelled(); ++i) {
-      const Vec3 half{3.5, 3.5, 3.5};
+      const Vec3 middle{3.5, 3.5, 3.5};
       const double distance_m =
-          field.sample(blocks.place(blocks.corner(i)) + blocks.voxel_m * half).distance_m;
+          field.sample(blocks.place(blocks.corner(i)) + blocks.voxel_m * middle).distance_m;
       // Half a block's diagonal, and a little for the field's own error.
-      const double reach_m = (norm(half) + kHalfWidth_voxels + 1.0) * blocks.voxel_m;
+      const double reach_m = (norm(middle) + kHalfWidth_voxels + 1.0) * blocks.voxel_m;
       const bool near = band == VdbBand::full ? distance_m < reach_m : std::abs(distance_m) < reach_m;
       wanted[static_cast<std::size_t>(i)] = near ? 1 : 0;
     }
@@ -72,8 +72,8 @@ std::vector<int> blocks_in_band(const models::DistanceField& field, const Blocks
 }
 
 /// A block's values; null where none of them is in the band.
-std::unique_ptr<Leaf> leaf_of(const models::DistanceField& field, const Blocks& blocks, int block,
-                              VdbBand band) {
+template <models::DistanceSurface Distance>
+std::unique_ptr<Leaf> leaf_of(const Distance& field, const Blocks& blocks, int block, VdbBand band) {
   const auto width_m = static_cast<float>(kHalfWidth_voxels * blocks.voxel_m);
   auto leaf = std::make_unique<Leaf>(blocks.corner(block), width_m, false);
   for (openvdb::Index i = 0; i < Leaf::SIZE; ++i) {
@@ -88,8 +88,8 @@ std::unique_ptr<Leaf> leaf_of(const models::DistanceField& field, const Blocks& 
   return leaf;
 }
 
-Result<Grid::Ptr> grid_of(const models::DistanceField& field, const Blocks& blocks, VdbBand band,
-                          const Work& work) {
+template <models::DistanceSurface Distance>
+Result<Grid::Ptr> grid_of(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
   work.report(0.0, "looking for the surface");
   const std::vector<int> wanted = blocks_in_band(field, blocks, band, work);
   constexpr std::size_t kMostBytes = std::size_t{2} << 30U;
@@ -121,18 +121,16 @@ Result<Grid::Ptr> grid_of(const models::DistanceField& field, const Blocks& bloc
   return grid;
 }
 
-}  // namespace
-
-Result<std::vector<std::byte>> encode_vdb(const models::DistanceField& field, const VdbOptions& options,
-                                          const Work& work) {
-  const Vec3 size = field.grid().size_m();
+template <models::DistanceSurface Distance>
+Result<std::vector<std::byte>> encode(const Distance& field, const VdbOptions& options, const Work& work) {
+  const Vec3 size = field.size_m();
   constexpr double kMostVoxels = 4096;
   if (!(options.voxel_m > 0.0) || std::max({size.x, size.y, size.z}) / options.voxel_m > kMostVoxels)
     return Error{ErrorCode::usage, "a level set has 1 to 4096 voxels along each side", {}};
   const auto count = [&](double extent_m) {
     return static_cast<int>(std::ceil((extent_m / options.voxel_m + 1.0) / 8.0));
   };
-  const Blocks blocks{{count(size.x), count(size.y), count(size.z)}, options.voxel_m, field.grid().origin_m};
+  const Blocks blocks{{count(size.x), count(size.y), count(size.z)}, options.voxel_m, field.origin_m()};
   try {
     const auto grid = grid_of(field, blocks, options.band, work);
     if (!grid) return grid.error();
@@ -145,6 +143,18 @@ Result<std::vector<std::byte>> encode_vdb(const models::DistanceField& field, co
   } catch (const std::exception& e) {
     return Error{ErrorCode::failed, std::string("OpenVDB cannot write it: ") + e.what(), {}};
   }
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> encode_vdb(const models::DistanceField& field, const VdbOptions& options,
+                                          const Work& work) {
+  return encode(field, options, work);
+}
+
+Result<std::vector<std::byte>> encode_vdb(const models::DenseField& field, const VdbOptions& options,
+                                          const Work& work) {
+  return encode(field, options, work);
 }
 
 }  // namespace palpable::formats

@@ -57,6 +57,8 @@ class PageHost {
   virtual void save() = 0;
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;
+  /// The explorer of the egocentric view goes there.
+  virtual void stand(const protocol::Stand& stand) = 0;
   /// What the person should hear of next (a fault, a better scene, …), each once; empty when there is
   /// nothing.
   virtual std::optional<protocol::Notice> next_notice() = 0;

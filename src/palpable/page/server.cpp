@@ -149,6 +149,7 @@ class Room {
   void obey(Client&, const protocol::Save&) { host_.save(); }
   void obey(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
   void obey(Client&, const protocol::Recentre&) { host_.recentre(); }
+  void obey(Client&, const protocol::Stand& stand) { host_.stand(stand); }
   void obey(Client& client, const protocol::Visible& visible) { client.visible = visible.visible; }
 
   PageHost& host_;

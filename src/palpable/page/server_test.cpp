@@ -74,6 +74,7 @@ class FakeHost final : public PageHost {
   void save() override { notice_ = protocol::Notice{"info", "saved"}; }
   void pause(bool paused) override { settings_.paused = paused; }
   void recentre() override {}
+  void stand(const protocol::Stand&) override {}
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;

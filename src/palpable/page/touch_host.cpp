@@ -60,7 +60,8 @@ TouchHost::~TouchHost() {
 }
 
 protocol::Hello TouchHost::hello() const {
-  return {protocol::kVersion, options_.program, session_.device_traits().name, pointer_moves()};
+  return {protocol::kVersion, options_.program, session_.device_traits().name, pointer_moves(),
+          options_.egocentric};
 }
 
 std::vector<protocol::Law> TouchHost::laws() const { return page_laws(*session_.scene()); }
@@ -197,6 +198,13 @@ void TouchHost::recentre() {
   if (!pointer_moves()) put([](Tasks& tasks) { tasks.recentre = true; });
 }
 
+void TouchHost::stand(const protocol::Stand& stand) {
+  if (!options_.egocentric) return;
+  put([&](Tasks& tasks) {
+    tasks.stance = session::Stance{stand.x_m, stand.y_m, stand.heading_deg / kDegrees};
+  });
+}
+
 std::optional<protocol::Notice> TouchHost::next_notice() {
   take_notices();
   const std::lock_guard lock(mutex_);
@@ -240,6 +248,7 @@ void TouchHost::work() {
 void TouchHost::carry_out(const Tasks& tasks) {
   if (tasks.better) tell([&] { return swap_in(*tasks.better); });
   if (tasks.recentre) session_.recentre();
+  if (tasks.stance) tell([&] { return stand_there(*tasks.stance); });
   if (tasks.wishes) tell([&] { return attempt(*tasks.wishes); });
   if (!tasks.edits.empty()) tell([&] { return attempt(tasks.edits); });
   if (tasks.save) tell([&] { return write_scene(); });
@@ -260,7 +269,19 @@ Result<void> TouchHost::swap_in(const models::Scene& better) {
   models::Scene scene = better;
   const auto held = session_.scene();
   if (edited_ && held->materials.size() == scene.materials.size()) scene.materials = held->materials;
-  return session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
+  if (auto done = session_.change_scene(std::make_shared<const models::Scene>(std::move(scene))); !done)
+    return done;
+  // A new scene is laid out anew: the explorer stands in it where they stood.
+  return stance_ && !pointer_moves() ? session_.stand(*stance_) : Result<void>();
+}
+
+/// The page's own pointer goes along by itself, for it tells places of the scene.
+Result<void> TouchHost::stand_there(const session::Stance& stance) {
+  stance_ = stance;
+  if (!pointer_moves())
+    if (auto stood = session_.stand(stance); !stood) return stood;
+  say("info", session::words_of(stance));
+  return {};
 }
 
 Result<void> TouchHost::write_scene() {

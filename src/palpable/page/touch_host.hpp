@@ -35,6 +35,8 @@ class TouchHost final : public PageHost {
     std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
     /// Where save() writes the scene (.palp).
     std::filesystem::path save_as;
+    /// The hand's frame goes with an explorer whom the page moves.
+    bool egocentric = false;
   };
   /// `session`, and what the options refer to, must outlive the host.
   TouchHost(session::TouchSession& session, Options options);
@@ -53,6 +55,7 @@ class TouchHost final : public PageHost {
   void save() override;
   void pause(bool paused) override;
   void recentre() override;
+  void stand(const protocol::Stand& stand) override;
   std::optional<protocol::Notice> next_notice() override;
 
   /// Something for the person to hear of; levels as in protocol.json. Any thread.
@@ -66,9 +69,10 @@ class TouchHost final : public PageHost {
     std::shared_ptr<const models::Scene> better;
     bool recentre = false;
     bool save = false;
+    std::optional<session::Stance> stance;
     /// Of the last wish or edit among them.
     std::int64_t serial = 0;
-    bool any() const { return wishes || !edits.empty() || better || recentre || save; }
+    bool any() const { return wishes || !edits.empty() || better || recentre || save || stance; }
   };
   void work();
   void carry_out(const Tasks& tasks);
@@ -77,6 +81,7 @@ class TouchHost final : public PageHost {
   Result<void> attempt(const std::map<std::int64_t, protocol::Edit>& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
+  Result<void> stand_there(const session::Stance& stance);
   /// Carries `step` out; says what it changed by itself, or why it could not be.
   void tell(const std::function<Result<void>()>& step);
   void take_notices();
@@ -103,6 +108,7 @@ class TouchHost final : public PageHost {
 
   // The worker alone.
   bool edited_ = false;
+  std::optional<session::Stance> stance_;
 
   std::thread worker_;
 };

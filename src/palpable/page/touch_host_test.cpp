@@ -44,7 +44,7 @@ class HostOnATouch : public ::testing::Test {
   }
 
   TouchHost::Options options_for_host() {
-    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, file};
+    return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, file, true};
   }
 
   // Beats as the server does until it holds, for ten seconds at most.
@@ -192,6 +192,17 @@ TEST_F(HostOnATouch, TellsOfABetterSceneOnceItIsThere) {
   const auto notice = host->next_notice();
   ASSERT_TRUE(notice);
   EXPECT_EQ(notice->text, "A finer version of the scene is in place");
+}
+
+TEST_F(HostOnATouch, SaysWhereTheExplorerStands) {
+  EXPECT_TRUE(host->hello().egocentric);
+  host->stand({0.010, -0.005, 90.0});
+  std::string said;
+  ASSERT_TRUE(comes_true([&] {
+    if (const auto notice = host->next_notice()) said = notice->text;
+    return said.starts_with("You stand");
+  }));
+  EXPECT_EQ(said, "You stand 10 mm right of and 5 mm below the middle, facing left.");
 }
 
 }  // namespace

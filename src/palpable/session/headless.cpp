@@ -15,8 +15,7 @@ constexpr auto kLook = std::chrono::milliseconds(20);
 
 /// Takes the explorer to the last step that is due, if one is.
 Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, double t_s, std::size_t& next) {
-  std::size_t due = next;
-  while (due < options.walk.size() && options.walk[due].t_s <= t_s) ++due;
+  const std::size_t due = steps_by(options.walk, t_s);
   if (due == next) return {};
   next = due;
   const Stance& stance = options.walk[due - 1].stance;

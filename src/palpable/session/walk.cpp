@@ -27,10 +27,14 @@ Transform<SceneFrame, DeviceFrame> with_explorer(const Transform<SceneFrame, Dev
   return place;
 }
 
-const Stance& stance_at(std::span<const WalkStep> walk, double t_s) {
+std::size_t steps_by(std::span<const WalkStep> walk, double t_s) {
   const auto later = std::upper_bound(walk.begin(), walk.end(), t_s,
                                       [](double t, const WalkStep& step) { return t < step.t_s; });
-  return later == walk.begin() ? walk.front().stance : (later - 1)->stance;
+  return static_cast<std::size_t>(later - walk.begin());
+}
+
+const Stance& stance_at(std::span<const WalkStep> walk, double t_s) {
+  return walk[std::max<std::size_t>(steps_by(walk, t_s), 1) - 1].stance;
 }
 
 Result<void> check_walk(std::span<const WalkStep> walk) {

@@ -6,6 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/device/device.hpp"
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ Transform<SceneFrame, ExplorerFrame> scene_from_explorer(const Stance& stance);
 Transform<SceneFrame, DeviceFrame> with_explorer(const Transform<SceneFrame, DeviceFrame>& laid_out,
                                                  const Stance& stance);
 
+/// How many steps have been taken by then. The walk's times rise.
+std::size_t steps_by(std::span<const WalkStep> walk, double t_s);
 /// The last step that is not later; before the first, the first. `walk` is not empty, its times rise.
 const Stance& stance_at(std::span<const WalkStep> walk, double t_s);
 
