@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <string_view>
+#include <numeric>
 #include <utility>
 
 namespace palpable::sculpt {
@@ -214,16 +214,37 @@ class BranchBuilder {
                                             {-0.66, 0.62, -0.7},
                                             {0.66, -0.68, -0.64},
                                             {-0.62, -0.7, -0.66}}};
-    constexpr double kSlack = 1.5;
+    // Of edges less is forgiven: what they are rounded by comes on top.
+    const bool has_edge = models::LeafHead{leaf.words[0]}.pieces() > 1;
+    const double slack = has_edge ? 1.1 : 1.5;
     constexpr std::ptrdiff_t kFew = 4;
     const bool is_near = std::any_of(samples.at.begin(), samples.at.end(), [&](const FieldSample& s) {
       return s.distance_m > -bounds_.inside_m && s.distance_m < bounds_.outside_m;
     });
-    const auto end = is_near ? kBetween.end() : kBetween.begin() + kFew;
-    return std::all_of(kBetween.begin(), end, [&](Vec3 u) {
+    const auto holds_at = [&](Vec3 u) {
       const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
-      return leaf_error(leaf, samples, u, truth, bounds_) <= kSlack;
-    });
+      return leaf_error(leaf, samples, u, truth, bounds_) <= slack;
+    };
+    const auto end = is_near ? kBetween.end() : kBetween.begin() + kFew;
+    if (!std::all_of(kBetween.begin(), end, holds_at)) return false;
+    if (!is_near) return true;
+    // In large cells the places of the fit are far apart: where there is one edge, another could cut off a
+    // part between them.
+    const int side = static_cast<int>(std::lround(2.0 * samples.half_m / grid_.cell_m));
+    const int more = has_edge && side >= kLarge ? kMorePerCell * side : 0;
+    for (int i = 1; i <= more; ++i)
+      if (!holds_at(spread_place(i))) return false;
+    return true;
+  }
+  static constexpr int kLarge = 4, kMorePerCell = 8;
+  /// The i-th of places that fill a cell evenly, however many are taken (Roberts 2018: powers of the plastic
+  /// number's kin in three dimensions).
+  static Vec3 spread_place(int i) {
+    const auto along = [&](double step) {
+      const double v = 0.5 + i * step;
+      return 2.0 * (v - std::floor(v)) - 1.0;
+    };
+    return {along(0.8191725133961645), along(0.6710436067037893), along(0.5497004779019703)};
   }
 
   /// Far from the surface nothing small is felt: there cells stay larger.
@@ -251,12 +272,49 @@ class BranchBuilder {
   int longest_on_surface_ = 1;
 };
 
-/// What a field takes grows with its surface, that is, with the square of its resolution.
-Error too_large(double needed_bytes, const FieldOptions& options) {
-  const double share = std::sqrt(static_cast<double>(options.most_bytes) / needed_bytes);
-  const int fits =
-      std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
-  return field_too_large("a field", needed_bytes, options.most_bytes, options.resolution, fits);
+/// Foretells what all root cells take from those that are done, which are spread over the solid.
+class Forecast {
+ public:
+  Forecast(int count, std::size_t most_bytes) : count_(count), most_bytes_(static_cast<double>(most_bytes)) {}
+
+  void add(const Branch& branch) {
+    const auto bytes =
+        static_cast<double>(sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size()));
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    sum_ += bytes;
+    squares_ += bytes * bytes;
+    const double mean = sum_ / done_;
+    const double variance = std::max(0.0, squares_ / done_ - mean * mean) * (count_ - done_) / count_;
+    // Root cells differ a hundredfold: the mean of a few tells little, and how little follows from them too.
+    constexpr double kLeast = 64.0, kSure = 4.0;
+    const double least = count_ * (mean - kSure * std::sqrt(variance / done_));
+    if (sum_ > most_bytes_ || (done_ >= kLeast && least > most_bytes_)) too_much_ = true;
+  }
+  bool is_too_much() const { return too_much_.load(std::memory_order_relaxed); }
+
+  /// What a field takes grows with its surface, that is, with the square of its resolution.
+  Error too_large(const FieldOptions& options) const {
+    const double needed_bytes = count_ * sum_ / std::max(1.0, done_);
+    const double share = std::sqrt(most_bytes_ / needed_bytes);
+    const int fits =
+        std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
+    return field_too_large("a field", needed_bytes, options.most_bytes, options.resolution, fits);
+  }
+
+ private:
+  double count_, most_bytes_;
+  std::mutex mutex_;
+  double done_ = 0.0, sum_ = 0.0, squares_ = 0.0;
+  std::atomic<bool> too_much_{false};
+};
+
+/// Steps of so many root cells, of `count` in all, meet each of them once, the first ones spread over all.
+int spread_step(int count) {
+  constexpr double kGolden = 0.618034;
+  int step = std::max(1, static_cast<int>(kGolden * count));
+  while (std::gcd(step, count) != 1) ++step;
+  return step;
 }
 
 }  // namespace
@@ -268,21 +326,21 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
   std::vector<Branch> branches(static_cast<std::size_t>(count));
   std::atomic<int> next{0};
   std::atomic<int> done{0};
-  std::atomic<std::size_t> bytes{0};
-  const auto too_many = [&] { return bytes.load(std::memory_order_relaxed) > options.most_bytes; };
+  Forecast forecast(count, options.most_bytes);
+  const std::int64_t step = spread_step(count);
   std::mutex reporting;
   // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
   parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
     if (begin == end) return;
     BranchBuilder builder(source, grid, bounds, earlier, work);
-    for (int i = next++; i < count && !work.cancelled() && !too_many(); i = next++) {
+    for (int n = next++; n < count && !work.cancelled() && !forecast.is_too_much(); n = next++) {
       const int side = 1 << grid.levels;
+      const auto i = static_cast<int>(n * step % count);
       const auto root = static_cast<std::size_t>(i);
       branches[root] = builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
                                       i / (grid.roots[0] * grid.roots[1]) * side},
                                      root);
-      const Branch& branch = branches[root];
-      bytes += sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size());
+      forecast.add(branches[root]);
       const int ready = ++done;
       if (ready % 32 == 0) {
         const std::lock_guard lock(reporting);
@@ -291,8 +349,7 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
     }
   });
   if (work.cancelled()) return Work::interrupted();
-  if (too_many())
-    return too_large(1.0 * static_cast<double>(bytes) * count / std::max(1, done.load()), options);
+  if (forecast.is_too_much()) return forecast.too_large(options);
   return branches;
 }
 
@@ -300,11 +357,11 @@ std::uint32_t Joiner::moved(std::uint32_t entry, const Branch& branch, std::uint
   if ((entry & FieldTree::kLeaf) == 0) return entry + first_node;
   const std::uint32_t* words = &branch.words[entry & ~FieldTree::kLeaf];
   const std::size_t count = models::LeafHead{words[0]}.words();
-  const std::string_view key(reinterpret_cast<const char*>(words), count * sizeof(std::uint32_t));
-  const auto [at, fresh] =
-      known_.try_emplace(std::string(key), static_cast<std::uint32_t>(tree_.words.size()));
-  if (fresh) tree_.words.insert(tree_.words.end(), words, words + count);
-  return at->second | FieldTree::kLeaf;
+  const auto begin = static_cast<std::uint32_t>(tree_.words.size());
+  tree_.words.insert(tree_.words.end(), words, words + count);
+  const auto [at, fresh] = known_.insert(begin);
+  if (!fresh) tree_.words.resize(begin);
+  return *at | FieldTree::kLeaf;
 }
 
 std::uint32_t Joiner::kept(std::uint32_t entry) {

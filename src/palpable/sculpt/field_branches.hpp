@@ -12,8 +12,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <string>
-#include <unordered_map>
+#include <string_view>
+#include <unordered_set>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -51,7 +51,8 @@ FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& option
 class Joiner {
  public:
   /// `earlier`: the tree that kept branches are in, or null.
-  explicit Joiner(const models::FieldTree* earlier = nullptr) : earlier_(earlier) {
+  explicit Joiner(const models::FieldTree* earlier = nullptr)
+      : earlier_(earlier), known_(0, Hash{tree_.words}, Same{tree_.words}) {
     if (earlier_ != nullptr) kept_words_.resize(earlier_->words.size());
   }
   void add(const Branch& branch) {
@@ -64,15 +65,34 @@ class Joiner {
     for (const std::uint32_t entry : branch.nodes) tree_.nodes.push_back(moved(entry, branch, first_node));
     tree_.roots.push_back(moved(branch.entry, branch, first_node));
   }
+  Joiner(const Joiner&) = delete;
+  Joiner& operator=(const Joiner&) = delete;
   models::FieldTree take() { return std::move(tree_); }
 
  private:
   std::uint32_t moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node);
   std::uint32_t kept(std::uint32_t entry);
 
+  /// Of a leaf's words that begin there.
+  struct Hash {
+    const std::vector<std::uint32_t>& words;
+    std::size_t operator()(std::uint32_t begin) const {
+      return std::hash<std::string_view>{}(bytes(words, begin));
+    }
+  };
+  struct Same {
+    const std::vector<std::uint32_t>& words;
+    bool operator()(std::uint32_t a, std::uint32_t b) const { return bytes(words, a) == bytes(words, b); }
+  };
+  static std::string_view bytes(const std::vector<std::uint32_t>& words, std::uint32_t begin) {
+    return {reinterpret_cast<const char*>(&words[begin]),
+            sizeof(std::uint32_t) * models::LeafHead{words[begin]}.words()};
+  }
+
   models::FieldTree tree_;
   const models::FieldTree* earlier_;
-  std::unordered_map<std::string, std::uint32_t> known_;
+  /// Where the words of each different leaf begin.
+  std::unordered_set<std::uint32_t, Hash, Same> known_;
   /// Where the earlier tree's words of a leaf went, and 1; 0: not yet.
   std::vector<std::uint32_t> kept_words_;
 };

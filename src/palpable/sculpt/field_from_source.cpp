@@ -74,10 +74,14 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   const double longest_m = longest_side(box);
   const FieldGrid grid = grid_around(box, *cell_m, options.resolution);
   const FitBounds bounds = bounds_for(longest_m, *cell_m, options);
-  const auto branches = branches_of(source, grid, bounds, options, nullptr, work);
+  auto branches = branches_of(source, grid, bounds, options, nullptr, work);
   if (!branches) return branches.error();
   Joiner joiner;
-  for (const Branch& branch : *branches) joiner.add(branch);
+  // Given back one by one: together they take more than the tree.
+  for (Branch& branch : *branches) {
+    joiner.add(branch);
+    branch = {};
+  }
   FieldTree tree = joiner.take();
   auto field = DistanceField::from_tree(grid, tree, {});
   if (!field) return field.error();

@@ -121,6 +121,40 @@ TEST(FieldFromSource, RefusesWhatWouldTakeTooMuchMemoryAndSaysWhatFits) {
   EXPECT_NE(refused.error().message.find("cells would fit"), std::string::npos) << refused.error().message;
 }
 
+/// Counts what it is asked.
+class Asked final : public DistanceSource {
+ public:
+  models::FieldSample at(Vec3 p, Hint& hint) const override {
+    ++count;
+    return ball_.at(p, hint);
+  }
+  Box bounds() const override { return ball_.bounds(); }
+  mutable std::atomic<std::size_t> count{0};
+
+ private:
+  Ball ball_{0.02};
+};
+
+TEST(FieldFromSource, RefusesLongBeforeTheMemoryIsTaken) {
+  FieldOptions options;
+  options.resolution = 128;
+  const Asked whole, refused;
+  const auto field = field_from_source(whole, options, {});
+  ASSERT_TRUE(field);
+  options.most_bytes = field->memory_bytes() / 2;
+  const auto error = field_from_source(refused, options, {});
+  ASSERT_FALSE(error);
+  EXPECT_LT(refused.count, whole.count / 5);
+}
+
+TEST(MeshSolid, TellsBeforehandWhatAMeshTakes) {
+  EXPECT_FALSE(mesh_too_large(100'000, std::size_t{1} << 30U));
+  const auto refused = mesh_too_large(10'000'000, std::size_t{1} << 30U);
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->message.find("MiB"), std::string::npos);
+  EXPECT_NE(refused->message.find("triangles would fit"), std::string::npos);
+}
+
 TEST(MeshSolid, TurnsAnInsideOutMesh) {
   Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);

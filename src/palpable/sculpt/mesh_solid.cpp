@@ -81,6 +81,19 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   return solid;
 }
 
+std::optional<Error> mesh_too_large(std::size_t triangles, std::size_t free_bytes) {
+  // Measured (docs/measurements.md): welding, search trees and normals, at their most.
+  constexpr std::size_t kBytesPerTriangle = 460;
+  if (triangles <= free_bytes / kBytesPerTriangle) return std::nullopt;
+  const auto mebi = [](std::size_t bytes) { return std::to_string(bytes >> 20U); };
+  return Error{ErrorCode::failed,
+               "has " + std::to_string(triangles) + " triangles, which would take about " +
+                   mebi(triangles * kBytesPerTriangle) + " MiB, more than the " + mebi(free_bytes) +
+                   " MiB that are free; " + std::to_string(free_bytes / kBytesPerTriangle / 1000 * 1000) +
+                   " triangles would fit",
+               {}};
+}
+
 Result<std::unique_ptr<DistanceSource>> solid_from_contour(const Mesh& mesh) {
   std::size_t degenerate = 0;
   const Mesh whole = welded(mesh, degenerate);

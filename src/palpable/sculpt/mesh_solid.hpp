@@ -7,7 +7,9 @@
 #include "palpable/core/work.hpp"
 #include "palpable/sculpt/distance_source.hpp"
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +49,10 @@ struct MeshSolid {
 /// without a volume, interrupted.
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
                                   double rounding_m = 0.0);
+
+/// An error where a mesh of so many triangles would take more than `free_bytes` on its way to a solid: with
+/// what it would take, and how many triangles fit.
+std::optional<Error> mesh_too_large(std::size_t triangles, std::size_t free_bytes);
 
 /// The solid inside a surface that was contoured (dual_contour.hpp): its triangles face outwards and close,
 /// though its sheets may touch, so nothing is mended. Errors: invalid_input for a mesh without triangles.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make_field.hpp"
 
+#include "palpable/core/memory.hpp"
 #include "palpable/formats/superquadric_json.hpp"
 #include "palpable/formats/vdb.hpp"
 #include "palpable/models/relief_solid.hpp"
@@ -110,6 +111,8 @@ Result<Solid> solid_of(Mesh mesh, const std::optional<Vec3>& size_m, const MakeO
   if (const auto fits = check_size(*box, options); !fits) return fits.error();
   const auto cell_m = sculpt::finest_cell_m(*box, options.field);
   if (!cell_m) return cell_m.error();
+  if (const auto free_bytes = available_memory_bytes())
+    if (auto refused = sculpt::mesh_too_large(mesh.triangles.size(), *free_bytes)) return *std::move(refused);
   // The dense ways are there to be compared with: they keep the triangles as they are.
   const double rounding_m =
       options.field_keeping == FieldKeeping::adaptive ? sculpt::facet_rounding_m(*box, options.field) : 0.0;
@@ -252,6 +255,10 @@ Result<Sampled> sampled(const Solid& solid, const MakeOptions& options, const Wo
   sculpt::FieldOptions field_options = options.field;
   if (field_options.max_error_m == 0.0 && solid.exact_to_m > 0.0)
     field_options.max_error_m = solid.exact_to_m;
+  // Parts, tree and what tells which leaves are the same stand at a time.
+  constexpr std::size_t kWhileBuilding = 4;
+  if (const auto free_bytes = available_memory_bytes())
+    field_options.most_bytes = std::min(field_options.most_bytes, *free_bytes / kWhileBuilding);
   auto distance = sculpt::field_from_source(*solid.distance, field_options, work);
   if (!distance) return distance.error();
   const double bound_m = distance->errors().bound_m;
