@@ -67,10 +67,10 @@ Lie lie_at(int x, int y, const Regions& regions, const Raster<float>& disparity_
 
 /// A pixel belongs to the ground where its neighbourhood lies on the plane and runs along it: the foot of a
 /// thing lies on it too, but rises from it. A region that is mostly ground takes in pixels that the matching
-/// left somewhat off or unknown.
+/// left somewhat off or unknown, but not things of its colour.
 Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& disparity_px,
                              const GroundPlane& fit, const Work& work) {
-  constexpr double kMostly = 0.8, kLeast_px = 0.12;
+  constexpr double kMostly = 0.8, kLeast_px = 0.12, kFarOff_px = 1.0;
   const double tolerance_px = std::max(2.0 * fit.sigma_px, kLeast_px);
   const double near_px = std::max(4.0 * tolerance_px, 0.5), rises = -0.5 * fit.plane.b;
   const auto shares =
@@ -84,8 +84,10 @@ Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& dispar
         const double own = std::abs(disparity_px(x, y) - fit.plane.at(x, y));
         const double distance = std::abs(lie.distance_px);
         const bool along = distance <= tolerance_px && lie.slope > rises && !(own > near_px);
-        mask(x, y) =
-            along || (mostly && !(std::isfinite(distance) && distance > 2.0 * tolerance_px)) ? 255 : 0;
+        mask(x, y) = along || (mostly && !(own > kFarOff_px) &&
+                               !(std::isfinite(distance) && distance > 2.0 * tolerance_px))
+                         ? 255
+                         : 0;
       }
     }
   });

@@ -85,6 +85,22 @@ TEST(FindGround, TakesNoWallThatLiesInStepsForAGround) {
   EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
 }
 
+TEST(FindGround, LeavesThingsOfTheGroundsColour) {
+  Scene scene = room(0.05, 0.0);
+  std::mt19937 random(7);
+  std::uniform_int_distribution<int> grain(-12, 12);
+  for (std::size_t i = 0; i < scene.seen.count(); ++i) {
+    if (scene.seen.values()[i] == Seen::nothing) continue;
+    const auto level = [g = grain(random)](int v) { return static_cast<std::uint8_t>(v + g); };
+    scene.picture.values()[i] = {level(120), level(90), level(60)};
+  }
+  const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
+  ASSERT_TRUE(ground);
+  const Shares shares = shares_of(ground->mask, scene.seen);
+  EXPECT_GT(shares.ground_found, 0.98);
+  EXPECT_LT(shares.object_lost, 0.05);
+}
+
 TEST(FindGround, KeepsToThePictureWhereTheDisparityOfThingsSpreadsOverTheFloor) {
   constexpr int kSpread_px = 6;
   const Scene exact = room(0.05, 0.0);
