@@ -21,7 +21,7 @@ constexpr float kLikeColour = 12.0F;
 constexpr float kLeastTie = 0.08F;
 constexpr float kDiagonalTie = 0.7F;
 constexpr float kSlopeCost = 0.2F;
-constexpr float kConflictCost = 1.0F;
+constexpr float kConflictCost = 0.7F;
 constexpr float kBelowLeast_per_px = 0.5F;
 /// Disparities of the two views agree up to this; from there the charges rise over half a pixel.
 constexpr float kAgreement_px = 1.0F;
