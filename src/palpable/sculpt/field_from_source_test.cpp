@@ -177,6 +177,23 @@ TEST(MeshSolid, ClosesAnOpenMesh) {
   EXPECT_NEAR(solid->distance->at({1.5, 0.1, 0.2}, hint).distance_m, 0.5, 1e-6);
 }
 
+TEST(MeshSolid, ClosesHousesWithoutFloorsThatShareAWall) {
+  const auto house = [](double from, double to) {
+    Mesh mesh = box_mesh({from, 0, 0}, {to, 1, 1});
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);
+    return mesh;
+  };
+  const auto solid = solid_from_mesh(together(house(0, 1), house(1, 2)), 0.02, {});
+  ASSERT_TRUE(solid);
+  EXPECT_GE(solid->repair.closed_holes, 1U);
+  DistanceSource::Hint hint;
+  for (const double x : {0.5, 0.98, 1.02, 1.5}) {
+    EXPECT_NEAR(solid->distance->at({x, 0.5, -0.3}, hint).distance_m, 0.3, 1e-3) << x;
+    EXPECT_NEAR(solid->distance->at({x, 0.5, 0.1}, hint).distance_m, -0.1, 1e-3) << x;
+    EXPECT_NEAR(solid->distance->at({x, 0.5, 0.8}, hint).distance_m, -0.2, 1e-3) << x;
+  }
+}
+
 TEST(MeshSolid, JoinsBodiesThatOverlap) {
   const Vec3 slab_low{-1, -1, -1}, slab_high{1, 1, 0}, tower_low{-0.4, -0.4, -0.5}, tower_high{0.4, 0.4, 1};
   const auto solid =

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -169,32 +170,47 @@ std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed) {
 }
 
 std::size_t close_holes(Mesh& mesh) {
-  std::unordered_map<std::uint64_t, int> uses;
+  // What is left of an edge when those that run to and fro along it are taken from each other: walls that two
+  // bodies share end there together, and are no rim.
+  std::unordered_map<std::uint64_t, int> upwards;
+  const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
   for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) ++uses[edge_key(t[k], t[(k + 1) % 3])];
+    for (std::size_t k = 0; k < 3; ++k) upwards[edge_key(t[k], t[(k + 1) % 3])] += step(t[k], t[(k + 1) % 3]);
   // Rim edges by the vertex where they start, in a fixed order.
   std::multimap<std::uint32_t, std::uint32_t> rim;
   for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (uses[edge_key(t[k], t[(k + 1) % 3])] == 1) rim.emplace(t[k], t[(k + 1) % 3]);
-  std::size_t closed = 0;
-  while (!rim.empty()) {
-    std::vector<std::array<std::uint32_t, 2>> loop;
-    auto edge = rim.begin();
-    while (edge != rim.end()) {
-      loop.push_back({edge->first, edge->second});
-      const std::uint32_t next = edge->second;
-      rim.erase(edge);
-      edge = rim.find(next);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+      int& left = upwards[edge_key(from, to)];
+      if (left * step(from, to) <= 0) continue;
+      rim.emplace(from, to);
+      left -= step(from, to);
     }
-    // An open chain (its end meets no start) stays open: the winding number copes.
-    if (loop.size() < 3 || loop.back()[1] != loop.front()[0]) continue;
+  std::size_t closed = 0;
+  const auto close = [&](std::span<const std::uint32_t> loop) {
+    if (loop.size() < 3) return;
     Vec3 centre;
-    for (const auto& e : loop) centre += mesh.vertices_m[e[0]] / static_cast<double>(loop.size());
+    for (const std::uint32_t v : loop) centre += mesh.vertices_m[v] / static_cast<double>(loop.size());
     const auto middle = static_cast<std::uint32_t>(mesh.vertices_m.size());
     mesh.vertices_m.push_back(centre);
-    for (const auto& e : loop) mesh.triangles.push_back({e[1], e[0], middle});
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
     ++closed;
+  };
+  // As many rims end at a vertex as start there, so each way along them comes back to where it has been.
+  while (!rim.empty()) {
+    std::vector<std::uint32_t> way{rim.begin()->first};
+    for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find(way.back())) {
+      const std::uint32_t next = edge->second;
+      rim.erase(edge);
+      const auto before = std::find(way.begin(), way.end(), next);
+      if (before == way.end()) {
+        way.push_back(next);
+      } else {
+        close({before, way.end()});
+        way.erase(before + 1, way.end());
+      }
+    }
   }
   return closed;
 }
