@@ -67,7 +67,9 @@ TEST_F(FieldCommands, SuperquadricsBecomeAFieldAndItsSurfaceAPrint) {
   const Outcome again =
       palpable({"make", path("s.ply"), "-o", path("t.palp"), "--resolution", "32", "--json"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_TRUE(again.json()["notes"].empty()) << again.json()["notes"];
+  // Nothing had to be mended: only facets may have been rounded.
+  for (const auto& note : again.json()["notes"])
+    EXPECT_NE(note.get<std::string>().find("small facets"), std::string::npos) << note;
   EXPECT_NEAR(distances(path("t.palp"), {"0,0,0.011"})[0], 0.001, 3e-4);
 }
 
