@@ -18,8 +18,8 @@ Mesh welded(const Mesh& mesh, std::size_t& removed);
 /// were turned.
 std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed);
 
-/// Closes each rim by a fan around its centre: a loop of edges along which more triangles run one way than the
-/// other. Where bodies share walls, their common rim is closed. Returns how many.
+/// Closes each rim by a fan around its centre: a loop of edges along which more triangles run one way than
+/// the other. Where bodies share walls, their common rim is closed. Returns how many.
 std::size_t close_holes(Mesh& mesh);
 
 }  // namespace palpable::sculpt
