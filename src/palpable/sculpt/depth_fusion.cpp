@@ -3,6 +3,7 @@
 #include "palpable/sculpt/depth_fusion.hpp"
 
 #include "palpable/sculpt/box.hpp"
+#include "palpable/sculpt/fused_numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -89,7 +90,9 @@ class Voices {
     // At a step the depth of one side may stand on the other.
     for (const float beside : {depth(x - 1, y), depth(x + 1, y), depth(x, y - 1), depth(x, y + 1)})
       if (!(std::abs(beside - here) < static_cast<float>(truncation_m_))) return;
-    sum_m_ += std::min(along_m, truncation_m_);
+    const double distance_m = std::min(along_m, truncation_m_);
+    sum_m_ += distance_m;
+    squares_m2_ += distance_m * distance_m;
     ++told_;
   }
 
@@ -98,16 +101,58 @@ class Voices {
     const bool solid = near_behind_ || 2 * behind_ > maps;
     return static_cast<float>(solid ? -truncation_m_ : truncation_m_);
   }
+  /// Of that value, squared; negative where fewer than two maps told it.
+  float noise2_m2() const {
+    if (told_ < 2) return -1.0F;
+    const double mean_m = sum_m_ / told_;
+    const double variance_m2 = std::max(0.0, squares_m2_ / told_ - mean_m * mean_m);
+    return static_cast<float>(variance_m2 / (told_ - 1));
+  }
 
  private:
   const FusionOptions& options_;
   double truncation_m_;
   double fill_m_;
   double sum_m_ = 0.0;
+  double squares_m2_ = 0.0;
   int told_ = 0;
   std::size_t behind_ = 0;
   bool near_behind_ = false;
 };
+
+/// Blocks in which something is solid, and their neighbours, so that the surface lies in blocks on both its
+/// sides.
+std::vector<LevelSet::Block> blocks_of(const FusedNumbers& numbers, const std::array<int, 3>& count) {
+  const auto index = [&](int i, int j, int k) {
+    return static_cast<std::size_t>((k * count[1] + j) * count[0] + i);
+  };
+  std::vector<bool> solid(index(0, 0, count[2]));
+  for (int x = 0; x < numbers.size[0]; ++x)
+    for (int y = 0; y < numbers.size[1]; ++y)
+      for (int z = 0; z < numbers.size[2]; ++z)
+        if (numbers.distance_m[numbers.index(x, y, z)] < 0.0F)
+          solid[index(x / kSide, y / kSide, z / kSide)] = true;
+  const auto near_solid = [&](int i, int j, int k) {
+    for (int z = std::max(0, k - 1); z <= std::min(count[2] - 1, k + 1); ++z)
+      for (int y = std::max(0, j - 1); y <= std::min(count[1] - 1, j + 1); ++y)
+        for (int x = std::max(0, i - 1); x <= std::min(count[0] - 1, i + 1); ++x)
+          if (solid[index(x, y, z)]) return true;
+    return false;
+  };
+  std::vector<LevelSet::Block> blocks;
+  for (int k = 0; k < count[2]; ++k)
+    for (int j = 0; j < count[1]; ++j)
+      for (int i = 0; i < count[0]; ++i) {
+        if (!near_solid(i, j, k)) continue;
+        LevelSet::Block& block = blocks.emplace_back();
+        block.corner = {kSide * i, kSide * j, kSide * k};
+        for (int n = 0; n < kSide * kSide * kSide; ++n)
+          block.values[static_cast<std::size_t>(n)] = numbers.distance_m[numbers.index(
+              block.corner[0] + n / (kSide * kSide), block.corner[1] + n / kSide % kSide,
+              block.corner[2] + n % kSide)];
+      }
+  return blocks;
+}
 
 }  // namespace
 
@@ -133,54 +178,36 @@ Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptio
     return static_cast<int>(std::ceil((extent + 2.0 * margin_m) / voxel_m / kSide)) + 1;
   };
   const std::array<int, 3> count{blocks(size.x), blocks(size.y), blocks(size.z)};
-  const auto index = [&](int i, int j, int k) {
-    return static_cast<std::size_t>((k * count[1] + j) * count[0] + i);
-  };
-  std::vector<LevelSet::Block> all(index(0, 0, count[2]));
-  // One for each block; a byte, since threads write them beside each other.
-  std::vector<std::uint8_t> solid(all.size());
+  FusedNumbers numbers;
+  for (std::size_t axis = 0; axis < 3; ++axis) numbers.size[axis] = kSide * count[axis];
+  const std::size_t voxels = numbers.index(numbers.size[0], 0, 0);
+  numbers.distance_m.resize(voxels);
+  numbers.noise2_m2.resize(voxels);
   std::atomic<int> done{0};
-  parallel_for(work, count[2], 1, [&](int begin, int end) {
-    for (int k = begin; k < end && !work.cancelled(); ++k) {
-      for (int j = 0; j < count[1]; ++j)
-        for (int i = 0; i < count[0]; ++i) {
-          LevelSet::Block& block = all[index(i, j, k)];
-          block.corner = {kSide * i, kSide * j, kSide * k};
-          for (std::size_t at = 0; at < block.values.size(); ++at) {
-            const int n = static_cast<int>(at);
-            const int x = n / (kSide * kSide), y = n / kSide % kSide, z = n % kSide;
-            const Vec3 p = set.origin_m + voxel_m * Vec3{1.0 * block.corner[0] + x, 1.0 * block.corner[1] + y,
-                                                         1.0 * block.corner[2] + z};
-            Voices voices(options, truncation_m, fill_m);
-            // What is filled behind ends a little beyond what was seen.
-            const auto in_side = [&](double v, double least_m, double most_m) {
-              return v >= least_m - truncation_m && v <= most_m + truncation_m;
-            };
-            const bool in = in_side(p.x, box->least_m.x, box->most_m.x) &&
-                            in_side(p.y, box->least_m.y, box->most_m.y) &&
-                            in_side(p.z, box->least_m.z, box->most_m.z);
-            if (in)
-              for (const Sight& sight : sights) voices.ask(sight, p);
-            block.values[at] = voices.value(sights.size());
-            if (block.values[at] < 0.0F) solid[index(i, j, k)] = 1;
-          }
+  // What is filled behind ends a little beyond what was seen.
+  const auto in_side = [&](double v, double least_m, double most_m) {
+    return v >= least_m - truncation_m && v <= most_m + truncation_m;
+  };
+  parallel_for(work, numbers.size[0], 1, [&](int begin, int end) {
+    for (int x = begin; x < end && !work.cancelled(); ++x) {
+      for (int y = 0; y < numbers.size[1]; ++y)
+        for (int z = 0; z < numbers.size[2]; ++z) {
+          const Vec3 p = set.origin_m + voxel_m * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
+          Voices voices(options, truncation_m, fill_m);
+          if (in_side(p.x, box->least_m.x, box->most_m.x) && in_side(p.y, box->least_m.y, box->most_m.y) &&
+              in_side(p.z, box->least_m.z, box->most_m.z))
+            for (const Sight& sight : sights) voices.ask(sight, p);
+          numbers.distance_m[numbers.index(x, y, z)] = voices.value(sights.size());
+          numbers.noise2_m2[numbers.index(x, y, z)] = voices.noise2_m2();
         }
-      work.report(static_cast<double>(++done) / count[2], "fusing the depth maps");
+      work.report(0.9 * static_cast<double>(++done) / numbers.size[0], "fusing the depth maps");
     }
   });
   if (work.cancelled()) return Work::interrupted();
-  // With their neighbours, so that the surface lies in blocks on both its sides.
-  const auto near_solid = [&](int i, int j, int k) {
-    for (int z = std::max(0, k - 1); z <= std::min(count[2] - 1, k + 1); ++z)
-      for (int y = std::max(0, j - 1); y <= std::min(count[1] - 1, j + 1); ++y)
-        for (int x = std::max(0, i - 1); x <= std::min(count[0] - 1, i + 1); ++x)
-          if (solid[index(x, y, z)] != 0) return true;
-    return false;
-  };
-  for (int k = 0; k < count[2]; ++k)
-    for (int j = 0; j < count[1]; ++j)
-      for (int i = 0; i < count[0]; ++i)
-        if (near_solid(i, j, k)) set.blocks.push_back(all[index(i, j, k)]);
+  work.report(0.9, "smoothing what the maps' noise left");
+  smooth(numbers, truncation_m, options.noise_m, work);
+  if (work.cancelled()) return Work::interrupted();
+  set.blocks = blocks_of(numbers, count);
   return set;
 }
 
