@@ -198,6 +198,28 @@ TEST_F(StereoCommands, AnUnknownMethodIsNamedWithThoseThatThereAre) {
   EXPECT_FALSE(std::filesystem::exists(path("d.pfm")));
 }
 
+TEST_F(StereoCommands, AnOptionOfAnotherMethodIsRefused) {
+  const Outcome outcome = palpable(
+      {"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"), "--method", "fast", "--features"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(outcome.err));
+  EXPECT_THAT(outcome.err, HasSubstr("--features"));
+  EXPECT_FALSE(std::filesystem::exists(path("d.pfm")));
+}
+
+TEST_F(StereoCommands, ScoreAsksForTheScaleOfAnEightBitTruth) {
+  Raster<Rgb8> truth(160, 120);
+  for (Rgb8& c : truth.values()) c = {40, 40, 40};
+  ASSERT_TRUE(formats::write_png(path("truth.png"), truth));
+  const Outcome unstated = palpable({"score", "disparity", path("truth.pfm"), path("truth.png")});
+  EXPECT_EQ(unstated.exit_code, 3);
+  EXPECT_TRUE(is_one_sentence(unstated.err));
+  EXPECT_THAT(unstated.err, HasSubstr("--truth-scale"));
+  const Outcome stated =
+      palpable({"score", "disparity", path("truth.pfm"), path("truth.png"), "--truth-scale", "4"});
+  EXPECT_EQ(stated.exit_code, 0) << stated.err;
+}
+
 TEST_F(StereoCommands, ScoreTakesScaleAndMask) {
   const Outcome perfect = palpable({"score", "disparity", path("truth.pfm"), path("truth.pfm"), "--json"});
   EXPECT_EQ(perfect.json()["bad"]["0.5"], 0.0);

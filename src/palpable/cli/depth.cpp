@@ -32,6 +32,19 @@ vision::StereoOptions options_of(const Arguments& arguments) {
   return options;
 }
 
+/// Options of one method say nothing to the others: better refused than left out without a word.
+Result<void> only_of_pyramid(const Arguments& arguments, vision::StereoMethod method) {
+  const Arguments none;
+  if (method == vision::StereoMethod::pyramid) return {};
+  const char* given = arguments.features                                ? "--features"
+                      : arguments.iterations != none.iterations         ? "--iterations"
+                      : arguments.surface_weight != none.surface_weight ? "--surface-weight"
+                                                                        : nullptr;
+  if (given == nullptr) return {};
+  return Error{ErrorCode::usage,
+               fmt::format("only --method pyramid knows it, not {}", vision::name_of(method)), given};
+}
+
 /// The aligned pictures as PREFIX_left.png and PREFIX_right.png.
 Result<void> write_aligned(const std::string& prefix, const vision::StereoPair& pair) {
   if (prefix.empty()) return {};
@@ -50,6 +63,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
     return Error{ErrorCode::usage, "disparity is written as .pfm or .png", arguments.output};
   const auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
+  if (const auto ok = only_of_pyramid(arguments, *method); !ok) return ok.error();
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);

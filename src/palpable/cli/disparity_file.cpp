@@ -11,6 +11,17 @@
 #include <cmath>
 
 namespace palpable::cli {
+namespace {
+
+/// Some are known, and none reaches a pixel.
+bool all_below_a_pixel(const Raster<float>& disparity_px) {
+  float greatest = 0.0F;
+  for (const float d : disparity_px.values())
+    if (d > greatest) greatest = d;
+  return greatest > 0.0F && greatest < 1.0F;
+}
+
+}  // namespace
 
 Result<Raster<float>> read_disparity(const std::filesystem::path& file, std::optional<double> scale) {
   constexpr std::size_t kEnoughToRecognise = 64;
@@ -23,7 +34,13 @@ Result<Raster<float>> read_disparity(const std::filesystem::path& file, std::opt
       file, 1.0 / scale.value_or(floats ? 1.0 : kOwnPngScale),
       floats ? sources::UnknownDisparity::not_finite : sources::UnknownDisparity::zero_too);
   if (!read) return read.error();
-  return std::move(read->disparity.disparity_px);
+  Raster<float>& disparity_px = read->disparity.disparity_px;
+  if (!floats && !scale && all_below_a_pixel(disparity_px))
+    return invalid_input(
+        "a picture of disparity is taken as 256ths of a pixel, but then all of this one lies below a pixel: "
+        "state its scale (such as --truth-scale 4)",
+        file.string());
+  return std::move(disparity_px);
 }
 
 Result<Raster<std::uint8_t>> read_mask(const std::filesystem::path& file) {

@@ -20,8 +20,10 @@ void add_pair_arguments(Options& options, StereoArguments& arguments) {
 
 void add_stereo_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
-  options.text("--method", arguments.method,
-               "How the pair is matched (docs/stereo.md); else the best there is, and fast to begin with");
+  options.text(
+      "--method", arguments.method,
+      "How the pair is matched: scanline, graph-cut, segments, pyramid, fast or best; else best, and "
+      "touch begins with fast");
   add_pair_options(options, arguments);
 }
 
