@@ -245,7 +245,12 @@ FittedSuperquadric fit_robustly(const Evidence& all, FitDeformation deformation)
                       all.eye};
   Refinement quick(some, volume, kPlainParameters);
   auto candidates = starts_for(some);
-  for (Candidate& c : candidates) quick.run(c, 4, 2);
+  for (Candidate& c : candidates) quick.run(c, 3, 2);
+  // Among outliers, and of half views, it takes another round to tell which of them lead somewhere.
+  constexpr double kManyOutliers = 0.1;
+  const double outliers = std::min_element(candidates.begin(), candidates.end(), cheaper)->outliers;
+  if (some.eye || outliers > kManyOutliers)
+    for (Candidate& c : candidates) quick.run(c, 1, 2);
   std::sort(candidates.begin(), candidates.end(), cheaper);
   Candidate best = candidates[0];
   quick.run(best, 6, 3);
