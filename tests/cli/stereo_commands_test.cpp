@@ -175,6 +175,7 @@ TEST_F(StereoCommands, RectifyTakesCornersOrLinesAndRefusesWhatIsNone) {
 }
 
 TEST_F(StereoCommands, BackgroundIsRemovedNamedAndShown) {
+  write_pair(folder_.string(), textured_pair(160, 120, 0.0));
   const Outcome made = palpable({"make", path("left.png"), path("right.png"), "-o", path("s.palp"),
                                  "--method", "fast", "--background", "remove", "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;

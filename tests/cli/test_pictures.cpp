@@ -41,10 +41,10 @@ bool in_box(double x, int y, int width, int height) {
 
 }  // namespace
 
-Pair textured_pair(int width, int height) {
+Pair textured_pair(int width, int height, double floor_rise_px) {
   Pair pair{Raster<Rgb8>(width, height), Raster<Rgb8>(width, height), Raster<float>(width, height)};
-  const auto background = [height](int y) {
-    return y < height / 2 ? 3.0 : 3.0 + 6.0 * (y - height / 2) / height;
+  const auto background = [&](int y) {
+    return y < height / 2 ? 3.0 : 3.0 + 2.0 * floor_rise_px * (y - height / 2) / height;
   };
   constexpr double kBox = 12.0;
   for (int y = 0; y < height; ++y) {

@@ -16,7 +16,8 @@ struct Pair {
   /// Of the left picture, in pixels.
   Raster<float> disparity_px;
 };
-Pair textured_pair(int width = 160, int height = 120);
+/// `floor_rise_px`: how much nearer the floor comes to the bottom; 0 = the wall goes on.
+Pair textured_pair(int width = 160, int height = 120, double floor_rise_px = 3.0);
 
 /// Another texture with no relation to the pair's.
 Raster<Rgb8> unrelated_picture(int width, int height, unsigned seed);

@@ -3,6 +3,7 @@
 #include "palpable/core/memory.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -13,7 +14,9 @@ namespace {
 
 class AvailableMemory : public testing::Test {
  protected:
-  AvailableMemory() : folder_(testing::TempDir() + "/palpable_available_memory") {
+  AvailableMemory()
+      : folder_(testing::TempDir() + "palpable_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
     std::filesystem::remove_all(folder_);
     files_ = {folder_ / "self", folder_ / "meminfo", folder_ / "groups"};
   }
