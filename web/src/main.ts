@@ -205,7 +205,7 @@ class TouchPage implements KeyTarget {
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
-        return this.voice.say(message.text, Importance.news);
+        return this.voice.say(message.text, message.level === 'answer' ? Importance.answer : Importance.news);
     }
   }
 

@@ -280,13 +280,13 @@ Result<void> TouchHost::stand_there(const session::Stance& stance) {
   stance_ = stance;
   if (!pointer_moves())
     if (auto stood = session_.stand(stance); !stood) return stood;
-  say("info", session::words_of(stance));
+  say("answer", session::words_of(stance));
   return {};
 }
 
 Result<void> TouchHost::write_scene() {
   if (auto written = formats::write_scene(options_.save_as, *session_.scene()); !written) return written;
-  say("info", "The scene is saved as " + options_.save_as.string());
+  say("answer", "The scene is saved as " + options_.save_as.string());
   return {};
 }
 
