@@ -109,6 +109,10 @@ TEST_F(BadInput, DepthThatIsNotANumberOrNegativeIsUnknown) {
   for (int x = 0; x < 20; ++x) depth(x, 20) = 0.8F;
   ASSERT_TRUE(formats::write_pfm(path("depth.pfm"), depth));
   EXPECT_EQ(palpable({"make", path("depth.pfm"), "--kind", "depth", "-o", path("good.palp")}).exit_code, 0);
+  const Outcome plain =
+      palpable({"make", path("depth.pfm"), "--kind", "depth", "-o", path("good.palp"), "--ground", "remove"});
+  EXPECT_EQ(plain.exit_code, 0);
+  EXPECT_THAT(plain.err, testing::HasSubstr("--ground and --background are for stereo pairs"));
   for (float& d : depth.values()) d = std::numeric_limits<float>::quiet_NaN();
   ASSERT_TRUE(formats::write_pfm(path("nan.pfm"), depth));
   expect_refused(palpable({"make", path("nan.pfm"), "--kind", "depth", "-o", path("out.palp")}), "nan.pfm");

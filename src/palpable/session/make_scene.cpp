@@ -214,6 +214,11 @@ bool as_contours(const MakeOptions& options, const sources::Input& input) {
          (options.as == MakeAs::by_input && input.kind == sources::InputKind::picture);
 }
 
+/// A pair that depth is matched from.
+bool is_matched(const MakeOptions& options, const sources::Input& input) {
+  return input.kind == sources::InputKind::stereo && !as_contours(options, input);
+}
+
 Error not_yet(const sources::Input& input) {
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
@@ -244,30 +249,29 @@ std::vector<vision::StereoMethod> methods_of_a_touch(const MakeOptions& options)
   return first == last ? std::vector{last} : std::vector{first, last};
 }
 
-}  // namespace
-
-vision::StereoMethod default_method() {
-  return is_available(vision::StereoMethod::best) ? vision::StereoMethod::best
-                                                  : vision::StereoMethod::scanline;
+/// Ground and background are told apart by disparity: what cannot be done is said.
+Result<MadeScene> without_regions(Result<MadeScene> made, const MakeOptions& options) {
+  const bool asked =
+      options.ground != vision::GroundTreatment::keep || options.background != BackgroundTreatment::keep;
+  if (made && asked)
+    made->notes.emplace_back(
+        "--ground and --background are for stereo pairs: this is as it would be without them.");
+  return made;
 }
 
-Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
-  if (fuses_frames(options)) return from_frames(options, work);
-  const auto input = sources::recognise_input(options.inputs, options.kind);
-  if (!input) return input.error();
-  if (as_contours(options, *input)) return contours_from_picture(options, work);
+Result<MadeScene> made_from(const sources::Input& input, const MakeOptions& options, const Work& work) {
+  if (as_contours(options, input)) return contours_from_picture(options, work);
   const bool as_field = options.as == MakeAs::field || options.as == MakeAs::by_input;
-  if (options.field_keeping != FieldKeeping::adaptive && options.as != MakeAs::field &&
-      !is_solid(input->kind))
+  if (options.field_keeping != FieldKeeping::adaptive && options.as != MakeAs::field && !is_solid(input.kind))
     return Error{ErrorCode::usage, "--dense and --paper are ways to keep a field: say --as field",
-                 names_of(input->files)};
-  if (is_solid(input->kind)) return as_field ? field_from_file(options, *input, work) : not_yet(*input);
-  switch (input->kind) {
+                 names_of(input.files)};
+  if (is_solid(input.kind)) return as_field ? field_from_file(options, input, work) : not_yet(input);
+  switch (input.kind) {
     case sources::InputKind::scene:
       return as_wanted(from_scene_file(options), options, work);
     case sources::InputKind::depth: {
-      auto made = from_depth(options, input->files, work);
-      if (made) made->notes.insert(made->notes.begin(), input->notes.begin(), input->notes.end());
+      auto made = from_depth(options, input.files, work);
+      if (made) made->notes.insert(made->notes.begin(), input.notes.begin(), input.notes.end());
       return as_wanted(std::move(made), options, work);
     }
     case sources::InputKind::stereo: {
@@ -277,25 +281,36 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
                        work);
     }
     default:
-      return not_yet(*input);
+      return not_yet(input);
   }
 }
 
-Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
-  if (fuses_frames(options)) {
-    auto made = from_frames(options, work);
-    if (!made) return made.error();
-    take(std::move(*made));
-    return {};
-  }
+}  // namespace
+
+vision::StereoMethod default_method() {
+  return is_available(vision::StereoMethod::best) ? vision::StereoMethod::best
+                                                  : vision::StereoMethod::scanline;
+}
+
+Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
+  if (fuses_frames(options)) return without_regions(from_frames(options, work), options);
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
-  if (input->kind != sources::InputKind::stereo || as_contours(options, *input)) {
+  auto made = made_from(*input, options, work);
+  return is_matched(options, *input) ? std::move(made) : without_regions(std::move(made), options);
+}
+
+Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
+  const auto alone = [&]() -> Result<void> {
     auto made = make_scene(options, work);
     if (!made) return made.error();
     take(std::move(*made));
     return {};
-  }
+  };
+  if (fuses_frames(options)) return alone();
+  const auto input = sources::recognise_input(options.inputs, options.kind);
+  if (!input) return input.error();
+  if (!is_matched(options, *input)) return alone();
   const auto pair = read_stereo_pair(stereo_input(options), work);
   if (!pair) return pair.error();
   for (const vision::StereoMethod method : methods_of_a_touch(options)) {
