@@ -69,14 +69,12 @@ std::vector<protocol::Law> TouchHost::laws() const { return page_laws(*session_.
 std::shared_ptr<const PageScene> TouchHost::scene() {
   auto scene = session_.scene();
   // Other materials alone are no other scene to look at.
-  const bool same = shown_ && scene->model == shown_->model;
-  if (scene != shown_ && same) shown_ = std::move(scene);
-  if (!same) {
+  if (!shown_ || scene->model != shown_->model) {
     const auto number = page_scene_ ? static_cast<std::uint32_t>(page_scene_->about.scene) + 1 : 0U;
     if (page_scene_) say("info", "A finer version of the scene is in place");
     page_scene_ = page_scene(*scene, number, options_.name);
-    shown_ = std::move(scene);
   }
+  shown_ = std::move(scene);
   return page_scene_;
 }
 

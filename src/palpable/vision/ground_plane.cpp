@@ -120,6 +120,7 @@ std::vector<DisparityPlane> best_supported(std::span<const Sample> samples, cons
     if (best.size() > kKept) best.pop_back();
   }
   std::vector<DisparityPlane> planes;
+  planes.reserve(best.size());
   for (const Candidate& candidate : best) planes.push_back(candidate.plane);
   return planes;
 }
