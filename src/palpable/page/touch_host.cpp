@@ -267,15 +267,11 @@ Result<void> TouchHost::swap_in(const models::Scene& better) {
   models::Scene scene = better;
   const auto held = session_.scene();
   if (edited_ && held->materials.size() == scene.materials.size()) scene.materials = held->materials;
-  if (auto done = session_.change_scene(std::make_shared<const models::Scene>(std::move(scene))); !done)
-    return done;
-  // A new scene is laid out anew: the explorer stands in it where they stood.
-  return stance_ && !pointer_moves() ? session_.stand(*stance_) : Result<void>();
+  return session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
 }
 
 /// The page's own pointer goes along by itself, for it tells places of the scene.
 Result<void> TouchHost::stand_there(const session::Stance& stance) {
-  stance_ = stance;
   if (!pointer_moves())
     if (auto stood = session_.stand(stance); !stood) return stood;
   say("answer", session::words_of(stance));

@@ -108,7 +108,6 @@ class TouchHost final : public PageHost {
 
   // The worker alone.
   bool edited_ = false;
-  std::optional<session::Stance> stance_;
 
   std::thread worker_;
 };

@@ -56,10 +56,6 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     if (auto walked = walk_on(session, options, t_s, next_step); !walked) return std::move(walked).error();
     if (auto better = maker.take(kLook)) {
       if (auto changed = session.change_scene(std::move(better)); !changed) return std::move(changed).error();
-      // A new scene is laid out anew: the explorer stands in it where they stood.
-      if (next_step > 0)
-        if (auto stood = session.stand(options.walk[next_step - 1].stance); !stood)
-          return std::move(stood).error();
       tell_notices();
     }
     for (const auto& missed : session.take_missed())

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -63,6 +64,21 @@ TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
   const auto json = nlohmann::json::parse(to_json(*statistics));
   EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
   EXPECT_EQ(json["allocations_in_ticks"], 0);
+}
+
+TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {
+  auto options = quiet(1.5);
+  options.recording = std::filesystem::path(testing::TempDir()) / "explorer.rec";
+  options.walk = {{0.0, {0.02, 0.01, std::numbers::pi / 2.0}}};
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const auto recording = device::read_recording(options.recording);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  ASSERT_GE(recording->programs.size(), 2U);
+  const auto place = nlohmann::json::parse(recording->programs.back().json)["scene_from_device"];
+  EXPECT_NEAR(place["rotation"][1].get<double>(), -1.0, 1e-9);  // what is ahead lies to the left
+  EXPECT_NEAR(place["translation_m"][0].get<double>(), 0.02, 1e-9);
+  EXPECT_NEAR(place["translation_m"][1].get<double>(), 0.01, 1e-9);
 }
 
 TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {

@@ -10,6 +10,7 @@
 #include "palpable/session/scene_hash.hpp"
 
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -59,6 +60,8 @@ struct TouchSession::Inside {
   std::shared_ptr<const models::Scene> scene;
   TouchSettings settings;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
+  /// Of an explorer in the scene, under `changing`; nullopt in the exocentric frame.
+  std::optional<Stance> stance;
   std::vector<std::string> notices;
   device::RecordedProgram described_now;
   std::uint32_t programs = 0;
@@ -143,7 +146,8 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
 Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> scene) {
   PALPABLE_CHECK(scene != nullptr);
   const std::lock_guard changing(inside_->changing);
-  const auto place = fit_workspace(*scene, inside_->loop->device_traits());
+  auto place = fit_workspace(*scene, inside_->loop->device_traits());
+  if (inside_->stance) place = with_explorer(place, *inside_->stance);
   return inside_->change(std::move(scene), settings(), place);
 }
 
@@ -211,7 +215,9 @@ void TouchSession::recentre() {
 
 Result<void> TouchSession::stand(const Stance& stance) {
   const std::lock_guard changing(inside_->changing);
-  return inside_->change(scene(), settings(), with_explorer(inside_->scene_from_device, stance));
+  auto stood = inside_->change(scene(), settings(), with_explorer(inside_->scene_from_device, stance));
+  if (stood) inside_->stance = stance;
+  return stood;
 }
 
 void TouchSession::stop() {

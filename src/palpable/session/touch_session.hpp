@@ -60,8 +60,8 @@ class TouchSession {
   /// Places the scene so that the hand is at its middle, level with its highest point.
   void recentre();
   /// The egocentric frame of reference: from now on the device's middle stands and turns with an explorer;
-  /// its height and scale stay. Forces cross-fade; recordings note the new place. Errors: as
-  /// change_settings().
+  /// its height and scale stay. So they do in a changed scene. Forces cross-fade; recordings note the new
+  /// place. Errors: as change_settings().
   Result<void> stand(const Stance& stance);
   void stop();
 
