@@ -41,7 +41,7 @@ Raster<Leaf> leaves_of(const models::Field& field) {
 
 /// From sand, a finest cell, to deep blue, a root cell.
 Rgb8 colour_of(const Leaf& leaf, int levels) {
-  const int level = std::bit_width(static_cast<unsigned>(leaf.side)) - 1;
+  const int level = static_cast<int>(std::bit_width(static_cast<unsigned>(leaf.side))) - 1;
   const double t = static_cast<double>(level) / std::max(levels, 1);
   const auto mix = [&](int from, int to) {
     return static_cast<std::uint8_t>(std::lround(from + t * (to - from)));
