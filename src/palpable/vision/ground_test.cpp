@@ -55,6 +55,15 @@ Scene room(double noise_px, double unknown_share) {
   return scene;
 }
 
+/// 98 % of the floor is found, and no more than a part of the things with it.
+void expect_found(const Scene& scene, double most_lost) {
+  const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
+  ASSERT_TRUE(ground);
+  const Shares shares = shares_of(ground->mask, scene.seen);
+  EXPECT_GT(shares.ground_found, 0.98);
+  EXPECT_LT(shares.object_lost, most_lost);
+}
+
 TEST(FindGround, FindsTheFloorOfARoomAndLeavesTheThingsOnIt) {
   for (const double noise_px : {0.02, 0.15, 0.3}) {
     const Scene scene = room(noise_px, 0.05);
@@ -94,11 +103,7 @@ TEST(FindGround, LeavesThingsOfTheGroundsColour) {
     const auto level = [g = grain(random)](int v) { return static_cast<std::uint8_t>(v + g); };
     scene.picture.values()[i] = {level(120), level(90), level(60)};
   }
-  const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
-  ASSERT_TRUE(ground);
-  const Shares shares = shares_of(ground->mask, scene.seen);
-  EXPECT_GT(shares.ground_found, 0.98);
-  EXPECT_LT(shares.object_lost, 0.05);
+  expect_found(scene, 0.05);
 }
 
 TEST(FindGround, KeepsToThePictureWhereTheDisparityOfThingsSpreadsOverTheFloor) {
@@ -110,11 +115,7 @@ TEST(FindGround, KeepsToThePictureWhereTheDisparityOfThingsSpreadsOverTheFloor) 
       for (int u = std::max(0, x - kSpread_px); u <= std::min(319, x + kSpread_px); ++u)
         if (exact.seen(u, y) == Seen::object)
           scene.disparity_px(x, y) = std::max(scene.disparity_px(x, y), exact.disparity_px(u, y));
-  const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
-  ASSERT_TRUE(ground);
-  const Shares shares = shares_of(ground->mask, scene.seen);
-  EXPECT_GT(shares.ground_found, 0.98);
-  EXPECT_LT(shares.object_lost, 0.02);
+  expect_found(scene, 0.02);
 }
 
 TEST(NormalOf, PointsUpFromALevelFloor) {
