@@ -112,6 +112,8 @@ export class Controls {
     }
     for (const id of checks) element<HTMLInputElement>(id).checked = settings.page[id];
     for (const id of selects) element<HTMLSelectElement>(id).value = settings.page[id];
+    // A liking for cells is kept for the next field; meanwhile the picture is what is seen.
+    if (element<HTMLOptionElement>('surface-cells').disabled && settings.page.surface === 'cells') element<HTMLSelectElement>('surface').value = 'picture';
     element<HTMLInputElement>('volume').disabled = !settings.page.sound;
     element<HTMLInputElement>('tilt').disabled = settings.page.view === 'flat';
   }
@@ -120,6 +122,7 @@ export class Controls {
   offerCells(there: boolean): void {
     const option = element<HTMLOptionElement>('surface-cells');
     option.hidden = option.disabled = !there;
+    this.show(this.settings);
   }
 
   law(): Law | undefined {
