@@ -36,7 +36,9 @@ function ts() {
   return `${licence}import type { Specs } from '../codec';\n
 export const protocolVersion = ${protocol.version};
 /** The side of a picture that is a texture, in pitches. */
-export const pictureForms = ${protocol.picture_forms};\n
+export const pictureForms = ${protocol.picture_forms};
+/** Probes at once, the hand among them. */
+export const mostProbes = ${protocol.most_probes};\n
 ${direction(protocol.from_page, 'FromPage')}
 ${direction(protocol.to_page, 'ToPage')}
 export const fromPageSpecs: Specs = ${specs(protocol.from_page)};\n
@@ -91,6 +93,8 @@ namespace palpable::page::protocol {
 constexpr std::int64_t kVersion = ${protocol.version};
 /// The side of a picture that is a texture, in pitches.
 constexpr int kPictureForms = ${protocol.picture_forms};
+/// Probes at once, the hand among them.
+constexpr std::size_t kMostProbes = ${protocol.most_probes};
 
 /// What a field may hold: numbers lowest…highest, strings of at most \`longest\` bytes, lists of at most \`most\`.
 struct Limits {

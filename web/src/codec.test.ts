@@ -7,6 +7,8 @@ import { fromPageSpecs, raster, toPageSpecs } from './generated/protocol';
 const state = {
   type: 'state', t_s: 1, x_m: 0, y_m: 0, z_m: 0, proxy_x_m: 0, proxy_y_m: 0, proxy_z_m: 0, surface_m: 0.01,
   fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 0, rate_hz: 1000,
+  further: [2], further_x_m: [0.01], further_y_m: [0], further_z_m: [0], further_surface_m: [0], further_fx_N: [0], further_fy_N: [0],
+  further_fz_N: [0.1], further_contact: [1], further_label: [0],
 };
 
 function frame(words: number[], payload: Uint8Array): ArrayBuffer {
@@ -30,6 +32,8 @@ describe('reading messages', () => {
     ['a field too many', JSON.stringify({ ...state, more: 1 })],
     ['a text for a number', JSON.stringify({ ...state, fz_N: '1' })],
     ['a number beyond its limit', JSON.stringify({ ...state, fz_N: 1e9 })],
+    ['a probe beyond the last', JSON.stringify({ ...state, further: [10] })],
+    ['more probes than there are', JSON.stringify({ ...state, further: Array.from({ length: 10 }, () => 1) })],
     ['a fraction for a whole number', JSON.stringify({ ...state, label: 0.5 })],
   ])('refuses %s with a sentence', (_, text) => expect(readMessage(text)).toBeTypeOf('string'));
   it('counts the bytes of a text, not its letters', () => {
@@ -41,7 +45,7 @@ describe('reading messages', () => {
 
 describe('writing messages', () => {
   it('writes what its own definition takes', () => {
-    const message = { type: 'pointer', x_m: 0.01, y_m: -0.02, press_m: 0.001 } as const;
+    const message = { type: 'pointer', probe: 1, x_m: 0.01, y_m: -0.02, press_m: 0.001 } as const;
     expect(readMessage(writeMessage(message), fromPageSpecs)).toEqual(message);
   });
   it('has no message name in both directions', () => {

@@ -174,3 +174,10 @@ export function positionWords(probe: Place, height: number, slope: Place, label:
 export function motionWords(height: number, slope: Place, label: string): string {
   return `${label === '' ? '' : `${label}, `}${millimetres(height, 1)}, ${slopeWords(slope)}`;
 }
+
+/** One probe's share of what N says. */
+export function feltWords(felt: { x_m: number; y_m: number; surface_m: number }, force: number, label: string, surface: Surface): string {
+  const place = { x: felt.x_m, y: felt.y_m };
+  const named = label === '' ? '' : `, ${label}`;
+  return `${regionOf(place, surface.width, surface.depth)}, ${fromMiddle(place)}, height ${millimetres(felt.surface_m, 1)}, force ${force.toFixed(2)} newtons${named}`;
+}

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Turns the probe's motion and the servo's states into sound and vibration.
-import type { State } from './generated/protocol';
+// Turns the probes' motion and the servo's states into sound and vibration.
+import type { Felt } from './felt';
 import type { Preferences } from './preferences';
 import { EdgeDetector, panOf, pitchOf, RisingEdge } from './sonify';
 import { Sound } from './sound';
@@ -10,8 +10,7 @@ import { pulse } from './vibration';
 
 export class Feedback {
   readonly sound = new Sound();
-  private readonly edges = new EdgeDetector();
-  private readonly contact = new RisingEdge();
+  private readonly probes = new Map<number, { edges: EdgeDetector; contact: RisingEdge }>();
   private vibration = false;
 
   set({ sound, volume, vibration }: Preferences): void {
@@ -19,23 +18,35 @@ export class Feedback {
     this.vibration = vibration;
   }
 
-  /** The probe has come to another place. */
-  moved(place: Place, surface: Surface, exaggeration: number): void {
+  /** A probe has come to another place. */
+  moved(probe: number, place: Place, surface: Surface, exaggeration: number): void {
     const { lowest, highest } = surface.range();
     const height = surface.heightAt(place);
     const pan = panOf(place.x, surface.width);
     // Engraved scenes sound low where they are deep, as raised ones do.
     const [from, to] = exaggeration < 0 ? [-highest, -lowest] : [lowest, highest];
-    this.sound.height(pitchOf(exaggeration < 0 ? -height : height, from, to), pan);
+    this.sound.height(probe, pitchOf(exaggeration < 0 ? -height : height, from, to), pan);
     const slope = surface.slopeAt(place);
-    if (!this.edges.crossed(Math.hypot(slope.x, slope.y) * Math.abs(exaggeration))) return;
+    if (!this.of(probe).edges.crossed(Math.hypot(slope.x, slope.y) * Math.abs(exaggeration))) return;
     this.sound.edge(pan);
     if (this.vibration) pulse(15, 0.4);
   }
 
-  state(state: State, surface: Surface): void {
-    if (!this.contact.rises(state.contact)) return;
-    this.sound.click(panOf(state.x_m, surface.width));
+  felt(felt: Felt, surface: Surface): void {
+    if (!this.of(felt.probe).contact.rises(felt.contact)) return;
+    this.sound.click(panOf(felt.x_m, surface.width));
     if (this.vibration) pulse(25, 0.8);
+  }
+
+  /** Forgets the probes that are not there any more: the next one of that number begins anew. */
+  keep(numbers: readonly number[]): void {
+    for (const probe of this.probes.keys()) if (!numbers.includes(probe)) this.probes.delete(probe);
+    this.sound.keep(numbers);
+  }
+
+  private of(probe: number): { edges: EdgeDetector; contact: RisingEdge } {
+    const known = this.probes.get(probe) ?? { edges: new EdgeDetector(), contact: new RisingEdge() };
+    this.probes.set(probe, known);
+    return known;
   }
 }

@@ -20,6 +20,10 @@ export interface KeyTarget {
   /** Metres ahead, and degrees to the left. */
   walk(by: { ahead: number; left: number }): void;
   stance(): void;
+  /** Counted from 0. */
+  choose(probe: number): void;
+  take(): void;
+  tellProbes(): void;
   pause(): void;
   mute(): void;
   help(): void;
@@ -76,6 +80,14 @@ export const keyRows: KeyRow[] = [
     act: (target, { key, shiftKey }) => target.walk({ ahead: 0, left: (key.toLowerCase() === 'a' ? 1 : -1) * (shiftKey ? 3 : 1) * turnBy }),
   },
   { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.stance() },
+  {
+    shown: '1 to 9, 0',
+    does: 'Go on with the probe of that number (0 is the tenth); one that is not there is put down beside',
+    keys: [...'1234567890'],
+    act: (target, { key }) => target.choose((Number(key) + 9) % 10),
+  },
+  { shown: 'Delete', does: 'Take this probe away; the first one stays', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
+  { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.tellProbes() },
   { shown: 'Space', does: 'Pause, go on', keys: [' '], act: (target) => target.pause() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
   { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },

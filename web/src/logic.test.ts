@@ -180,6 +180,9 @@ describe('keys', () => {
     recentre: () => calls.push('recentre'),
     walk: ({ ahead, left }) => calls.push(`walk ${ahead} ${left}`),
     stance: () => calls.push('stance'),
+    choose: (probe) => calls.push(`choose ${probe}`),
+    take: () => calls.push('take'),
+    tellProbes: () => calls.push('tell probes'),
     pause: () => calls.push('pause'),
     mute: () => calls.push('mute'),
     help: () => calls.push('help'),
@@ -199,6 +202,11 @@ describe('keys', () => {
     type('F', true);
     type('e');
     expect(calls).toEqual(['walk 0.005 0', 'walk -0.02 0', 'walk 0 15', 'walk 0 -45', 'stance']);
+  });
+  it('choose the probe of their number, the tenth by 0', () => {
+    calls.length = 0;
+    for (const key of ['1', '9', '0', 'Delete', 'n']) type(key);
+    expect(calls).toEqual(['choose 0', 'choose 8', 'choose 9', 'take', 'tell probes']);
   });
   it('leave the browser its own', () => {
     calls.length = 0;

@@ -8,12 +8,15 @@ import { Controls, element, type Settings } from './controls';
 import { motionWords, positionWords, sceneWords } from './describe';
 import { Explorer, pace, turnBy } from './explorer';
 import { Feedback } from './feedback';
+import type { Felt } from './felt';
 import { protocolVersion, type Hello, type Law, type Scene, type Settings as Told, type State, type ToPage } from './generated/protocol';
 import { fillHelp, showHelp } from './help';
 import { press, type KeyTarget, type Move } from './keys';
 import { MaterialPanel } from './material_panel';
+import { bindPointers } from './pointers';
 import { preferencesCookie, readPreferences } from './preferences';
-import { ProbeHand } from './probe';
+import { Probes } from './probes';
+import { ProbesPanel } from './probes_panel';
 import { Readouts } from './readouts';
 import { SettingsKeeper } from './settings_keeper';
 import { Stage } from './stage';
@@ -27,6 +30,8 @@ const initial: Settings = {
   materials: [],
 };
 const noScene = 'There is no scene yet.';
+/** Milliseconds between two tellings of where the probes are, at the least: many fingers on a fast screen are many messages. */
+const tellEvery = 10;
 
 class TouchPage implements KeyTarget {
   private readonly connection = new Connection({
@@ -42,7 +47,9 @@ class TouchPage implements KeyTarget {
   private readonly voice = new Voice();
   private readonly feedback = new Feedback();
   private readonly readouts = new Readouts();
-  private readonly hand = new ProbeHand();
+  private readonly probes = new Probes();
+  private readonly hands = this.probes.hands;
+  private readonly probesPanel = new ProbesPanel(this);
   private readonly explorer = new Explorer();
   private readonly trace = new TracePanel({
     place: () => this.probePlace(),
@@ -55,9 +62,7 @@ class TouchPage implements KeyTarget {
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
   private cells: PictureFrame | null = null;
-  private state: State | null = null;
   private paused = false;
-  private tell = true;
   private lastFrame = performance.now();
 
   start(): void {
@@ -74,12 +79,12 @@ class TouchPage implements KeyTarget {
 
   move(by: Move): void {
     if (this.surface === null) return;
-    if (!this.handMoves()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
+    const { hand } = this.hands;
+    if (!this.hands.movable()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
     // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
     const way = this.explorer.inScene(by);
-    const free = this.hand.step(way.x, way.y, by.press, this.surface);
-    this.tell = true;
-    this.voice.say(() => (by.press !== 0 ? this.pressWords() : `${free ? '' : 'Rim of the scene, '}${this.motionWords()}`), Importance.motion);
+    const free = hand.step(way.x, way.y, by.press, this.surface);
+    this.voice.say(() => this.probes.named(by.press !== 0 ? this.pressWords() : `${free ? '' : 'Rim of the scene, '}${this.motionWords()}`), Importance.motion);
   }
   describe(): void {
     if (this.surface === null || this.scene === null) return this.voice.say(noScene, Importance.answer);
@@ -88,15 +93,14 @@ class TouchPage implements KeyTarget {
   where(): void {
     if (this.surface === null) return this.voice.say(noScene, Importance.answer);
     const { height, slope } = this.ground(this.surface);
-    this.voice.say(positionWords(this.probePlace(), height, slope, this.label(), this.surface), Importance.answer);
+    this.voice.say(this.probes.named(positionWords(this.probePlace(), height, slope, this.label(), this.surface)), Importance.answer);
   }
   recentre(): void {
-    this.hand.recentre();
+    this.hands.hand.recentre();
     this.explorer.reset();
-    this.tell = true;
-    this.connection.send({ type: 'recentre' });
+    if (this.hands.chosen === 0) this.connection.send({ type: 'recentre' });
     this.stand();
-    this.voice.say('In the middle.', Importance.answer);
+    this.voice.say(this.probes.named('In the middle.'), Importance.answer);
   }
   walk({ ahead, left }: { ahead: number; left: number }): void {
     if (this.surface === null) return;
@@ -104,14 +108,39 @@ class TouchPage implements KeyTarget {
     const before = this.explorer.stance;
     if (left !== 0) this.explorer.turn(left);
     if (ahead !== 0 && !this.explorer.walk(ahead, this.surface)) this.voice.say('The scene ends here.', Importance.answer);
-    const place = this.explorer.carried(this.hand.place, before);
-    this.hand.step(place.x - this.hand.place.x, place.y - this.hand.place.y, 0, this.surface);
-    this.tell = true;
+    for (const probe of this.hands.numbers) {
+      const hand = this.hands.at(probe)!;
+      const place = this.explorer.carried(hand.place, before);
+      hand.step(place.x - hand.place.x, place.y - hand.place.y, 0, this.surface);
+    }
     this.stand();
   }
   stance(): void {
     if (!this.hello?.egocentric) return this.voice.say('You look on from outside: this is the exocentric view.', Importance.answer);
     this.stand();
+  }
+  choose(probe: number): void {
+    if (this.surface === null) return this.voice.say(noScene, Importance.answer);
+    const before = this.hands.numbers.length;
+    if (!this.hands.choose(probe, this.probePlace())) return this.voice.say('There can be no probe of that number.', Importance.answer);
+    const isNew = this.hands.numbers.length > before;
+    this.voice.say(() => `Probe ${probe + 1}${isNew ? ' put down' : ''}, ${this.motionWords()}.`, Importance.answer);
+    this.probesChanged();
+  }
+  add(): void {
+    const probe = this.hands.free();
+    if (probe !== null) this.choose(probe);
+  }
+  take(): void {
+    const probe = this.hands.chosen;
+    if (!this.hands.remove(probe)) return this.voice.say('The first probe stays.', Importance.answer);
+    this.lift(probe);
+    this.voice.say(`Probe ${probe + 1} taken away. The keys move probe 1.`, Importance.answer);
+  }
+  tellProbes(): void {
+    const { surface } = this;
+    if (surface === null || this.probes.felt.length === 0) return this.voice.say(noScene, Importance.answer);
+    this.voice.say(this.probes.words(surface, (felt) => this.labelOf(felt)), Importance.answer);
   }
   pause(): void {
     this.connection.send({ type: 'pause', paused: !this.paused });
@@ -144,7 +173,7 @@ class TouchPage implements KeyTarget {
     element<HTMLButtonElement>('undo').disabled = !this.keeper.canUndo;
     element<HTMLButtonElement>('redo').disabled = !this.keeper.canRedo;
     if (this.keeper.wasUsed) document.cookie = preferencesCookie(settings.page);
-    this.showProbe();
+    this.showProbes();
   }
 
   private undoOrRedo(which: 'undo' | 'redo'): void {
@@ -167,14 +196,14 @@ class TouchPage implements KeyTarget {
 
   private opened(): void {
     this.laws = [];
-    this.tell = true;
+    this.tellAll();
     this.keeper.connected();
     this.readouts.allWell();
     this.connection.send({ type: 'visible', visible: !document.hidden });
   }
 
   private closed(sentence: string, final: boolean): void {
-    this.state = null;
+    this.probes.forget();
     this.readouts.blank();
     this.alert(sentence);
     this.readouts.status('fault', final ? 'Ended' : 'Not connected');
@@ -212,7 +241,9 @@ class TouchPage implements KeyTarget {
   private greeted(hello: Hello): void {
     this.hello = hello;
     this.readouts.setDevice(hello.device);
-    element('walking').hidden = element('stance-row').hidden = !hello.egocentric;
+    this.hands.set(hello.probes, hello.pointer_moves);
+    this.probesChanged();
+    element('walking').hidden = element('walk-keys').hidden = element('stance-row').hidden = !hello.egocentric;
     // A device's middle is to be where this page has the explorer stand.
     if (hello.pointer_moves) this.showStance();
     else this.stand();
@@ -226,7 +257,7 @@ class TouchPage implements KeyTarget {
       const { width_m, depth_m, name } = this.scene;
       this.surface = new Surface(frame.columns, frame.rows, frame.heights, width_m, depth_m);
       this.picture = this.cells = null;
-      this.tell = true;
+      this.tellAll();
       this.stage.element.setAttribute('aria-label', `Relief of ${name} to touch`);
       if (first) this.voice.say(`${name} is ready to be touched. D describes it, H is help.`, Importance.news);
     } else if (frame.kind === 'cells') {
@@ -238,31 +269,35 @@ class TouchPage implements KeyTarget {
     if (this.scene.cells !== '' && this.cells === null) return;
     this.stage.show(this.surface, this.picture, this.cells);
     this.showStance();
-    this.showProbe();
+    this.showProbes();
   }
 
   private ticked(state: State): void {
-    this.state = state;
-    this.readouts.state(state);
-    this.showProbe();
-    if (this.surface === null) return;
-    this.feedback.state(state, this.surface);
-    if (!this.handMoves()) this.feedback.moved(this.probePlace(), this.surface, this.exaggeration());
+    this.probes.told(state);
+    const { felt, chosen } = this.probes;
+    this.readouts.state(state, chosen ?? felt[0]!);
+    this.probesPanel.show(felt);
+    this.showProbes();
+    const { surface } = this;
+    if (surface === null) return;
+    for (const one of felt) this.feedback.felt(one, surface);
+    if (!this.hands.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.exaggeration());
+    this.feedback.keep(this.probes.numbers);
   }
 
-  // The probe.
+  // The probes.
 
-  private handMoves(): boolean {
-    return this.hello?.pointer_moves ?? true;
-  }
   private exaggeration(): number {
     return this.keeper.settings.touch.exaggeration;
   }
   private probePlace(): Place {
-    return this.handMoves() || this.state === null ? this.hand.place : { x: this.state.x_m, y: this.state.y_m };
+    return this.probes.placeOf(this.hands.chosen);
+  }
+  private labelOf(felt: Felt | undefined): string {
+    return (felt && this.scene?.labels[felt.label]) ?? '';
   }
   private label(): string {
-    return (this.state && this.scene?.labels[this.state.label]) ?? '';
+    return this.labelOf(this.probes.chosen);
   }
   private ground(surface: Surface): { height: number; slope: Place } {
     const scale = this.exaggeration();
@@ -275,8 +310,9 @@ class TouchPage implements KeyTarget {
     return motionWords(height, slope, this.label());
   }
   private pressWords(): string {
-    const depth = Math.abs(this.hand.press * 1000).toFixed(1);
-    return this.hand.press >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
+    const { press: pressed } = this.hands.hand;
+    const depth = Math.abs(pressed * 1000).toFixed(1);
+    return pressed >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
   }
 
   /** Tells the program where the explorer stands, which says it in words. */
@@ -293,26 +329,39 @@ class TouchPage implements KeyTarget {
     if (this.scene?.kind !== 'contours') this.stage.line(this.explorer.arrow());
   }
 
-  private showProbe(): void {
-    if (this.surface === null) return;
-    const { state } = this;
-    const lifted = Math.max(0, -this.hand.press);
-    const z = this.handMoves() ? this.ground(this.surface).height + lifted : Math.max(state?.z_m ?? 0, state?.surface_m ?? 0);
-    const force: [number, number, number] = [state?.fx_N ?? 0, state?.fy_N ?? 0, state?.fz_N ?? 0];
-    this.stage.probe({ ...this.probePlace(), z, force });
+  private tellAll(): void {
+    for (const probe of this.hands.numbers) this.hands.at(probe)?.tell();
+  }
+  private lift(probe: number): void {
+    this.connection.send({ type: 'lift', probe });
+    this.probesChanged();
+  }
+  private probesChanged(): void {
+    this.probesPanel.offer(this.hands.numbers, this.hands.chosen, this.hands.free() !== null);
+    this.showProbes();
+  }
+
+  private showProbes(): void {
+    if (this.surface) this.stage.probes(this.probes.views(this.surface, this.exaggeration()));
+  }
+
+  /** Moves the marbles on and tells where they are. */
+  private advance(now: number, surface: Surface): void {
+    if (this.hands.several && now - this.lastFrame < tellEvery) return;
+    const seconds = Math.min(0.1, (now - this.lastFrame) / 1000);
+    this.lastFrame = now;
+    const moved = this.hands.advance(seconds, surface, this.exaggeration());
+    for (const probe of moved) {
+      const { place, press: press_m } = this.hands.at(probe)!;
+      this.connection.send({ type: 'pointer', probe, x_m: place.x, y_m: place.y, press_m });
+      this.feedback.moved(probe, place, surface, this.exaggeration());
+    }
+    if (moved.length > 0) this.showProbes();
   }
 
   private frame(now: number): void {
     requestAnimationFrame((next) => this.frame(next));
-    const seconds = Math.min(0.1, (now - this.lastFrame) / 1000);
-    this.lastFrame = now;
-    if (this.surface && this.handMoves() && (this.hand.advance(seconds, this.surface, this.exaggeration()) || this.tell)) {
-      const { x, y } = this.hand.place;
-      this.connection.send({ type: 'pointer', x_m: x, y_m: y, press_m: this.hand.press });
-      this.feedback.moved(this.hand.place, this.surface, this.exaggeration());
-      this.tell = false;
-      this.showProbe();
-    }
+    if (this.surface) this.advance(now, this.surface);
     this.voice.tick();
     this.trace.frame(now);
     this.stage.draw();
@@ -328,18 +377,19 @@ class TouchPage implements KeyTarget {
 
   private bindStage(): void {
     const { element: stage } = this.stage;
-    const aim = (event: PointerEvent) => {
-      if (this.surface === null || !this.handMoves()) return;
-      const box = stage.getBoundingClientRect();
-      const place = this.stage.placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
-      if (place) this.hand.aim(place, this.surface);
-      if (event.pointerType === 'pen' && event.pressure > 0) this.hand.penPressure(event.pressure);
-    };
-    stage.addEventListener('pointermove', aim);
-    stage.addEventListener('pointerdown', (event) => {
-      this.feedback.sound.wake();
-      stage.setPointerCapture(event.pointerId);
-      aim(event);
+    bindPointers(stage, this.hands, {
+      surface: () => this.surface,
+      placeAt: (left, top) => this.stage.placeAt(left, top),
+      wake: () => this.feedback.sound.wake(),
+      came: (probe) => {
+        this.voice.say(() => `Probe ${probe + 1} touches.`, Importance.motion);
+        this.probesChanged();
+      },
+      left: (probe) => {
+        this.voice.say(() => `Probe ${probe + 1} lifted.`, Importance.motion);
+        this.lift(probe);
+      },
+      full: () => this.voice.say(`More than ${this.hands.numbers.length} probes cannot touch at once.`, Importance.news),
     });
     stage.addEventListener('keydown', (event) => {
       this.feedback.sound.wake();
@@ -373,7 +423,7 @@ class TouchPage implements KeyTarget {
   }
 
   private editHere(): void {
-    const found = this.materials.choose(this.state?.label ?? 0);
+    const found = this.materials.choose(this.probes.chosen?.label ?? 0);
     this.voice.say(found ? `Editing ${this.materials.name()}.` : 'There is no region here.', Importance.answer);
   }
 

@@ -9,10 +9,15 @@ const deepest = 0.004;
 const highest = -0.02;
 
 export class ProbeHand {
-  private target: Place = { x: 0, y: 0 };
-  private marblePlace: Place = { x: 0, y: 0 };
+  private target: Place;
+  private marblePlace: Place;
   private pressDepth = usualPress;
   private changed = true;
+
+  constructor(place: Place = { x: 0, y: 0 }) {
+    this.target = { ...place };
+    this.marblePlace = { ...place };
+  }
 
   get place(): Place {
     return this.marblePlace;
@@ -46,6 +51,11 @@ export class ProbeHand {
     this.target = { x: 0, y: 0 };
     this.marblePlace = { x: 0, y: 0 };
     this.setPress(usualPress);
+  }
+
+  /** It is to be told anew, wherever it is. */
+  tell(): void {
+    this.changed = true;
   }
 
   /** Moves the marble on; true if its place has to be told. */

@@ -3,6 +3,7 @@
 // What the page shows in figures: status, position, height, force and its plot, rates; and the banner for what went wrong.
 import { element } from './controls';
 import type { Stance } from './explorer';
+import { newtons, type Felt } from './felt';
 import type { State } from './generated/protocol';
 import { ForcePlot } from './plot';
 
@@ -10,7 +11,7 @@ import { ForcePlot } from './plot';
 const figuresEvery = 100;
 const plotEvery = 50;
 
-const millimetres = (metres: number) => (metres * 1000).toFixed(1).replace(/^-0\.0$/, '0.0');
+export const millimetreFigure = (metres: number) => (metres * 1000).toFixed(1).replace(/^-0\.0$/, '0.0');
 
 export class Readouts {
   private readonly plot = new ForcePlot(element<HTMLCanvasElement>('plot'));
@@ -19,7 +20,7 @@ export class Readouts {
   private since = performance.now();
   private device = '';
   private rate = 0;
-  private shown: State | null = null;
+  private shown: Felt | null = null;
   private figuresAt = -Infinity;
   private plottedAt = -Infinity;
 
@@ -27,16 +28,16 @@ export class Readouts {
     this.device = device;
   }
 
-  state(state: State): void {
-    const force = Math.hypot(state.fx_N, state.fy_N, state.fz_N);
-    this.plot.add(state.t_s, force);
+  /** `felt`: what the chosen probe feels. */
+  state(state: State, felt: Felt): void {
+    this.plot.add(state.t_s, newtons(felt));
     this.rate = state.rate_hz;
-    this.shown = state;
+    this.shown = felt;
   }
 
   stance({ x, y, heading }: Stance): void {
     const facing = heading === 0 ? 'up' : `${Math.abs(heading)}° ${heading > 0 ? 'left' : 'right'}`;
-    element('read-stance').textContent = `${millimetres(x)}, ${millimetres(y)}, facing ${facing}`;
+    element('read-stance').textContent = `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`;
   }
 
   /** Nothing is known any more. */
@@ -69,10 +70,10 @@ export class Readouts {
 
   private figures(): void {
     if (this.shown === null) return;
-    const { x_m, y_m, surface_m, fx_N, fy_N, fz_N } = this.shown;
-    element('read-position').textContent = `${millimetres(x_m)}, ${millimetres(y_m)}`;
-    element('read-height').textContent = millimetres(surface_m);
-    element('read-force').textContent = Math.hypot(fx_N, fy_N, fz_N).toFixed(2);
+    const { x_m, y_m, surface_m } = this.shown;
+    element('read-position').textContent = `${millimetreFigure(x_m)}, ${millimetreFigure(y_m)}`;
+    element('read-height').textContent = millimetreFigure(surface_m);
+    element('read-force').textContent = newtons(this.shown).toFixed(2);
   }
 
   status(state: 'running' | 'paused' | 'fault', words: string): void {

@@ -6,10 +6,17 @@ const toneLevel = 0.25;
 /** The tone fades out when the probe has rested so long (s): silence means that nothing moves. */
 const restTime = 1.2;
 
+interface Tone {
+  oscillator: OscillatorNode;
+  gain: GainNode;
+  pan: StereoPannerNode;
+}
+
 export class Sound {
   private context: AudioContext | null = null;
   private master: GainNode | null = null;
-  private tone: { oscillator: OscillatorNode; gain: GainNode; pan: StereoPannerNode } | null = null;
+  /** One for each probe that has been heard. */
+  private readonly tones = new Map<number, Tone>();
   private on = false;
   private volume = 0.5;
   /** How often each was played; the tests listen to these. */
@@ -28,15 +35,28 @@ export class Sound {
     this.level();
   }
 
-  /** The tone for where the probe is now. */
-  height(pitch: number, pan: number): void {
-    if (!this.on || this.context === null || this.tone === null) return;
+  /** The tone for where a probe is now; several share the loudness of one. */
+  height(probe: number, pitch: number, pan: number): void {
+    if (!this.on || this.context === null || this.master === null) return;
+    const tone = this.tones.get(probe) ?? this.begin(probe, this.context, this.master);
     const now = this.context.currentTime;
-    this.tone.oscillator.frequency.setTargetAtTime(pitch, now, 0.012);
-    this.tone.pan.pan.setTargetAtTime(pan, now, 0.02);
-    this.tone.gain.gain.cancelScheduledValues(now);
-    this.tone.gain.gain.setTargetAtTime(toneLevel, now, 0.02);
-    this.tone.gain.gain.setTargetAtTime(0, now + restTime, 0.15);
+    tone.oscillator.frequency.setTargetAtTime(pitch, now, 0.012);
+    tone.pan.pan.setTargetAtTime(pan, now, 0.02);
+    tone.gain.gain.cancelScheduledValues(now);
+    tone.gain.gain.setTargetAtTime(toneLevel / Math.sqrt(this.tones.size), now, 0.02);
+    tone.gain.gain.setTargetAtTime(0, now + restTime, 0.15);
+  }
+
+  /** Ends the tones of probes that are not there any more. */
+  keep(numbers: readonly number[]): void {
+    for (const [probe, tone] of this.tones) {
+      if (numbers.includes(probe) || this.context === null) continue;
+      this.tones.delete(probe);
+      tone.gain.gain.cancelScheduledValues(this.context.currentTime);
+      tone.gain.gain.setTargetAtTime(0, this.context.currentTime, 0.02);
+      tone.oscillator.onended = () => tone.pan.disconnect();
+      tone.oscillator.stop(this.context.currentTime + 0.2);
+    }
   }
 
   click(pan: number): void {
@@ -54,12 +74,17 @@ export class Sound {
     this.master = context.createGain();
     this.master.connect(context.destination);
     this.level();
+  }
+
+  private begin(probe: number, context: AudioContext, master: GainNode): Tone {
     const oscillator = new OscillatorNode(context, { type: 'sine', frequency: 220 });
     const gain = new GainNode(context, { gain: 0 });
     const pan = new StereoPannerNode(context);
-    oscillator.connect(gain).connect(pan).connect(this.master);
+    oscillator.connect(gain).connect(pan).connect(master);
     oscillator.start();
-    this.tone = { oscillator, gain, pan };
+    const tone = { oscillator, gain, pan };
+    this.tones.set(probe, tone);
+    return tone;
   }
 
   private level(): void {

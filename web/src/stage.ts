@@ -44,8 +44,8 @@ export class Stage {
     this.view?.set(exaggeration, look);
   }
 
-  probe(probe: Probe): void {
-    this.view?.probe(probe);
+  probes(probes: readonly Probe[]): void {
+    this.view?.probes(probes);
   }
   line(points: readonly Place[]): void {
     this.view?.line(points);

@@ -8,6 +8,10 @@ import type { Place, Surface } from './surface';
 export interface Probe extends Place {
   z: number;
   force: [number, number, number];
+  /** Counted from 1. */
+  number: number;
+  /** The one that the keys move. */
+  chosen: boolean;
 }
 
 export interface View {
@@ -15,7 +19,8 @@ export interface View {
   show(surface: Surface, picture: PictureFrame | null): void;
   /** Height factor, and how the surface and the view are to look. */
   set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
-  probe(probe: Probe): void;
+  /** All that there are; their numbers are shown once there are several. */
+  probes(probes: readonly Probe[]): void;
   /** A line drawn on the surface; empty for none. */
   line(points: readonly Place[]): void;
   /** The place on the surface under a point of the canvas in CSS pixels from its upper left corner; null if none. */
@@ -27,11 +32,12 @@ export interface View {
 }
 
 /** Whether nobody would see a difference: a hundredth of a millimetre, a hundredth of a newton. */
-export function looksAlike(a: Probe, b: Probe): boolean {
+export function lookAlike(some: readonly Probe[], others: readonly Probe[]): boolean {
   const near = (p: number, q: number, limit: number) => Math.abs(p - q) < limit;
-  return (
-    near(a.x, b.x, 1e-5) && near(a.y, b.y, 1e-5) && near(a.z, b.z, 1e-5) && a.force.every((f, i) => near(f, b.force[i]!, 0.01))
-  );
+  const alike = (a: Probe, b: Probe) =>
+    a.number === b.number && a.chosen === b.chosen && near(a.x, b.x, 1e-5) && near(a.y, b.y, 1e-5) && near(a.z, b.z, 1e-5) &&
+    a.force.every((f, i) => near(f, b.force[i]!, 0.01));
+  return some.length === others.length && some.every((probe, k) => alike(probe, others[k]!));
 }
 
 /** The colours of the style sheet that pictures use. */

@@ -1,17 +1,14 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The scene as a block with its surface carved into it, the probe as a marble, the force as an arrow (three.js).
+// The scene as a block with its surface carved into it, with probes on it (three.js).
 import {
   AmbientLight,
   BufferAttribute,
   BufferGeometry,
   Color,
-  ConeGeometry,
-  CylinderGeometry,
   DataTexture,
   DirectionalLight,
   DoubleSide,
-  Group,
   Line,
   LineBasicMaterial,
   LinearFilter,
@@ -22,22 +19,19 @@ import {
   PerspectiveCamera,
   Raycaster,
   Scene,
-  SphereGeometry,
   SRGBColorSpace,
   Vector2,
   Vector3,
   WebGLRenderer,
 } from 'three';
 import type { PictureFrame } from './codec';
+import { Marble3d } from './marble3d';
 import { Pace } from './pace';
 import type { Preferences } from './preferences';
 import { Surface, type Place } from './surface';
-import { looksAlike, themeColours, type Probe, type View } from './view';
+import { lookAlike, themeColours, type Probe, type View } from './view';
 
 const fieldOfView = 32;
-/** Metres of arrow a newton. */
-const arrowScale = 0.008;
-const arrowMost = 0.04;
 /** How much larger than the block the picture is. */
 const margin = 1.07;
 const baseThickness = 0.002;
@@ -50,11 +44,7 @@ export class View3d implements View {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.005, 10);
   private readonly sun = new DirectionalLight(0xffffff, 2.6);
-  private readonly marble = new Mesh(new SphereGeometry(0.0022, 32, 16), new MeshStandardMaterial({ roughness: 0.25 }));
-  private readonly arrow = new Group();
-  private readonly arrowMaterial = new MeshBasicMaterial();
-  private readonly shaft = new Mesh(new CylinderGeometry(0.0006, 0.0006, 1, 12), this.arrowMaterial);
-  private readonly tip = new Mesh(new ConeGeometry(0.0018, 0.0045, 16), this.arrowMaterial);
+  private marbles: Marble3d[] = [];
   private readonly traced = new Line(new BufferGeometry(), new LineBasicMaterial());
   private ground: Mesh | null = null;
   private walls: Mesh | null = null;
@@ -62,7 +52,7 @@ export class View3d implements View {
   private surface: Surface | null = null;
   private exaggeration = 1;
   private look: Pick<Preferences, 'surface' | 'tilt'> = { surface: 'picture', tilt: 25 };
-  private shown: Probe | null = null;
+  private shown: readonly Probe[] = [];
   private stale = true;
   private pixelRatio = Math.min(2, window.devicePixelRatio);
   private readonly pace = new Pace();
@@ -71,11 +61,9 @@ export class View3d implements View {
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.renderer.setPixelRatio(this.pixelRatio);
-    this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.marble, this.arrow, this.traced);
+    this.scene.add(new AmbientLight(0xffffff, 0.75), this.sun, this.traced);
     this.traced.visible = false;
     this.traced.frustumCulled = false;
-    this.arrow.add(this.shaft, this.tip);
-    this.marble.visible = this.arrow.visible = false;
     container.append(this.canvas);
   }
 
@@ -95,21 +83,12 @@ export class View3d implements View {
     this.recolour();
   }
 
-  probe(probe: Probe): void {
-    if (this.shown !== null && looksAlike(this.shown, probe)) return;
-    this.shown = probe;
-    this.marble.visible = true;
-    this.marble.position.set(probe.x, probe.y, probe.z + 0.0022);
-    const force = new Vector3(...probe.force);
-    const length = Math.min(arrowMost, force.length() * arrowScale);
-    this.arrow.visible = length > 0.0015;
-    if (this.arrow.visible) {
-      this.arrow.position.copy(this.marble.position);
-      this.arrow.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), force.normalize());
-      this.shaft.scale.y = length;
-      this.shaft.position.y = length / 2;
-      this.tip.position.y = length;
-    }
+  probes(probes: readonly Probe[]): void {
+    if (lookAlike(this.shown, probes)) return;
+    this.shown = probes;
+    while (this.marbles.length > probes.length) this.drop(this.marbles.pop()!);
+    while (this.marbles.length < probes.length) this.add();
+    probes.forEach((probe, k) => this.marbles[k]!.show(probe, probes.length > 1));
     this.stale = true;
   }
 
@@ -154,11 +133,25 @@ export class View3d implements View {
 
   dispose(): void {
     this.texture?.dispose();
-    for (const mesh of [this.ground, this.walls, this.marble, this.shaft, this.tip]) discard(mesh);
+    for (const mesh of [this.ground, this.walls]) discard(mesh);
+    for (const marble of this.marbles) marble.dispose();
     this.traced.geometry.dispose();
     this.traced.material.dispose();
     this.renderer.dispose();
     this.canvas.remove();
+  }
+
+  private add(): void {
+    const { marble: colour, force } = themeColours(this.canvas);
+    const marble = new Marble3d();
+    marble.recolour(colour, force);
+    this.marbles.push(marble);
+    this.scene.add(marble.group);
+  }
+
+  private drop(marble: Marble3d): void {
+    this.scene.remove(marble.group);
+    marble.dispose();
   }
 
   /** Just far enough back that all corners of the block are seen, looking down at it by the tilt. */
@@ -190,8 +183,7 @@ export class View3d implements View {
   private recolour(): void {
     const colours = themeColours(this.canvas);
     this.scene.background = new Color(colours.stage);
-    this.marble.material.color.set(colours.marble);
-    this.arrowMaterial.color.set(colours.force);
+    for (const marble of this.marbles) marble.recolour(colours.marble, colours.force);
     this.traced.material.color.set(colours.force);
     for (const mesh of [this.ground, this.walls]) {
       const material = mesh?.material as MeshStandardMaterial | undefined;

@@ -4,7 +4,7 @@
 import type { PictureFrame } from './codec';
 import type { Preferences } from './preferences';
 import { Surface, type Place } from './surface';
-import { looksAlike, themeColours, type Probe, type View } from './view';
+import { lookAlike, themeColours, type Probe, type View } from './view';
 
 const lightFrom = { x: -0.5, y: 0.6, z: 0.62 };
 const newtonPixels = 30;
@@ -17,7 +17,7 @@ export class FlatView implements View {
   private look: Preferences['surface'] = 'picture';
   private ground: HTMLCanvasElement | null = null;
   private drawn: readonly Place[] = [];
-  private here: Probe | null = null;
+  private here: readonly Probe[] = [];
   private stale = true;
 
   show(surface: Surface, picture: PictureFrame | null): void {
@@ -34,9 +34,9 @@ export class FlatView implements View {
     this.stale = true;
   }
 
-  probe(probe: Probe): void {
-    if (this.here !== null && looksAlike(this.here, probe)) return;
-    this.here = probe;
+  probes(probes: readonly Probe[]): void {
+    if (lookAlike(this.here, probes)) return;
+    this.here = probes;
     this.stale = true;
   }
 
@@ -76,7 +76,7 @@ export class FlatView implements View {
     pen.lineWidth = 3;
     pen.strokeStyle = colours.force;
     pen.stroke();
-    if (this.here) this.drawProbe(pen, this.here, frame, colours);
+    for (const probe of this.here) this.drawProbe(pen, probe, frame, colours);
   }
 
   dispose(): void {
@@ -132,21 +132,28 @@ export class FlatView implements View {
   ): void {
     const [x, y] = [frame.middleX + probe.x * frame.scale, frame.middleY - probe.y * frame.scale];
     pen.beginPath();
-    pen.arc(x, y, 9, 0, 2 * Math.PI);
-    pen.fillStyle = colours.marble;
-    pen.fill();
-    pen.lineWidth = 2.5;
-    pen.strokeStyle = '#fff';
-    pen.stroke();
-    pen.lineWidth = 1;
-    pen.strokeStyle = '#000';
-    pen.stroke();
-    pen.beginPath();
     pen.moveTo(x, y);
     pen.lineTo(x + probe.force[0] * newtonPixels, y - probe.force[1] * newtonPixels);
     pen.lineWidth = 4;
     pen.strokeStyle = colours.force;
     pen.stroke();
+    pen.beginPath();
+    pen.arc(x, y, 9, 0, 2 * Math.PI);
+    pen.fillStyle = colours.marble;
+    pen.fill();
+    const several = this.here.length > 1;
+    pen.lineWidth = several && probe.chosen ? 5 : 2.5;
+    pen.strokeStyle = '#fff';
+    pen.stroke();
+    pen.lineWidth = 1;
+    pen.strokeStyle = '#000';
+    pen.stroke();
+    if (!several) return;
+    pen.font = `bold 12px ${getComputedStyle(this.canvas).fontFamily}`;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'middle';
+    pen.fillStyle = '#000';
+    pen.fillText(String(probe.number), x, y + 0.5);
   }
 }
 

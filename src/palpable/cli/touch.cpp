@@ -236,9 +236,11 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
                              console.work());
   auto scene = maker.first_scene(console.work());
   if (!scene) return scene.error();
+  session::SessionOptions options = plan.options;
+  options.further_probes = haptics::kMostLiveProbes - 1;
   auto opened = session::TouchSession::open(std::move(*scene), plan.settings,
-                                            arguments.device.empty() ? "pointer:" : arguments.device,
-                                            plan.options, plan.begin_ns);
+                                            arguments.device.empty() ? "pointer:" : arguments.device, options,
+                                            plan.begin_ns);
   if (!opened) return opened.error();
   session::TouchSession& session = **opened;
   if (!arguments.recording.empty())

@@ -155,6 +155,20 @@ TEST(Pointer, GlidesBetweenTwoPlacesWithoutPassingTheSecond) {
   EXPECT_LT(fastest, 0.0002);
 }
 
+TEST(Pointer, IsNotReadyOnceTakenAwayAndBeginsAtItsNextPlace) {
+  auto feed = std::make_shared<PointerFeed>();
+  PointerDevice pointer(feed, 1000.0);
+  feed->put({{0.01, 0.0, 0.0}});
+  EXPECT_EQ(pointer.read().status, Status::ok);
+  feed->put({});
+  EXPECT_EQ(pointer.read().status, Status::not_ready);
+  EXPECT_EQ(pointer.read().status, Status::not_ready);
+  feed->put({{-0.03, 0.0, 0.0}});
+  const Reading again = pointer.read();
+  EXPECT_EQ(again.status, Status::ok);
+  EXPECT_NEAR(again.position.v.x, -0.03, 1e-15);
+}
+
 TEST(Pointer, IgnoresAPlaceThatIsNotFinite) {
   auto feed = std::make_shared<PointerFeed>();
   PointerDevice pointer(feed, 1000.0);

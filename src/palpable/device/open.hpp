@@ -8,14 +8,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace palpable::device {
 
-/// Where a pointer's place arrives from the page: one thread puts, the device takes.
-using PointerFeed = LatestValue<Point<DeviceFrame>>;
+/// Where a pointer's place arrives from the page, or, empty, that it was taken away: one thread puts, the
+/// device takes.
+using PointerFeed = LatestValue<std::optional<Point<DeviceFrame>>>;
 
 struct OpenOptions {
   /// For what is random and has no seed in its URL.

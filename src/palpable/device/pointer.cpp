@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace palpable::device {
@@ -25,13 +26,11 @@ PointerDevice::PointerDevice(std::shared_ptr<PointerFeed> feed, double rate_hz)
 }
 
 Reading PointerDevice::read() noexcept {
-  Point<DeviceFrame> place;
+  std::optional<Point<DeviceFrame>> place;
   silence_s_ += period_s_;
-  if (feed_->take(place) && is_finite(place)) {
-    silence_s_ = 0.0;
-    target_m_ = place.v;
-    if (!began_) position_m_ = target_m_;
-    began_ = true;
+  if (feed_->take(place)) {
+    if (!place) began_ = false;
+    if (place && is_finite(*place)) follow(place->v);
   }
   Reading reading;
   if (!began_) {
@@ -47,6 +46,15 @@ Reading PointerDevice::read() noexcept {
   reading.position.v = position_m_;
   if (silence_s_ > kSilence_s) reading.status = Status::stale;
   return reading;
+}
+
+void PointerDevice::follow(Vec3 place_m) noexcept {
+  silence_s_ = 0.0;
+  target_m_ = place_m;
+  if (began_) return;
+  began_ = true;
+  position_m_ = place_m;
+  velocity_m_per_s_ = {};
 }
 
 Result<std::unique_ptr<Device>> open_pointer(DeviceUrl& url, const OpenOptions& options) {

@@ -12,8 +12,8 @@ class DeviceUrl;
 
 /// The page's pointer, finger, pen or arrow keys as a device: no motors, places that arrive some sixty times
 /// a second. Between two of them the probe glides (a critically damped follower of 12 Hz), so that a law does
-/// not see jumps of several millimetres. Not ready before the first place; stale when none came for half a
-/// second: the page repeats a resting pointer's place.
+/// not see jumps of several millimetres. Not ready before the first place and once it was taken away; stale
+/// when none came for half a second: the page repeats a resting pointer's place.
 class PointerDevice final : public Device {
  public:
   PointerDevice(std::shared_ptr<PointerFeed> feed, double rate_hz);
@@ -24,6 +24,8 @@ class PointerDevice final : public Device {
   void stop() noexcept override {}
 
  private:
+  void follow(Vec3 place_m) noexcept;
+
   Traits traits_;
   std::shared_ptr<PointerFeed> feed_;
   double period_s_;

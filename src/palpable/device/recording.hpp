@@ -25,7 +25,10 @@ struct Recording {
   /// What holds for the whole session, JSON: format, made_by, seed, rate_hz, device, as_published.
   std::string header_json;
   std::vector<RecordedProgram> programs;
+  /// The hand's, probe 0.
   std::vector<TouchSample> ticks;
+  /// Those of further probes, each after the hand's of the same time.
+  std::vector<TouchSample> further;
   /// Ticks that the recorder lost because the disk was too slow, as far as the file could say.
   std::uint64_t lost = 0;
   /// False if the program was killed, or the file cut, before its end was written; everything before is
@@ -53,12 +56,14 @@ class RecordingWriter {
 
   /// Errors (failed): the disk is full, or the like. After an error the file ends with its last whole chunk.
   Result<void> write(const RecordedProgram& program);
+  /// Of any probes; in the file the hand's ticks and those of further probes stand apart.
   Result<void> write(std::span<const TouchSample> ticks);
   /// Writes the end mark and flushes to the disk. At most once, as the last call.
   Result<void> finish(std::uint64_t lost);
 
  private:
   RecordingWriter() = default;
+  Result<void> write_ticks(std::uint32_t kind, std::span<const TouchSample> ticks);
   Result<void> write_chunk(std::uint32_t kind, std::span<const std::byte> payload);
 
   std::filesystem::path file_;

@@ -10,10 +10,11 @@ namespace palpable::device::recording_format {
 
 // The bytes of docs/recording.md, shared by the writer and the reader. All numbers are little-endian.
 inline constexpr std::string_view kMagic = "PALPREC1";
-inline constexpr std::uint32_t kHeader = 0x44414548;   // "HEAD"
-inline constexpr std::uint32_t kProgram = 0x474F5250;  // "PROG"
-inline constexpr std::uint32_t kTicks = 0x4B434954;    // "TICK"
-inline constexpr std::uint32_t kEnd = 0x20444E45;      // "END "
+inline constexpr std::uint32_t kHeader = 0x44414548;     // "HEAD"
+inline constexpr std::uint32_t kProgram = 0x474F5250;    // "PROG"
+inline constexpr std::uint32_t kTicks = 0x4B434954;      // "TICK"
+inline constexpr std::uint32_t kMoreTicks = 0x45524F4D;  // "MORE"
+inline constexpr std::uint32_t kEnd = 0x20444E45;        // "END "
 /// Kind, payload's size, CRC-32 of the payload.
 inline constexpr std::size_t kChunkHead_bytes = 12;
 inline constexpr std::size_t kTick_bytes = 192;

@@ -55,7 +55,7 @@ TouchSample tick(ByteReader& in) {
   const std::uint8_t status = in.u8();
   tick.status =
       status <= static_cast<std::uint8_t>(Status::fault) ? static_cast<Status>(status) : Status::fault;
-  in.u8();
+  tick.probe = in.u8();
   return tick;
 }
 
@@ -68,9 +68,12 @@ bool take(const Chunk& chunk, Recording& recording) {
       recording.programs.push_back({in.u32(), std::string(as_text(in.bytes(in.left())))});
       return true;
     case format::kTicks:
+    case format::kMoreTicks: {
       if (chunk.payload.size() % format::kTick_bytes != 0) return false;
-      while (in.left() > 0) recording.ticks.push_back(tick(in));
+      auto& ticks = chunk.kind == format::kTicks ? recording.ticks : recording.further;
+      while (in.left() > 0) ticks.push_back(tick(in));
       return true;
+    }
     case format::kEnd:
       if (chunk.payload.size() != 8) return false;
       recording.lost = in.u64();

@@ -117,6 +117,29 @@ TEST(Recording, CannotBeWrittenWhereNoFolderIs) {
   EXPECT_NE(writer.error().sentence().find("No such file or directory"), std::string::npos);
 }
 
+TEST(Recording, KeepsFurtherProbesApartFromTheHand) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "probes.rec";
+  auto writer = RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(writer);
+  std::vector<TouchSample> ticks;
+  for (std::uint64_t n = 0; n < 10; ++n)
+    for (const std::uint8_t probe : {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{9}}) {
+      ticks.push_back(tick_number(n));
+      ticks.back().probe = probe;
+    }
+  ASSERT_TRUE((*writer)->write(ticks));
+  ASSERT_TRUE((*writer)->finish(0));
+  const auto read = read_recording(file);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->ticks.size(), 10U);
+  ASSERT_EQ(read->further.size(), 20U);
+  for (std::size_t n = 0; n < 10; ++n) {
+    EXPECT_EQ(read->ticks[n], ticks[3 * n]);
+    EXPECT_EQ(read->further[2 * n], ticks[3 * n + 1]);
+    EXPECT_EQ(read->further[2 * n + 1], ticks[3 * n + 2]);
+  }
+}
+
 TEST(Replay, GivesTheRecordedPositionsAgainAndIsStaleAfterThem) {
   auto device = open_device("replay:" + written(50, "replay.rec").string(), {});
   ASSERT_TRUE(device) << device.error().sentence();

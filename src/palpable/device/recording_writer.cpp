@@ -39,7 +39,7 @@ void put(ByteWriter& out, const TouchSample& tick) {
   out.u32(tick.program);
   out.u16(tick.label);
   out.u8(static_cast<std::uint8_t>(tick.status));
-  out.u8(0);
+  out.u8(tick.probe);
 }
 
 }  // namespace
@@ -70,11 +70,18 @@ Result<void> RecordingWriter::write(const RecordedProgram& program) {
 }
 
 Result<void> RecordingWriter::write(std::span<const TouchSample> ticks) {
+  std::vector<TouchSample> hand, further;
+  for (const TouchSample& tick : ticks) (tick.probe == 0 ? hand : further).push_back(tick);
+  if (auto done = write_ticks(format::kTicks, hand); !done) return done;
+  return write_ticks(format::kMoreTicks, further);
+}
+
+Result<void> RecordingWriter::write_ticks(std::uint32_t kind, std::span<const TouchSample> ticks) {
   while (!ticks.empty()) {
     const auto part = ticks.first(std::min(ticks.size(), format::kMostTicks));
     ByteWriter payload;
     for (const auto& tick : part) put(payload, tick);
-    if (auto done = write_chunk(format::kTicks, payload.bytes()); !done) return done;
+    if (auto done = write_chunk(kind, payload.bytes()); !done) return done;
     ticks = ticks.subspan(part.size());
   }
   return {};

@@ -63,18 +63,36 @@ Result<void> check(const ServoOptions& options) {
 
 }  // namespace
 
+/// One of several probes besides the hand.
+struct FurtherProbe {
+  FurtherProbe(std::unique_ptr<device::Device> opened, const Program& first, const TickOptions& options,
+               Ring<TouchEvent>& events, std::uint8_t number)
+      : device(std::move(opened)), tick(*device, first, options, events, number) {}
+
+  std::unique_ptr<device::Device> device;
+  Tick tick;
+  LatestValue<TouchSample> latest;
+};
+
 /// Three threads meet here: the servo, the housekeeper (ordinary priority: frees, sums up), and the callers.
 struct ServoLoop::Inside {
-  Inside(std::unique_ptr<device::Device> opened, Program first, const ServoOptions& wanted)
+  Inside(std::unique_ptr<device::Device> opened, Program first, const ServoOptions& wanted,
+         std::vector<std::unique_ptr<device::Device>> more)
       : options(wanted),
         device(std::move(opened)),
         recorded(wanted.recording_capacity),
-        tick(*device, own(std::move(first)), options.tick, events) {}
+        tick(*device, own(std::move(first)), options.tick, events) {
+    for (auto& next : more)
+      further.push_back(std::make_unique<FurtherProbe>(std::move(next), *programs.front(), options.tick,
+                                                       events,
+                                                       static_cast<std::uint8_t>(further.size() + 1)));
+  }
 
   const Program& own(Program program);
 
   void serve();
   void tick_once(const Pacer::Wake& wake, double dt_s);
+  void tick_further(double dt_s);
   void note_missed(const Pacer::Wake& wake);
   void swap_programs();
   void keep_house();
@@ -111,6 +129,7 @@ struct ServoLoop::Inside {
 
   // The servo's own.
   Tick tick;
+  std::vector<std::unique_ptr<FurtherProbe>> further;
   LoopCounts counts;
   std::int64_t begin_ns = 0;
 
@@ -154,10 +173,23 @@ void ServoLoop::Inside::tick_once(const Pacer::Wake& wake, double dt_s) {
   tick.set_paused(paused.load(std::memory_order_relaxed));
   counts.ran_s = 1e-9 * static_cast<double>(wake.now_ns - begin_ns);
   const TouchSample& sample = tick.step(counts.ran_s, std::max(dt_s, shortest_s));
-  if (const Program* old = tick.take_retired()) retired.put(old);
   counts.touch = tick.counts();
   latest.put(sample);
   if (recording.load(std::memory_order_relaxed)) recorded.put(sample);
+  tick_further(std::max(dt_s, shortest_s));
+  // Not before: until here the further probes may have been at it.
+  if (const Program* old = tick.take_retired()) retired.put(old);
+}
+
+void ServoLoop::Inside::tick_further(double dt_s) {
+  for (const auto& probe : further) {
+    probe->tick.set_paused(paused.load(std::memory_order_relaxed));
+    const TouchSample& sample = probe->tick.step(counts.ran_s, dt_s);
+    // All probes fade in step with the hand, who hands the old program back.
+    probe->tick.take_retired();
+    probe->latest.put(sample);
+    if (is_there(sample) && recording.load(std::memory_order_relaxed)) recorded.put(sample);
+  }
 }
 
 void ServoLoop::Inside::note_missed(const Pacer::Wake& wake) {
@@ -170,7 +202,10 @@ void ServoLoop::Inside::swap_programs() {
   // Room for the old one is made sure of first: the servo must never be left holding what it may not free.
   if (tick.fading() || !retired.has_room()) return;
   if (waiting.load(std::memory_order_relaxed) == nullptr) return;
-  if (const Program* next = waiting.exchange(nullptr, std::memory_order_acq_rel)) tick.change(*next);
+  const Program* next = waiting.exchange(nullptr, std::memory_order_acq_rel);
+  if (next == nullptr) return;
+  tick.change(*next);
+  for (const auto& probe : further) probe->tick.change(*next);
 }
 
 void ServoLoop::Inside::keep_house() {
@@ -200,11 +235,14 @@ ServoLoop::ServoLoop(std::unique_ptr<Inside> inside) : inside_(std::move(inside)
 ServoLoop::~ServoLoop() { stop(); }
 
 Result<std::unique_ptr<ServoLoop>> ServoLoop::start(std::unique_ptr<device::Device> device, Program program,
-                                                    const ServoOptions& options) {
+                                                    const ServoOptions& options,
+                                                    std::vector<std::unique_ptr<device::Device>> further) {
   PALPABLE_CHECK(device != nullptr && program.touchable != nullptr);
+  PALPABLE_CHECK(further.size() < kMostLiveProbes);
+  for (const auto& probe : further) PALPABLE_CHECK(probe != nullptr && !probe->traits().pushes_back);
   if (auto sound = check(options); !sound) return std::move(sound).error();
   program.touchable->touch_pages();
-  auto inside = std::make_unique<Inside>(std::move(device), std::move(program), options);
+  auto inside = std::make_unique<Inside>(std::move(device), std::move(program), options, std::move(further));
   inside->real_time.memory = options.memory == Memory::lock ? lock_memory() : "not locked (not asked for)";
   inside->servo = std::thread([&it = *inside] { it.serve(); });
   inside->housekeeper = std::thread([&it = *inside] { it.keep_house(); });
@@ -237,9 +275,11 @@ void ServoLoop::stop() {
   it.sweep();
 }
 
-std::optional<TouchSample> ServoLoop::take_latest() {
+std::optional<TouchSample> ServoLoop::take_latest(std::size_t probe) {
+  if (probe > inside_->further.size()) return std::nullopt;
   TouchSample sample;
-  return inside_->latest.take(sample) ? std::optional(sample) : std::nullopt;
+  auto& latest = probe == 0 ? inside_->latest : inside_->further[probe - 1]->latest;
+  return latest.take(sample) ? std::optional(sample) : std::nullopt;
 }
 std::optional<TouchEvent> ServoLoop::take_event() { return inside_->events.take(); }
 std::optional<MissedDeadline> ServoLoop::take_missed() { return inside_->missed.take(); }

@@ -33,15 +33,22 @@ struct ServoOptions {
   std::size_t recording_capacity = 16384;
 };
 
+/// At most so many probes at once in a loop: the hand's and nine more, a person's fingers.
+inline constexpr std::size_t kMostLiveProbes = 10;
+
 /// Runs the tick of docs/real-time.md on its own thread at a steady rate. Owns the device from begin to end:
-/// every way out, the destructor included, writes zero force. One thread at a time calls a method that is not
-/// const; samples, events and recordings are each taken by one thread.
+/// every way out, the destructor included, writes zero force. Probe 0 is the hand at the device; further
+/// probes, which have no motors, touch the same program in the same tick, each with a Tick of its own (its
+/// own state, proxy and ramp). One thread at a time calls a method that is not const; samples, events and
+/// recordings are each taken by one thread.
 class ServoLoop {
  public:
-  /// Starts the thread; the force rises from zero. `device` and program.touchable must not be null.
-  /// Errors (usage): a rate, cap or time outside its range.
+  /// Starts the thread; the force rises from zero. `device` and program.touchable must not be null; `further`
+  /// are where probes 1, 2 ... come from, kMostLiveProbes - 1 at most, none of which pushes back. Errors
+  /// (usage): a rate, cap or time outside its range.
   static Result<std::unique_ptr<ServoLoop>> start(std::unique_ptr<device::Device> device, Program program,
-                                                  const ServoOptions& options);
+                                                  const ServoOptions& options,
+                                                  std::vector<std::unique_ptr<device::Device>> further = {});
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
@@ -56,17 +63,19 @@ class ServoLoop {
   /// Ends the thread with zero force written; returns when it has. More than once is allowed.
   void stop();
 
-  /// The newest sample if one came since the last call.
-  std::optional<TouchSample> take_latest();
+  /// A probe's newest sample if one came since the last call; nothing of a probe that there is not.
+  std::optional<TouchSample> take_latest(std::size_t probe = 0);
   std::optional<TouchEvent> take_event();
   std::optional<MissedDeadline> take_missed();
-  /// While on, every tick's sample goes into the recording ring.
+  /// While on, every tick's sample goes into the recording ring, after it those of further probes that are
+  /// there.
   void record(Recording recording);
   std::optional<TouchSample> take_recorded();
   /// Samples that found the ring full.
   std::uint64_t recording_lost() const;
 
-  /// A copy a few milliseconds old; exact after stop().
+  /// A copy a few milliseconds old; exact after stop(). The touch counted is the hand's; times and
+  /// allocations are those of all probes together.
   ServoStatistics statistics() const;
   /// Complete once the servo has ticked.
   RealTimeOutcome real_time() const;

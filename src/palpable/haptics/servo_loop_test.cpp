@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo_loop.hpp"
 
+#include "palpable/device/pointer.hpp"
 #include "palpable/haptics/test_touch.hpp"
 
+#include <array>
 #include <atomic>
+#include <chrono>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -219,6 +224,87 @@ TEST(ServoLoop, PausesToZeroAndResumes) {
   while (!log.last_was_zero) std::this_thread::yield();
   (*loop)->resume();
   while (log.last_was_zero) std::this_thread::yield();
+}
+
+/// A further probe, which a test moves and takes away while the loop runs.
+std::unique_ptr<device::Device> probe_of(const std::shared_ptr<device::PointerFeed>& feed) {
+  return std::make_unique<device::PointerDevice>(feed, 1000.0);
+}
+
+/// The first sample of a probe that fits; sends its place again and again meanwhile, as the page does.
+std::optional<TouchSample> wait_for(ServoLoop& loop, std::size_t probe, device::PointerFeed& feed,
+                                    const std::optional<Point<DeviceFrame>>& place,
+                                    const std::function<bool(const TouchSample&)>& fits) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (std::chrono::steady_clock::now() < end) {
+    feed.put(place);
+    const auto sample = loop.take_latest(probe);
+    if (sample && fits(*sample)) return sample;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return std::nullopt;
+}
+
+TEST(ServoLoop, FurtherProbesTouchTheSameSceneEachForItself) {
+  Log log;
+  Program program;
+  program.touchable = std::make_shared<SpringSurface>(flat, 500.0, 0.0);
+  const std::vector feeds{std::make_shared<device::PointerFeed>(), std::make_shared<device::PointerFeed>()};
+  std::vector<std::unique_ptr<device::Device>> further;
+  for (const auto& feed : feeds) further.push_back(probe_of(feed));
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), program, quiet(), std::move(further));
+  ASSERT_TRUE(loop);
+  (*loop)->record(Recording::on);
+  const auto pressed = [](double force_N) {
+    return [force_N](const TouchSample& s) { return std::abs(s.written_force_N.v.z - force_N) < 1e-6; };
+  };
+  const auto first = wait_for(**loop, 1, *feeds[0], {{{0.01, 0.0, -0.001}}}, pressed(0.5));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->probe, 1);
+  EXPECT_EQ(first->label, 1);
+  const auto second = wait_for(**loop, 2, *feeds[1], {{{-0.01, 0.0, -0.003}}}, pressed(1.5));
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->probe, 2);
+  EXPECT_EQ(second->label, 0);
+  const auto gone = wait_for(**loop, 2, *feeds[1], {}, [](const TouchSample& s) { return !is_there(s); });
+  ASSERT_TRUE(gone);
+  EXPECT_EQ(gone->written_force_N.v.z, 0.0);
+  EXPECT_FALSE((*loop)->take_latest(3));
+  (*loop)->stop();
+  // The hand was touched, and its device written to, as if it were alone.
+  const auto statistics = (*loop)->statistics();
+  EXPECT_EQ(statistics.allocations_in_ticks, 0U);
+  EXPECT_NEAR(statistics.touch.max_force_N, 1.0, 1e-9);
+  EXPECT_EQ(static_cast<std::uint64_t>(log.writes), statistics.touch.ticks + 1);
+  std::array<std::uint64_t, 3> recorded{};
+  while (const auto sample = (*loop)->take_recorded()) ++recorded.at(sample->probe);
+  EXPECT_GE(recorded[0], recorded[1]);
+  EXPECT_GT(recorded[1], recorded[2]);
+  EXPECT_GT(recorded[2], 0U);
+}
+
+TEST(ServoLoop, ChangesTheSceneOfProbesThatAreAwayToo) {
+  Log log;
+  std::atomic<int> alive{0};
+  auto feed = std::make_shared<device::PointerFeed>();
+  std::vector<std::unique_ptr<device::Device>> further;
+  further.push_back(probe_of(feed));
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0, 1), quiet(),
+                               std::move(further));
+  ASSERT_TRUE(loop);
+  for (std::uint32_t id = 2; id < 20; ++id) {
+    (*loop)->change(counted(alive, 0.1 * id, id));
+    const bool comes = id % 2 == 0;
+    const auto place = comes ? std::optional(Point<DeviceFrame>{{0.0, 0.0, -0.001}}) : std::nullopt;
+    const auto there = wait_for(**loop, 1, *feed, place, [&](const TouchSample& s) {
+      return s.program == id && is_there(s) == comes &&
+             (!comes || std::abs(s.written_force_N.v.z - 0.1 * id) < 1e-6);
+    });
+    ASSERT_TRUE(there) << id;
+  }
+  // The first programs are gone, and no probe was at them any more.
+  (*loop)->stop();
+  EXPECT_LE(alive, 1);
 }
 
 }  // namespace

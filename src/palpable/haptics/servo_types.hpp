@@ -50,6 +50,11 @@ inline constexpr std::uint32_t kNewTouch = 1U << 10;
 /// Everything about one tick; its flags are haptics::flag's.
 using TouchSample = device::TouchSample;
 
+/// Whether a probe is there, or still on its way out.
+inline bool is_there(const TouchSample& sample) {
+  return sample.status == device::Status::ok || sample.written_force_N.v != Vec3{};
+}
+
 /// What must not be lost between two looks at the latest sample.
 struct TouchEvent {
   enum class Kind : std::uint8_t {
@@ -71,6 +76,8 @@ struct TouchEvent {
   std::uint64_t tick = 0;
   Kind kind = Kind::contact_made;
   std::uint32_t value = 0;
+  /// Whose it is: TouchSample::probe.
+  std::uint8_t probe = 0;
 };
 
 /// A deadline that was missed, and what the clock says about why.

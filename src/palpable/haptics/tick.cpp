@@ -22,7 +22,7 @@ double known_or(double value, double otherwise) { return std::isfinite(value) ? 
 }  // namespace
 
 Tick::Tick(device::Device& device, const Program& program, const TickOptions& options,
-           Ring<TouchEvent>& events)
+           Ring<TouchEvent>& events, std::uint8_t probe)
     : device_(device),
       events_(events),
       options_(options),
@@ -34,6 +34,7 @@ Tick::Tick(device::Device& device, const Program& program, const TickOptions& op
       ramp_(options.ramp_down_s, options.ramp_up_s),
       delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMostDelay))) {
   now_.program = &program;
+  sample_.probe = probe;
 }
 
 const TouchSample& Tick::step(double t_s, double dt_s) noexcept {
@@ -41,7 +42,9 @@ const TouchSample& Tick::step(double t_s, double dt_s) noexcept {
   flags_ = 0;
   const device::Reading reading = device_.read();
   const bool good = accept(reading, dt_s);
+  if (fading()) fade(dt_s);
   const bool sound = good && feel(dt_s);
+  if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
   make_force(dt_s, sound && !paused_);
   device_.write({written_N_});
@@ -111,7 +114,7 @@ bool Tick::feel(double dt_s) noexcept {
     return false;
   }
   law_force_N_ = device_force_N(now_, now_.feel.force_N.v);
-  if (fading()) fade(dt_s);
+  if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.feel.force_N.v) - law_force_N_);
   return true;
 }
 
@@ -127,8 +130,9 @@ void Tick::begin_touch() noexcept {
 void Tick::fade(double dt_s) noexcept {
   flags_ |= flag::kFading;
   faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
-  law_force_N_ += faded_ * (device_force_N(coming_, coming_.feel.force_N.v) - law_force_N_);
-  if (faded_ < 1.0) return;
+}
+
+void Tick::end_fade() noexcept {
   retired_ = now_.program;
   now_ = coming_;
   coming_ = {};
@@ -231,7 +235,7 @@ void Tick::tell_well(bool well, std::uint32_t status) noexcept {
 }
 
 void Tick::emit(TouchEvent::Kind kind, std::uint32_t value) noexcept {
-  events_.put({counts_.ticks, kind, value});
+  events_.put({counts_.ticks, kind, value, sample_.probe});
 }
 
 void Tick::count() noexcept {

@@ -41,14 +41,15 @@ struct TickOptions {
 class Tick {
  public:
   /// `device`, `events` and `program` (with its touchable) outlive the Tick or, for the program, the next
-  /// change.
-  Tick(device::Device& device, const Program& program, const TickOptions& options, Ring<TouchEvent>& events);
+  /// change. Samples and events carry the number of the probe.
+  Tick(device::Device& device, const Program& program, const TickOptions& options, Ring<TouchEvent>& events,
+       std::uint8_t probe = 0);
 
   /// `dt_s` > 0 since the step before, `t_s` since the first.
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
   bool fading() const noexcept { return coming_.program != nullptr; }
-  /// Begins to fade to `program`; only while not fading().
+  /// Begins to fade to `program`; only while not fading(). Takes fade_s, whatever the device does meanwhile.
   void change(const Program& program) noexcept;
   /// The program that the last step() stopped using, once; else null.
   const Program* take_retired() noexcept;
@@ -69,6 +70,7 @@ class Tick {
   double device_stored_J() const noexcept;
   bool feel(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
+  void end_fade() noexcept;
   void observe(double dt_s) noexcept;
   void make_force(double dt_s, bool wanted) noexcept;
   void begin_touch() noexcept;

@@ -267,6 +267,23 @@ TEST(Tick, TellsContactLabelsAndButtonsOnce) {
   EXPECT_EQ(buttons, 2);
 }
 
+TEST(Tick, EndsAFadeInItsTimeThoughTheDeviceIsAway) {
+  Loop loop(plane());
+  loop.run(400);
+  Program other;
+  other.touchable = plane(700.0, 2);
+  loop.tick->change(other);
+  loop.device.reading.status = device::Status::not_ready;
+  loop.run(140);
+  EXPECT_TRUE(loop.tick->fading());
+  loop.run(15);
+  EXPECT_FALSE(loop.tick->fading());
+  EXPECT_EQ(loop.tick->take_retired(), &loop.program);
+  loop.device.reading.status = device::Status::ok;
+  loop.run(400);
+  EXPECT_NEAR(loop.written().z, 700.0 * -loop.device.reading.position.v.z, 1e-9);
+}
+
 TEST(Tick, NeverAllocates) {
   ASSERT_TRUE(allocations_are_counted());
   Loop loop(plane());

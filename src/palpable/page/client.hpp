@@ -5,6 +5,7 @@
 #include "palpable/page/protocol.hpp"
 #include "palpable/page/rate_limit.hpp"
 
+#include <bitset>
 #include <chrono>
 #include <cstddef>
 #include <deque>
@@ -51,6 +52,8 @@ class Client : public std::enable_shared_from_this<Client> {
   void close(boost::beast::websocket::close_code code, const std::string& reason);
 
   bool visible = true;
+  /// The probes that this page has moved.
+  std::bitset<protocol::kMostProbes> moved;
 
  private:
   void read();

@@ -48,6 +48,8 @@ class PageHost {
   /// Called before anything else of a frame, about 60 times a second, while a page is there.
   virtual void beat() = 0;
   virtual void move(const protocol::Pointer& pointer) = 0;
+  /// Takes a further probe away.
+  virtual void lift(const protocol::Lift& probe) = 0;
   /// May be carried out later. Then settings() shows what holds and has its serial in `answers`; what could
   /// not be done comes as a notice.
   virtual void change(const protocol::Change& wishes) = 0;

@@ -14,9 +14,10 @@ namespace {
 using Json = nlohmann::json;
 
 TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
-  const auto pointer = parse_from_page(R"({"type":"pointer","x_m":0.01,"y_m":-0.02,"press_m":0.002})");
+  const auto pointer =
+      parse_from_page(R"({"type":"pointer","probe":3,"x_m":0.01,"y_m":-0.02,"press_m":0.002})");
   ASSERT_TRUE(pointer);
-  EXPECT_EQ(std::get<Pointer>(*pointer), (Pointer{0.01, -0.02, 0.002}));
+  EXPECT_EQ(std::get<Pointer>(*pointer), (Pointer{3, 0.01, -0.02, 0.002}));
   const auto change = parse_from_page(
       R"({"type":"change","serial":4294967295,"law":"proxy","stiffness":500,"damping_Ns_per_m":1,"friction":0.3,"exaggeration":1,"neighbourhood_px":3})");
   ASSERT_TRUE(change);
@@ -37,16 +38,28 @@ TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
 TEST(PageProtocol, RefusesJunkWithASentence) {
   const std::string deep(100000, '[');
   for (const std::string& junk :
-       {std::string(), std::string("{"), std::string("[]"), std::string("null"), std::string("7"), deep,
-        std::string(R"({"type":7})"), std::string(R"({"type":"hello"})"), std::string(R"({"type":"fly"})"),
-        std::string(R"({"x_m":1})"), std::string(R"({"type":"pause"})"),
+       {std::string(),
+        std::string("{"),
+        std::string("[]"),
+        std::string("null"),
+        std::string("7"),
+        deep,
+        std::string(R"({"type":7})"),
+        std::string(R"({"type":"hello"})"),
+        std::string(R"({"type":"fly"})"),
+        std::string(R"({"x_m":1})"),
+        std::string(R"({"type":"pause"})"),
         std::string(R"({"type":"pause","paused":1})"),
         std::string(R"({"type":"pause","paused":true,"more":1})"),
         std::string(R"({"type":"pause","paused":{}})"),
-        std::string(R"({"type":"pointer","x_m":1e9,"y_m":0,"press_m":0})"),
-        std::string(R"({"type":"pointer","x_m":1e999,"y_m":0,"press_m":0})"),
-        std::string(R"({"type":"pointer","x_m":"0","y_m":0,"press_m":0})"),
-        std::string(R"({"type":"pointer","x_m":null,"y_m":0,"press_m":0})"), std::string("\xff\xfe{}")}) {
+        std::string(R"({"type":"pointer","probe":3,"x_m":1e9,"y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","probe":10,"x_m":0,"y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","probe":-1,"x_m":0,"y_m":0,"press_m":0})"),
+        std::string(R"({"type":"lift","probe":0})"),
+        std::string(R"({"type":"pointer","probe":3,"x_m":1e999,"y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","probe":3,"x_m":"0","y_m":0,"press_m":0})"),
+        std::string(R"({"type":"pointer","probe":3,"x_m":null,"y_m":0,"press_m":0})"),
+        std::string("\xff\xfe{}")}) {
     const auto message = parse_from_page(junk);
     ASSERT_FALSE(message) << junk.substr(0, 80);
     EXPECT_EQ(message.error().code, ErrorCode::invalid_input);

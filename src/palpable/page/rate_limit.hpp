@@ -10,8 +10,9 @@ namespace palpable::page {
 enum class Verdict { accept, drop, disconnect };
 
 struct RateLimits {
-  double per_s = 250.0;
-  double burst = 500.0;
+  /// Ten probes told sixty times a second, and room for the rest.
+  double per_s = 1000.0;
+  double burst = 1000.0;
   /// So many messages dropped without a pause of a second, and the client is shown out.
   int patience = 1000;
 };

@@ -62,6 +62,7 @@ class Room {
       std::visit([&](const auto& m) { obey(client, m); }, message);
     };
     events.closed = [this](Client& client) {
+      lift_probes(client);
       std::erase_if(clients_,
                     [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
     };
@@ -103,6 +104,12 @@ class Room {
   }
 
  private:
+  // What a page held goes with it, all but the hand.
+  void lift_probes(const Client& client) {
+    for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
+      if (client.moved.test(probe)) host_.lift({static_cast<std::int64_t>(probe)});
+  }
+
   void greet(Client& client) {
     client.send(text_frame(host_.hello()));
     for (const auto& law : host_.laws()) client.send(text_frame(law));
@@ -143,7 +150,11 @@ class Room {
     for_each_client([&](Client& client) { client.send(frame); });
   }
 
-  void obey(Client&, const protocol::Pointer& pointer) { host_.move(pointer); }
+  void obey(Client& client, const protocol::Pointer& pointer) {
+    client.moved.set(static_cast<std::size_t>(pointer.probe));
+    host_.move(pointer);
+  }
+  void obey(Client&, const protocol::Lift& probe) { host_.lift(probe); }
   void obey(Client&, const protocol::Change& wishes) { host_.change(wishes); }
   void obey(Client&, const protocol::Edit& wish) { host_.edit(wish); }
   void obey(Client&, const protocol::Save&) { host_.save(); }

@@ -40,7 +40,7 @@ class FakeHost final : public PageHost {
     scene->height_m = Raster<float>(4, 3, 0.001F);
     scene_ = scene;
   }
-  protocol::Hello hello() const override { return {protocol::kVersion, "test", "pointer", true}; }
+  protocol::Hello hello() const override { return {protocol::kVersion, "test", "pointer", true, 1, false}; }
   std::vector<protocol::Law> laws() const override {
     protocol::Law law;
     law.name = "proxy";
@@ -59,6 +59,7 @@ class FakeHost final : public PageHost {
     pointer_ = pointer;
     ++moves;
   }
+  void lift(const protocol::Lift& probe) override { lifted += 1 << probe.probe; }
   void change(const protocol::Change& wishes) override {
     settings_.answers = wishes.serial;
     if (wishes.law == "proxy") {
@@ -78,6 +79,8 @@ class FakeHost final : public PageHost {
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;
+  /// Bit k for each time that probe k was lifted.
+  std::atomic<int> lifted = 0;
 
  private:
   std::shared_ptr<const PageScene> scene_;
@@ -251,7 +254,7 @@ TEST(PageServer, TellsTheSceneThenStatesAndObeys) {
   EXPECT_EQ(Json::parse(visitor.read())["type"], "scene");
   EXPECT_EQ(visitor.read().substr(0, 4), "PLP1");
   EXPECT_EQ(Json::parse(visitor.read())["type"], "settings");
-  visitor.send(R"({"type":"pointer","x_m":0.03,"y_m":0,"press_m":0})");
+  visitor.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
   Json state = visitor.read_until("state");
   while (!state.is_null() && state["x_m"] != 0.03) state = visitor.read_until("state");
   EXPECT_EQ(state["x_m"], 0.03);
@@ -266,6 +269,25 @@ TEST(PageServer, TellsTheSceneThenStatesAndObeys) {
   EXPECT_EQ(refused["answers"], 5);
   visitor.send(change("proxy", 6));
   EXPECT_EQ(visitor.read_until("settings")["stiffness"], 9.0);
+}
+
+TEST(PageServer, LiftsTheProbesOfAPageThatLeavesAndNoOthers) {
+  const ServedPage page;
+  const std::string cookie = cookie_of(page);
+  Visitor stays(page, cookie);
+  stays.send(R"({"type":"pointer","probe":2,"x_m":0,"y_m":0,"press_m":0})");
+  {
+    Visitor leaves(page, cookie);
+    leaves.send(R"({"type":"pointer","probe":0,"x_m":0,"y_m":0,"press_m":0})");
+    leaves.send(R"({"type":"pointer","probe":1,"x_m":0,"y_m":0,"press_m":0})");
+    leaves.send(R"({"type":"pointer","probe":4,"x_m":0,"y_m":0,"press_m":0})");
+    leaves.send(R"({"type":"lift","probe":4})");
+    while (page.host.lifted != 1 << 4) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (page.host.lifted != (1 << 1) + 2 * (1 << 4) && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_EQ(page.host.lifted, (1 << 1) + 2 * (1 << 4));
 }
 
 TEST(PageServer, ShowsJunkOutWithAReason) {
@@ -296,7 +318,7 @@ TEST(PageServer, DropsAFloodThenShowsItOut) {
   const ServedPage page(options);
   Visitor visitor(page);
   for (int i = 0; i < 2000 && !visitor.failed(); ++i)
-    visitor.send(R"({"type":"pointer","x_m":0,"y_m":0,"press_m":0})");
+    visitor.send(R"({"type":"pointer","probe":0,"x_m":0,"y_m":0,"press_m":0})");
   EXPECT_EQ(visitor.read_to_the_end().reason, "too many messages");
   EXPECT_LT(page.host.moves, 1000);
 }

@@ -17,6 +17,7 @@ namespace {
 constexpr auto kRatePeriod = std::chrono::seconds(1);
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kNeighbourhood_px = 3.0;
+static_assert(protocol::kMostProbes == haptics::kMostLiveProbes);
 
 protocol::State state_of(const haptics::TouchSample& sample) {
   protocol::State state;
@@ -35,6 +36,20 @@ protocol::State state_of(const haptics::TouchSample& sample) {
   state.contact = sample.has(haptics::flag::kContact);
   state.label = sample.label;
   return state;
+}
+
+void add_further(protocol::State& state, const haptics::TouchSample& sample, double surface_m) {
+  const protocol::State probe = state_of(sample);
+  state.further.push_back(sample.probe);
+  state.further_x_m.push_back(probe.x_m);
+  state.further_y_m.push_back(probe.y_m);
+  state.further_z_m.push_back(probe.z_m);
+  state.further_surface_m.push_back(surface_m);
+  state.further_fx_N.push_back(probe.fx_N);
+  state.further_fy_N.push_back(probe.fy_N);
+  state.further_fz_N.push_back(probe.fz_N);
+  state.further_contact.push_back(probe.contact ? 1.0 : 0.0);
+  state.further_label.push_back(static_cast<double>(probe.label));
 }
 
 /// m of eq. 7 as the scene was made with it; where there is none, the default.
@@ -60,7 +75,11 @@ TouchHost::~TouchHost() {
 }
 
 protocol::Hello TouchHost::hello() const {
-  return {protocol::kVersion, options_.program, session_.device_traits().name, pointer_moves(),
+  return {protocol::kVersion,
+          options_.program,
+          session_.device_traits().name,
+          pointer_moves(),
+          static_cast<std::int64_t>(session_.probes()),
           options_.egocentric};
 }
 
@@ -104,7 +123,12 @@ protocol::State TouchHost::state() {
   const auto sample = session_.latest();
   protocol::State state = state_of(sample);
   const auto scene = session_.scene();
-  state.surface_m = session_.settings().depth * surface_height_m(*scene, state.x_m, state.y_m);
+  const double depth = session_.settings().depth;
+  const auto surface_m = [&](double x_m, double y_m) { return depth * surface_height_m(*scene, x_m, y_m); };
+  state.surface_m = surface_m(state.x_m, state.y_m);
+  for (std::size_t probe = 1; probe < session_.probes(); ++probe)
+    if (const auto further = session_.latest(probe); haptics::is_there(further))
+      add_further(state, further, surface_m(further.position.v.x, further.position.v.y));
   if (const auto now = std::chrono::steady_clock::now(); now - rate_time_ > kRatePeriod) {
     rate_time_ = now;
     rate_hz_ = session_.statistics().servo.rate_hz;
@@ -115,24 +139,31 @@ protocol::State TouchHost::state() {
 
 // A pointer that rests sends nothing, but it is still there: the device must hear so.
 void TouchHost::beat() {
-  place_pointer();
+  for (const auto& pointer : pointers_)
+    if (pointer) place(*pointer);
   if (!options_.take_better_scene) return;
   if (auto better = options_.take_better_scene())
     put([&](Tasks& tasks) { tasks.better = std::move(better); });
 }
 
 void TouchHost::move(const protocol::Pointer& pointer) {
-  pointer_ = pointer;
-  place_pointer();
+  pointers_.at(static_cast<std::size_t>(pointer.probe)) = pointer;
+  place(pointer);
 }
 
-void TouchHost::place_pointer() {
-  if (!pointer_moves()) return;
+void TouchHost::lift(const protocol::Lift& probe) {
+  const auto number = static_cast<std::size_t>(probe.probe);
+  pointers_.at(number).reset();
+  session_.lift_pointer(number);
+}
+
+void TouchHost::place(const protocol::Pointer& pointer) {
+  if (pointer.probe == 0 && !pointer_moves()) return;
   const auto touch = session_.settings();
-  // The hand is the middle of the ball that touches: at rest on the surface it is a radius above it.
-  const double surface_m = touch.depth * surface_height_m(*session_.scene(), pointer_.x_m, pointer_.y_m);
-  const Vec3 hand{pointer_.x_m, pointer_.y_m, surface_m + touch.law.radius_m - pointer_.press_m};
-  session_.move_pointer({hand});
+  // The probe is the middle of the ball that touches: at rest on the surface it is a radius above it.
+  const double surface_m = touch.depth * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
+  const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + touch.law.radius_m - pointer.press_m};
+  session_.move_pointer({middle}, static_cast<std::size_t>(pointer.probe));
 }
 
 protocol::Materials TouchHost::materials() {
@@ -215,11 +246,13 @@ std::optional<protocol::Notice> TouchHost::next_notice() {
 void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
   for (const auto& event : session_.take_events()) {
-    // A pointer is lost whenever no page is open; whoever opens one need not hear of it.
-    if (event.kind == Kind::fault && !pointer_moves()) {
+    // A pointer is lost whenever no page is open, a further probe whenever it is lifted; nobody need hear of
+    // it.
+    const bool device = event.probe == 0 && !pointer_moves();
+    if (event.kind == Kind::fault && device) {
       const auto fault = session_.device_fault();
       say("fault", fault.empty() ? "The device does not answer: its force is off" : fault);
-    } else if (event.kind == Kind::recovered && !pointer_moves()) {
+    } else if (event.kind == Kind::recovered && device) {
       say("recovered", "The device answers again");
     } else if (event.kind == Kind::not_finite) {
       say("fault", "The law gave a force that is no number: the force is off");

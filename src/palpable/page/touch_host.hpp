@@ -6,6 +6,7 @@
 #include "palpable/page/host.hpp"
 #include "palpable/session/touch_session.hpp"
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -50,6 +51,7 @@ class TouchHost final : public PageHost {
   protocol::State state() override;
   void beat() override;
   void move(const protocol::Pointer& pointer) override;
+  void lift(const protocol::Lift& probe) override;
   void change(const protocol::Change& wishes) override;
   void edit(const protocol::Edit& wish) override;
   void save() override;
@@ -86,7 +88,7 @@ class TouchHost final : public PageHost {
   void tell(const std::function<Result<void>()>& step);
   void take_notices();
   bool pointer_moves() const { return !session_.device_traits().pushes_back; }
-  void place_pointer();
+  void place(const protocol::Pointer& pointer);
 
   session::TouchSession& session_;
   Options options_;
@@ -94,7 +96,9 @@ class TouchHost final : public PageHost {
   // The server's thread alone.
   std::shared_ptr<const models::Scene> shown_;
   std::shared_ptr<const PageScene> page_scene_;
-  protocol::Pointer pointer_{0.0, 0.0, -0.02};
+  /// Where the page has each probe; the hand hovers until it is moved.
+  std::array<std::optional<protocol::Pointer>, protocol::kMostProbes> pointers_{
+      protocol::Pointer{0, 0.0, 0.0, -0.02}};
   std::chrono::steady_clock::time_point rate_time_;
   double rate_hz_ = 0.0;
 

@@ -37,6 +37,7 @@ class HostOnATouch : public ::testing::Test {
   HostOnATouch() {
     session::SessionOptions options;
     options.servo.realtime_priority = 0;
+    options.further_probes = 9;
     auto opened = session::TouchSession::open(cone_scene(), {}, "pointer:", options);
     EXPECT_TRUE(opened);
     session = std::move(opened).value();
@@ -85,11 +86,35 @@ TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
 }
 
 TEST_F(HostOnATouch, FeelsWhereThePagePressesAndNothingWhereItLifts) {
-  host->move({0.0, 0.0, 0.002});
+  host->move({0, 0.0, 0.0, 0.002});
   EXPECT_TRUE(comes_true([&] { return host->state().contact && host->state().fz_N > 0.3; }));
   EXPECT_NEAR(host->state().surface_m, 0.010, 0.001);
-  host->move({0.0, 0.0, -0.010});
+  host->move({0, 0.0, 0.0, -0.010});
   EXPECT_TRUE(comes_true([&] { return !host->state().contact && host->state().fz_N == 0.0; }));
+}
+
+TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
+  EXPECT_EQ(host->hello().probes, 10);
+  host->move({0, 0.0, 0.0, 0.001});
+  host->move({3, 0.005, 0.0, 0.002});
+  host->move({9, -0.005, 0.0, -0.004});
+  const auto settled = [&] {
+    const auto state = host->state();
+    return state.contact && state.further == std::vector{3.0, 9.0} && state.further_fz_N[0] > 0.3 &&
+           std::abs(state.further_x_m[1] + 0.005) < 1e-6;
+  };
+  ASSERT_TRUE(comes_true(settled));
+  const auto state = host->state();
+  EXPECT_NEAR(state.x_m, 0.0, 1e-6);
+  EXPECT_NEAR(state.further_x_m[0], 0.005, 1e-6);
+  EXPECT_GT(state.further_fx_N[0], 0.1) << "the cone falls to the right there";
+  EXPECT_NEAR(state.further_surface_m[0], 0.005, 0.0005);
+  EXPECT_EQ(state.further_contact, (std::vector{1.0, 0.0}));
+  EXPECT_EQ(state.further_fz_N[1], 0.0);
+  host->lift({3});
+  EXPECT_TRUE(comes_true([&] { return host->state().further == std::vector{9.0}; }));
+  EXPECT_TRUE(host->state().contact);
+  EXPECT_FALSE(host->next_notice()) << "nobody need hear that a finger was lifted";
 }
 
 TEST_F(HostOnATouch, ChangesSettingsAndSaysWhichChangeHolds) {
@@ -125,7 +150,7 @@ TEST_F(HostOnATouch, OfManyChangesTheLastOneHolds) {
 }
 
 TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
-  host->move({0.0, 0.0, 0.002});
+  host->move({0, 0.0, 0.0, 0.002});
   ASSERT_TRUE(comes_true([&] { return host->state().fz_N > 0.3; }));
   host->pause(true);
   EXPECT_TRUE(host->settings().paused);
@@ -135,7 +160,7 @@ TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
 }
 
 TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutShowingAnotherScene) {
-  host->move({0.0, 0.0, 0.002});
+  host->move({0, 0.0, 0.0, 0.002});
   ASSERT_TRUE(comes_true([&] { return host->state().fz_N > 0.5; }));
   const auto shown = host->scene();
   host->edit(edit(9, 100.0));

@@ -7,6 +7,7 @@
 #include "palpable/core/number_table.hpp"
 #include "palpable/formats/npz.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace palpable::session {
@@ -43,19 +44,30 @@ constexpr NumberColumn kNumbers[] = {
     {"program", [](const TouchSample& t) { return static_cast<double>(t.program); }},
     {"label", [](const TouchSample& t) { return static_cast<double>(t.label); }},
     {"status", [](const TouchSample& t) { return static_cast<double>(t.status); }},
+    {"probe", [](const TouchSample& t) { return static_cast<double>(t.probe); }},
 };
+
+/// All probes' ticks by time, the hand's before the others' of the same time.
+std::vector<TouchSample> ticks_of(const device::Recording& recording) {
+  std::vector<TouchSample> all = recording.ticks;
+  all.insert(all.end(), recording.further.begin(), recording.further.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const TouchSample& a, const TouchSample& b) { return a.t_s < b.t_s; });
+  return all;
+}
 
 formats::Npz recording_npz(const device::Recording& recording) {
   formats::Npz arrays;
+  const auto ticks = ticks_of(recording);
   std::vector<double> values;
   for (const auto& column : kNumbers) {
     values.clear();
-    for (const auto& tick : recording.ticks) values.push_back(column.of(tick));
+    for (const auto& tick : ticks) values.push_back(column.of(tick));
     arrays[column.name] = formats::npy_array(values);
   }
   for (const auto& column : kVectors) {
     values.clear();
-    for (const auto& tick : recording.ticks) {
+    for (const auto& tick : ticks) {
       const Vec3 v = column.of(tick);
       values.insert(values.end(), {v.x, v.y, v.z});
     }
@@ -73,7 +85,7 @@ std::string recording_csv(const device::Recording& recording) {
   for (const auto& column : kVectors)
     for (const char* axis : {"_x", "_y", "_z"}) text += std::string(column.name) + axis + column.unit + ",";
   end_line();
-  for (const auto& tick : recording.ticks) {
+  for (const auto& tick : ticks_of(recording)) {
     const auto add = [&](double value) {
       append_number(text, value);
       text += ',';

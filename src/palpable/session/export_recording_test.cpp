@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,9 +29,25 @@ device::Recording two_ticks() {
 
 TEST(ExportRecording, WritesALineATickWithNamedColumns) {
   const std::string text = recording_csv(two_ticks());
-  EXPECT_TRUE(text.starts_with("tick,t_s,dt_s,energy_J,flags,buttons,program,label,status,device_x_m,"));
-  EXPECT_NE(text.find("\n1,0.001,0,0,0,0,0,7,0,,0,0,0.01,-0.02,0.03,"), std::string::npos) << text;
+  EXPECT_TRUE(
+      text.starts_with("tick,t_s,dt_s,energy_J,flags,buttons,program,label,status,probe,device_x_m,"));
+  EXPECT_NE(text.find("\n1,0.001,0,0,0,0,0,7,0,0,,0,0,0.01,-0.02,0.03,"), std::string::npos) << text;
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+}
+
+TEST(ExportRecording, PutsFurtherProbesBetweenTheHandsTicksByTime) {
+  auto recording = two_ticks();
+  recording.further = {recording.ticks[0], recording.ticks[1]};
+  for (auto& tick : recording.further) tick.probe = 3;
+  const std::string text = recording_csv(recording);
+  const std::vector<std::string> begins{"\n0,0,0,0,0,0,0,0,0,0,", "\n0,0,0,0,0,0,0,0,0,3,",
+                                        "\n1,0.001,0,0,0,0,0,7,0,0,", "\n1,0.001,0,0,0,0,0,7,0,3,"};
+  std::size_t at = 0;
+  for (const auto& begin : begins) {
+    const auto next = text.find(begin, at);
+    ASSERT_NE(next, std::string::npos) << begin << " in\n" << text;
+    at = next;
+  }
 }
 
 TEST(ExportRecording, WritesArraysThatNumPyReads) {

@@ -3,12 +3,14 @@
 #include "palpable/session/touch_session.hpp"
 
 #include "palpable/device/open.hpp"
+#include "palpable/device/pointer.hpp"
 #include "palpable/haptics/pacing.hpp"
 #include "palpable/models/material_check.hpp"
 #include "palpable/session/program.hpp"
 #include "palpable/session/recorder.hpp"
 #include "palpable/session/scene_hash.hpp"
 
+#include <array>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -50,7 +52,8 @@ struct TouchSession::Inside {
   SessionOptions options;
   std::int64_t begin_ns = 0;
   std::int64_t servo_begin_ns = 0;
-  std::shared_ptr<device::PointerFeed> pointer;
+  /// Where each probe's place arrives from the page, the hand's first.
+  std::vector<std::shared_ptr<device::PointerFeed>> pointers;
   std::unique_ptr<haptics::ServoLoop> loop;
 
   std::mutex changing;
@@ -66,7 +69,8 @@ struct TouchSession::Inside {
   device::RecordedProgram described_now;
   std::uint32_t programs = 0;
   bool paused = false;
-  haptics::TouchSample latest;
+  /// Of each probe.
+  std::array<haptics::TouchSample, haptics::kMostLiveProbes> latest;
   std::unique_ptr<Recorder> recorder;
 };
 
@@ -119,12 +123,15 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
                                                          const std::string& device_url,
                                                          const SessionOptions& options,
                                                          std::int64_t begin_ns) {
-  PALPABLE_CHECK(scene != nullptr);
+  PALPABLE_CHECK(scene != nullptr && options.further_probes < haptics::kMostLiveProbes);
   auto inside = std::make_unique<Inside>();
   inside->options = options;
   inside->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
-  inside->pointer = std::make_shared<device::PointerFeed>();
-  auto device = device::open_device(device_url, {options.seed, options.servo.rate_hz, inside->pointer});
+  for (auto& sample : inside->latest) sample.status = device::Status::not_ready;
+  for (std::size_t probe = 0; probe <= options.further_probes; ++probe)
+    inside->pointers.push_back(std::make_shared<device::PointerFeed>());
+  auto device =
+      device::open_device(device_url, {options.seed, options.servo.rate_hz, inside->pointers.front()});
   if (!device) return std::move(device).error();
   const auto place = fit_workspace(*scene, (*device)->traits());
   auto prepared =
@@ -136,7 +143,12 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   inside->settings = settings;
   inside->scene_from_device = place;
   inside->notices = std::move(prepared->notices);
-  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->program), options.servo);
+  std::vector<std::unique_ptr<device::Device>> further;
+  for (std::size_t probe = 1; probe < inside->pointers.size(); ++probe)
+    further.push_back(
+        std::make_unique<device::PointerDevice>(inside->pointers[probe], options.servo.rate_hz));
+  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->program), options.servo,
+                                        std::move(further));
   if (!loop) return std::move(loop).error();
   inside->servo_begin_ns = haptics::monotonic_ns();
   inside->loop = std::move(*loop);
@@ -225,16 +237,25 @@ void TouchSession::stop() {
   inside_->loop->stop();
 }
 
-void TouchSession::move_pointer(Point<SceneFrame> position) {
-  if (!is_finite(position)) return;
+std::size_t TouchSession::probes() const { return inside_->pointers.size(); }
+
+void TouchSession::move_pointer(Point<SceneFrame> position, std::size_t probe) {
+  if (!is_finite(position) || probe >= probes()) return;
   const std::lock_guard lock(inside_->state);
-  inside_->pointer->put(inside_->scene_from_device.inverse() * position);
+  inside_->pointers[probe]->put(inside_->scene_from_device.inverse() * position);
 }
 
-haptics::TouchSample TouchSession::latest() const {
+void TouchSession::lift_pointer(std::size_t probe) {
+  if (probe >= probes()) return;
   const std::lock_guard lock(inside_->state);
-  if (const auto newer = inside_->loop->take_latest()) inside_->latest = *newer;
-  return inside_->latest;
+  inside_->pointers[probe]->put(std::nullopt);
+}
+
+haptics::TouchSample TouchSession::latest(std::size_t probe) const {
+  PALPABLE_CHECK(probe < probes());
+  const std::lock_guard lock(inside_->state);
+  if (const auto newer = inside_->loop->take_latest(probe)) inside_->latest[probe] = *newer;
+  return inside_->latest[probe];
 }
 
 std::vector<haptics::TouchEvent> TouchSession::take_events() {

@@ -10,6 +10,7 @@
 #include "palpable/session/touch_statistics.hpp"
 #include "palpable/session/walk.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -25,6 +26,8 @@ struct SessionOptions {
   std::uint64_t seed = 1;
   /// Written into recordings: "shi", "park", … when a paper's parameters were chosen.
   std::string as_published;
+  /// Probes beside the hand, moved by move_pointer(); at most haptics::kMostLiveProbes - 1.
+  std::size_t further_probes = 0;
 };
 
 /// One touch: a scene, felt by one law, through one device. Any thread may call any method; none of them
@@ -65,13 +68,18 @@ class TouchSession {
   Result<void> stand(const Stance& stance);
   void stop();
 
-  /// Only for the device `pointer:`; ignored by others. Scene frame, so that the page need not know the
-  /// device's. Send at least ten a second, also while the pointer rests: silence for half a second counts as
-  /// a lost source and ramps the force down.
-  void move_pointer(Point<SceneFrame> position);
+  /// How many probes there can be at once, the hand's (probe 0) among them.
+  std::size_t probes() const;
+  /// Moves the hand where the device is `pointer:` (others ignore it), or a further probe whatever the device
+  /// is. Scene frame, so that the page need not know the device's. Send at least ten a second, also while the
+  /// pointer rests: silence for half a second counts as a lost source and ramps the force down. A probe that
+  /// there is not is ignored.
+  void move_pointer(Point<SceneFrame> position, std::size_t probe = 0);
+  /// Takes a probe away until it is moved again; its force ramps to zero.
+  void lift_pointer(std::size_t probe);
 
-  /// The newest tick.
-  haptics::TouchSample latest() const;
+  /// The newest tick of a probe, less than probes(). Before the first, its status is not_ready.
+  haptics::TouchSample latest(std::size_t probe = 0) const;
   /// Everything since the last call, in order. For one listener, which should call several times a second:
   /// the ring holds 1024, and what finds it full is lost.
   std::vector<haptics::TouchEvent> take_events();
