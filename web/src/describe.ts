@@ -176,8 +176,7 @@ export function motionWords(height: number, slope: Place, label: string): string
 }
 
 /** One probe's share of what N says. */
-export function feltWords(felt: { x_m: number; y_m: number; surface_m: number }, force: number, label: string, surface: Surface): string {
-  const place = { x: felt.x_m, y: felt.y_m };
+export function feltWords(place: Place, height: number, force: number, label: string, surface: Surface): string {
   const named = label === '' ? '' : `, ${label}`;
-  return `${regionOf(place, surface.width, surface.depth)}, ${fromMiddle(place)}, height ${millimetres(felt.surface_m, 1)}, force ${force.toFixed(2)} newtons${named}`;
+  return `${regionOf(place, surface.width, surface.depth)}, ${fromMiddle(place)}, height ${millimetres(height, 1)}, force ${force.toFixed(2)} newtons${named}`;
 }

@@ -46,7 +46,7 @@ export class Probes {
 
   /** How many there are, where, and what each feels. */
   words(surface: Surface, labelOf: (felt: Felt) => string): string {
-    const each = this.felt.map((felt) => `Probe ${felt.probe + 1}: ${feltWords(felt, newtons(felt), labelOf(felt), surface)}.`);
+    const each = this.felt.map((felt) => `Probe ${felt.probe + 1}: ${feltWords(this.placeOf(felt.probe), felt.surface_m, newtons(felt), labelOf(felt), surface)}.`);
     const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${this.hands.chosen + 1}.`;
     return `${count} ${each.join(' ')}`;
   }

@@ -25,6 +25,7 @@ beforeEach(async () => {
   await opened.page.keyboard.press('1');
   await opened.page.keyboard.press('Home');
   await countIs(opened.page, 1);
+  await probeFeels(opened.page, 1, 0, 0);
 });
 
 const says = (page: Page, words: string) =>
@@ -92,7 +93,7 @@ it('by keys: put down, moved alone, heard, and taken away', async () => {
   await says(page, 'Probe 2: ');
   await page.keyboard.press('n');
   await says(page, '2 probes, the keys move probe 2. Probe 1: centre, at the middle');
-  await says(page, 'Probe 2: centre, 10 millimetres right from the middle');
+  await says(page, 'Probe 2: centre, 10 millimetres right from the middle, height');
   await keepPicture(page, 'two-probes', true);
   expect(await violations(page)).toEqual([]);
   await page.keyboard.press('Delete');
