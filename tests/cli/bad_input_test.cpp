@@ -112,7 +112,7 @@ TEST_F(BadInput, DepthThatIsNotANumberOrNegativeIsUnknown) {
   const Outcome plain =
       palpable({"make", path("depth.pfm"), "--kind", "depth", "-o", path("good.palp"), "--ground", "remove"});
   EXPECT_EQ(plain.exit_code, 0);
-  EXPECT_THAT(plain.err, testing::HasSubstr("--ground and --background are for stereo pairs"));
+  EXPECT_THAT(plain.err, testing::HasSubstr("No ground was found"));
   for (float& d : depth.values()) d = std::numeric_limits<float>::quiet_NaN();
   ASSERT_TRUE(formats::write_pfm(path("nan.pfm"), depth));
   expect_refused(palpable({"make", path("nan.pfm"), "--kind", "depth", "-o", path("out.palp")}), "nan.pfm");

@@ -15,8 +15,8 @@ import { press, type KeyTarget, type Move } from './keys';
 import { MaterialPanel } from './material_panel';
 import { bindPointers } from './pointers';
 import { preferencesCookie, readPreferences } from './preferences';
+import { ProbeActions } from './probe_actions';
 import { Probes } from './probes';
-import { ProbesPanel } from './probes_panel';
 import { Readouts } from './readouts';
 import { SettingsKeeper } from './settings_keeper';
 import { Stage } from './stage';
@@ -31,7 +31,7 @@ const initial: Settings = {
 };
 const noScene = 'There is no scene yet.';
 /** Milliseconds between two tellings of where the probes are, at the least: many fingers on a fast screen are many messages. */
-const tellEvery = 10;
+const tellEvery = 12;
 
 class TouchPage implements KeyTarget {
   private readonly connection = new Connection({
@@ -49,7 +49,14 @@ class TouchPage implements KeyTarget {
   private readonly readouts = new Readouts();
   private readonly probes = new Probes();
   private readonly hands = this.probes.hands;
-  private readonly probesPanel = new ProbesPanel(this);
+  private readonly actions = new ProbeActions(this.probes, {
+    surface: () => this.surface,
+    say: (words, importance) => this.voice.say(words, importance),
+    send: (message) => this.connection.send(message),
+    motionWords: () => this.motionWords(),
+    labelOf: (felt) => this.labelOf(felt),
+    draw: () => this.showProbes(),
+  });
   private readonly explorer = new Explorer();
   private readonly trace = new TracePanel({
     place: () => this.probePlace(),
@@ -120,27 +127,13 @@ class TouchPage implements KeyTarget {
     this.stand();
   }
   choose(probe: number): void {
-    if (this.surface === null) return this.voice.say(noScene, Importance.answer);
-    const before = this.hands.numbers.length;
-    if (!this.hands.choose(probe, this.probePlace())) return this.voice.say('There can be no probe of that number.', Importance.answer);
-    const isNew = this.hands.numbers.length > before;
-    this.voice.say(() => `Probe ${probe + 1}${isNew ? ' put down' : ''}, ${this.motionWords()}.`, Importance.answer);
-    this.probesChanged();
-  }
-  add(): void {
-    const probe = this.hands.free();
-    if (probe !== null) this.choose(probe);
+    this.actions.choose(probe);
   }
   take(): void {
-    const probe = this.hands.chosen;
-    if (!this.hands.remove(probe)) return this.voice.say('The first probe stays.', Importance.answer);
-    this.lift(probe);
-    this.voice.say(`Probe ${probe + 1} taken away. The keys move probe 1.`, Importance.answer);
+    this.actions.take();
   }
   tellProbes(): void {
-    const { surface } = this;
-    if (surface === null || this.probes.felt.length === 0) return this.voice.say(noScene, Importance.answer);
-    this.voice.say(this.probes.words(surface, (felt) => this.labelOf(felt)), Importance.answer);
+    this.actions.tellProbes();
   }
   pause(): void {
     this.connection.send({ type: 'pause', paused: !this.paused });
@@ -242,7 +235,7 @@ class TouchPage implements KeyTarget {
     this.hello = hello;
     this.readouts.setDevice(hello.device);
     this.hands.set(hello.probes, hello.pointer_moves);
-    this.probesChanged();
+    this.actions.changed();
     element('walking').hidden = element('walk-keys').hidden = element('stance-row').hidden = !hello.egocentric;
     // A device's middle is to be where this page has the explorer stand.
     if (hello.pointer_moves) this.showStance();
@@ -276,7 +269,7 @@ class TouchPage implements KeyTarget {
     this.probes.told(state);
     const { felt, chosen } = this.probes;
     this.readouts.state(state, chosen ?? felt[0]!);
-    this.probesPanel.show(felt);
+    this.actions.show();
     this.showProbes();
     const { surface } = this;
     if (surface === null) return;
@@ -332,14 +325,6 @@ class TouchPage implements KeyTarget {
   private tellAll(): void {
     for (const probe of this.hands.numbers) this.hands.at(probe)?.tell();
   }
-  private lift(probe: number): void {
-    this.connection.send({ type: 'lift', probe });
-    this.probesChanged();
-  }
-  private probesChanged(): void {
-    this.probesPanel.offer(this.hands.numbers, this.hands.chosen, this.hands.free() !== null);
-    this.showProbes();
-  }
 
   private showProbes(): void {
     if (this.surface) this.stage.probes(this.probes.views(this.surface, this.exaggeration()));
@@ -381,15 +366,9 @@ class TouchPage implements KeyTarget {
       surface: () => this.surface,
       placeAt: (left, top) => this.stage.placeAt(left, top),
       wake: () => this.feedback.sound.wake(),
-      came: (probe) => {
-        this.voice.say(() => `Probe ${probe + 1} touches.`, Importance.motion);
-        this.probesChanged();
-      },
-      left: (probe) => {
-        this.voice.say(() => `Probe ${probe + 1} lifted.`, Importance.motion);
-        this.lift(probe);
-      },
-      full: () => this.voice.say(`More than ${this.hands.numbers.length} probes cannot touch at once.`, Importance.news),
+      came: (probe) => this.actions.came(probe),
+      left: (probe) => this.actions.left(probe),
+      full: () => this.actions.full(),
     });
     stage.addEventListener('keydown', (event) => {
       this.feedback.sound.wake();

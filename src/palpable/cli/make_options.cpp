@@ -64,9 +64,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "How a relief's depths get --samples samples, before they are mapped");
   options.integer("--samples", arguments.samples, {2, 4096}, "On the longer side; needs --resample");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
-  options.text("--ground", arguments.ground, "Of a pair: keep, flatten or remove what things stand on");
+  options.text("--ground", arguments.ground,
+               "Of a pair or a depth map: keep, flatten or remove what things stand on");
   options.choice("--background", arguments.background, {"keep", "remove"},
-                 "Of a pair: what stands behind its things");
+                 "Of a pair or a depth map: what stands behind its things");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on it; front = as from between a pair's cameras");
   options.under("Fields and grids");

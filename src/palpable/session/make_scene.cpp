@@ -7,10 +7,10 @@
 #include "palpable/session/make_contours.hpp"
 #include "palpable/session/make_field.hpp"
 #include "palpable/session/places.hpp"
+#include "palpable/session/regions.hpp"
 #include "palpable/session/relief_scene.hpp"
 #include "palpable/sources/calibration.hpp"
 #include "palpable/sources/picture.hpp"
-#include "palpable/vision/background.hpp"
 #include "palpable/vision/fit_to_touch.hpp"
 #include "palpable/vision/front_view.hpp"
 
@@ -38,87 +38,6 @@ Result<void> look_from_the_front(vision::StereoPair& pair, DisparityMap& dispari
   return {};
 }
 
-/// Materials of a scene whose regions were told apart; they feel alike, and have names.
-enum Region : std::uint8_t { kThings, kGround, kBackground };
-
-void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region) {
-  if (scene.labels.empty()) {
-    scene.labels = Raster<std::uint8_t>(mask.width(), mask.height(), kThings);
-    scene.materials.resize(3);
-    scene.materials[kGround].name = "ground";
-    scene.materials[kBackground].name = "background";
-  }
-  for (std::size_t i = 0; i < mask.count(); ++i)
-    if (mask.values()[i] != 0) scene.labels.values()[i] = region;
-}
-
-/// The ground, where something asks for it, and a note of it.
-std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const Raster<Rgb8>& picture,
-                                        const MakeOptions& options, const Work& work,
-                                        std::vector<std::string>& notes) {
-  const bool wanted = options.ground != vision::GroundTreatment::keep;
-  if (!wanted && options.background == BackgroundTreatment::keep) return std::nullopt;
-  work.report(0.9, "finding the ground");
-  auto ground = vision::find_ground(picture, disparity.disparity_px, work);
-  // A plane that is everywhere has nothing on it: it must not swallow the background that is asked for.
-  constexpr double kEverywhere = 0.95;
-  if (ground && !wanted && ground->share > kEverywhere) return std::nullopt;
-  if (ground)
-    notes.push_back(fmt::format("The ground covers {:.0f} % of the picture, {:.2f} px from a plane.",
-                                100.0 * ground->share, ground->rms_px));
-  else if (wanted)
-    notes.emplace_back("No ground was found in this picture: the relief is as it would be without --ground.");
-  return ground;
-}
-
-/// The background, where it is to be removed, and a note of it. The ground is none: it is near and far at
-/// once, and would part what stands on it.
-std::optional<vision::Background> background_of(DisparityMap disparity,
-                                                const std::optional<vision::Ground>& ground,
-                                                const Raster<Rgb8>& picture, const MakeOptions& options,
-                                                const Work& work, std::vector<std::string>& notes) {
-  if (options.background == BackgroundTreatment::keep) return std::nullopt;
-  work.report(0.92, "finding the background");
-  const auto without = [&](Raster<std::uint8_t>* mask) {
-    for (std::size_t i = 0; ground && i < ground->mask.count(); ++i) {
-      if (ground->mask.values()[i] == 0) continue;
-      if (mask != nullptr) mask->values()[i] = 0;
-      disparity.disparity_px.values()[i] = std::numeric_limits<float>::quiet_NaN();
-    }
-  };
-  without(nullptr);
-  auto background = vision::find_background(picture, disparity.disparity_px, work);
-  if (!background) {
-    notes.emplace_back("Near and far do not part in this picture: there is no background to remove.");
-    return std::nullopt;
-  }
-  without(&background->mask);
-  notes.push_back(
-      fmt::format("The background moves less than {:.1f} px: {} of {} regions were removed with it.",
-                  background->threshold_px, background->removed, background->regions));
-  return background;
-}
-
-/// The disparity with ground and background treated. The scene's labels say where they are; notes say how
-/// much they cover, or that there is none.
-DisparityMap with_regions_treated(const DisparityMap& disparity, const vision::StereoPair& pair,
-                                  const MakeOptions& options, const Work& work, models::Scene& scene,
-                                  std::vector<std::string>& notes) {
-  const Raster<Rgb8> picture = rgb8(pair.left);
-  const auto ground = ground_of(disparity, picture, options, work, notes);
-  const auto background = background_of(disparity, ground, picture, options, work, notes);
-  if (background) mark(scene, background->mask, kBackground);
-  if (ground) mark(scene, ground->mask, kGround);
-  DisparityMap treated = disparity;
-  if (ground && (!background || options.ground == vision::GroundTreatment::flatten))
-    treated = vision::treat_ground(disparity, *ground, options.ground);
-  if (!background) return treated;
-  Raster<std::uint8_t> goes = background->mask;
-  if (ground && options.ground == vision::GroundTreatment::remove)
-    for (std::size_t i = 0; i < goes.count(); ++i) goes.values()[i] |= ground->mask.values()[i];
-  return vision::lowered(treated, goes);
-}
-
 Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method, const MakeOptions& options,
                             const Work& work) {
   auto match = vision::match(ready.pair, method, {options.max_disparity_px}, work);
@@ -132,7 +51,8 @@ Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method,
     if (const auto looked = look_from_the_front(pair, match->disparity, work); !looked)
       return at_place(looked.error(), names_of(options.inputs));
   models::Scene regions;
-  const auto shaped = with_regions_treated(match->disparity, pair, options, work, regions, notes);
+  const auto shaped =
+      with_regions_treated(match->disparity, {rgb8(pair.left)}, options, work, regions, notes);
   auto relief = sculpt::relief_from_disparity(shaped, options.relief, work);
   if (!relief) return at_place(relief.error(), names_of(options.inputs));
   models::Scene scene = relief_scene(std::move(*relief), options, pair.left.width, pair.left.height,
@@ -162,6 +82,8 @@ Result<MadeScene> from_depth(const MakeOptions& options, const std::vector<std::
   }
   auto read = sources::read_depth_picture(files, settings);
   if (!read) return read.error();
+  models::Scene regions;
+  treat_regions(*read, options, work, regions);
   auto relief = relief_of(read->depth, options, work);
   if (!relief) return at_place(relief.error(), files.back());
   const auto* metres = std::get_if<DepthMap>(&read->depth);
@@ -169,6 +91,10 @@ Result<MadeScene> from_depth(const MakeOptions& options, const std::vector<std::
       metres != nullptr ? metres->depth_m : std::get<DisparityMap>(read->depth).disparity_px;
   const int width = values.width(), height = values.height();
   models::Scene scene = relief_scene(std::move(*relief), options, width, height, "depth map");
+  if (!regions.labels.empty()) {
+    scene.materials = std::move(regions.materials);
+    scene.labels = std::move(regions.labels);
+  }
   if (read->colour && options.texture != Texture::none) scene.texture = rgb8(*read->colour);
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(read->notes)};
 }
@@ -219,6 +145,12 @@ bool is_matched(const MakeOptions& options, const sources::Input& input) {
   return input.kind == sources::InputKind::stereo && !as_contours(options, input);
 }
 
+/// What tells ground and background apart: a pair, or one depth map.
+bool has_regions(const MakeOptions& options, const sources::Input& input) {
+  return is_matched(options, input) ||
+         (input.kind == sources::InputKind::depth && !as_contours(options, input));
+}
+
 Error not_yet(const sources::Input& input) {
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
@@ -249,13 +181,11 @@ std::vector<vision::StereoMethod> methods_of_a_touch(const MakeOptions& options)
   return first == last ? std::vector{last} : std::vector{first, last};
 }
 
-/// Ground and background are told apart by disparity: what cannot be done is said.
+/// Ground and background are told apart by depth as one camera sees it: what cannot be done is said.
 Result<MadeScene> without_regions(Result<MadeScene> made, const MakeOptions& options) {
-  const bool asked =
-      options.ground != vision::GroundTreatment::keep || options.background != BackgroundTreatment::keep;
-  if (made && asked)
+  if (made && asks_for_regions(options))
     made->notes.emplace_back(
-        "--ground and --background are for stereo pairs: this is as it would be without them.");
+        "--ground and --background are for pairs and single depth maps: this is as without them.");
   return made;
 }
 
@@ -297,7 +227,7 @@ Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   const auto input = sources::recognise_input(options.inputs, options.kind);
   if (!input) return input.error();
   auto made = made_from(*input, options, work);
-  return is_matched(options, *input) ? std::move(made) : without_regions(std::move(made), options);
+  return has_regions(options, *input) ? std::move(made) : without_regions(std::move(made), options);
 }
 
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {

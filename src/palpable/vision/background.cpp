@@ -3,6 +3,7 @@
 #include "palpable/vision/background.hpp"
 
 #include "palpable/core/check.hpp"
+#include "palpable/core/quantile.hpp"
 #include "palpable/vision/regions.hpp"
 
 #include <algorithm>
@@ -27,12 +28,7 @@ Split otsu(const Raster<float>& disparity_px) {
   for (const float d : disparity_px.values())
     if (std::isfinite(d)) known.push_back(d);
   if (known.empty()) return {};
-  const auto quantile = [&known](double q) {
-    const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(known.size() - 1));
-    std::nth_element(known.begin(), known.begin() + k, known.end());
-    return static_cast<double>(known[static_cast<std::size_t>(k)]);
-  };
-  const double low = quantile(0.01), range = quantile(0.99) - low;
+  const double low{quantile_of(known, 0.01)}, range = double{quantile_of(known, 0.99)} - low;
   if (!(range > 0.0)) return {low, 0.0};
   std::array<double, kBins> counts{};
   for (const float d : known)

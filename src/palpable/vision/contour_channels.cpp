@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/contour_channels.hpp"
 
+#include "palpable/core/quantile.hpp"
 #include "palpable/core/vectorize.hpp"
 
 #include <algorithm>
@@ -74,13 +75,8 @@ std::pair<float, float> stretch_of(const Image& image) {
     if (image.channels % 2 == 0 && channel == image.channels - 1) continue;
     sample.push_back(image.samples[i]);
   }
-  const auto at = [&](double share) {
-    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
-    std::nth_element(sample.begin(), sample.begin() + k, sample.end());
-    return sample[static_cast<std::size_t>(k)];
-  };
-  const float low = at(0.001);
-  const float high = at(0.999);
+  const float low = quantile_of(sample, 0.001);
+  const float high = quantile_of(sample, 0.999);
   return high > low ? std::pair{1.0F / (high - low), -low / (high - low)} : std::pair{1.0F, 0.0F};
 }
 

@@ -225,7 +225,7 @@ void measure(Ground& ground, const Raster<float>& disparity_px) {
 }  // namespace
 
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                  const Work& work) {
+                                  const Work& work, DisparityOrigin origin) {
   PALPABLE_CHECK(left.width() == disparity_px.width() && left.height() == disparity_px.height());
   constexpr double kLeastShare = 0.05;
   const auto found = find_ground_plane(disparity_px, work);
@@ -233,7 +233,8 @@ std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>&
   Ground ground;
   ground.plane = found->plane;
   ground.mask = majority(mask_of(merge_regions(left), disparity_px, *found, work));
-  ground.mask = majority(along_edges(left, ground.mask, disparity_px, ground.plane, work));
+  if (origin == DisparityOrigin::matched)
+    ground.mask = majority(along_edges(left, ground.mask, disparity_px, ground.plane, work));
   measure(ground, disparity_px);
   if (ground.share < kLeastShare || work.cancelled()) return std::nullopt;
   return ground;

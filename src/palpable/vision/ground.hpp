@@ -32,12 +32,17 @@ struct Ground {
   double rms_px = 0.0;
 };
 
+/// How disparity came about. Matching carries it over edges and guesses what one camera does not see; a depth
+/// sensor or renderer does neither.
+enum class DisparityOrigin { matched, measured };
+
 /// Finds the ground: a robust plane fit in disparity among planes that rise towards the bottom of the
 /// picture, then the picture's regions (merge_regions) decide which pixels belong to it, and at its borders
-/// their colours. nullopt where no such plane holds at least a twentieth of the picture. `left` and
-/// `disparity_px` have the same size. Deterministic for a seed; polls work.cancel (gives nullopt then).
+/// their colours where disparity was matched. nullopt where no such plane holds at least a twentieth of the
+/// picture. `left` and `disparity_px` have the same size. Deterministic for a seed; polls work.cancel (gives
+/// nullopt then).
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                  const Work& work);
+                                  const Work& work, DisparityOrigin origin = DisparityOrigin::matched);
 
 /// The plane's unit normal in the left camera's frame, from the plane towards the camera.
 Vector<CameraFrame> normal_of(const DisparityPlane& plane, const StereoRig& rig);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/ground_plane.hpp"
 
+#include "palpable/core/quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -60,16 +62,10 @@ double support_of(const DisparityPlane& plane, std::span<const Sample> samples, 
   return support;
 }
 
-double quantile(std::vector<double>& values, double q) {
-  const auto k = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
-}
-
 double range_of(std::span<const Sample> samples) {
   std::vector<double> disparities;
   for (const Sample& s : samples) disparities.push_back(s.d);
-  return quantile(disparities, 0.98) - quantile(disparities, 0.02);
+  return quantile_of(disparities, 0.98) - quantile_of(disparities, 0.02);
 }
 
 /// A plane and how well it is supported.
@@ -165,7 +161,7 @@ std::optional<GroundPlane> refined(DisparityPlane plane, std::span<const Sample>
     }
     if (near.size() < 50) return std::nullopt;
     plane = fitted(samples, weights);
-    sigma = std::clamp(1.4826 * quantile(near, 0.5), kLeastSigma_px, kMostSigma_px);
+    sigma = std::clamp(1.4826 * quantile_of(near, 0.5), kLeastSigma_px, kMostSigma_px);
   }
   return GroundPlane{plane, sigma};
 }
@@ -179,7 +175,7 @@ bool holds(const GroundPlane& ground, std::span<const Sample> samples) {
     if (const double d = ground.plane.at(s.x, s.y); std::abs(s.d - d) < 3.0 * ground.sigma_px)
       on.push_back(d);
   if (static_cast<double>(on.size()) < kLeastShare * static_cast<double>(samples.size())) return false;
-  const double rise_px = quantile(on, 0.95) - quantile(on, 0.05);
+  const double rise_px = quantile_of(on, 0.95) - quantile_of(on, 0.05);
   return rise_px > std::max(kLeastRise_px, kLeastRise_sigmas * ground.sigma_px);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/left_right.hpp"
 
+#include "palpable/core/quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,9 +34,7 @@ float quantile_where(const Raster<float>& values, const Raster<float>& weight, d
   for (std::size_t i = 0; i < values.count(); ++i)
     if (weight.values()[i] > 0.0F) kept.push_back(values.values()[i]);
   if (kept.empty()) return 0.0F;
-  const auto place = kept.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(kept.size() - 1) * at);
-  std::nth_element(kept.begin(), place, kept.end());
-  return *place;
+  return quantile_of(kept, at);
 }
 
 }  // namespace palpable::vision

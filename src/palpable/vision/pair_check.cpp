@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/pair_check.hpp"
 
+#include "palpable/core/quantile.hpp"
 #include "palpable/core/vectorize.hpp"
 #include "palpable/vision/census.hpp"
 
@@ -48,12 +49,6 @@ PALPABLE_VECTORIZE std::optional<Place> find_again(std::uint64_t signature,
   return best;
 }
 
-double quantile(std::vector<double>& values, double q) {
-  const auto i = static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + i, values.end());
-  return values[static_cast<std::size_t>(i)];
-}
-
 }  // namespace
 
 VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
@@ -85,9 +80,9 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
   if (offsets.empty()) return {};
   VerticalOffset out;
   out.found = static_cast<int>(offsets.size());
-  out.median_px = quantile(offsets, 0.5);
+  out.median_px = quantile_of(offsets, 0.5);
   for (double& v : offsets) v = std::abs(v);
-  out.spread_px = quantile(offsets, 0.75);
+  out.spread_px = quantile_of(offsets, 0.75);
   return out;
 }
 
