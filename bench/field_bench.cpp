@@ -236,12 +236,14 @@ int main(int argc, char** argv) {
     if (!mesh) return 1;
     scale_to_hand(*mesh);
     const auto begin = Clock::now();
-    const auto solid = sculpt::solid_from_mesh(*mesh, 0.1 / 512, {});
+    const double rounding_m = sculpt::facet_rounding_m(sculpt::bounds_of(*mesh), {});
+    const auto solid = sculpt::solid_from_mesh(*mesh, 0.1 / 512, {}, rounding_m);
     if (!solid) return 1;
     const double solid_s = seconds_since(begin);
     auto field = sculpt::field_from_source(*solid->distance, {}, {});
     if (!field) return 1;
-    std::printf("%s: %zu triangles, %zu cells\n", argv[i], mesh->triangles.size(), field->leaves());
+    std::printf("%s: %zu triangles, %zu cells, %.2f s for the solid and %.2f s for the field\n", argv[i],
+                mesh->triangles.size(), field->leaves(), solid_s, seconds_since(begin) - solid_s);
 #if defined(__x86_64__)
     tell_cold(*field);
 #endif

@@ -55,6 +55,16 @@ class FourBoxes {
     }
     return std::bit_cast<Distances>(sum);
   }
+  /// No less than the squared distance to any place in each box.
+  Distances squared_reaches(const std::array<float, 3>& p) const {
+    Four sum{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Four along = x_[axis] * p[0] + y_[axis] * p[1] + z_[axis] * p[2];
+      const Four out = larger(along - low_[axis], high_[axis] - along);
+      sum += out * out;
+    }
+    return std::bit_cast<Distances>(sum);
+  }
 
  private:
   /// Of GCC and Clang: one register, every operation on all four.

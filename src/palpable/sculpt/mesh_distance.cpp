@@ -136,7 +136,7 @@ class MeshDistance final : public DistanceSource {
   void enter(Vec3 centre_m, double radius_m, Hint& hint) const override {
     enter_ball(tree_, centre_m, radius_m, hint);
   }
-  void leave(Hint& hint) const override { --hint.entered; }
+  void leave(Hint& hint) const override { leave_ball(hint); }
   Box bounds() const override { return bounds_; }
 
  private:

@@ -9,10 +9,26 @@ namespace palpable::sculpt {
 
 /// What sources made of triangles keep in their hints.
 inline void enter_ball(const TriangleTree& tree, Vec3 centre_m, double radius_m, DistanceSource::Hint& hint) {
+  // A shorter list would cost more than the places of the smaller ball save by it.
+  constexpr std::size_t kShort = 48;
+  if (hint.entered > 0) {
+    TriangleShortlist& last = hint.balls[hint.entered - 1];
+    if (!last.is_whole && last.fours.size() <= kShort) {
+      ++last.entered_again;
+      return;
+    }
+  }
   if (hint.balls.size() == hint.entered) hint.balls.emplace_back();
   const TriangleShortlist* within = hint.entered == 0 ? nullptr : &hint.balls[hint.entered - 1];
   tree.list_near(centre_m, radius_m, hint.triangle, within, hint.balls[hint.entered]);
   ++hint.entered;
+}
+inline void leave_ball(DistanceSource::Hint& hint) {
+  TriangleShortlist& last = hint.balls[hint.entered - 1];
+  if (last.entered_again > 0)
+    --last.entered_again;
+  else
+    --hint.entered;
 }
 inline NearestTriangle nearest_in_ball(const TriangleTree& tree, Vec3 p, const DistanceSource::Hint& hint) {
   return hint.entered == 0 ? tree.nearest(p, hint.triangle)

@@ -285,7 +285,7 @@ std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const Neares
 void SmoothSurface::enter(Vec3 centre_m, double radius_m, Hint& hint) const {
   enter_ball(tree_, centre_m, radius_m, hint);
 }
-void SmoothSurface::leave(Hint& hint) const { --hint.entered; }
+void SmoothSurface::leave(Hint& hint) const { leave_ball(hint); }
 
 models::FieldSample SmoothSurface::at(Vec3 place_m, Hint& hint) const {
   const NearestTriangle near = nearest_in_ball(tree_, place_m, hint);

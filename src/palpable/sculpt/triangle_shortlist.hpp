@@ -21,11 +21,13 @@ struct TriangleShortlist {
     /// They and all after them are at least this far from the centre.
     double from_m = 0.0;
   };
-  static constexpr std::size_t kMost = 128;
+  static constexpr std::size_t kMost = 512;
 
   Vec3 centre_m;
   std::vector<Four> fours;
   bool is_whole = false;
+  /// How often a ball in this one was entered for which it serves as well.
+  std::size_t entered_again = 0;
 };
 
 }  // namespace palpable::sculpt

@@ -12,7 +12,7 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr std::uint32_t kLeafTriangles = 4;
+constexpr std::uint32_t kLeafTriangles = FourTriangles::kCount;
 
 Vec3 smaller(Vec3 a, Vec3 b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
 Vec3 larger(Vec3 a, Vec3 b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
@@ -70,6 +70,13 @@ TriangleTree::TriangleTree(const Mesh& mesh) {
   // Children come after their parents.
   for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > 0;) bound(i);
   origin_m_ = 0.5 * (nodes_[0].low + nodes_[0].high);
+  rounding_m_ = rounding_m();
+  for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].right != 0) continue;
+    nodes_[i].leaf = static_cast<std::uint32_t>(leaves_.size());
+    leaves_.emplace_back();
+    set_leaf(i);
+  }
   lane_of_.assign(nodes_.size(), kNone);
   gather(0);
 }
@@ -128,10 +135,17 @@ OrientedBox TriangleTree::oriented_box(const Node& node, Vec3 area_m2) const {
 void TriangleTree::put_into_four(std::uint32_t at) {
   const std::uint32_t lane = lane_of_[at];
   if (lane == kNone) return;
-  // Rounding of a coordinate, of the place asked for, and of the sums: a few last digits.
-  const double slack = 1e-6 * norm(larger(nodes_[0].high - origin_m_, origin_m_ - nodes_[0].low));
   fours_[lane / FourBoxes::kCount].boxes.set(lane % FourBoxes::kCount,
-                                             oriented_box(nodes_[at], dipoles_[at].area_m2), slack);
+                                             oriented_box(nodes_[at], dipoles_[at].area_m2), rounding_m_);
+}
+
+void TriangleTree::set_leaf(std::uint32_t at) {
+  const Node& node = nodes_[at];
+  for (std::uint32_t i = 0; i < FourTriangles::kCount; ++i) {
+    // Where there are fewer, the first one again.
+    const Corners& c = corners_[node.first + (i < node.count ? i : 0)];
+    leaves_[node.leaf].set(i, {c[0] - origin_m_, c[1] - origin_m_, c[2] - origin_m_});
+  }
 }
 
 void TriangleTree::move(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
@@ -144,6 +158,13 @@ void TriangleTree::move(const Mesh& mesh, std::span<const std::uint32_t> triangl
   }
   std::sort(places.begin(), places.end());
   if (!places.empty()) bound_over(0, places);
+  rounding_m_ = rounding_m();
+}
+
+double TriangleTree::rounding_m() const {
+  // Of a coordinate, of the place asked for, and of the sums: a few last digits.
+  constexpr double kDigits = 1e-6;
+  return kDigits * norm(larger(nodes_[0].high - origin_m_, origin_m_ - nodes_[0].low));
 }
 
 void TriangleTree::bound_over(std::uint32_t at, std::span<const std::uint32_t> places) {
@@ -154,6 +175,7 @@ void TriangleTree::bound_over(std::uint32_t at, std::span<const std::uint32_t> p
     if (middle < places.size()) bound_over(right, places.subspan(middle));
   }
   bound(at);
+  if (nodes_[at].right == 0) set_leaf(at);
   put_into_four(at);
 }
 
@@ -234,10 +256,15 @@ NearestTriangle TriangleTree::measured(Vec3 p, std::uint32_t place) const {
   return found;
 }
 
-void TriangleTree::try_leaf(Vec3 p, std::uint32_t node, NearestTriangle& best) const {
-  const std::uint32_t end = nodes_[node].first + nodes_[node].count;
-  for (std::uint32_t i = nodes_[node].first; i < end; ++i) {
-    const NearestTriangle found = measured(p, i);
+void TriangleTree::try_leaf(Vec3 p, const std::array<float, 3>& place, std::uint32_t node,
+                            NearestTriangle& best) const {
+  const Node& leaf = nodes_[node];
+  const FourTriangles::Distances squared = leaves_[leaf.leaf].squared_distances(place);
+  const double most_m = (1.0 - kNearestSlack) * std::sqrt(best.squared_distance_m2) + rounding_m_;
+  const double most_m2 = most_m * most_m;
+  for (std::uint32_t i = 0; i < leaf.count; ++i) {
+    if (static_cast<double>(squared[i]) > most_m2) continue;
+    const NearestTriangle found = measured(p, leaf.first + i);
     if (found.squared_distance_m2 < best.squared_distance_m2) best = found;
   }
 }
@@ -256,7 +283,7 @@ NearestTriangle TriangleTree::nearest(Vec3 p, std::uint32_t guess) const {
     const Entry entry = stack[--size];
     if (static_cast<double>(entry.squared) >= kShare * best.squared_distance_m2) continue;
     if (entry.below == kNone) {
-      try_leaf(p, entry.node, best);
+      try_leaf(p, place, entry.node, best);
       continue;
     }
     const Four& four = fours_[entry.below];
@@ -284,7 +311,7 @@ NearestTriangle TriangleTree::nearest(Vec3 p, std::uint32_t guess, const Triangl
     const FourBoxes::Distances squared = four.boxes.squared_distances(place);
     for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane)
       if (static_cast<double>(squared[lane]) < kShare * best.squared_distance_m2)
-        try_leaf(p, four.node[lane], best);
+        try_leaf(p, place, four.node[lane], best);
   }
   return best;
 }
@@ -295,9 +322,16 @@ void TriangleTree::list_near(Vec3 centre, double radius_m, std::uint32_t guess,
   list.fours.clear();
   const bool listed = within != nullptr && !within->is_whole;
   const NearestTriangle near = listed ? nearest(centre, guess, *within) : nearest(centre, guess);
-  const double reach_m = (std::sqrt(near.squared_distance_m2) + 2.0 * radius_m) * (1.0 + 1e-6);
-  const auto reach2 = static_cast<float>(reach_m * reach_m);
-  const std::array<float, 3> place = from_origin(centre);
+  // A place t is nearer than the one found, q, to a place of the ball only where the plane half way between
+  // them, on which both are as near, cuts the ball: |t - c|^2 - |q - c|^2 <= 2 r |t - q|.
+  const std::array<float, 3> place = from_origin(centre), found_place = from_origin(near.point_m);
+  constexpr double kRounding = 1e-6;
+  const double near2 = near.squared_distance_m2;
+  const auto may_be_nearest = [&](float squared, float squared_reach) {
+    const double beyond = (1.0 - kRounding) * static_cast<double>(squared) - near2;
+    const double most = 2.0 * (1.0 + kRounding) * radius_m;
+    return beyond <= 0.0 || beyond * beyond <= most * most * static_cast<double>(squared_reach);
+  };
   struct Found {
     float squared;
     std::uint32_t node;
@@ -305,19 +339,25 @@ void TriangleTree::list_near(Vec3 centre, double radius_m, std::uint32_t guess,
     std::size_t lane;
   };
   std::array<Found, TriangleShortlist::kMost> found;
+  std::array<float, TriangleShortlist::kMost> squared_from;
   std::size_t count = 0;
+  float least2 = std::numeric_limits<float>::infinity(), most2 = 0.0F;
   list.is_whole = false;
   const auto add = [&](const FourBoxes& boxes, std::size_t lane, std::uint32_t node, float squared) {
-    if (count < found.size())
-      found[count++] = {squared, node, &boxes, lane};
-    else
+    if (count == found.size()) {
       list.is_whole = true;
+      return;
+    }
+    found[count++] = {squared, node, &boxes, lane};
+    least2 = std::min(least2, squared);
+    most2 = std::max(most2, squared);
   };
   if (listed) {
     for (const TriangleShortlist::Four& four : within->fours) {
       const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+      const FourBoxes::Distances reach = four.boxes.squared_reaches(found_place);
       for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane)
-        if (squared[lane] <= reach2) add(four.boxes, lane, four.node[lane], squared[lane]);
+        if (may_be_nearest(squared[lane], reach[lane])) add(four.boxes, lane, four.node[lane], squared[lane]);
     }
   } else {
     std::array<std::uint32_t, FourBoxes::kCount * kStack> stack;
@@ -326,8 +366,9 @@ void TriangleTree::list_near(Vec3 centre, double radius_m, std::uint32_t guess,
     while (size > 0 && !list.is_whole) {
       const Four& four = fours_[stack[--size]];
       const FourBoxes::Distances squared = four.boxes.squared_distances(place);
+      const FourBoxes::Distances reach = four.boxes.squared_reaches(found_place);
       for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane) {
-        if (!(squared[lane] <= reach2)) continue;
+        if (!may_be_nearest(squared[lane], reach[lane])) continue;
         if (four.below[lane] == kNone)
           add(four.boxes, lane, four.node[lane], squared[lane]);
         else
@@ -335,19 +376,31 @@ void TriangleTree::list_near(Vec3 centre, double radius_m, std::uint32_t guess,
       }
     }
   }
-  if (list.is_whole) return;
-  std::sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count),
-            [](const Found& a, const Found& b) {
-              return a.squared < b.squared || (a.squared == b.squared && a.node < b.node);
-            });
+  if (list.is_whole || count == 0) return;
+  // The nearest first: roughly is enough, and quicker than sorting.
+  constexpr std::size_t kSteps = 32;
+  const float per_step = static_cast<float>(kSteps) / (most2 - least2);
+  const auto step_of = [&](const Found& f) {
+    const float steps = per_step * (f.squared - least2);
+    // Where all are as far, it is no number.
+    return steps < static_cast<float>(kSteps) ? static_cast<std::size_t>(steps) : kSteps - 1;
+  };
+  std::array<std::size_t, kSteps + 1> begin{};
+  for (std::size_t i = 0; i < count; ++i) ++begin[step_of(found[i]) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  list.fours.resize((count + FourBoxes::kCount - 1) / FourBoxes::kCount);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t lane = i % FourBoxes::kCount;
-    if (lane == 0) {
-      list.fours.emplace_back();
-      list.fours.back().from_m = std::sqrt(static_cast<double>(found[i].squared)) * (1.0 - 1e-6);
-    }
-    list.fours.back().boxes.set(lane, *found[i].boxes, found[i].lane);
-    list.fours.back().node[lane] = found[i].node;
+    const std::size_t rank = begin[step_of(found[i])]++, lane = rank % FourBoxes::kCount;
+    TriangleShortlist::Four& four = list.fours[rank / FourBoxes::kCount];
+    four.boxes.set(lane, *found[i].boxes, found[i].lane);
+    four.node[lane] = found[i].node;
+    squared_from[rank] = found[i].squared;
+  }
+  float after = std::numeric_limits<float>::infinity();
+  for (std::size_t rank = count; rank-- > 0;) {
+    after = std::min(after, squared_from[rank]);
+    if (rank % FourBoxes::kCount == 0)
+      list.fours[rank / FourBoxes::kCount].from_m = std::sqrt(static_cast<double>(after)) * (1.0 - kRounding);
   }
 }
 

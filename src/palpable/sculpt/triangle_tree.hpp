@@ -5,6 +5,7 @@
 #include "palpable/core/mesh.hpp"
 #include "palpable/sculpt/box.hpp"
 #include "palpable/sculpt/four_boxes.hpp"
+#include "palpable/sculpt/four_triangles.hpp"
 #include "palpable/sculpt/triangle_shortlist.hpp"
 
 #include <array>
@@ -77,6 +78,8 @@ class TriangleTree {
     std::uint32_t right = 0;
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    /// A leaf's triangles in leaves_.
+    std::uint32_t leaf = 0;
   };
   /// A node's triangles as seen from afar: summed area vectors, their centre, and the radius around it.
   struct Dipole {
@@ -115,12 +118,15 @@ class TriangleTree {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   }
   NearestTriangle measured(Vec3 p, std::uint32_t place) const;
-  void try_leaf(Vec3 p, std::uint32_t node, NearestTriangle& best) const;
+  /// `place`: p from the origin.
+  void try_leaf(Vec3 p, const std::array<float, 3>& place, std::uint32_t node, NearestTriangle& best) const;
   std::uint32_t build(std::uint32_t first, std::uint32_t count, const std::vector<Vec3>& centres);
   /// Box and dipole of a node whose children have theirs.
   void bound(std::uint32_t at);
   void bound_box(std::uint32_t at);
   void bound_dipole(std::uint32_t at);
+  void set_leaf(std::uint32_t at);
+  double rounding_m() const;
   /// Joins a node's grandchildren, and all below them, into fours; returns the number of the first.
   std::uint32_t gather(std::uint32_t at);
   void put_into_four(std::uint32_t at);
@@ -142,10 +148,12 @@ class TriangleTree {
   std::vector<Node> nodes_;
   std::vector<Dipole> dipoles_;
   std::vector<Four> fours_;
+  std::vector<FourTriangles> leaves_;
   /// For each node its lane in fours_: 4 x which + lane, or kNone.
   std::vector<std::uint32_t> lane_of_;
-  /// fours_ count from here.
+  /// fours_ and leaves_ count from here, and round by no more than rounding_m_.
   Vec3 origin_m_;
+  double rounding_m_ = 0.0;
   /// In the order of the leaves; order_ gives their index in the mesh and place_ the way back.
   std::vector<Corners> corners_;
   std::vector<std::uint32_t> order_;
