@@ -12,6 +12,7 @@
 #include <random>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace palpable::sculpt {
@@ -125,46 +126,174 @@ Mesh welded(const Mesh& mesh, std::size_t& removed) {
   return result;
 }
 
-std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed) {
-  if (mesh.triangles.empty()) return 0;
-  const auto neighbours = neighbours_of(mesh);
-  const TriangleTree tree(mesh);
-  Vec3 low = mesh.vertices_m[mesh.triangles[0][0]], high = low;
-  for (const Vec3 v : mesh.vertices_m) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
-  }
-  const double lift_m = 1e-6 * norm(high - low);
-  std::mt19937_64 random(seed);
+namespace {
+
+/// Triangles that hang together across edges that two of them share.
+struct Part {
+  std::vector<std::uint32_t> triangles;
+  /// Whether some were turned to agree with their neighbours, and whether all were turned after that.
+  bool made_to_agree = false, turned = false;
+};
+
+void turn_all(Mesh& mesh, Part& part) {
+  for (const std::uint32_t t : part.triangles) turn(mesh.triangles[t]);
+  part.turned = !part.turned;
+}
+
+std::vector<Part> agreeing_parts(Mesh& mesh, const std::vector<Triangle>& neighbours) {
+  std::vector<Part> parts;
   std::vector<bool> seen(mesh.triangles.size());
-  std::size_t turned = 0;
   for (std::uint32_t start = 0; start < mesh.triangles.size(); ++start) {
     if (seen[start]) continue;
-    std::vector<std::uint32_t> part{start};
+    Part part{{start}, false, false};
     seen[start] = true;
-    bool changed = false;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const Triangle t = mesh.triangles[part[i]];
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+      const Triangle t = mesh.triangles[part.triangles[i]];
       for (std::size_t k = 0; k < 3; ++k) {
         // Neighbours were noted by the place of an edge before any turning: ask for the shared edge itself.
-        const std::uint32_t other = neighbours[part[i]][k];
+        const std::uint32_t other = neighbours[part.triangles[i]][k];
         if (seen[other]) continue;
         seen[other] = true;
-        part.push_back(other);
+        part.triangles.push_back(other);
         Triangle& o = mesh.triangles[other];
         bool same_way = false;
         for (std::size_t e = 0; e < 3; ++e) same_way = same_way || runs(o, t[e], t[(e + 1) % 3]);
         if (same_way) {
           turn(o);
-          changed = true;
+          part.made_to_agree = true;
         }
       }
     }
-    if (faces_inwards(mesh, part, tree, lift_m, random)) {
-      for (const std::uint32_t t : part) turn(mesh.triangles[t]);
-      changed = true;
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+double area_m2(const Mesh& mesh, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3 a = mesh.vertices_m[t[0]];
+  return 0.5 * norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+}
+
+/// The edges that more than two triangles share, as the parts run along them.
+class SharedEdges {
+ public:
+  SharedEdges(const Mesh& mesh, const std::vector<Part>& parts) : of_part_(parts.size()) {
+    struct Use {
+      std::uint64_t key;
+      std::uint32_t part;
+      int step;
+    };
+    std::vector<Use> uses;
+    for (std::uint32_t p = 0; p < parts.size(); ++p)
+      for (const std::uint32_t i : parts[p].triangles) {
+        const Triangle& t = mesh.triangles[i];
+        for (std::size_t k = 0; k < 3; ++k)
+          uses.push_back({edge_key(t[k], t[(k + 1) % 3]), p, t[k] < t[(k + 1) % 3] ? 1 : -1});
+      }
+    std::sort(uses.begin(), uses.end(),
+              [](const Use& a, const Use& b) { return std::pair(a.key, a.part) < std::pair(b.key, b.part); });
+    for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+      while (end < uses.size() && uses[end].key == uses[i].key) ++end;
+      if (end - i < 3) continue;
+      const auto edge = static_cast<std::uint32_t>(sums_.size());
+      int sum = 0;
+      for (std::size_t k = i; k < end; ++k) {
+        auto& of_part = of_part_[uses[k].part];
+        if (of_part.empty() || of_part.back().edge != edge) of_part.push_back({edge, 0});
+        of_part.back().steps += uses[k].step;
+        sum += uses[k].step;
+      }
+      sums_.push_back(sum);
+      lengths_m_.push_back(norm(mesh.vertices_m[uses[i].key >> 32U] -
+                                mesh.vertices_m[static_cast<std::uint32_t>(uses[i].key)]));
     }
-    turned += changed ? 1 : 0;
+  }
+  /// How much less is left open when the part is turned, metres.
+  double gain_m(std::uint32_t part) const {
+    double gain = 0.0;
+    for (const Along& a : of_part_[part])
+      gain += lengths_m_[a.edge] * (std::abs(sums_[a.edge]) - std::abs(sums_[a.edge] - 2 * a.steps));
+    return gain;
+  }
+  void turn(std::uint32_t part) {
+    for (Along& a : of_part_[part]) {
+      sums_[a.edge] -= 2 * a.steps;
+      a.steps = -a.steps;
+    }
+  }
+
+ private:
+  struct Along {
+    std::uint32_t edge;
+    int steps;
+  };
+  std::vector<std::vector<Along>> of_part_;
+  std::vector<int> sums_;
+  std::vector<double> lengths_m_;
+};
+
+/// A closed solid's triangles run to and fro along every edge. A wall that two bodies share is a part of its
+/// own for each, and rays tell nothing of it, for it has a solid on both sides: it is turned as its edges
+/// want, small parts before large ones.
+void turn_as_shared_edges_want(Mesh& mesh, std::vector<Part>& parts) {
+  if (parts.size() < 2) return;
+  SharedEdges edges(mesh, parts);
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    double area = 0.0;
+    for (const std::uint32_t t : parts[p].triangles) area += area_m2(mesh, t);
+    order.emplace_back(area, p);
+  }
+  std::sort(order.begin(), order.end());
+  constexpr int kSweeps = 32;
+  bool any = true;
+  for (int sweep = 0; any && sweep < kSweeps; ++sweep) {
+    any = false;
+    for (const auto& [area, p] : order) {
+      if (!(edges.gain_m(p) > 0.0)) continue;
+      edges.turn(p);
+      turn_all(mesh, parts[p]);
+      any = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed) {
+  if (mesh.triangles.empty()) return 0;
+  auto parts = agreeing_parts(mesh, neighbours_of(mesh));
+  const TriangleTree tree(mesh);
+  const Box box = tree.bounds();
+  const double lift_m = 1e-6 * norm(box.size_m());
+  std::mt19937_64 random(seed);
+  for (Part& part : parts)
+    if (faces_inwards(mesh, part.triangles, tree, lift_m, random)) turn_all(mesh, part);
+  turn_as_shared_edges_want(mesh, parts);
+  return static_cast<std::size_t>(
+      std::count_if(parts.begin(), parts.end(), [](const Part& p) { return p.made_to_agree || p.turned; }));
+}
+
+std::size_t turn_inside_out_parts(Mesh& mesh, const TriangleTree& tree) {
+  auto parts = agreeing_parts(mesh, neighbours_of(mesh));
+  const double lift_m = 1e-6 * norm(tree.bounds().size_m());
+  std::size_t turned = 0;
+  for (Part& part : parts) {
+    // Spread over the part: a body's triangles may be many.
+    constexpr std::size_t kMost = 64;
+    const std::size_t step = std::max<std::size_t>(1, part.triangles.size() / kMost);
+    double inside_out = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < part.triangles.size(); i += step) {
+      const Triangle& t = mesh.triangles[part.triangles[i]];
+      const Vec3 a = mesh.vertices_m[t[0]], b = mesh.vertices_m[t[1]], c = mesh.vertices_m[t[2]];
+      const double area = area_m2(mesh, part.triangles[i]);
+      all += area;
+      if (tree.winding((a + b + c) / 3.0 + lift_m * unit(cross(b - a, c - a))) < -0.5) inside_out += area;
+    }
+    if (!(inside_out > 0.5 * all)) continue;
+    turn_all(mesh, part);
+    ++turned;
   }
   return turned;
 }

@@ -64,6 +64,12 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   if (work.cancelled()) return Work::interrupted();
   // Given back before the distance makes its own: of millions of triangles it takes gigabytes.
   std::optional<TriangleTree> tree(whole);
+  // What rays told of parts that were still open may be wrong.
+  if (solid.repair.closed_holes > 0) {
+    const std::size_t turned = turn_inside_out_parts(whole, *tree);
+    if (turned > 0) tree.emplace(whole);
+    solid.repair.turned_parts += turned;
+  }
   work.report(0.02, "finding the solid's surface");
   if (work.cancelled()) return Work::interrupted();
   if (is_watertight(whole) && is_own_surface(whole, *tree, work.seed)) {

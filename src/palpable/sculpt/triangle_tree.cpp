@@ -260,7 +260,7 @@ void TriangleTree::try_leaf(Vec3 p, const std::array<float, 3>& place, std::uint
                             NearestTriangle& best) const {
   const Node& leaf = nodes_[node];
   const FourTriangles::Distances squared = leaves_[leaf.leaf].squared_distances(place);
-  const double most_m = (1.0 - kNearestSlack) * std::sqrt(best.squared_distance_m2) + rounding_m_;
+  const double most_m = std::sqrt(best.squared_distance_m2) + rounding_m_;
   const double most_m2 = most_m * most_m;
   for (std::uint32_t i = 0; i < leaf.count; ++i) {
     if (static_cast<double>(squared[i]) > most_m2) continue;
