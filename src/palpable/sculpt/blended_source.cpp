@@ -34,11 +34,7 @@ FieldSample BlendedSource::at(Vec3 place_m, Hint& hint) const {
   const double s = std::sqrt(near.squared_distance_m2), left_m = within_m_ - s;
   const double u = depth_m / (depth_m + left_m);
   if (u <= whole) return now;
-  double known_m = greatest_difference_m_.load(std::memory_order_relaxed);
-  while (std::abs(difference_m) > known_m &&
-         !greatest_difference_m_.compare_exchange_weak(known_m, std::abs(difference_m),
-                                                       std::memory_order_relaxed)) {
-  }
+  hint.greatest_difference_m = std::max(hint.greatest_difference_m, std::abs(difference_m));
   const double v = (u - whole) / (1.0 - whole);
   const double share = 1.0 - v * v * (3.0 - 2.0 * v);
   const double share_by_u = -6.0 * v * (1.0 - v) / (1.0 - whole);

@@ -6,14 +6,13 @@
 #include "palpable/sculpt/distance_source.hpp"
 #include "palpable/sculpt/triangle_tree.hpp"
 
-#include <atomic>
-
 namespace palpable::sculpt {
 
 /// A solid's distance D near a surface, and an earlier field's E far from it, joined with a continuous
 /// gradient: E + phi(u) (D - E), u = |D| / (|D| + within - s), where s is the distance to the surface
 /// `around`. So the solid's own surface is where it is, wherever s < within; and under `around`, where s =
-/// |D|, u is the depth in parts of `within`. phi falls from 1 to 0 as a cubic, from u = `whole` on.
+/// |D|, u is the depth in parts of `within`. phi falls from 1 to 0 as a cubic, from u = `whole` on;
+/// where it does, the hint notes |D - E|.
 class BlendedSource final : public DistanceSource {
  public:
   /// As far as this in u the solid's own distance is told; 0 <= both < 1.
@@ -32,16 +31,12 @@ class BlendedSource final : public DistanceSource {
   void leave(Hint& hint) const override { source_.leave(hint); }
   Box bounds() const override { return source_.bounds(); }
 
-  /// The greatest |D - E| of all places asked for where phi is neither 0 nor 1.
-  double greatest_difference_m() const { return greatest_difference_m_; }
-
  private:
   const DistanceSource& source_;
   const models::DistanceField& earlier_;
   const TriangleTree& around_;
   double within_m_;
   Whole whole_;
-  mutable std::atomic<double> greatest_difference_m_{0.0};
 };
 
 }  // namespace palpable::sculpt

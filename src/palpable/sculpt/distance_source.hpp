@@ -36,6 +36,9 @@ class DistanceSource {
     /// How far the last answer may be beside what its surface stands for, metres and radians: between samples
     /// it is a guess. 0 where the surface is exact.
     double coarse_m = 0.0, coarse_turn = 0.0;
+    /// Of a source that goes over from one distance to another: the most that these differed by, of all
+    /// places on the way.
+    double greatest_difference_m = 0.0;
     /// What was found of the balls that were entered; the first `entered` count.
     std::vector<TriangleShortlist> balls;
     std::size_t entered = 0;

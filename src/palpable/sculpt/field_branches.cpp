@@ -66,6 +66,8 @@ class SharedSamples {
     source_.enter(origin_m_ - from_grid_m_ + centre_from_grid_m, radius_m, hint_);
   }
   void leave() { source_.leave(hint_); }
+  /// Since the lattice's begin.
+  double greatest_difference_m() const { return hint_.greatest_difference_m; }
   /// At any place from the lattice's first.
   FieldSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
 
@@ -125,6 +127,7 @@ class BranchBuilder {
     shared_.begin(grid_, place_of(corner), (2 << grid_.levels) + 1);
     branch.entry =
         build(corner, grid_.levels, earlier_ == nullptr ? kNone : earlier_->tree.roots[root], branch);
+    branch.greatest_difference_m = shared_.greatest_difference_m();
     return branch;
   }
 

@@ -23,6 +23,8 @@ struct Branch {
   std::uint32_t entry = 0;
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> words;
+  /// As the source's hint tells it (DistanceSource::Hint).
+  double greatest_difference_m = 0.0;
   /// Nothing changed in it: it stays as in the earlier tree, and the rest is empty.
   bool kept = false;
 };

@@ -19,15 +19,26 @@ using models::DistanceField;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
+struct Resampled {
+  DistanceField field;
+  /// As the source's hints tell it.
+  double greatest_difference_m = 0.0;
+};
+
 /// The tree's cells that `earlier` lets change, sampled from `source`.
-Result<DistanceField> resampled(const DistanceField& field, const DistanceSource& source,
-                                const Earlier& earlier, const FitBounds& bounds, const FieldOptions& options,
-                                const Work& work) {
+Result<Resampled> resampled(const DistanceField& field, const DistanceSource& source, const Earlier& earlier,
+                            const FitBounds& bounds, const FieldOptions& options, const Work& work) {
   const auto branches = branches_of(source, field.grid(), bounds, options, &earlier, work);
   if (!branches) return branches.error();
   Joiner joiner(&field.tree());
-  for (const Branch& branch : *branches) joiner.add(branch);
-  return DistanceField::from_tree(field.grid(), joiner.take(), field.errors());
+  double greatest_m = 0.0;
+  for (const Branch& branch : *branches) {
+    joiner.add(branch);
+    greatest_m = std::max(greatest_m, branch.greatest_difference_m);
+  }
+  auto updated = DistanceField::from_tree(field.grid(), joiner.take(), field.errors());
+  if (!updated) return updated.error();
+  return Resampled{*std::move(updated), greatest_m};
 }
 
 /// Where changed triangles, old and new, may be the nearest.
@@ -84,7 +95,7 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
     };
     auto updated = resampled(field, source, earlier, bounds, options, work);
     if (!updated) return updated.error();
-    return std::optional(*std::move(updated));
+    return std::optional(std::move(updated->field));
   }
   const TriangleTree around(change.around);
   const auto within = [&](Vec3 place_m, double radius_m) {
@@ -110,9 +121,9 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
       {inside_m / change.within_m, std::min(most_m, bounds.outside_m) / change.within_m});
   auto updated = resampled(field, blended, earlier, bounds, options, work);
   if (!updated) return updated.error();
-  if (blended.greatest_difference_m() > 0.5 * (change.within_m - inside_m))
+  if (updated->greatest_difference_m > 0.5 * (change.within_m - inside_m))
     return std::optional<DistanceField>();
-  return std::optional(*std::move(updated));
+  return std::optional(std::move(updated->field));
 }
 
 }  // namespace palpable::sculpt
