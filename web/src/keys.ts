@@ -82,7 +82,7 @@ export const keyRows: KeyRow[] = [
   { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.stance() },
   {
     shown: '1 to 9, 0',
-    does: 'Go on with the probe of that number (0 is the tenth); one that is not there is put down beside',
+    does: 'Go on with the probe of that number (0 is the tenth); one that is not there is put down where the last one is',
     keys: [...'1234567890'],
     act: (target, { key }) => target.choose((Number(key) + 9) % 10),
   },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
+#include "palpable/device/recording.hpp"
 #include "palpable/formats/scene_file.hpp"
 
 #include <chrono>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -95,6 +97,8 @@ TEST_F(HostOnATouch, FeelsWhereThePagePressesAndNothingWhereItLifts) {
 
 TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   EXPECT_EQ(host->hello().probes, 10);
+  const auto recorded = std::filesystem::path(::testing::TempDir()) / "palpable_host_test.rec";
+  ASSERT_TRUE(session->start_recording(recorded));
   host->move({0, 0.0, 0.0, 0.001});
   host->move({3, 0.005, 0.0, 0.002});
   host->move({9, -0.005, 0.0, -0.004});
@@ -115,6 +119,13 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   EXPECT_TRUE(comes_true([&] { return host->state().further == std::vector{9.0}; }));
   EXPECT_TRUE(host->state().contact);
   EXPECT_FALSE(host->next_notice()) << "nobody need hear that a finger was lifted";
+  ASSERT_TRUE(session->stop_recording());
+  const auto recording = device::read_recording(recorded);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  std::set<int> probes;
+  for (const auto& tick : recording->further) probes.insert(tick.probe);
+  EXPECT_EQ(probes, (std::set{3, 9}));
+  EXPECT_GE(recording->ticks.size(), recording->further.size() / 2);
 }
 
 TEST_F(HostOnATouch, ChangesSettingsAndSaysWhichChangeHolds) {
