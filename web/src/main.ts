@@ -196,7 +196,7 @@ class TouchPage implements KeyTarget {
   }
 
   private closed(sentence: string, final: boolean): void {
-    this.probes.forget();
+    this.actions.blank();
     this.readouts.blank();
     this.alert(sentence);
     this.readouts.status('fault', final ? 'Ended' : 'Not connected');

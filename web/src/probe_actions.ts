@@ -6,6 +6,7 @@ import type { Felt } from './felt';
 import type { FromPage } from './generated/protocol';
 import type { Probes } from './probes';
 import { ProbesPanel, type ProbesTarget } from './probes_panel';
+import { figuresEvery } from './readouts';
 import type { Surface } from './surface';
 
 export interface ProbesPage {
@@ -20,6 +21,7 @@ export interface ProbesPage {
 
 export class ProbeActions implements ProbesTarget {
   private readonly panel = new ProbesPanel(this);
+  private shownAt = -Infinity;
 
   constructor(
     private readonly probes: Probes,
@@ -64,9 +66,17 @@ export class ProbeActions implements ProbesTarget {
     this.page.say(`More than ${this.probes.hands.numbers.length} probes cannot touch at once.`, Importance.news);
   }
 
-  /** What the program has told of them. */
+  /** What the program has told of them: figures are for reading. */
   show(): void {
+    const now = performance.now();
+    if (now - this.shownAt < figuresEvery) return;
+    this.shownAt = now;
     this.panel.show(this.probes.felt);
+  }
+  /** Nothing is known any more. */
+  blank(): void {
+    this.probes.forget();
+    this.panel.show([]);
   }
   changed(): void {
     const { hands } = this.probes;

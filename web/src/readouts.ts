@@ -8,7 +8,7 @@ import type { State } from './generated/protocol';
 import { ForcePlot } from './plot';
 
 /** Figures and plot are for reading: ten and twenty times a second are enough, and leave the machine to the servo. */
-const figuresEvery = 100;
+export const figuresEvery = 100;
 const plotEvery = 50;
 
 export const millimetreFigure = (metres: number) => (metres * 1000).toFixed(1).replace(/^-0\.0$/, '0.0');
