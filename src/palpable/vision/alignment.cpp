@@ -144,10 +144,9 @@ FeatureMatch as_it_came(FeatureMatch m, const Way& way) {
 }
 
 double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_px) {
-  const auto on = std::count_if(matches.begin(), matches.end(), [tolerance_px](const FeatureMatch& m) {
-    return std::abs(m.left_y - m.right_y) <= tolerance_px;
-  });
-  return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(1, matches.size()));
+  const Straightening none;
+  return static_cast<double>(within(matches, none, tolerance_px).size()) /
+         static_cast<double>(std::max<std::size_t>(1, one_a_place(matches, none).size()));
 }
 
 /// Once features have made the pictures about straight, corners are tracked between them: features alone are
@@ -155,7 +154,7 @@ double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_
 Result<Evidence> evidence_from(const StereoPair& pair, const Eye& eye,
                                const std::vector<FeatureMatch>& features, TurnedCameras first,
                                const Work& work) {
-  constexpr int kRounds = 2;
+  constexpr int kRounds = 3;
   const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height);
   Evidence out{features, way_of(features, std::move(first), pair.left)};
   for (int round = 0; round < kRounds; ++round) {
@@ -166,7 +165,9 @@ Result<Evidence> evidence_from(const StereoPair& pair, const Eye& eye,
     out.share = share_on_rows(*tracked, 0.5 * tolerance_px);
     out.matches = features;
     for (const FeatureMatch& m : *tracked) out.matches.push_back(as_it_came(m, out.way));
-    out.way = way_of(out.matches, turns_to_scanlines(out.matches, eye, tolerance_px, work.seed), pair.left);
+    TurnedCameras turns = turns_to_scanlines(out.matches, eye, tolerance_px, work.seed);
+    out.matches = one_a_place(out.matches, turns.how);
+    out.way = way_of(out.matches, std::move(turns), pair.left);
     if (out.share > kNearlyAll) break;
   }
   return out;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include <opencv2/calib3d.hpp>
@@ -94,35 +95,77 @@ double rise_px(const Straightening& by, const FeatureMatch& m) {
          straightened(by, by.right, {m.right_x, m.right_y}).y;
 }
 
-/// For small turns y_left - y_right is linear in them: the row of their factors.
-cv::Vec<double, 5> factors_of(const FeatureMatch& m, const Eye& eye) {
+bool same_place(const FeatureMatch& a, const FeatureMatch& b) {
+  return a.left_x == b.left_x && a.left_y == b.left_y;
+}
+
+/// Calls `visit` once for every place of the left picture: with that of its matches whose rise is least, and
+/// the rise, in pixels.
+template <class Visit>
+void visit_places(const std::vector<FeatureMatch>& matches, const Straightening& by, const Visit& visit) {
+  for (auto first = matches.begin(); first != matches.end();) {
+    auto nearest = first;
+    double least_px = std::abs(rise_px(by, *first));
+    auto next = first + 1;
+    for (; next != matches.end() && same_place(*next, *first); ++next)
+      if (const double rise = std::abs(rise_px(by, *next)); rise < least_px) {
+        least_px = rise;
+        nearest = next;
+      }
+    visit(*nearest, least_px);
+    first = next;
+  }
+}
+
+/// How two pictures may differ, simplest first: the right one is moved up or down and turned in its plane;
+/// both cameras are turned; their lenses bend straight lines too.
+enum class Freedom { plane, space, lens };
+
+/// For small turns and a small bend y_left - y_right is linear in them: the row of their factors, in the
+/// order of Turns; the focal length has none.
+Turns factors_of(const FeatureMatch& m, const Eye& eye) {
   const double f = eye.focal_px, xl = m.left_x - eye.cx, yl = m.left_y - eye.cy, xr = m.right_x - eye.cx,
-               yr = m.right_y - eye.cy;
-  return {xl * yl / f, xl, f + yr * yr / f, -xr * yr / f, -xr};
+               yr = m.right_y - eye.cy, far_left = (xl * xl + yl * yl) / (eye.cx * eye.cx),
+               far_right = (xr * xr + yr * yr) / (eye.cx * eye.cx);
+  return {xl * yl / f, xl, f + yr * yr / f, -xr * yr / f, -xr, 0.0, far_right * yr - far_left * yl};
 }
 
 /// The smallest of the turns that bring these matches about to common scanlines.
-Turns small_turns(std::span<const FeatureMatch> matches, const Eye& eye) {
-  using Matrix = cv::Matx<double, 5, 5>;
+Turns small_turns(std::span<const FeatureMatch> matches, const Eye& eye, Freedom freedom) {
+  using Matrix = cv::Matx<double, kUnknowns, kUnknowns>;
   Matrix normal = Matrix::zeros();
-  for (int i = 0; i < 5; ++i) normal(i, i) = kWishes_px[i] * kWishes_px[i];
-  cv::Vec<double, 5> right;
+  for (int i = 0; i < kUnknowns; ++i) normal(i, i) = kWishes_px[i] * kWishes_px[i];
+  Turns right = Turns::all(0.0);
   for (const FeatureMatch& m : matches) {
-    const auto row = factors_of(m, eye);
+    Turns row = factors_of(m, eye);
+    if (freedom != Freedom::lens) row[kBend] = 0.0;
     normal += row * row.t();
     right -= (m.left_y - m.right_y) * row;
   }
-  const cv::Vec<double, 5> solved(normal.solve(right, cv::DECOMP_CHOLESKY));
-  Turns turns = Turns::all(0.0);
-  for (int i = 0; i < 5; ++i) turns[i] = solved[i];
-  return turns;
+  return normal.solve(right, cv::DECOMP_CHOLESKY);
 }
 
-/// Where the search begins: random samples of matches, the turns of which most others agree with. Half of
-/// them are of three matches, which turn the right camera alone.
-Turns first_turns(const std::vector<FeatureMatch>& matches, const Eye& eye, double tolerance_px,
-                  std::uint64_t seed) {
+/// How badly a turn explains the matches: squared rises, each place's at most the tolerance's.
+double truncated_squares(const std::vector<FeatureMatch>& matches, const Straightening& by,
+                         double tolerance_px) {
+  double sum = 0.0;
+  visit_places(matches, by, [&](const FeatureMatch&, double rise) {
+    sum += std::min(rise * rise, tolerance_px * tolerance_px);
+  });
+  return sum;
+}
+
+struct Start {
+  Turns turns;
+  double cost;
+};
+
+/// Where the search begins: of random samples of matches those whose turns explain the others best, best
+/// first. Half of the samples are of three matches, which turn the right camera alone.
+std::vector<Start> starts_of(const std::vector<FeatureMatch>& matches, const Eye& eye, Freedom freedom,
+                             double tolerance_px, std::uint64_t seed) {
   constexpr int kTrials = 1000;
+  constexpr std::size_t kStarts = 6;
   constexpr double kMostTurn = 0.35;
   // So many tell which turns most agree with.
   constexpr std::size_t kAsked = 400;
@@ -130,21 +173,27 @@ Turns first_turns(const std::vector<FeatureMatch>& matches, const Eye& eye, doub
   std::vector<FeatureMatch> asked = matches;
   std::shuffle(asked.begin(), asked.end(), random);
   asked.resize(std::min(asked.size(), kAsked));
-  Turns best = Turns::all(0.0);
+  std::sort(asked.begin(), asked.end(), [](const FeatureMatch& a, const FeatureMatch& b) {
+    return std::tie(a.left_x, a.left_y, a.right_x) < std::tie(b.left_x, b.left_y, b.right_x);
+  });
+  std::vector<Start> best;
+  const auto consider = [&](const Turns& turns) {
+    const double cost = truncated_squares(asked, straightening_of(turns, eye), tolerance_px);
+    if (best.size() == kStarts && cost >= best.back().cost) return;
+    const auto place =
+        std::upper_bound(best.begin(), best.end(), cost, [](double c, const Start& s) { return c < s.cost; });
+    best.insert(place, {turns, cost});
+    if (best.size() > kStarts) best.pop_back();
+  };
   // The first question is whether they are aligned as they are.
-  std::size_t most = within(asked, straightening_of(best, eye), tolerance_px).size();
-  std::array<FeatureMatch, 5> sample{};
+  consider(Turns::all(0.0));
+  // A match for each of the unknowns that it has.
+  const std::size_t large = freedom == Freedom::lens ? 6 : 5;
+  std::array<FeatureMatch, 6> sample{};
   for (int trial = 0; trial < kTrials; ++trial) {
     for (FeatureMatch& m : sample) m = matches[random() % matches.size()];
-    const Turns turns = small_turns(std::span(sample).first(trial % 2 == 0 ? 3 : 5), eye);
-    if (cv::norm(turns, cv::NORM_INF) > kMostTurn) continue;
-    const Straightening by = straightening_of(turns, eye);
-    const auto agree = static_cast<std::size_t>(std::count_if(
-        asked.begin(), asked.end(), [&](const auto& m) { return std::abs(rise_px(by, m)) <= tolerance_px; }));
-    if (agree > most) {
-      most = agree;
-      best = turns;
-    }
+    const Turns turns = small_turns(std::span(sample).first(trial % 2 == 0 ? 3 : large), eye, freedom);
+    if (cv::norm(turns, cv::NORM_INF) <= kMostTurn) consider(turns);
   }
   return best;
 }
@@ -163,10 +212,6 @@ Turns refined(const Turns& from, const std::vector<FeatureMatch>& matches, const
   return least_squares<kUnknowns>(residuals, from);
 }
 
-/// How two pictures may differ, simplest first: the right one is moved up or down and turned in its plane;
-/// both cameras are turned; their lenses bend straight lines too.
-enum class Freedom { plane, space, lens };
-
 TurnedCameras settled(const std::vector<FeatureMatch>& matches, Eye eye, Freedom freedom, double tolerance_px,
                       std::uint64_t seed) {
   constexpr std::size_t kLeast = 8;
@@ -179,16 +224,24 @@ TurnedCameras settled(const std::vector<FeatureMatch>& matches, Eye eye, Freedom
     for (const int other : {0, 1, 3, 5}) wishes_px[other] = kFixed;
   }
   // The first look allows for the lens and for turns that are not small.
-  Turns turns = first_turns(matches, eye, 2.0 * tolerance_px, seed);
   TurnedCameras out;
-  for (const double loosened : {2.5, 1.5, 1.0, 1.0}) {
-    out.matches = within(matches, straightening_of(turns, eye), loosened * tolerance_px);
-    if (out.matches.size() < kLeast) return {};
-    turns = refined(turns, out.matches, eye, wishes_px);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Start& start : starts_of(matches, eye, freedom, 2.0 * tolerance_px, seed)) {
+    Turns turns = start.turns;
+    std::vector<FeatureMatch> agreeing;
+    for (const double loosened : {2.5, 1.5, 1.0, 1.0}) {
+      agreeing = within(matches, straightening_of(turns, eye), loosened * tolerance_px);
+      if (agreeing.size() < kLeast) break;
+      turns = refined(turns, agreeing, eye, wishes_px);
+    }
+    const Straightening how = straightening_of(turns, eye);
+    const double cost = truncated_squares(matches, how, tolerance_px);
+    agreeing = within(matches, how, tolerance_px);
+    if (agreeing.size() < kLeast || cost >= least) continue;
+    least = cost;
+    out = {how, std::move(agreeing)};
   }
-  out.how = straightening_of(turns, eye);
-  out.matches = within(matches, out.how, tolerance_px);
-  return out.matches.size() < kLeast ? TurnedCameras{} : out;
+  return out;
 }
 
 /// Whether a simpler explanation is as good: nearly as many matches agree, nearly as well.
@@ -251,9 +304,14 @@ TurnedCameras rough_turns(const std::vector<FeatureMatch>& matches, const Eye& e
 std::vector<FeatureMatch> within(const std::vector<FeatureMatch>& matches, const Straightening& by,
                                  double tolerance_px) {
   std::vector<FeatureMatch> out;
-  for (const FeatureMatch& m : matches)
-    if (std::abs(rise_px(by, m)) <= tolerance_px) out.push_back(m);
+  visit_places(matches, by, [&](const FeatureMatch& m, double rise) {
+    if (rise <= tolerance_px) out.push_back(m);
+  });
   return out;
+}
+
+std::vector<FeatureMatch> one_a_place(const std::vector<FeatureMatch>& matches, const Straightening& by) {
+  return within(matches, by, std::numeric_limits<double>::infinity());
 }
 
 std::vector<FeatureMatch> moved(const std::vector<FeatureMatch>& matches, const Straightening& by) {

@@ -57,9 +57,13 @@ TurnedCameras turns_to_scanlines(const std::vector<FeatureMatch>& matches, const
 TurnedCameras rough_turns(const std::vector<FeatureMatch>& matches, const Eye& eye, double tolerance_px,
                           std::uint64_t seed);
 
-/// Those that share scanlines once straightened, within `tolerance_px`.
+/// Those that share scanlines once straightened, within `tolerance_px`. Matches of one place of the left
+/// picture that stand beside each other are alternatives: the one that comes nearest to its row counts.
 std::vector<FeatureMatch> within(const std::vector<FeatureMatch>& matches, const Straightening& by,
                                  double tolerance_px);
+
+/// Of alternatives, the one that comes nearest to its row.
+std::vector<FeatureMatch> one_a_place(const std::vector<FeatureMatch>& matches, const Straightening& by);
 
 /// The matches as the straightening moves them.
 std::vector<FeatureMatch> moved(const std::vector<FeatureMatch>& matches, const Straightening& by);

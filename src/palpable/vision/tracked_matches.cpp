@@ -98,11 +98,45 @@ Result<Rough> rough_disparity(const StereoPair& pair, const std::vector<FeatureM
   return out;
 }
 
+/// Where else on about the same row the right picture looks like the left one around `here`, as a pattern
+/// that repeats itself does: up to kMost places, best first, within kReach of the picture's width about
+/// `about`.
+std::vector<cv::Point2f> look_alikes(const cv::Mat& left, const cv::Mat& right, cv::Point2f here,
+                                     cv::Point2f about) {
+  constexpr int kHalf_px = 9, kRows_px = 4, kMost = 4;
+  constexpr double kReach = 0.2, kAlike = 0.75, kNearlyBest = 0.85;
+  const int reach = static_cast<int>(kReach * left.cols);
+  const cv::Point middle(cvRound(here.x), cvRound(here.y)), there(cvRound(about.x), cvRound(about.y));
+  const cv::Rect window(middle.x - kHalf_px, middle.y - kHalf_px, 2 * kHalf_px + 1, 2 * kHalf_px + 1);
+  const cv::Rect strip = cv::Rect(there.x - reach - kHalf_px, there.y - kRows_px - kHalf_px,
+                                  2 * (reach + kHalf_px) + 1, 2 * (kRows_px + kHalf_px) + 1) &
+                         cv::Rect({}, right.size());
+  if ((window & cv::Rect({}, left.size())) != window || strip.width < window.width ||
+      strip.height < window.height)
+    return {};
+  cv::Mat likeness;
+  cv::matchTemplate(right(strip), left(window), likeness, cv::TM_CCOEFF_NORMED);
+  std::vector<cv::Point2f> out;
+  double best = 0.0;
+  for (int i = 0; i <= kMost; ++i) {
+    double most = 0.0;
+    cv::Point at;
+    cv::minMaxLoc(likeness, nullptr, &most, nullptr, &at);
+    best = std::max(best, most);
+    if (most < kAlike || most < kNearlyBest * best) break;
+    out.emplace_back(static_cast<float>(strip.x + kHalf_px + at.x),
+                     static_cast<float>(strip.y + kHalf_px + at.y));
+    likeness(cv::Rect(at.x - kHalf_px, 0, 2 * kHalf_px + 1, likeness.rows) & cv::Rect({}, likeness.size())) =
+        cv::Scalar(-1.0);
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<std::vector<FeatureMatch>> tracked_matches(const StereoPair& nearly_aligned,
                                                   const std::vector<FeatureMatch>& known, const Work& work) {
-  constexpr double kLeadsBack_px = 0.3, kStays_px = 12.0;
+  constexpr double kLeadsBack_px = 0.3, kStays_px = 12.0, kApart_px = 8.0;
   std::vector<FeatureMatch> out;
   if (known.empty()) return out;
   const auto rough = rough_disparity(nearly_aligned, known, work);
@@ -116,6 +150,12 @@ Result<std::vector<FeatureMatch>> tracked_matches(const StereoPair& nearly_align
     if (!there) continue;
     here.push_back(p);
     about.emplace_back(*there, p.y);
+    const cv::Point2f first = about.back();
+    for (const cv::Point2f& other : look_alikes(left, right, p, first)) {
+      if (cv::norm(other - first) < kApart_px) continue;
+      here.push_back(p);
+      about.push_back(other);
+    }
   }
   if (here.empty()) return out;
   std::vector<std::uint8_t> forth, back;
