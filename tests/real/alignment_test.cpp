@@ -62,10 +62,10 @@ double corner_rms_px(const StereoPair& pair) {
 }
 
 TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
-  // A board repeats itself: features find nothing on it, tracked corners do. Of the eleven pairs whose board
-  // is whole in both pictures ten reach 0.32 pixels; one does not (docs/measurements.md). Of pair 5 a chance
-  // turn explains more features than the true one.
-  for (const int i : {1, 5, 9, 14}) {
+  // A board repeats itself: features find nothing on it, tracked corners do. Pair 12 shows its board a
+  // period aside to whoever takes the first likeness. Of pair 5 a chance turn explains more features than the
+  // true one.
+  for (const int i : {1, 5, 12, 14}) {
     const auto aligned = align_uncalibrated(chessboard(i), {});
     ASSERT_TRUE(aligned);
     EXPECT_GT(aligned->residual_before_px, 8.0) << i;

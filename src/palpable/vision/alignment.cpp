@@ -154,7 +154,7 @@ double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_
 Result<Evidence> evidence_from(const StereoPair& pair, const Eye& eye,
                                const std::vector<FeatureMatch>& features, TurnedCameras first,
                                const Work& work) {
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 2;
   const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height);
   Evidence out{features, way_of(features, std::move(first), pair.left)};
   for (int round = 0; round < kRounds; ++round) {

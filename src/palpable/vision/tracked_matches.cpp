@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/tracked_matches.hpp"
 
+#include "palpable/core/quantile.hpp"
 #include "palpable/vision/opencv_image.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -69,19 +69,18 @@ struct Rough {
   }
 };
 
-/// Searched well beyond the known matches: nearer things may have none.
+/// Searched well beyond the known matches, the outermost few of which may be wrong: nearer things may have
+/// none.
 Result<Rough> rough_disparity(const StereoPair& pair, const std::vector<FeatureMatch>& known,
                               const Work& work) {
   constexpr int kLongest_px = 400;
-  constexpr double kBehind = 0.25, kBefore = 0.12, kMargin_px = 4.0;
+  constexpr double kBehind = 0.25, kBefore = 0.12, kMargin_px = 4.0, kFew = 0.05;
   Rough out;
   out.factor = factor_for(pair, kLongest_px);
   StereoPair small{shrunk_by(pair.left, out.factor), shrunk_by(pair.right, out.factor), {}};
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (const FeatureMatch& m : known) {
-    least = std::min(least, (m.left_x - m.right_x) / out.factor);
-    most = std::max(most, (m.left_x - m.right_x) / out.factor);
-  }
+  std::vector<double> disparities_px;
+  for (const FeatureMatch& m : known) disparities_px.push_back((m.left_x - m.right_x) / out.factor);
+  const double least = quantile_of(disparities_px, kFew), most = quantile_of(disparities_px, 1.0 - kFew);
   const double span = most - least;
   const int shift = static_cast<int>(std::floor(least - kBehind * span - kMargin_px));
   const int range =
