@@ -24,6 +24,8 @@ namespace {
 constexpr int kAloneRounds = 3;
 constexpr int kTogetherRounds = 3;
 constexpr int kLastRounds = 2;
+/// From this round on each view is told the other's planes: before, they are mostly noise.
+constexpr int kFirstAcross = 2;
 /// Of the regions of like colour, finer than what merge_regions() is used for elsewhere: a region should lie
 /// on one surface, or on two.
 constexpr double kRegionComplexity = 128.0;
@@ -114,7 +116,11 @@ Result<MatchOutput> match_best(const MatchInput& input, const StereoOptions&, co
   PlaneCandidates candidates(w, h);
   int round = 0;
   const auto search = [&](View& view, const OtherView& other, const Raster<float>& trust) {
-    propose_planes(view.picture.colour, view.map, view.start, trust, view.regions, round, candidates, work);
+    PlaneMap across;
+    if (round >= kFirstAcross) across = planes_across(&view == &left ? right.map : left.map, work);
+    const PlaneMap* told = round >= kFirstAcross ? &across : nullptr;
+    propose_planes(view.picture.colour, {view.map, view.start, trust, view.regions, told}, round, candidates,
+                   work);
     plane_costs(view.costs, other, candidates, work);
     choose_planes(view.picture.colour, candidates, view.map, work);
   };

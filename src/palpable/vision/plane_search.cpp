@@ -278,26 +278,25 @@ PlaneCandidates::PlaneCandidates(int width_, int height_) : width(width_), heigh
   for (auto* values : {&disparity, &slope_x, &slope_y, &cost, &path_sum[0], &path_sum[1]}) values->resize(n);
 }
 
-void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const PlaneMap& start,
-                    const Raster<float>& trust, const Regions& regions, int round, PlaneCandidates& out,
+void propose_planes(const ColourPlanes& colour, const KnownPlanes& known, int round, PlaneCandidates& out,
                     const Work& work) {
   // Far neighbours by turns nearer and further, so that a plane crosses large untextured areas in few rounds.
   constexpr std::array kReach_px{2, 6, 14, 4, 20, 9, 3, 30};
   const int reach = kReach_px[static_cast<std::size_t>(round) % kReach_px.size()];
   const float change = std::max(0.06F, 0.5F * std::pow(0.6F, static_cast<float>(round)));
-  const PlaneMap fine = fit_planes(colour, map, trust, {3, 1}, work);
-  const PlaneMap broad = fit_planes(colour, map, trust, {12, 3}, work);
-  const RegionPlanes of_region = planes_of_regions(regions, fine, trust, work);
+  const PlaneMap fine = fit_planes(colour, known.now, known.trust, {3, 1}, work);
+  const PlaneMap broad = fit_planes(colour, known.now, known.trust, {12, 3}, work);
+  const RegionPlanes of_region = planes_of_regions(known.regions, fine, known.trust, work);
   parallel_for(work, out.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < out.width; ++x) {
         Draws draws(static_cast<std::uint32_t>(y * out.width + x) * 64U + static_cast<std::uint32_t>(round) +
                     static_cast<std::uint32_t>(work.seed) * 0x85ebca6bU);
         Writer candidates(out, x, y);
-        candidates.add_from(map, x, y);
+        candidates.add_from(known.now, x, y);
         candidates.add_from(fine, x, y);
         candidates.add_from(broad, x, y);
-        candidates.add_from(start, x, y);
+        candidates.add_from(known.start, x, y);
         const int near = draws.up_to(3);
         const int far = draws.up_to(reach);
         for (const auto& [from, away] : {std::pair{&fine, near}, std::pair{&broad, far}}) {
@@ -306,15 +305,19 @@ void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const Plane
           candidates.add_from(*from, x, y - away);
           candidates.add_from(*from, x, y + away);
         }
-        for (const RegionPlane& plane : of_region[static_cast<std::size_t>(regions.of_pixel(x, y))])
+        for (const RegionPlane& plane : of_region[static_cast<std::size_t>(known.regions.of_pixel(x, y))])
           candidates.add(plane.at(x, y), plane.slope_x, plane.slope_y);
         const float shift = draws.unit();
         candidates.add(fine.disparity(x, y) + shift * change, fine.slope_x(x, y), fine.slope_y(x, y));
+        if (known.across != nullptr && std::isfinite(known.across->disparity(x, y))) {
+          candidates.add_from(*known.across, x, y);
+          continue;
+        }
         const float shift_2 = 0.5F * draws.unit();
         const float turn_x = 0.2F * draws.unit();
         const float turn_y = 0.2F * draws.unit();
-        candidates.add(map.disparity(x, y) + shift_2 * change, map.slope_x(x, y) + turn_x * change,
-                       map.slope_y(x, y) + turn_y * change);
+        candidates.add(known.now.disparity(x, y) + shift_2 * change,
+                       known.now.slope_x(x, y) + turn_x * change, known.now.slope_y(x, y) + turn_y * change);
       }
   });
 }

@@ -12,10 +12,10 @@
 namespace palpable::vision {
 
 /// A semi-global search over slanted planes: each pixel has a handful of candidate planes, drawn from its own
-/// plane, planes fitted around it, its neighbours', its region's and small changes; eight path sweeps
-/// (Hirschmueller 2008) carry a smoothness that costs nothing along a plane: |f_p(q) - f_q(q)| + |f_p(p) -
-/// f_q(p)| (the curvature of Olsson, Ulen & Boykov 2013), truncated, and weaker across colour edges. The
-/// cheapest candidate becomes the pixel's plane, and the next round draws anew from there.
+/// plane, planes fitted around it, its neighbours', its region's, the other view's and small changes; eight
+/// path sweeps (Hirschmueller 2008) carry a smoothness that costs nothing along a plane: |f_p(q) - f_q(q)| +
+/// |f_p(p) - f_q(p)| (the curvature of Olsson, Ulen & Boykov 2013), truncated, and weaker across colour
+/// edges. The cheapest candidate becomes the pixel's plane, and the next round draws anew from there.
 struct PlaneCandidates {
   static constexpr int kCount = 16;
   int width = 0;
@@ -49,9 +49,21 @@ inline constexpr float kHiddenCost = 1.2F;
 /// rising.
 float matching_cost_at(const CostVolume& volume, int x, int y, float disparity);
 
-/// Fills the candidates' planes for round `round` (0, 1, …) of the search. `regions`: of like colour.
-void propose_planes(const ColourPlanes& colour, const PlaneMap& map, const PlaneMap& start,
-                    const Raster<float>& trust, const Regions& regions, int round, PlaneCandidates& out,
+/// What candidates are drawn from.
+struct KnownPlanes {
+  const PlaneMap& now;
+  /// The first match.
+  const PlaneMap& start;
+  /// How much each pixel's plane counts for its neighbours, 0…1.
+  const Raster<float>& trust;
+  /// Of like colour.
+  const Regions& regions;
+  /// The other view's planes as seen from here (planes_across); none if null.
+  const PlaneMap* across = nullptr;
+};
+
+/// Fills the candidates' planes for round `round` (0, 1, …) of the search.
+void propose_planes(const ColourPlanes& colour, const KnownPlanes& known, int round, PlaneCandidates& out,
                     const Work& work);
 
 /// Sets the candidates' own costs from the volume, between its disparities by a cubic. With another view, a

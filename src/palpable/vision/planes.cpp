@@ -5,6 +5,7 @@
 #include "palpable/core/vectorize.hpp"
 #include "palpable/vision/surface_window.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -72,6 +73,28 @@ void solve(const Sums& sums, const PlaneMap& map, int y, PlaneMap& out) {
 }
 
 }  // namespace
+
+PlaneMap planes_across(const PlaneMap& map, const Work& work) {
+  const int w = map.disparity.width();
+  PlaneMap out(w, map.disparity.height());
+  std::fill(out.disparity.values().begin(), out.disparity.values().end(), NAN);
+  parallel_for(work, map.disparity.height(), 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < w; ++x) {
+        const float d = map.disparity(x, y);
+        const float place = static_cast<float>(w - 1 - x) + d;
+        const int there = static_cast<int>(std::floor(place + 0.5F));
+        if (there < 0 || there >= w || out.disparity(there, y) > d) continue;
+        // d as a function of its place: by d' / (1 - d') and mirrored along a row.
+        const float stretch = 1.0F / (1.0F - std::min(map.slope_x(x, y), kSteepestRise));
+        const float sx = std::clamp(-map.slope_x(x, y) * stretch, -kSteepest, kSteepestRise);
+        out.slope_x(there, y) = sx;
+        out.slope_y(there, y) = std::clamp(map.slope_y(x, y) * stretch, -kSteepest, kSteepest);
+        out.disparity(there, y) = d + sx * (static_cast<float>(there) - place);
+      }
+  });
+  return out;
+}
 
 PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
                     FitWindow window, const Work& work) {

@@ -27,6 +27,11 @@ struct FitWindow {
   float like_colour = 12.0F;
 };
 
+/// The planes of one view of a pair as the other sees them: each moved to the pixel where it matches, its
+/// slopes those over the other picture, the nearest where several fall; NaN where none does. Views are kept
+/// as matching wants them, each the other's mirror image: (x, y) here matches (width - 1 - x + d, y) there.
+PlaneMap planes_across(const PlaneMap& map, const Work& work);
+
 /// Fits a plane at each pixel to the disparities around it, each weighted by how alike its colour is, how
 /// little it departs from the plane that the pixel has now (none beyond about a pixel), and by `weight`, 0…1.
 /// Where too little supports it the plane stays as it is.

@@ -130,6 +130,46 @@ TEST(FittedPlanes, DoNotLeanOnWhatIsNotTrusted) {
   EXPECT_NEAR(fitted.slope_x(43, 20), 0.0, 1e-4);
 }
 
+TEST(Planes, OfOneViewAreThoseThatTheOtherSees) {
+  // In the left picture d = 6 + 0.1 x + 0.05 y; in the right one, from x - d = 0.9 x - 6 - 0.05 y, with
+  // v = x - d: d = (6 + 0.1 v + 0.05 y) / 0.9. The right one is kept mirrored.
+  PlaneMap left(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      left.disparity(x, y) = 6.0F + 0.1F * static_cast<float>(x) + 0.05F * static_cast<float>(y);
+      left.slope_x(x, y) = 0.1F;
+      left.slope_y(x, y) = 0.05F;
+    }
+  const PlaneMap right = planes_across(left, {});
+  const PlaneMap again = planes_across(right, {});
+  int seen = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const float d = right.disparity(x, y);
+      if (std::isnan(d)) continue;
+      ++seen;
+      const auto v = static_cast<float>(kWidth - 1 - x);
+      EXPECT_NEAR(d, (6.0F + 0.1F * v + 0.05F * static_cast<float>(y)) / 0.9F, 1e-4);
+      EXPECT_NEAR(right.slope_x(x, y), -0.1 / 0.9, 1e-5);
+      EXPECT_NEAR(right.slope_y(x, y), 0.05 / 0.9, 1e-5);
+      if (std::isnan(again.disparity(x, y))) continue;
+      EXPECT_NEAR(again.disparity(x, y), left.disparity(x, y), 1e-4);
+    }
+  EXPECT_GT(seen, kWidth * kHeight * 3 / 4);
+}
+
+TEST(Planes, AcrossAreTheNearestWhereSeveralFall) {
+  // A post at 10 px before a wall at 4 px hides six of the wall's columns.
+  PlaneMap left(kWidth, kHeight);
+  left.disparity = Raster<float>(kWidth, kHeight, 4.0F);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 40; x < 50; ++x) left.disparity(x, y) = 10.0F;
+  const PlaneMap right = planes_across(left, {});
+  for (int x = 30; x < 40; ++x) EXPECT_EQ(right.disparity(kWidth - 1 - x, 20), 10.0F);
+  EXPECT_EQ(right.disparity(kWidth - 1 - 29, 20), 4.0F);
+  EXPECT_TRUE(std::isnan(right.disparity(kWidth - 1 - 45, 20)));
+}
+
 TEST(PlaneSearch, FindsASlantFromAFlatStart) {
   // A cost that is least on a plane, and whole-pixel steps to begin with.
   CostVolume costs(kWidth, kHeight, 20);
@@ -151,7 +191,7 @@ TEST(PlaneSearch, FindsASlantFromAFlatStart) {
   PlaneCandidates candidates(kWidth, kHeight);
   PlaneMap map = start;
   for (int round = 0; round < 4; ++round) {
-    propose_planes(colour, map, start, all, whole, round, candidates, {});
+    propose_planes(colour, {map, start, all, whole}, round, candidates, {});
     plane_costs(costs, {}, candidates, {});
     choose_planes(colour, candidates, map, {});
   }
