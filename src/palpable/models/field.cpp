@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/field.hpp"
 
+#include "palpable/core/work.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -50,10 +52,14 @@ Result<SolidField<Distance>> seen_from_above(Distance distance, Vec3 least_m, Ve
     return std::clamp(static_cast<int>(std::ceil(2.0 * half / pixel_m)), 2, 4096);
   };
   Raster<float> heights(count(half_x), count(half_y));
-  for (int j = 0; j < heights.height(); ++j)
-    for (int i = 0; i < heights.width(); ++i)
-      heights(i, j) = static_cast<float>(height_m(distance, (i - 0.5 * (heights.width() - 1)) * pixel_m,
-                                                  -(j - 0.5 * (heights.height() - 1)) * pixel_m, least_m.z));
+  constexpr int kRows = 8;
+  parallel_for({}, heights.height(), kRows, [&](int begin, int end) {
+    for (int j = begin; j < end; ++j)
+      for (int i = 0; i < heights.width(); ++i)
+        heights(i, j) =
+            static_cast<float>(height_m(distance, (i - 0.5 * (heights.width() - 1)) * pixel_m,
+                                        -(j - 0.5 * (heights.height() - 1)) * pixel_m, least_m.z));
+  });
   auto relief = Relief::from_samples(std::move(heights), pixel_m);
   if (!relief) return std::move(relief).error();
   return SolidField<Distance>{

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/dual_contour.hpp"
 
+#include "palpable/sculpt/key_map.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -35,8 +35,7 @@ struct Sheets {
   std::uint8_t count = 0;
 };
 
-/// `mask`: the corners inside.
-Sheets sheets_of(unsigned mask) {
+Sheets found_sheets(unsigned mask) {
   const auto inside = [&](unsigned k) { return (mask >> k & 1U) != 0; };
   std::array<std::uint8_t, 12> sheet{};
   for (std::uint8_t e = 0; e < 12; ++e) sheet[e] = e;
@@ -78,6 +77,16 @@ Sheets sheets_of(unsigned mask) {
   return sheets;
 }
 
+/// `mask`: the corners inside.
+const Sheets& sheets_of(unsigned mask) {
+  static const std::array<Sheets, 256> kAll = [] {
+    std::array<Sheets, 256> all;
+    for (unsigned m = 0; m < all.size(); ++m) all[m] = found_sheets(m);
+    return all;
+  }();
+  return kAll[mask];
+}
+
 /// Where an edge of the cubes crosses the surface.
 struct Crossing {
   Cell from;
@@ -113,23 +122,24 @@ class Contourer {
       for (const Cell cell : wave) spread(cell, next);
       wave = std::move(next);
     }
-    std::sort(active_.begin(), active_.end());
+    std::sort(active_.begin(), active_.end(), [](const Cube& a, const Cube& b) { return a.cell < b.cell; });
   }
 
   Mesh mesh() {
     find_crossings();
     std::vector<std::uint32_t> first(active_.size() + 1, 0);
     for (std::size_t i = 0; i < active_.size(); ++i)
-      first[i + 1] = first[i] + sheets_of(mask_of(active_[i])).count;
+      first[i + 1] = first[i] + sheets_of(active_[i].mask).count;
     Mesh mesh;
     mesh.vertices_m.resize(first.back());
-    cube_of_.reserve(active_.size());
-    for (std::uint32_t i = 0; i < active_.size(); ++i) cube_of_.emplace(key(active_[i]), first[i]);
+    cube_of_ = KeyMap<Vertices>(active_.size());
+    for (std::uint32_t i = 0; i < active_.size(); ++i)
+      cube_of_.put(key(active_[i].cell), {first[i], active_[i].mask});
     parallel_for(work_, static_cast<int>(active_.size()), 1024, [&](int begin, int end) {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-        const Sheets sheets = sheets_of(mask_of(active_[i]));
+        const Sheets& sheets = sheets_of(active_[i].mask);
         for (std::uint8_t sheet = 0; sheet < sheets.count; ++sheet)
-          mesh.vertices_m[first[i] + sheet] = vertex(active_[i], sheets, sheet);
+          mesh.vertices_m[first[i] + sheet] = vertex(active_[i].cell, sheets, sheet);
       }
     });
     for (const Crossing& crossing : crossings_) add_quad(crossing, mesh);
@@ -151,13 +161,13 @@ class Contourer {
     return c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] < count_[0] && c[1] < count_[1] && c[2] < count_[2];
   }
   void visit(Cell cell, std::vector<Cell>& wave) {
-    if (within(cell) && visited_.insert(key(cell)).second) wave.push_back(cell);
+    if (within(cell) && visited_.put(key(cell), {}).second) wave.push_back(cell);
   }
-  bool inside(Cell corner) const { return values_.at(key(corner)) < 0.0; }
+  double value_at(Cell corner) const { return *values_.find(key(corner)); }
 
   unsigned mask_of(Cell cell) const {
     unsigned mask = 0;
-    for (unsigned k = 0; k < 8; ++k) mask |= inside(corner_of(cell, k)) ? 1U << k : 0U;
+    for (unsigned k = 0; k < 8; ++k) mask |= value_at(corner_of(cell, k)) < 0.0 ? 1U << k : 0U;
     return mask;
   }
 
@@ -166,14 +176,14 @@ class Contourer {
     for (const Cell cell : wave)
       for (unsigned k = 0; k < 8; ++k) {
         const Cell corner = corner_of(cell, k);
-        if (values_.try_emplace(key(corner), 0.0).second) unknown.push_back(corner);
+        if (values_.put(key(corner), 0.0).second) unknown.push_back(corner);
       }
     std::vector<double> values(unknown.size());
     parallel_for(work_, static_cast<int>(unknown.size()), 256, [&](int begin, int end) {
       for (int i = begin; i < end && !work_.cancelled(); ++i)
         values[static_cast<std::size_t>(i)] = solid_(place(unknown[static_cast<std::size_t>(i)])).distance_m;
     });
-    for (std::size_t i = 0; i < unknown.size(); ++i) values_[key(unknown[i])] = values[i];
+    for (std::size_t i = 0; i < unknown.size(); ++i) *values_.put(key(unknown[i]), 0.0).first = values[i];
   }
 
   /// If the surface passes the cube, it is noted, and the neighbours across faces that the surface passes
@@ -181,7 +191,7 @@ class Contourer {
   void spread(Cell cell, std::vector<Cell>& next) {
     const unsigned mask = mask_of(cell);
     if (mask == 0 || mask == 255U) return;
-    active_.push_back(cell);
+    active_.push_back({cell, static_cast<std::uint8_t>(mask)});
     // The corners of a cube with x = 0, y = 0, z = 0.
     constexpr std::array<unsigned, 3> kLow{0x55U, 0x33U, 0x0FU};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -195,16 +205,16 @@ class Contourer {
   }
 
   void find_crossings() {
-    for (const Cell cell : active_)
+    crossing_of_ = KeyMap<std::uint32_t>(2 * active_.size());
+    for (const auto& [cell, mask] : active_)
       for (unsigned axis = 0; axis < 3; ++axis)
         for (unsigned k = 0; k < 8; ++k) {
           if ((k >> axis & 1U) != 0) continue;
-          const Cell from = corner_of(cell, k), to = corner_of(cell, k | 1U << axis);
-          if (inside(from) == inside(to)) continue;
-          if (!crossing_of_.try_emplace(edge_key(from, axis), static_cast<std::uint32_t>(crossings_.size()))
-                   .second)
-            continue;
-          crossings_.push_back({from, static_cast<std::uint8_t>(axis), inside(from), {}, {}});
+          const bool outwards = (mask >> k & 1U) != 0;
+          if (outwards == ((mask >> (k | 1U << axis) & 1U) != 0)) continue;
+          const Cell from = corner_of(cell, k);
+          if (crossing_of_.put(edge_key(from, axis), static_cast<std::uint32_t>(crossings_.size())).second)
+            crossings_.push_back({from, static_cast<std::uint8_t>(axis), outwards, {}, {}});
         }
     parallel_for(work_, static_cast<int>(crossings_.size()), 256, [&](int begin, int end) {
       for (int i = begin; i < end && !work_.cancelled(); ++i) find(crossings_[static_cast<std::size_t>(i)]);
@@ -217,7 +227,7 @@ class Contourer {
     ++to[crossing.axis];
     const Vec3 a = place(crossing.from), way = place(to) - a;
     double low = 0.0, high = 1.0;
-    double at_low = values_.at(key(crossing.from)), at_high = values_.at(key(to));
+    double at_low = value_at(crossing.from), at_high = value_at(to);
     models::FieldSample sample;
     constexpr int kSteps = 4;
     for (int step = 0; step < kSteps; ++step) {
@@ -243,10 +253,10 @@ class Contourer {
     for (unsigned axis = 0; axis < 3; ++axis)
       for (unsigned k = 0; k < 8; ++k) {
         if ((k >> axis & 1U) != 0) continue;
-        const auto at = crossing_of_.find(edge_key(corner_of(cell, k), axis));
-        if (at == crossing_of_.end() || sheets.of_edge[edge_number(axis, k)] != sheet) continue;
-        found[count++] = &crossings_[at->second];
-        middle += crossings_[at->second].place_m;
+        const std::uint32_t* at = crossing_of_.find(edge_key(corner_of(cell, k), axis));
+        if (at == nullptr || sheets.of_edge[edge_number(axis, k)] != sheet) continue;
+        found[count++] = &crossings_[*at];
+        middle += crossings_[*at].place_m;
       }
     middle = middle / static_cast<double>(count);
     constexpr double kTowardsMiddle = 0.02;
@@ -279,10 +289,10 @@ class Contourer {
       Cell cell = crossing.from;
       cell[u] += kRound[k][0];
       cell[v] += kRound[k][1];
-      const auto at = within(cell) ? cube_of_.find(key(cell)) : cube_of_.end();
-      if (at == cube_of_.end()) return;
+      const Vertices* at = within(cell) ? cube_of_.find(key(cell)) : nullptr;
+      if (at == nullptr) return;
       const unsigned corner = (kRound[k][0] < 0 ? 1U << u : 0U) | (kRound[k][1] < 0 ? 1U << v : 0U);
-      ring[k] = at->second + sheets_of(mask_of(cell)).of_edge[edge_number(crossing.axis, corner)];
+      ring[k] = at->first + sheets_of(at->mask).of_edge[edge_number(crossing.axis, corner)];
     }
     if (!crossing.outwards) std::swap(ring[1], ring[3]);
     // The shorter diagonal.
@@ -301,13 +311,22 @@ class Contourer {
   Vec3 origin_m_;
   double spacing_m_;
   std::array<int, 3> count_{};
-  std::unordered_map<std::uint64_t, double> values_;
-  std::unordered_set<std::uint64_t> visited_;
-  std::vector<Cell> active_;
+  KeyMap<double> values_;
+  struct Nothing {};
+  KeyMap<Nothing> visited_;
+  /// A cube that the surface passes, and its corners inside.
+  struct Cube {
+    Cell cell;
+    std::uint8_t mask = 0;
+  };
+  std::vector<Cube> active_;
   std::vector<Crossing> crossings_;
-  std::unordered_map<std::uint64_t, std::uint32_t> crossing_of_;
-  /// The first vertex of each cube that the surface passes.
-  std::unordered_map<std::uint64_t, std::uint32_t> cube_of_;
+  KeyMap<std::uint32_t> crossing_of_;
+  struct Vertices {
+    std::uint32_t first = 0;
+    std::uint8_t mask = 0;
+  };
+  KeyMap<Vertices> cube_of_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace palpable::sculpt {
 /// What sources made of triangles keep in their hints.
 inline void enter_ball(const TriangleTree& tree, Vec3 centre_m, double radius_m, DistanceSource::Hint& hint) {
   // A shorter list would cost more than the places of the smaller ball save by it.
-  constexpr std::size_t kShort = 48;
+  constexpr std::size_t kShort = 12;
   if (hint.entered > 0) {
     TriangleShortlist& last = hint.balls[hint.entered - 1];
     if (!last.is_whole && last.fours.size() <= kShort) {

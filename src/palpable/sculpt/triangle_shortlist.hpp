@@ -21,7 +21,7 @@ struct TriangleShortlist {
     /// They and all after them are at least this far from the centre.
     double from_m = 0.0;
   };
-  static constexpr std::size_t kMost = 512;
+  static constexpr std::size_t kMost = 256;
 
   Vec3 centre_m;
   std::vector<Four> fours;
