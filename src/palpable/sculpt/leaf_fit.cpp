@@ -10,6 +10,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace palpable::sculpt {
 namespace {
@@ -232,6 +234,7 @@ class Search {
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
     if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
     if (!judge_.is_finest()) return best_;
+    if (closest_m_ > kAstray * bounds_.cell_m) try_all_planes();
     const double astray_m = std::max(kAstray * bounds_.cell_m, closest_m_);
     return judge_.greatest_m(best_, kNoLimit) > astray_m ? closest_ : best_;
   }
@@ -260,6 +263,46 @@ class Search {
     leaf.error = std::max(leaf.error, 1.0 + 1e-9);
     closest_ = leaf;
   }
+  /// Where many faces meet, those whose directions differ most need not be the ones that are felt: of all
+  /// planes that the samples lie in, the most frequent ones, each two and each three of them; and one smooth
+  /// piece through everything.
+  void try_all_planes() {
+    keep_closest(leaf_of(std::array{quadratic(quadratic_through(samples_))}, {}));
+    std::vector<std::pair<int, Piece>> planes;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const Piece piece = plane(k);
+      const auto known = std::find_if(planes.begin(), planes.end(),
+                                      [&](const auto& p) { return p.second.words == piece.words; });
+      if (known == planes.end())
+        planes.emplace_back(1, piece);
+      else
+        ++known->first;
+    }
+    std::stable_sort(planes.begin(), planes.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    constexpr std::size_t kMost = 8;
+    const std::size_t count = std::min(kMost, planes.size());
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j) {
+        try_closest_pair(planes[i].second, planes[j].second);
+        for (std::size_t k = j + 1; k < count; ++k)
+          try_closest_corner({planes[i].second, planes[j].second, planes[k].second});
+      }
+  }
+  void try_closest_pair(const Piece& a, const Piece& b) {
+    if (!meet_well(models::half_angle_between(a.normal, b.normal))) return;
+    for (const Meeting m : {Meeting::convex, Meeting::concave})
+      keep_closest(leaf_of(std::array{a, b}, std::array{m}));
+  }
+  void try_closest_corner(const std::array<Piece, 3>& p) {
+    for (const auto& order : kOrders) {
+      const std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
+      if (!corner_meets_well(pieces)) continue;
+      for (const Meeting m : {Meeting::convex, Meeting::concave})
+        for (const Meeting n : {Meeting::convex, Meeting::concave})
+          keep_closest(leaf_of(pieces, std::array{m, n}));
+    }
+  }
   /// Which of the two comes first is no matter: one order makes equal leaves of equal pieces.
   bool try_pair(Piece a, Piece b) {
     const HalfAngle half = models::half_angle_between(a.normal, b.normal);
@@ -285,16 +328,18 @@ class Search {
     const Piece b = quadratic(quadratic_through(samples_, by_b));
     return try_pair(a, b);
   }
+  /// Which two of three meet first.
+  static constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
+  static bool corner_meets_well(const std::array<Piece, 3>& p) {
+    return meet_well(models::half_angle_between(p[0].normal, p[1].normal)) &&
+           meet_well(models::half_angle_between(p[0].normal + p[1].normal, p[2].normal));
+  }
   bool try_corner() {
     const std::array<Piece, 3> p{plane(ends_.a), plane(ends_.b), plane(ends_.c)};
-    constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
     for (const auto& order : kOrders) {
       std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
       if (pieces[1].words < pieces[0].words) std::swap(pieces[0], pieces[1]);
-      const HalfAngle first = models::half_angle_between(pieces[0].normal, pieces[1].normal);
-      const HalfAngle second =
-          models::half_angle_between(pieces[0].normal + pieces[1].normal, pieces[2].normal);
-      if (!meet_well(first) || !meet_well(second)) continue;
+      if (!corner_meets_well(pieces)) continue;
       for (const Meeting m : {Meeting::convex, Meeting::concave})
         for (const Meeting n : {Meeting::convex, Meeting::concave})
           if (try_leaf(leaf_of(pieces, std::array{m, n}))) return true;
