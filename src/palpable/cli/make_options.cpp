@@ -52,6 +52,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
   options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
   std::vector<std::string> details;
+  details.reserve(std::size(sculpt::kDetailOperators) + 1);
   for (const auto detail : sculpt::kDetailOperators) details.emplace_back(sculpt::name_of(detail));
   details.emplace_back(kCompareDetails);
   options.choice("--detail", arguments.detail, details,

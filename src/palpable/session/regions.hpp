@@ -33,6 +33,6 @@ DisparityMap with_regions_treated(const DisparityMap& disparity, const SeenPictu
 /// Likewise for depth that was not matched, which is looked at as a pair of cameras would see it. As it was
 /// where neither is found; a flattened ground leaves heights above it, which are no depths any more.
 void treat_regions(sources::DepthPicture& read, const MakeOptions& options, const Work& work,
-                   models::Scene& scene);
+                   models::Scene& regions);
 
 }  // namespace palpable::session

@@ -132,6 +132,7 @@ std::optional<Background> find_background(const Raster<Rgb8>& left, const Raster
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](std::size_t a, std::size_t b) { return regions.pixels[a] > regions.pixels[b]; });
   std::vector<double> sizes;
+  sizes.reserve(candidates.size());
   for (const std::size_t r : candidates) sizes.push_back(static_cast<double>(regions.pixels[r]));
   candidates.resize(number_to_remove(sizes, out.regions));
   out.removed = static_cast<int>(candidates.size());

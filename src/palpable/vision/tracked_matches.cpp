@@ -79,6 +79,7 @@ Result<Rough> rough_disparity(const StereoPair& pair, const std::vector<FeatureM
   out.factor = factor_for(pair, kLongest_px);
   StereoPair small{shrunk_by(pair.left, out.factor), shrunk_by(pair.right, out.factor), {}};
   std::vector<double> disparities_px;
+  disparities_px.reserve(known.size());
   for (const FeatureMatch& m : known) disparities_px.push_back((m.left_x - m.right_x) / out.factor);
   const double least = quantile_of(disparities_px, kFew), most = quantile_of(disparities_px, 1.0 - kFew);
   const double span = most - least;
