@@ -52,7 +52,7 @@ class Client : public std::enable_shared_from_this<Client> {
   void close(boost::beast::websocket::close_code code, const std::string& reason);
 
   bool visible = true;
-  /// The probes that this page has moved.
+  /// The probes that this page moves: told, and not lifted since.
   std::bitset<protocol::kMostProbes> moved;
 
  private:

@@ -154,7 +154,10 @@ class Room {
     client.moved.set(static_cast<std::size_t>(pointer.probe));
     host_.move(pointer);
   }
-  void obey(Client&, const protocol::Lift& probe) { host_.lift(probe); }
+  void obey(Client& client, const protocol::Lift& probe) {
+    client.moved.reset(static_cast<std::size_t>(probe.probe));
+    host_.lift(probe);
+  }
   void obey(Client&, const protocol::Change& wishes) { host_.change(wishes); }
   void obey(Client&, const protocol::Edit& wish) { host_.edit(wish); }
   void obey(Client&, const protocol::Save&) { host_.save(); }
