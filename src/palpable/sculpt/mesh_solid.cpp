@@ -88,8 +88,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
 }
 
 std::optional<Error> mesh_too_large(std::size_t triangles, std::size_t free_bytes) {
-  // Measured (docs/measurements.md): welding, search trees and normals, at their most 460; and since then 192
-  // for each leaf of the tree, which holds two to four.
+  // Measured (docs/measurements.md): welding, search trees and normals, 528 at their most.
   constexpr std::size_t kBytesPerTriangle = 540;
   if (triangles <= free_bytes / kBytesPerTriangle) return std::nullopt;
   const auto mebi = [](std::size_t bytes) { return std::to_string(bytes >> 20U); };
