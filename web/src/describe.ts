@@ -15,6 +15,9 @@ const millimetres = (metres: number, digits = 0) => {
   return `${clean} ${clean === '1' ? 'millimetre' : 'millimetres'}`;
 };
 
+/** What is said where there is nothing to be told of. */
+export const noScene = 'There is no scene yet.';
+
 /** "upper left", "centre", …: which ninth of the rectangle a place is in. */
 export function regionOf({ x, y }: Place, width: number, depth: number): string {
   const column = x < -width / 6 ? 'left' : x > width / 6 ? 'right' : '';

@@ -101,3 +101,11 @@ export function press(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' 
   row?.act(target, event);
   return row !== undefined;
 }
+
+/** What a key together with Control or Command asks for. */
+export function undoKey(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>): 'undo' | 'redo' | null {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return null;
+  const key = event.key.toLowerCase();
+  if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
+  return key === 'y' ? 'redo' : null;
+}

@@ -5,13 +5,13 @@ import { Importance } from './announcer';
 import type { HeightsFrame, PictureFrame } from './codec';
 import { Connection } from './connection';
 import { Controls, element, type Settings } from './controls';
-import { motionWords, positionWords, sceneWords } from './describe';
-import { Explorer, pace, turnBy } from './explorer';
+import { motionWords, noScene, positionWords, sceneWords } from './describe';
+import { pace, turnBy } from './explorer';
 import { Feedback } from './feedback';
 import type { Felt } from './felt';
 import { protocolVersion, type Hello, type Law, type Scene, type Settings as Told, type State, type ToPage } from './generated/protocol';
 import { fillHelp, showHelp } from './help';
-import { press, type KeyTarget, type Move } from './keys';
+import { press, undoKey, type KeyTarget, type Move } from './keys';
 import { MaterialPanel } from './material_panel';
 import { bindPointers } from './pointers';
 import { preferencesCookie, readPreferences } from './preferences';
@@ -23,13 +23,13 @@ import { Stage } from './stage';
 import { Surface, type Place } from './surface';
 import { TracePanel } from './trace_panel';
 import { Voice } from './voice';
+import { Walking, type Walk } from './walking';
 
 const initial: Settings = {
   touch: { law: '', stiffness: 0, damping_Ns_per_m: 0, friction: 0, exaggeration: 1, neighbourhood_px: 3 },
   page: readPreferences(document.cookie),
   materials: [],
 };
-const noScene = 'There is no scene yet.';
 /** Milliseconds between two tellings of where the probes are, at the least: many fingers on a fast screen are many messages. */
 const tellEvery = 12;
 
@@ -57,7 +57,14 @@ class TouchPage implements KeyTarget {
     labelOf: (felt) => this.labelOf(felt),
     draw: () => this.showProbes(),
   });
-  private readonly explorer = new Explorer();
+  private readonly walking = new Walking(this.hands, {
+    surface: () => this.surface,
+    say: (words) => this.voice.say(words, Importance.answer),
+    send: (message) => this.connection.send(message),
+    stands: (stance) => this.readouts.stance(stance),
+    // On contours the line is their trace.
+    arrow: (points) => this.scene?.kind !== 'contours' && this.stage.line(points),
+  });
   private readonly trace = new TracePanel({
     place: () => this.probePlace(),
     say: (words) => this.voice.say(words, Importance.answer),
@@ -89,7 +96,7 @@ class TouchPage implements KeyTarget {
     const { hand } = this.hands;
     if (!this.hands.movable()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
     // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
-    const way = this.explorer.inScene(by);
+    const way = this.walking.inScene(by);
     const free = hand.step(way.x, way.y, by.press, this.surface);
     this.voice.say(() => this.probes.named(by.press !== 0 ? this.pressWords() : `${free ? '' : 'Rim of the scene, '}${this.motionWords()}`), Importance.motion);
   }
@@ -104,27 +111,16 @@ class TouchPage implements KeyTarget {
   }
   recentre(): void {
     this.hands.hand.recentre();
-    this.explorer.reset();
+    this.walking.reset();
     if (this.hands.chosen === 0) this.connection.send({ type: 'recentre' });
-    this.stand();
+    this.walking.stand();
     this.voice.say(this.probes.named('In the middle.'), Importance.answer);
   }
-  walk({ ahead, left }: { ahead: number; left: number }): void {
-    if (this.surface === null) return;
-    if (!this.hello?.egocentric) return this.voice.say('Walking is for the egocentric view: start with --view egocentric.', Importance.answer);
-    const before = this.explorer.stance;
-    if (left !== 0) this.explorer.turn(left);
-    if (ahead !== 0 && !this.explorer.walk(ahead, this.surface)) this.voice.say('The scene ends here.', Importance.answer);
-    for (const probe of this.hands.numbers) {
-      const hand = this.hands.at(probe)!;
-      const place = this.explorer.carried(hand.place, before);
-      hand.step(place.x - hand.place.x, place.y - hand.place.y, 0, this.surface);
-    }
-    this.stand();
+  walk(by: Walk): void {
+    this.walking.walk(by);
   }
   stance(): void {
-    if (!this.hello?.egocentric) return this.voice.say('You look on from outside: this is the exocentric view.', Importance.answer);
-    this.stand();
+    this.walking.tell();
   }
   choose(probe: number): void {
     this.actions.choose(probe);
@@ -236,10 +232,10 @@ class TouchPage implements KeyTarget {
     this.readouts.setDevice(hello.device);
     this.hands.set(hello.probes, hello.pointer_moves);
     this.actions.changed();
-    element('walking').hidden = element('walk-keys').hidden = element('stance-row').hidden = !hello.egocentric;
+    this.walking.allow(hello.egocentric);
     // A device's middle is to be where this page has the explorer stand.
-    if (hello.pointer_moves) this.showStance();
-    else this.stand();
+    if (hello.pointer_moves) this.walking.show();
+    else this.walking.stand();
     if (hello.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
   }
 
@@ -261,7 +257,7 @@ class TouchPage implements KeyTarget {
     if (this.surface === null || (this.scene.has_picture && this.picture === null)) return;
     if (this.scene.cells !== '' && this.cells === null) return;
     this.stage.show(this.surface, this.picture, this.cells);
-    this.showStance();
+    this.walking.show();
     this.showProbes();
   }
 
@@ -306,20 +302,6 @@ class TouchPage implements KeyTarget {
     const { press: pressed } = this.hands.hand;
     const depth = Math.abs(pressed * 1000).toFixed(1);
     return pressed >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
-  }
-
-  /** Tells the program where the explorer stands, which says it in words. */
-  private stand(): void {
-    if (!this.hello?.egocentric) return;
-    const { x, y, heading } = this.explorer.stance;
-    this.connection.send({ type: 'stand', x_m: x, y_m: y, heading_deg: heading });
-    this.showStance();
-  }
-  private showStance(): void {
-    if (!this.hello?.egocentric) return;
-    this.readouts.stance(this.explorer.stance);
-    // On contours the line is their trace.
-    if (this.scene?.kind !== 'contours') this.stage.line(this.explorer.arrow());
   }
 
   private tellAll(): void {
@@ -417,11 +399,10 @@ class TouchPage implements KeyTarget {
     for (const query of ['(prefers-color-scheme: dark)', '(prefers-contrast: more)', '(forced-colors: active)'])
       matchMedia(query).addEventListener('change', () => this.apply());
     document.addEventListener('keydown', (event) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
-      const key = event.key.toLowerCase();
-      if (key !== 'z' && key !== 'y') return;
+      const which = undoKey(event);
+      if (which === null) return;
       event.preventDefault();
-      this.undoOrRedo(key === 'y' || event.shiftKey ? 'redo' : 'undo');
+      this.undoOrRedo(which);
     });
   }
 }

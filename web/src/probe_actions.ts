@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Probes come, are chosen and go: by key, by the panel, by fingers; and what is said of it.
 import { Importance, type Words } from './announcer';
+import { noScene } from './describe';
 import type { Felt } from './felt';
 import type { FromPage } from './generated/protocol';
 import type { Probes } from './probes';
@@ -31,7 +32,7 @@ export class ProbeActions implements ProbesTarget {
   choose(probe: number): void {
     const { hands } = this.probes;
     const before = hands.numbers.length;
-    if (this.page.surface() === null) return this.page.say('There is no scene yet.', Importance.answer);
+    if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
     if (!hands.choose(probe, this.probes.placeOf(hands.chosen))) return this.page.say('There can be no probe of that number.', Importance.answer);
     const how = hands.numbers.length > before ? ' put down' : '';
     this.page.say(() => `Probe ${probe + 1}${how}, ${this.page.motionWords()}.`, Importance.answer);
@@ -49,7 +50,7 @@ export class ProbeActions implements ProbesTarget {
   }
   tellProbes(): void {
     const surface = this.page.surface();
-    if (surface === null || this.probes.felt.length === 0) return this.page.say('There is no scene yet.', Importance.answer);
+    if (surface === null || this.probes.felt.length === 0) return this.page.say(noScene, Importance.answer);
     this.page.say(this.probes.words(surface, (felt) => this.page.labelOf(felt)), Importance.answer);
   }
 

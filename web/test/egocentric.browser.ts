@@ -3,7 +3,7 @@
 // The egocentric view in a real browser: by keys alone, heard and seen.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
-import { keepPicture, launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
+import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
 
 let browser: Browser;
 let running: Running;
@@ -18,8 +18,6 @@ afterAll(async () => {
   await running?.stop();
 });
 
-const says = (page: Page, words: string) =>
-  page.waitForFunction((wanted) => (document.getElementById('spoken')?.textContent ?? '').includes(wanted), words);
 const probeIsAt = (page: Page, x: number, y: number) =>
   page.waitForFunction(
     ([wantedX, wantedY]) => {

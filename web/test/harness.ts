@@ -98,6 +98,10 @@ export async function openPage(
   return { page, context, complaints };
 }
 
+/** Waits until the page has said these words. */
+export const says = (page: Page, words: string) =>
+  page.waitForFunction((wanted) => (document.getElementById('spoken')?.textContent ?? '').includes(wanted), words);
+
 /** A picture of the whole page, kept in web/test-results for a person to look at. */
 export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {
   mkdirSync(results, { recursive: true });
