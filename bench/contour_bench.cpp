@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/tracing.hpp"
-#include "palpable/sculpt/boundary_map_from_picture.hpp"
-#include "palpable/vision/contours.hpp"
+#include "palpable/haptics/law/tracing.hpp"
+#include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
+#include "palpable/vision/contours/contours.hpp"
 
 #include <cmath>
 #include <memory>

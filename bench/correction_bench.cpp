@@ -3,11 +3,11 @@
 // Correction of a field by a measured surface, step by step (docs/fields.md): a ball of 60 mm at 512 cells,
 // and patches of its surface measured 2 mm farther out. Made ready before: what the first of many corrections
 // makes.
-#include "palpable/models/superquadric_samples.hpp"
-#include "palpable/sculpt/field_correction.hpp"
-#include "palpable/sculpt/field_update.hpp"
-#include "palpable/sculpt/mesh_distance.hpp"
-#include "palpable/sculpt/smooth_surface.hpp"
+#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/sculpt/correction/field_correction.hpp"
+#include "palpable/sculpt/correction/field_update.hpp"
+#include "palpable/sculpt/solid/mesh_distance.hpp"
+#include "palpable/sculpt/solid/smooth_surface.hpp"
 
 #include <algorithm>
 #include <chrono>

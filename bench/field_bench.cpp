@@ -5,12 +5,12 @@
 // Queries are timed warm along a path, and cold (x86 only). With --dense first, the two dense ways to keep it
 // too, with size, time of building and of a query.
 #include "palpable/core/read_file.hpp"
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/models/scene.hpp"
-#include "palpable/sculpt/dense_field_from_source.hpp"
-#include "palpable/sculpt/field_from_source.hpp"
-#include "palpable/sculpt/mesh_solid.hpp"
-#include "palpable/sources/mesh_file.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/sculpt/field/dense_field_from_source.hpp"
+#include "palpable/sculpt/field/field_from_source.hpp"
+#include "palpable/sculpt/solid/mesh_solid.hpp"
+#include "palpable/sources/solid/mesh_file.hpp"
 
 #include <algorithm>
 #include <array>

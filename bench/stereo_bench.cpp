@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo.hpp"
-#include "palpable/vision/synthetic_pair.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
+#include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Mean radial errors and times of superquadric fits over random shapes: the table of docs/superquadrics.md.
-#include "palpable/sculpt/superquadric_cases.hpp"
+#include "palpable/sculpt/superquadric/superquadric_cases.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 // The same solids as our field, in OpenVDB and in NanoVDB: sizes, errors, times (docs/measurements.md). Each
 // argument is a mesh; it is scaled to 100 mm. The grids hold the exact distance at their places, which is the
 // best that they can hold; what OpenVDB itself takes to build one from the triangles is timed besides.
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/models/field.hpp"
-#include "palpable/sculpt/field_from_source.hpp"
-#include "palpable/sculpt/mesh_solid.hpp"
-#include "palpable/sources/mesh_file.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/models/field/field.hpp"
+#include "palpable/sculpt/field/field_from_source.hpp"
+#include "palpable/sculpt/solid/mesh_solid.hpp"
+#include "palpable/sources/solid/mesh_file.hpp"
 
 #include <algorithm>
 #include <chrono>

@@ -1,11 +1,16 @@
-# Fails if the table of docs/architecture.md is not that of Layers.cmake.
+# Fails if the tables of docs/architecture.md, of modules and of rooms, are not those of Layers.cmake.
 # Run: cmake -DDOCUMENT=<docs/architecture.md> -P cmake/CheckArchitecture.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 file(READ ${DOCUMENT} text)
+set(names ${PALPABLE_MODULES})
 foreach(module ${PALPABLE_MODULES})
-  list(JOIN PALPABLE_MAY_USE_${module} ", " uses)
-  if(NOT text MATCHES "\n\\| `${module}` \\|[^\n]*\\| ${uses} \\|\n")
-    message(SEND_ERROR "${DOCUMENT}: the row of ${module} must end with | ${uses} |")
+  list(TRANSFORM PALPABLE_ROOMS_${module} PREPEND "${module}/" OUTPUT_VARIABLE rooms)
+  list(APPEND names ${rooms})
+endforeach()
+foreach(name ${names})
+  list(JOIN PALPABLE_MAY_USE_${name} ", " uses)
+  if(NOT text MATCHES "\n\\| `${name}` \\|[^\n]*\\| ${uses} \\|\n")
+    message(SEND_ERROR "${DOCUMENT}: the row of ${name} must end with | ${uses} |")
   endif()
 endforeach()

@@ -1,5 +1,6 @@
-# The one table of who may use whom (docs/architecture.md explains it; tests/layers enforces it).
-# palpable_module() refuses a link that is not in it; cmake/CheckLayers.cmake refuses such an #include.
+# The one table of who may use whom (docs/architecture.md explains it; tests/layers enforces it): modules, and the rooms
+# inside the large ones. palpable_module() refuses a link that is not in it; cmake/CheckLayers.cmake refuses an #include
+# that is not in it, and a permission that nobody uses.
 set(PALPABLE_MODULES core models formats sources vision sculpt measure draw device haptics voice session page study cli)
 
 set(PALPABLE_MAY_USE_core "")
@@ -7,16 +8,62 @@ set(PALPABLE_MAY_USE_models core)
 set(PALPABLE_MAY_USE_formats core models)
 set(PALPABLE_MAY_USE_sources core formats)
 set(PALPABLE_MAY_USE_vision core)
-set(PALPABLE_MAY_USE_sculpt core vision models)
-set(PALPABLE_MAY_USE_measure core vision models)
-set(PALPABLE_MAY_USE_draw core models measure)
+set(PALPABLE_MAY_USE_sculpt core models vision)
+set(PALPABLE_MAY_USE_measure core)
+set(PALPABLE_MAY_USE_draw core models)
 set(PALPABLE_MAY_USE_device core)
 set(PALPABLE_MAY_USE_haptics core models device)
 set(PALPABLE_MAY_USE_voice core)
-set(PALPABLE_MAY_USE_session core sources vision models sculpt formats measure draw device haptics voice)
-set(PALPABLE_MAY_USE_page ${PALPABLE_MAY_USE_session} session)
-set(PALPABLE_MAY_USE_study ${PALPABLE_MAY_USE_session} session)
-set(PALPABLE_MAY_USE_cli ${PALPABLE_MAY_USE_session} session page study)
+set(PALPABLE_MAY_USE_session core models formats sources vision sculpt measure device haptics)
+set(PALPABLE_MAY_USE_page core models formats device haptics session)
+set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
+set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt measure draw device haptics voice session page study)
+
+# Rooms, from the bottom up. Files at a module's own level are its interface: every room may use them, and they use no room.
+# A room's tests may use every room of their module.
+set(PALPABLE_ROOMS_models relief material field grid contours scene)
+set(PALPABLE_MAY_USE_models/material relief)
+set(PALPABLE_MAY_USE_models/field relief)
+set(PALPABLE_MAY_USE_models/grid relief)
+set(PALPABLE_MAY_USE_models/contours relief)
+set(PALPABLE_MAY_USE_models/scene relief material field grid contours)
+
+set(PALPABLE_ROOMS_formats packing picture mesh vdb scene)
+set(PALPABLE_MAY_USE_formats/mesh picture)
+set(PALPABLE_MAY_USE_formats/scene packing picture)
+
+set(PALPABLE_ROOMS_sources picture stereo solid calibration depth input)
+set(PALPABLE_MAY_USE_sources/stereo picture)
+set(PALPABLE_MAY_USE_sources/depth picture calibration)
+set(PALPABLE_MAY_USE_sources/input picture stereo)
+
+set(PALPABLE_ROOMS_vision image segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods stereo/result rectification contours)
+set(PALPABLE_MAY_USE_vision/stereo/cost image stereo/problem)
+set(PALPABLE_MAY_USE_vision/stereo/range image stereo/cost)
+set(PALPABLE_MAY_USE_vision/stereo/occlusion image)
+set(PALPABLE_MAY_USE_vision/stereo/planes image segmentation stereo/cost stereo/occlusion)
+set(PALPABLE_MAY_USE_vision/stereo/methods image segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes)
+set(PALPABLE_MAY_USE_vision/stereo/result image stereo/problem stereo/range stereo/occlusion)
+set(PALPABLE_MAY_USE_vision/rectification image stereo/problem)
+set(PALPABLE_MAY_USE_vision/contours image)
+
+set(PALPABLE_ROOMS_sculpt relief contours triangles solid field correction points superquadric)
+set(PALPABLE_MAY_USE_sculpt/solid triangles)
+set(PALPABLE_MAY_USE_sculpt/field triangles solid)
+set(PALPABLE_MAY_USE_sculpt/correction triangles solid field)
+set(PALPABLE_MAY_USE_sculpt/points relief triangles)
+set(PALPABLE_MAY_USE_sculpt/superquadric triangles points)
+
+set(PALPABLE_ROOMS_device simulated pointer recording drivers)
+set(PALPABLE_MAY_USE_device/drivers simulated pointer recording)
+
+set(PALPABLE_ROOMS_haptics safety law servo)
+set(PALPABLE_MAY_USE_haptics/servo safety law)
+
+set(PALPABLE_ROOMS_session make touch)
+set(PALPABLE_MAY_USE_session/touch make)
+
+set(PALPABLE_ROOMS_study simulated)
 
 # Headers that a module's files must never include, as regular expressions: the servo's side stays small and free.
 set(PALPABLE_FREE_OF_VISION core models haptics device)

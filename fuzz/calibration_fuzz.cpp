@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/sources/calibration.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
 
 #include <cmath>
 #include <cstdlib>

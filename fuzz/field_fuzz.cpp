@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/formats/field_streams.hpp"
+#include "palpable/formats/scene/field_streams.hpp"
 
 #include <algorithm>
 #include <array>

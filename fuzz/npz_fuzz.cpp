@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/formats/npz.hpp"
+#include "palpable/formats/packing/npz.hpp"
 
 #include <cstdlib>
 

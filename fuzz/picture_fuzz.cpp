@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/sources/depth_file.hpp"
-#include "palpable/sources/picture.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
+#include "palpable/sources/picture/picture.hpp"
 
 #include <cstdlib>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/byte_writer.hpp"
 #include "palpable/core/crc32.hpp"
-#include "palpable/device/recording.hpp"
-#include "palpable/device/recording_format.hpp"
+#include "palpable/device/recording/recording.hpp"
+#include "palpable/device/recording/recording_format.hpp"
 
 #include <cstdlib>
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/formats/vdb.hpp"
+#include "palpable/formats/vdb/vdb.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -4,7 +4,7 @@
 // Renders the sample pair and its exact disparity into a folder: render_sample FOLDER. Run by hand when the
 // scene is changed; sculpture_test compares the committed files with what the code gives.
 #include "palpable/core/work.hpp"
-#include "palpable/formats/picture.hpp"
+#include "palpable/formats/picture/picture.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -3,10 +3,10 @@
 #include "sculpture.hpp"
 
 #include "palpable/core/read_file.hpp"
-#include "palpable/formats/png.hpp"
-#include "palpable/sources/calibration.hpp"
-#include "palpable/sources/depth_file.hpp"
-#include "palpable/sources/picture.hpp"
+#include "palpable/formats/picture/png.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
+#include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
 #include <cmath>

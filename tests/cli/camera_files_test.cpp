@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/formats/picture.hpp"
-#include "palpable/formats/png.hpp"
-#include "palpable/sources/made_files.hpp"
+#include "palpable/formats/picture/picture.hpp"
+#include "palpable/formats/picture/png.hpp"
+#include "palpable/sources/picture/made_files.hpp"
 
 #include <filesystem>
 #include <tuple>

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/formats/zip.hpp"
+#include "palpable/formats/packing/zip.hpp"
 
 #include <cmath>
 #include <csignal>

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Solids of every kind, good and bad: OpenVDB, meshes that are no solids, shapes found in a scene.
-#include "palpable/formats/picture.hpp"
+#include "palpable/formats/picture/picture.hpp"
 
 #include <cmath>
 #include <fstream>

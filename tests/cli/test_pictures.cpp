@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "test_pictures.hpp"
 
-#include "palpable/formats/picture.hpp"
+#include "palpable/formats/picture/picture.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,10 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/alignment.hpp"
+#include "palpable/vision/rectification/alignment.hpp"
 
-#include "palpable/sources/depth_file.hpp"
-#include "palpable/sources/picture.hpp"
-#include "palpable/vision/opencv_image.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
+#include "palpable/sources/picture/picture.hpp"
+#include "palpable/vision/image/opencv_image.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,10 +3,10 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/number_table.hpp"
 #include "palpable/core/read_file.hpp"
-#include "palpable/session/make_scene.hpp"
-#include "palpable/sources/depth_file.hpp"
-#include "palpable/vision/ground_plane.hpp"
-#include "palpable/vision/ground_scene.hpp"
+#include "palpable/session/make/make_scene.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
+#include "palpable/vision/segmentation/ground_plane.hpp"
+#include "palpable/vision/segmentation/ground_scene.hpp"
 
 #include <array>
 #include <cmath>

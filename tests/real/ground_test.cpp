@@ -1,12 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/ground.hpp"
+#include "palpable/vision/segmentation/ground.hpp"
 
-#include "palpable/sources/calibration.hpp"
-#include "palpable/sources/depth_file.hpp"
-#include "palpable/sources/picture.hpp"
-#include "palpable/vision/ground_scene.hpp"
-#include "palpable/vision/stereo.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
+#include "palpable/sources/picture/picture.hpp"
+#include "palpable/vision/segmentation/ground_scene.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -4,7 +4,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/path_file.hpp"
-#include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
 
 #include <cmath>
 #include <numbers>

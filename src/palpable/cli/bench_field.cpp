@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/bench_field.hpp"
 
-#include "palpable/sculpt/field_from_source.hpp"
+#include "palpable/sculpt/field/field_from_source.hpp"
 
 #include <cmath>
 #include <numbers>

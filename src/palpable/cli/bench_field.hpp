@@ -3,8 +3,8 @@
 #pragma once
 
 #include "palpable/core/work.hpp"
-#include "palpable/haptics/probe_path.hpp"
-#include "palpable/models/scene.hpp"
+#include "palpable/haptics/servo/probe_path.hpp"
+#include "palpable/models/scene/scene.hpp"
 
 #include <vector>
 

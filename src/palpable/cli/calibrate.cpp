@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/core/atomic_file.hpp"
-#include "palpable/sources/calibration.hpp"
-#include "palpable/sources/input.hpp"
-#include "palpable/sources/picture.hpp"
-#include "palpable/vision/alignment.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
+#include "palpable/sources/input/input.hpp"
+#include "palpable/sources/picture/picture.hpp"
+#include "palpable/vision/rectification/alignment.hpp"
 
 #include <algorithm>
 #include <charconv>

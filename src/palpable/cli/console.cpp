@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/console.hpp"
 
-#include "palpable/haptics/zero_force.hpp"
+#include "palpable/haptics/safety/zero_force.hpp"
 
 #include <algorithm>
 #include <cerrno>

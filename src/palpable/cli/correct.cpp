@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/session/correct_scene.hpp"
-#include "palpable/sources/mesh_file.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/session/make/correct_scene.hpp"
+#include "palpable/sources/solid/mesh_file.hpp"
 
 #include <chrono>
 

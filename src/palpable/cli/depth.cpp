@@ -3,8 +3,8 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/score_json.hpp"
 #include "palpable/cli/stereo_options.hpp"
-#include "palpable/formats/picture.hpp"
-#include "palpable/session/make_scene.hpp"
+#include "palpable/formats/picture/picture.hpp"
+#include "palpable/session/make/make_scene.hpp"
 
 #include <chrono>
 #include <filesystem>

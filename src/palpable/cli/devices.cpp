@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/device/open.hpp"
+#include "palpable/device/drivers/open.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/core/read_file.hpp"
-#include "palpable/sources/depth_file.hpp"
-#include "palpable/sources/picture.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
+#include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
 #include <cmath>

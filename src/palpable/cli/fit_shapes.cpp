@@ -1,12 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/fit_shapes.hpp"
+#include "palpable/session/make/fit_shapes.hpp"
 
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/make_options.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
-#include "palpable/formats/superquadric_json.hpp"
+#include "palpable/formats/scene/superquadric_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/formats/superquadric_json.hpp"
-#include "palpable/haptics/laws.hpp"
-#include "palpable/sources/input.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/formats/scene/superquadric_json.hpp"
+#include "palpable/haptics/law/laws.hpp"
+#include "palpable/sources/input/input.hpp"
 
 #include <filesystem>
 #include <span>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
-#include "palpable/haptics/laws.hpp"
+#include "palpable/haptics/law/laws.hpp"
 
 #include <optional>
 #include <string>

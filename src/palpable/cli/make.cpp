@@ -5,8 +5,8 @@
 #include "palpable/cli/make_options.hpp"
 #include "palpable/cli/material_options.hpp"
 #include "palpable/draw/comparison_view.hpp"
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/session/compare_details.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/session/make/compare_details.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/cli/stereo_options.hpp"
-#include "palpable/session/make_scene.hpp"
+#include "palpable/session/make/make_scene.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/material_options.hpp"
 
-#include "palpable/sculpt/texture_tile.hpp"
-#include "palpable/sources/picture.hpp"
+#include "palpable/sculpt/relief/texture_tile.hpp"
+#include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
 #include <charconv>

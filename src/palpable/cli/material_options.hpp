@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
-#include "palpable/models/scene.hpp"
+#include "palpable/models/scene/scene.hpp"
 
 #include <string>
 #include <vector>

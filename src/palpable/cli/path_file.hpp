@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/number_table.hpp"
-#include "palpable/haptics/probe_path.hpp"
+#include "palpable/haptics/servo/probe_path.hpp"
 
 #include <filesystem>
 #include <string>

@@ -6,7 +6,7 @@
 #include "palpable/cli/view_options.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
-#include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
 
 #include <algorithm>
 #include <set>

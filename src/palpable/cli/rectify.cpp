@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/formats/picture.hpp"
-#include "palpable/sources/picture.hpp"
-#include "palpable/vision/plane_rectification.hpp"
+#include "palpable/formats/picture/picture.hpp"
+#include "palpable/sources/picture/picture.hpp"
+#include "palpable/vision/rectification/plane_rectification.hpp"
 
 #include <charconv>
 #include <cmath>

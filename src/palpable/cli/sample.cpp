@@ -4,8 +4,8 @@
 #include "palpable/cli/path_file.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/models/relief_distance.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/models/relief/relief_distance.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,9 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/disparity_file.hpp"
 #include "palpable/cli/score_json.hpp"
-#include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/measure/relief_score.hpp"
-#include "palpable/sources/depth_file.hpp"
+#include "palpable/sources/depth/depth_file.hpp"
 
 #include <cmath>
 #include <memory>

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/disparity_file.hpp"
-#include "palpable/formats/npz.hpp"
-#include "palpable/formats/scene_file.hpp"
+#include "palpable/formats/packing/npz.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/measure/boundary_score.hpp"
 #include "palpable/measure/orientation_score.hpp"
-#include "palpable/sculpt/boundary_map_from_picture.hpp"
-#include "palpable/sources/picture.hpp"
+#include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
+#include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
 #include <cmath>

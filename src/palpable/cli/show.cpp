@@ -8,8 +8,8 @@
 #include "palpable/draw/height_view.hpp"
 #include "palpable/draw/marks_view.hpp"
 #include "palpable/draw/section_view.hpp"
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/sculpt/boundary_map_from_picture.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 
 #include <array>
 #include <cmath>

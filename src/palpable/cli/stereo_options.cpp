@@ -3,8 +3,8 @@
 #include "palpable/cli/stereo_options.hpp"
 
 #include "palpable/cli/suggest.hpp"
-#include "palpable/session/make_scene.hpp"
-#include "palpable/sources/input.hpp"
+#include "palpable/session/make/make_scene.hpp"
+#include "palpable/sources/input/input.hpp"
 
 #include <cmath>
 #include <utility>

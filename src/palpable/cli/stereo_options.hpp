@@ -4,8 +4,8 @@
 
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/options.hpp"
-#include "palpable/session/stereo_input.hpp"
-#include "palpable/vision/stereo.hpp"
+#include "palpable/session/make/stereo_input.hpp"
+#include "palpable/vision/stereo/problem/stereo.hpp"
 
 #include <filesystem>
 #include <optional>

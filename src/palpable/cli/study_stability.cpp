@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/draw/traces_view.hpp"
-#include "palpable/study/groove_study.hpp"
+#include "palpable/study/simulated/groove_study.hpp"
 
 #include <utility>
 

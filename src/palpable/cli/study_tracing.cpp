@@ -3,8 +3,8 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
-#include "palpable/formats/picture.hpp"
-#include "palpable/study/tracing_study.hpp"
+#include "palpable/formats/picture/picture.hpp"
+#include "palpable/study/simulated/tracing_study.hpp"
 
 #include <array>
 #include <filesystem>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/core/atomic_file.hpp"
-#include "palpable/study/trajectory_study.hpp"
+#include "palpable/study/simulated/trajectory_study.hpp"
 
 #include <chrono>
 #include <span>

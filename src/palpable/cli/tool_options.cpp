@@ -3,7 +3,7 @@
 #include "palpable/cli/tool_options.hpp"
 
 #include "palpable/cli/path_file.hpp"
-#include "palpable/models/superquadric.hpp"
+#include "palpable/models/field/superquadric.hpp"
 
 #include <array>
 #include <cmath>

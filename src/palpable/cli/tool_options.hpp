@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
-#include "palpable/haptics/tool_path.hpp"
+#include "palpable/haptics/servo/tool_path.hpp"
 
 #include <filesystem>
 #include <string>

@@ -5,12 +5,12 @@
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/make_options.hpp"
 #include "palpable/cli/view_options.hpp"
-#include "palpable/device/open.hpp"
-#include "palpable/haptics/pacing.hpp"
-#include "palpable/haptics/zero_force.hpp"
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/haptics/safety/zero_force.hpp"
+#include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/page/server.hpp"
 #include "palpable/page/touch_host.hpp"
-#include "palpable/session/headless.hpp"
+#include "palpable/session/touch/headless.hpp"
 #include "palpable/voice/voice.hpp"
 
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
-#include "palpable/session/walk.hpp"
+#include "palpable/session/touch/walk.hpp"
 
 #include <string>
 #include <vector>

@@ -32,7 +32,7 @@ struct TouchSample {
   std::uint32_t program = 0;
   std::uint16_t label = 0;
   Status status = Status::ok;
-  /// 0: the hand's own; others: of several probes at once (haptics/servo_loop.hpp).
+  /// 0: the hand's own; others: of several probes at once (haptics/servo/servo_loop.hpp).
   std::uint8_t probe = 0;
 
   bool has(std::uint32_t wanted) const { return (flags & wanted) != 0; }

@@ -4,7 +4,7 @@
 
 #include "palpable/draw/figure.hpp"
 #include "palpable/draw/heading.hpp"
-#include "palpable/models/field.hpp"
+#include "palpable/models/field/field.hpp"
 
 #include <memory>
 

@@ -5,7 +5,7 @@
 #include "palpable/core/image.hpp"
 #include "palpable/draw/figure.hpp"
 #include "palpable/draw/heading.hpp"
-#include "palpable/models/relief.hpp"
+#include "palpable/models/relief/relief.hpp"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/image.hpp"
-#include "palpable/models/relief.hpp"
+#include "palpable/models/relief/relief.hpp"
 
 namespace palpable::draw {
 

@@ -4,7 +4,7 @@
 
 #include "palpable/draw/figure.hpp"
 #include "palpable/draw/heading.hpp"
-#include "palpable/models/relief.hpp"
+#include "palpable/models/relief/relief.hpp"
 
 namespace palpable::draw {
 

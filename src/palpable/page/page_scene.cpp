@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_scene.hpp"
 
-#include "palpable/haptics/laws.hpp"
+#include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/surface_cells.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/models/scene.hpp"
+#include "palpable/models/scene/scene.hpp"
 #include "palpable/page/host.hpp"
 
 #include <cstdint>

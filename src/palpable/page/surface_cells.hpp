@@ -4,7 +4,7 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/core/raster.hpp"
-#include "palpable/models/scene.hpp"
+#include "palpable/models/scene/scene.hpp"
 
 #include <optional>
 #include <string>

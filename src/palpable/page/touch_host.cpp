@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
-#include "palpable/formats/scene_file.hpp"
-#include "palpable/haptics/laws.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/page_scene.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/page/host.hpp"
-#include "palpable/session/touch_session.hpp"
+#include "palpable/session/touch/touch_session.hpp"
 
 #include <array>
 #include <atomic>

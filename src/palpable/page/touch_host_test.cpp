@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/touch_host.hpp"
 
-#include "palpable/device/recording.hpp"
-#include "palpable/formats/scene_file.hpp"
+#include "palpable/device/recording/recording.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -1,0 +1,69 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/drivers/open.hpp"
+
+#include "palpable/device/pointer/pointer.hpp"
+#include "palpable/device/recording/replay.hpp"
+#include "palpable/device/simulated/simulated_hand.hpp"
+#include "palpable/device/url.hpp"
+
+#include <array>
+
+namespace palpable::device {
+namespace {
+
+/// One line a driver: a new one is added here and nowhere else.
+struct Driver {
+  std::string_view scheme;
+  Result<std::unique_ptr<Device>> (*open)(DeviceUrl&, const OpenOptions&);
+  std::string_view name;
+  std::string_view description;
+};
+
+constexpr std::array kDrivers{
+    Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors."},
+    Driver{"sim", open_simulated_hand, "simulated hand",
+           "A hand on a device, computed; it explores by itself."},
+    Driver{"replay", open_replay, "replay", "The movements of a recording once more: replay:FILE."},
+};
+
+Result<const Driver*> driver_of(const DeviceUrl& url) {
+  std::string known;
+  for (const auto& driver : kDrivers) {
+    if (driver.scheme == url.scheme()) return &driver;
+    known += (known.empty() ? "" : ", ") + std::string(driver.scheme) + ":";
+  }
+  return Error{ErrorCode::usage, "there is no device " + url.scheme() + ": (known: " + known + ")", {}};
+}
+
+}  // namespace
+
+Result<void> check_device_url(std::string_view url) {
+  const auto parsed = DeviceUrl::parse(url);
+  if (!parsed) return parsed.error();
+  const auto driver = driver_of(*parsed);
+  if (!driver) return driver.error();
+  return {};
+}
+
+Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options) {
+  auto parsed = DeviceUrl::parse(url);
+  if (!parsed) return std::move(parsed).error();
+  const auto driver = driver_of(*parsed);
+  if (!driver) return driver.error();
+  return (*driver)->open(*parsed, options);
+}
+
+std::vector<DeviceKind> list_devices() {
+  std::vector<DeviceKind> kinds;
+  kinds.reserve(kDrivers.size());
+  for (const auto& driver : kDrivers)
+    kinds.push_back({std::string(driver.scheme) + ":",
+                     std::string(driver.name),
+                     std::string(driver.description),
+                     true,
+                     {}});
+  return kinds;
+}
+
+}  // namespace palpable::device

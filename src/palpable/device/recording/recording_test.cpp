@@ -1,0 +1,164 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/recording/recording.hpp"
+
+#include "palpable/core/crc32.hpp"
+#include "palpable/core/read_file.hpp"
+#include "palpable/device/drivers/open.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+namespace palpable::device {
+namespace {
+
+TouchSample tick_number(std::uint64_t n) {
+  const auto x = 1e-4 * static_cast<double>(n);
+  TouchSample tick;
+  tick.tick = n;
+  tick.t_s = 1e-3 * static_cast<double>(n);
+  tick.dt_s = 0.001;
+  tick.device_position.v = {x, 2.0 * x, 3.0 * x};
+  tick.position.v = {4.0 * x, 5.0 * x, 6.0 * x};
+  tick.velocity_m_per_s.v = {-x, 0.5, 1.0 / 3.0};
+  tick.proxy.v = {7.0 * x, 8.0, 9.0};
+  tick.raw_force_N.v = {0.1, x, 2.0};
+  tick.written_force_N.v = {0.05, x, 1.0};
+  tick.energy_J = -1e-6 * x;
+  tick.flags = 5;
+  tick.buttons = 2;
+  tick.program = 1;
+  tick.label = 3;
+  tick.status = Status::stale;
+  return tick;
+}
+
+std::filesystem::path written(std::uint64_t ticks, std::string_view name) {
+  const auto file = std::filesystem::path(testing::TempDir()) / name;
+  auto writer = RecordingWriter::create(file, R"({"format":1,"seed":7})");
+  EXPECT_TRUE(writer);
+  EXPECT_TRUE((*writer)->write(RecordedProgram{1, R"({"law":"proxy"})"}));
+  std::vector<TouchSample> all;
+  for (std::uint64_t n = 0; n < ticks; ++n) all.push_back(tick_number(n));
+  const auto half = static_cast<std::ptrdiff_t>(ticks / 2);
+  EXPECT_TRUE((*writer)->write(std::span(all.begin(), all.begin() + half)));
+  EXPECT_TRUE((*writer)->write(std::span(all.begin() + half, all.end())));
+  EXPECT_TRUE((*writer)->finish(4));
+  return file;
+}
+
+TEST(Crc32, IsTheOneOfZipAndPng) {
+  const std::string_view digits = "123456789";
+  EXPECT_EQ(crc32(std::as_bytes(std::span(digits.data(), digits.size()))), 0xCBF43926U);
+  const auto begin = crc32(std::as_bytes(std::span(digits.data(), 4)));
+  EXPECT_EQ(crc32(std::as_bytes(std::span(digits.data() + 4, 5)), begin), 0xCBF43926U);
+}
+
+TEST(Recording, ComesBackToTheLastBit) {
+  const auto recording = read_recording(written(1001, "whole.rec"));
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  EXPECT_TRUE(recording->complete);
+  EXPECT_EQ(recording->lost, 4U);
+  EXPECT_EQ(recording->header_json, R"({"format":1,"seed":7})");
+  ASSERT_EQ(recording->programs.size(), 1U);
+  EXPECT_EQ(recording->programs[0].json, R"({"law":"proxy"})");
+  ASSERT_EQ(recording->ticks.size(), 1001U);
+  for (std::uint64_t n = 0; n < 1001; ++n) ASSERT_EQ(recording->ticks[n], tick_number(n));
+}
+
+TEST(Recording, CutAnywhereGivesWhatStandsBefore) {
+  const auto bytes = *read_file(written(100, "cut.rec"));
+  const auto whole = *parse_recording(bytes, "cut.rec");
+  for (std::size_t size = 0; size < bytes.size(); size += 7) {
+    const auto cut = parse_recording(std::span(bytes).first(size), "cut.rec");
+    if (!cut) {
+      EXPECT_EQ(cut.error().code, ErrorCode::invalid_input);
+      EXPECT_LT(size, 64U);
+      continue;
+    }
+    EXPECT_FALSE(cut->complete);
+    ASSERT_LE(cut->ticks.size(), whole.ticks.size());
+    for (std::size_t n = 0; n < cut->ticks.size(); ++n) ASSERT_EQ(cut->ticks[n], whole.ticks[n]);
+  }
+}
+
+TEST(Recording, DamagedAnywhereNeverGivesWrongTicks) {
+  const auto bytes = *read_file(written(100, "damaged.rec"));
+  const auto whole = *parse_recording(bytes, "damaged.rec");
+  std::mt19937 random(3);
+  for (int round = 0; round < 500; ++round) {
+    auto damaged = bytes;
+    damaged[random() % damaged.size()] ^= static_cast<std::byte>(1U << (random() % 8));
+    const auto read = parse_recording(damaged, "damaged.rec");
+    if (!read) continue;
+    ASSERT_LE(read->ticks.size(), whole.ticks.size());
+    for (std::size_t n = 0; n < read->ticks.size(); ++n) ASSERT_EQ(read->ticks[n], whole.ticks[n]);
+  }
+}
+
+TEST(Recording, SaysWhatItCannotRead) {
+  const auto message = [](std::string_view content) {
+    const auto read = parse_recording(std::as_bytes(std::span(content.data(), content.size())), "x.rec");
+    return read ? std::string() : read.error().sentence();
+  };
+  EXPECT_EQ(message("hello"), "x.rec: is not a recording");
+  EXPECT_EQ(message("PALPREC2........"), "x.rec: is a recording of a newer version than this program reads");
+  EXPECT_EQ(message("PALPREC1"), "x.rec: is a recording with a damaged header");
+}
+
+TEST(Recording, CannotBeWrittenWhereNoFolderIs) {
+  const auto writer = RecordingWriter::create("/nowhere/at/all.rec", "{}");
+  ASSERT_FALSE(writer);
+  EXPECT_NE(writer.error().sentence().find("No such file or directory"), std::string::npos);
+}
+
+TEST(Recording, KeepsFurtherProbesApartFromTheHand) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "probes.rec";
+  auto writer = RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(writer);
+  std::vector<TouchSample> ticks;
+  for (std::uint64_t n = 0; n < 10; ++n)
+    for (const std::uint8_t probe : {std::uint8_t{0}, std::uint8_t{1}, std::uint8_t{9}}) {
+      ticks.push_back(tick_number(n));
+      ticks.back().probe = probe;
+    }
+  ASSERT_TRUE((*writer)->write(ticks));
+  ASSERT_TRUE((*writer)->finish(0));
+  const auto read = read_recording(file);
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->ticks.size(), 10U);
+  ASSERT_EQ(read->further.size(), 20U);
+  for (std::size_t n = 0; n < 10; ++n) {
+    EXPECT_EQ(read->ticks[n], ticks[3 * n]);
+    EXPECT_EQ(read->further[2 * n], ticks[3 * n + 1]);
+    EXPECT_EQ(read->further[2 * n + 1], ticks[3 * n + 2]);
+  }
+}
+
+TEST(Replay, GivesTheRecordedPositionsAgainAndIsStaleAfterThem) {
+  auto device = open_device("replay:" + written(50, "replay.rec").string(), {});
+  ASSERT_TRUE(device) << device.error().sentence();
+  EXPECT_FALSE((*device)->traits().pushes_back);
+  for (std::uint64_t n = 0; n < 50; ++n) {
+    const auto reading = (*device)->read();
+    EXPECT_EQ(reading.position, tick_number(n).device_position);
+    EXPECT_EQ(reading.buttons, 2U);
+  }
+  EXPECT_EQ((*device)->read().status, Status::stale);
+}
+
+TEST(Replay, RefusesARecordingWithoutATick) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "empty.rec";
+  ASSERT_TRUE((*RecordingWriter::create(file, "{}"))->finish(0));
+  const auto device = open_device("replay:" + file.string(), {});
+  ASSERT_FALSE(device);
+  EXPECT_EQ(device.error().code, ErrorCode::invalid_input);
+}
+
+}  // namespace
+}  // namespace palpable::device

@@ -1,0 +1,113 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/byte_writer.hpp"
+#include "palpable/core/crc32.hpp"
+#include "palpable/device/recording/recording.hpp"
+#include "palpable/device/recording/recording_format.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <unistd.h>
+
+namespace palpable::device {
+namespace {
+
+namespace format = recording_format;
+
+void put(ByteWriter& out, Vec3 v) {
+  out.f64(v.x);
+  out.f64(v.y);
+  out.f64(v.z);
+}
+
+void put(ByteWriter& out, const TouchSample& tick) {
+  out.u64(tick.tick);
+  out.f64(tick.t_s);
+  out.f64(tick.dt_s);
+  put(out, tick.device_position.v);
+  put(out, tick.position.v);
+  put(out, tick.velocity_m_per_s.v);
+  put(out, tick.proxy.v);
+  put(out, tick.raw_force_N.v);
+  put(out, tick.written_force_N.v);
+  out.f64(tick.energy_J);
+  out.u32(tick.flags);
+  out.u32(tick.buttons);
+  out.u32(tick.program);
+  out.u16(tick.label);
+  out.u8(static_cast<std::uint8_t>(tick.status));
+  out.u8(tick.probe);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
+                                                                 const std::string& header_json) {
+  std::unique_ptr<RecordingWriter> writer(new RecordingWriter);
+  writer->file_ = file;
+  writer->stream_ = std::fopen(file.c_str(), "wb");
+  if (writer->stream_ == nullptr)
+    return Error{ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file.string()};
+  std::fwrite(format::kMagic.data(), 1, format::kMagic.size(), writer->stream_);
+  ByteWriter header;
+  header.text(header_json);
+  if (auto done = writer->write_chunk(format::kHeader, header.bytes()); !done) return std::move(done).error();
+  return writer;
+}
+
+RecordingWriter::~RecordingWriter() {
+  if (stream_ != nullptr) std::fclose(stream_);
+}
+
+Result<void> RecordingWriter::write(const RecordedProgram& program) {
+  ByteWriter payload;
+  payload.u32(program.id);
+  payload.text(program.json);
+  return write_chunk(format::kProgram, payload.bytes());
+}
+
+Result<void> RecordingWriter::write(std::span<const TouchSample> ticks) {
+  std::vector<TouchSample> hand, further;
+  for (const TouchSample& tick : ticks) (tick.probe == 0 ? hand : further).push_back(tick);
+  if (auto done = write_ticks(format::kTicks, hand); !done) return done;
+  return write_ticks(format::kMoreTicks, further);
+}
+
+Result<void> RecordingWriter::write_ticks(std::uint32_t kind, std::span<const TouchSample> ticks) {
+  while (!ticks.empty()) {
+    const auto part = ticks.first(std::min(ticks.size(), format::kMostTicks));
+    ByteWriter payload;
+    for (const auto& tick : part) put(payload, tick);
+    if (auto done = write_chunk(kind, payload.bytes()); !done) return done;
+    ticks = ticks.subspan(part.size());
+  }
+  return {};
+}
+
+Result<void> RecordingWriter::finish(std::uint64_t lost) {
+  ByteWriter payload;
+  payload.u64(lost);
+  if (auto done = write_chunk(format::kEnd, payload.bytes()); !done) return done;
+  const bool flushed = fsync(fileno(stream_)) == 0;
+  const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
+  if (flushed && closed) return {};
+  return Error{ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file_.string()};
+}
+
+Result<void> RecordingWriter::write_chunk(std::uint32_t kind, std::span<const std::byte> payload) {
+  ByteWriter head;
+  head.u32(kind);
+  head.u32(static_cast<std::uint32_t>(payload.size()));
+  head.u32(crc32(payload));
+  const auto bytes = head.bytes();
+  const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), stream_) == bytes.size() &&
+                     std::fwrite(payload.data(), 1, payload.size(), stream_) == payload.size() &&
+                     std::fflush(stream_) == 0;
+  if (whole) return {};
+  return Error{ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file_.string()};
+}
+
+}  // namespace palpable::device

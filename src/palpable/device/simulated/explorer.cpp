@@ -1,0 +1,105 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/simulated/explorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace palpable::device {
+namespace {
+
+/// Coming down to a surface whose place is not known, and going up from it.
+constexpr double kApproach_m_per_s = 0.08;
+constexpr double kLift_m_per_s = 0.10;
+constexpr double kLift_s = 0.12;
+/// Enough to notice the surface.
+constexpr double kNoticed_N = 0.15;
+/// The hand goes deeper by this much a second for each newton that it wants to feel and does not.
+constexpr double kYield_m_per_Ns = 0.05;
+constexpr double kYield_m_per_s = 0.04;
+/// So much more than the hand means to press with stops its stroke.
+constexpr double kStopped_N = 1.0;
+/// The part of the workspace that is visited.
+constexpr double kVisited = 0.46;
+
+}  // namespace
+
+Explorer::Explorer(const ExplorerOptions& options) : options_(options), random_(options.seed) {
+  goal_m_ = {0.0, 0.0, options.deep ? 0.5 * options.workspace_m.z : 0.0};
+  target_m_ = goal_m_;
+  along_m_ = uniform(0.0, 1.0);
+  if (options.script == ExplorerOptions::Script::scan) scan();
+  begin(options.deep ? Phase::approach : Phase::stroke);
+}
+
+double Explorer::uniform(double least, double most) noexcept {
+  // Not std::uniform_real_distribution: its numbers differ between standard libraries.
+  return least + (most - least) * (static_cast<double>(random_() >> 11) * 0x1.0p-53);
+}
+
+void Explorer::begin(Phase phase) noexcept {
+  phase_ = phase;
+  phase_s_ = 0.0;
+  if (phase == Phase::stroke) stroke_s_ = uniform(2.0, 5.0);
+}
+
+Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
+  if (options_.script == ExplorerOptions::Script::hold) return goal_m_;
+  phase_s_ += dt_s;
+  const double floor_m = -0.5 * options_.workspace_m.z;
+  const double ceiling_m = -floor_m;
+  switch (phase_) {
+    case Phase::approach:
+      goal_m_.z = std::max(goal_m_.z - kApproach_m_per_s * dt_s, floor_m);
+      if (force_N.z > kNoticed_N || hand_m.z <= 0.98 * floor_m) begin(Phase::stroke);
+      break;
+    case Phase::stroke:
+      stroke_along(dt_s, force_N);
+      if (!options_.deep) break;
+      // What is felt counts, whatever its direction: a hand that meets a wall rises until it gets over it.
+      goal_m_.z -= dt_s * std::clamp(kYield_m_per_Ns * (options_.press_N - norm(force_N)), -kYield_m_per_s,
+                                     kYield_m_per_s);
+      goal_m_.z = std::clamp(goal_m_.z, floor_m, ceiling_m);
+      if (phase_s_ > stroke_s_) begin(Phase::lift);
+      break;
+    case Phase::lift:
+      stroke_along(dt_s, force_N);
+      // The intention moves as fast as an arm does: from as deep as it pressed, it takes its time to let go.
+      goal_m_.z = std::min(goal_m_.z + kLift_m_per_s * dt_s, ceiling_m);
+      if (norm(force_N) > kNoticed_N) phase_s_ = 0.0;
+      if (phase_s_ > kLift_s) begin(Phase::approach);
+      break;
+  }
+  return goal_m_;
+}
+
+void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
+  const double half_width = kVisited * options_.workspace_m.x;
+  const double half_height = kVisited * options_.workspace_m.y;
+  // Against resistance the hand does not run on: it waits until it gets past.
+  const double excess_N = norm(force_N) - options_.press_N;
+  const double ease = options_.deep ? std::clamp(1.0 - excess_N / kStopped_N, 0.05, 1.0) : 1.0;
+  const double step_m = ease * options_.speed_m_per_s * dt_s;
+  if (options_.script == ExplorerOptions::Script::scan) {
+    along_m_ += step_m / (2.0 * std::max(half_width, half_height));
+    scan();
+    return;
+  }
+  const Vec3 way{target_m_.x - goal_m_.x, target_m_.y - goal_m_.y, 0.0};
+  if (norm(way) <= 2.0 * step_m) {
+    target_m_.x = uniform(-half_width, half_width);
+    target_m_.y = uniform(-half_height, half_height);
+    return;
+  }
+  goal_m_ += step_m * unit(way);
+}
+
+/// Two swings whose frequencies have no common measure: the curve comes near every place, soon in a coarse
+/// way and later in a fine one.
+void Explorer::scan() noexcept {
+  goal_m_.x = kVisited * options_.workspace_m.x * std::sin(2.0 * along_m_);
+  goal_m_.y = kVisited * options_.workspace_m.y * std::sin(2.0 * along_m_ / std::numbers::phi + 1.0);
+}
+
+}  // namespace palpable::device

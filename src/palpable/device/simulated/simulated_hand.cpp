@@ -1,0 +1,118 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/simulated/simulated_hand.hpp"
+
+#include "palpable/core/check.hpp"
+#include "palpable/device/open_options.hpp"
+#include "palpable/device/url.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpable::device {
+namespace {
+
+constexpr int kSteps = 10;
+
+Traits traits_of(const HandOptions& options) {
+  Traits traits;
+  traits.name = options.degrees_of_freedom == 3 ? "simulated hand" : "simulated hand in the plane";
+  traits.degrees_of_freedom = options.degrees_of_freedom;
+  traits.workspace_m = options.explorer.workspace_m;
+  traits.max_force_N = options.max_force_N;
+  traits.mass_kg = options.device_mass_kg;
+  traits.damping_Ns_per_m = options.device_damping_Ns_per_m;
+  traits.coulomb_friction_N = options.device_friction_N;
+  traits.position_resolution_m = options.resolution_m;
+  traits.delay_samples = options.delay_samples;
+  traits.rate_hz = options.rate_hz;
+  return traits;
+}
+
+double rounded(double value, double step) { return step > 0.0 ? step * std::round(value / step) : value; }
+
+}  // namespace
+
+SimulatedHand::SimulatedHand(const HandOptions& options)
+    : options_(options), traits_(traits_of(options)), explorer_(options.explorer) {
+  PALPABLE_CHECK(options.device_mass_kg + options.arm_mass_kg > 0.0 && options.rate_hz > 0.0);
+  PALPABLE_CHECK(options.delay_samples >= 0 && options.delay_samples <= kMostDelay);
+  goal_m_ = explorer_.step({}, {}, 0.0);
+  position_m_ = goal_m_;
+}
+
+void SimulatedHand::place(Vec3 position_m) noexcept {
+  position_m_ = position_m;
+  velocity_m_per_s_ = {};
+  goal_m_ = position_m;
+  explorer_.set_goal(position_m);
+}
+
+Reading SimulatedHand::read() noexcept {
+  const double step = options_.resolution_m;
+  Reading reading;
+  reading.position.v = {rounded(position_m_.x, step), rounded(position_m_.y, step),
+                        rounded(position_m_.z, step)};
+  return reading;
+}
+
+void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
+  const auto size = static_cast<std::size_t>(options_.delay_samples) + 1;
+  on_the_way_N_[(delayed_ + size - 1) % size] = force_N.v;
+  const Vec3 motor_N = on_the_way_N_[delayed_ % size];
+  delayed_ = (delayed_ + 1) % size;
+
+  const double period_s = 1.0 / options_.rate_hz;
+  const Vec3 goal_before = goal_m_;
+  goal_m_ = explorer_.step(position_m_, motor_N, period_s);
+  const Vec3 goal_velocity = (goal_m_ - goal_before) / period_s;
+  for (int i = 1; i <= kSteps; ++i)
+    move(motor_N, goal_before + (static_cast<double>(i) / kSteps) * (goal_m_ - goal_before), goal_velocity,
+         period_s / kSteps);
+}
+
+void SimulatedHand::move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept {
+  const double mass = options_.device_mass_kg + options_.arm_mass_kg;
+  const double damping = options_.device_damping_Ns_per_m + options_.arm_damping_Ns_per_m;
+  const Vec3 push_N = motor_N + options_.arm_stiffness_N_per_m * (goal_m - position_m_) +
+                      options_.arm_damping_Ns_per_m * goal_velocity_m_per_s;
+  Vec3 velocity = (velocity_m_per_s_ + (dt_s / mass) * push_N) / (1.0 + dt_s * damping / mass);
+  // Coulomb friction takes away speed, at most all of it.
+  const double speed = norm(velocity);
+  const double lost = options_.device_friction_N * dt_s / mass;
+  velocity = speed > lost ? (1.0 - lost / speed) * velocity : Vec3{};
+  if (options_.degrees_of_freedom < 3) velocity.z = 0.0;
+  velocity_m_per_s_ = velocity;
+  position_m_ += dt_s * velocity;
+}
+
+void SimulatedHand::stop() noexcept { on_the_way_N_.fill({}); }
+
+Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOptions& options) {
+  HandOptions hand;
+  hand.device_mass_kg = url.take_number("mass", hand.device_mass_kg, 0.01, 5.0);
+  hand.device_damping_Ns_per_m = url.take_number("damping", hand.device_damping_Ns_per_m, 0.0, 100.0);
+  hand.device_friction_N = url.take_number("friction", hand.device_friction_N, 0.0, 5.0);
+  hand.arm_mass_kg = url.take_number("arm-mass", hand.arm_mass_kg, 0.0, 5.0);
+  hand.arm_damping_Ns_per_m = url.take_number("arm-damping", hand.arm_damping_Ns_per_m, 0.0, 200.0);
+  hand.arm_stiffness_N_per_m = url.take_number("arm-stiffness", hand.arm_stiffness_N_per_m, 0.0, 5000.0);
+  hand.resolution_m = 1e-6 * url.take_number("resolution-um", 1e6 * hand.resolution_m, 0.0, 1000.0);
+  hand.delay_samples = static_cast<int>(url.take_number("delay", 0.0, 0.0, SimulatedHand::kMostDelay));
+  hand.max_force_N = url.take_number("max-force", hand.max_force_N, 0.1, 40.0);
+  hand.degrees_of_freedom = url.take_word("dof", {"3", "2"}) == "2" ? 2 : 3;
+  hand.rate_hz = options.rate_hz;
+  auto& explorer = hand.explorer;
+  explorer.speed_m_per_s = 1e-3 * url.take_number("speed-mm", 1e3 * explorer.speed_m_per_s, 1.0, 500.0);
+  explorer.press_N = url.take_number("press", explorer.press_N, 0.0, 10.0);
+  explorer.seed = static_cast<std::uint64_t>(
+      url.take_number("seed", static_cast<double>(options.seed & 0xFFFFFFFFU), 0.0, 4294967295.0));
+  explorer.deep = hand.degrees_of_freedom == 3;
+  const std::string script = url.take_word("script", {"scan", "random", "hold"});
+  explorer.script = script == "scan"     ? ExplorerOptions::Script::scan
+                    : script == "random" ? ExplorerOptions::Script::random
+                                         : ExplorerOptions::Script::hold;
+  if (auto sound = url.finish(); !sound) return std::move(sound).error();
+  return std::unique_ptr<Device>(std::make_unique<SimulatedHand>(hand));
+}
+
+}  // namespace palpable::device

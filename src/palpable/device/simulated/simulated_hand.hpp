@@ -1,0 +1,75 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/device/device.hpp"
+#include "palpable/device/simulated/explorer.hpp"
+
+#include <array>
+#include <memory>
+
+namespace palpable::device {
+
+/// A device's moving mass held by an arm. The arm's defaults are the example that van Beek, Bergmann Tiest,
+/// Mugge & Kappers fitted to a measured arm (Scientific Reports 5:18004, 2015, figure 3): 0.554 kg, 6.45
+/// N·s/m, 135 N/m. The device's are those of a light three-axis desktop device. docs/devices.md lists the
+/// ranges.
+struct HandOptions {
+  double device_mass_kg = 0.1;
+  double device_damping_Ns_per_m = 0.1;
+  double device_friction_N = 0.05;
+  double arm_mass_kg = 0.554;
+  double arm_damping_Ns_per_m = 6.45;
+  double arm_stiffness_N_per_m = 135.0;
+  /// The sensor's step; 0 = none.
+  double resolution_m = 10e-6;
+  /// Ticks between a force's writing and its reaching the motor, 0…8.
+  int delay_samples = 0;
+  double max_force_N = 3.3;
+  double rate_hz = 1000.0;
+  int degrees_of_freedom = 3;
+  ExplorerOptions explorer;
+};
+
+/// A hand on a device, simulated in time steps of a tenth of a tick: each write() moves time on by one period
+/// of rate_hz, whatever the wall clock does, so that the same forces give the same movements, live or in a
+/// test. Semi-implicit Euler steps with exact stiction: the mass can stand still on its friction.
+class SimulatedHand final : public Device {
+ public:
+  static constexpr int kMostDelay = 8;
+
+  explicit SimulatedHand(const HandOptions& options);
+
+  const Traits& traits() const noexcept override { return traits_; }
+  Reading read() noexcept override;
+  void write(Vector<DeviceFrame> force_N) noexcept override;
+  void stop() noexcept override;
+
+  /// Where the hand wants to be, for the script `hold`.
+  void set_goal(Vec3 goal_m) noexcept { explorer_.set_goal(goal_m); }
+  /// What no sensor sees: the exact place and velocity. And to put the hand there, at rest.
+  Vec3 true_position_m() const noexcept { return position_m_; }
+  Vec3 true_velocity_m_per_s() const noexcept { return velocity_m_per_s_; }
+  void place(Vec3 position_m) noexcept;
+
+ private:
+  void move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept;
+
+  HandOptions options_;
+  Traits traits_;
+  Explorer explorer_;
+  Vec3 position_m_;
+  Vec3 velocity_m_per_s_;
+  Vec3 goal_m_;
+  /// A ring of forces on their way; the next to act stands at delayed_.
+  std::array<Vec3, kMostDelay + 1> on_the_way_N_{};
+  std::size_t delayed_ = 0;
+};
+
+class DeviceUrl;
+struct OpenOptions;
+
+/// From the options of a `sim:` URL (docs/devices.md). Errors (usage): an option out of its range.
+Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOptions& options);
+
+}  // namespace palpable::device

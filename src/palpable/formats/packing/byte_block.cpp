@@ -1,0 +1,27 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/packing/byte_block.hpp"
+
+#include "palpable/formats/packing/zstd_frame.hpp"
+
+#include <zstd.h>
+
+namespace palpable::formats {
+
+Result<std::vector<std::byte>> pack_bytes(std::span<const std::uint8_t> bytes) {
+  constexpr int kLevel = 17;
+  return zstd_frame(std::as_bytes(bytes), kLevel);
+}
+
+Result<std::vector<std::uint8_t>> unpack_bytes(std::span<const std::byte> packed, std::size_t most) {
+  const Error damaged = invalid_input("holds a block of bytes that is damaged or cut off");
+  const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  // Nothing that zstd makes is smaller than a 40000th of its content.
+  if (size > most || size > 40000ULL * (packed.size() + 16)) return damaged;
+  std::vector<std::uint8_t> out(size);
+  const std::size_t got = ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size());
+  if (ZSTD_isError(got) != 0U || got != out.size()) return damaged;
+  return out;
+}
+
+}  // namespace palpable::formats

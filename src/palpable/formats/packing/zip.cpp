@@ -1,0 +1,154 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/packing/zip.hpp"
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <string_view>
+
+#include <zip.h>
+
+namespace palpable::formats {
+namespace {
+
+struct CloseArchive {
+  void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+using Archive = std::unique_ptr<zip_t, CloseArchive>;
+
+struct CloseMember {
+  void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+using Member = std::unique_ptr<zip_file_t, CloseMember>;
+
+struct FreeSource {
+  void operator()(zip_source_t* source) const { zip_source_free(source); }
+};
+using Source = std::unique_ptr<zip_source_t, FreeSource>;
+
+class ZipError {
+ public:
+  ZipError() { zip_error_init(&error_); }
+  ZipError(const ZipError&) = delete;
+  ZipError& operator=(const ZipError&) = delete;
+  ~ZipError() { zip_error_fini(&error_); }
+  zip_error_t* get() { return &error_; }
+  std::string text() { return zip_error_strerror(&error_); }
+
+ private:
+  zip_error_t error_{};
+};
+
+bool is_compressed_already(std::string_view name) {
+  return name.ends_with(".zst") || name.ends_with(".png") || name.ends_with(".jpg");
+}
+
+Error damaged(const std::string& reason) {
+  return invalid_input("is damaged or not a zip archive (" + reason + ")");
+}
+
+/// One member, of the size it states; one byte more is asked for to notice a lie.
+Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, const zip_stat_t& stated) {
+  const Member member(zip_fopen_index(archive, index, 0));
+  if (!member) return damaged(zip_strerror(archive));
+  Bytes bytes(static_cast<std::size_t>(stated.size));
+  const zip_int64_t got = zip_fread(member.get(), bytes.data(), bytes.size());
+  std::byte beyond{};
+  if (got < 0 || static_cast<zip_uint64_t>(got) != stated.size || zip_fread(member.get(), &beyond, 1) != 0)
+    return damaged(std::string("member ") + stated.name + " does not unpack as it states");
+  return bytes;
+}
+
+Result<Archive> open(std::span<const std::byte> file) {
+  if (file.empty()) return invalid_input("is empty");
+  ZipError error;
+  Source source(zip_source_buffer_create(file.data(), file.size(), 0, error.get()));
+  if (!source) return damaged(error.text());
+  Archive archive(zip_open_from_source(source.get(), ZIP_RDONLY | ZIP_CHECKCONS, error.get()));
+  if (!archive) return damaged(error.text());
+  static_cast<void>(source.release());  // the archive owns it now
+  if (zip_get_num_entries(archive.get(), 0) > kMaxMembers)
+    return invalid_input("holds more members than any file of ours");
+  return archive;
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> member_names(std::span<const std::byte> file) {
+  const auto archive = open(file);
+  if (!archive) return archive.error();
+  std::vector<std::string> names;
+  const zip_int64_t count = zip_get_num_entries(archive->get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i)
+    if (const char* name = zip_get_name(archive->get(), static_cast<zip_uint64_t>(i), 0))
+      names.emplace_back(name);
+  return names;
+}
+
+Result<ZipMembers> unzip(std::span<const std::byte> file) {
+  const auto opened = open(file);
+  if (!opened) return opened.error();
+  zip_t* archive = opened->get();
+  const zip_int64_t count = zip_get_num_entries(archive, 0);
+  std::uint64_t total = 0;
+  ZipMembers members;
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    zip_stat_t stated;
+    constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
+    if (zip_stat_index(archive, index, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
+      return damaged("a member without name or size");
+    // Deflate packs at most 1032 : 1, so a larger claim is a lie even before it is unpacked.
+    constexpr zip_uint64_t kMaxRatio = 1040;
+    if (stated.size > kMaxUnpackedBytes || total + stated.size > kMaxUnpackedBytes ||
+        stated.size / kMaxRatio > stated.comp_size)
+      return invalid_input("unpacks to more than a file of ours may");
+    total += stated.size;
+    auto bytes = unpack(archive, index, stated);
+    if (!bytes) return std::move(bytes).error();
+    if (!members.emplace(stated.name, *std::move(bytes)).second)
+      return damaged(std::string("member ") + stated.name + " is there twice");
+  }
+  return members;
+}
+
+Result<Bytes> zip(const ZipMembers& members) {
+  ZipError error;
+  const auto failed = [&error](std::string reason) {
+    return Error{ErrorCode::failed, "cannot be packed: " + (reason.empty() ? error.text() : reason), {}};
+  };
+  Source target(zip_source_buffer_create(nullptr, 0, 0, error.get()));
+  if (!target) return failed({});
+  zip_source_keep(target.get());
+  Archive archive(zip_open_from_source(target.get(), ZIP_TRUNCATE, error.get()));
+  if (!archive) {
+    zip_source_free(target.get());
+    return failed({});
+  }
+  for (const auto& [name, bytes] : members) {
+    Source content(zip_source_buffer(archive.get(), bytes.data(), bytes.size(), 0));
+    if (!content) return failed(zip_strerror(archive.get()));
+    const zip_int64_t index = zip_file_add(archive.get(), name.c_str(), content.get(), ZIP_FL_ENC_UTF_8);
+    if (index < 0) return failed(zip_strerror(archive.get()));
+    static_cast<void>(content.release());  // the archive owns it now
+    const auto place = static_cast<zip_uint64_t>(index);
+    const int method = is_compressed_already(name) ? ZIP_CM_STORE : ZIP_CM_DEFLATE;
+    zip_set_file_compression(archive.get(), place, method, 0);
+    // A fixed date (1 January 1980, the earliest) so that the same members give the same bytes.
+    zip_file_set_dostime(archive.get(), place, 0, 0x21, 0);
+  }
+  if (zip_close(archive.get()) != 0) return failed(zip_strerror(archive.get()));
+  static_cast<void>(archive.release());
+
+  zip_stat_t stat;
+  if (zip_source_stat(target.get(), &stat) != 0 || zip_source_open(target.get()) != 0)
+    return failed("no memory");
+  Bytes file(static_cast<std::size_t>(stat.size));
+  const zip_int64_t got = zip_source_read(target.get(), file.data(), file.size());
+  zip_source_close(target.get());
+  if (got < 0 || static_cast<std::size_t>(got) != file.size()) return failed("no memory");
+  return file;
+}
+
+}  // namespace palpable::formats

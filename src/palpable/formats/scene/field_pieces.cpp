@@ -1,0 +1,117 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/field_pieces.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace palpable::formats {
+namespace {
+
+using models::LeafHead;
+
+/// Halves of the leaf's side in one step of the middle.
+double middle_step(int level) { return 2.0 / (LeafHead::kValuesPerCell * (1 << level)); }
+
+/// The piece of a leaf nearby, continued into the leaf at `to`.
+Curved continued(const Curved& piece, const Place& from, const Place& to) {
+  const double scale = to.half() / from.half();
+  const auto way = [&](std::size_t axis) {
+    return (to.corner[axis] + to.half() - from.corner[axis] - from.half()) / from.half();
+  };
+  const double x = way(0), y = way(1), z = way(2);
+  const auto& n = piece.numbers;
+  const auto number = [&](std::size_t k) { return LeafHead::kStep * n[k]; };
+  const double lx = number(0), ly = number(1), lz = number(2), xx = number(3), yy = number(4), zz = number(5),
+               xy = number(6), xz = number(7), yz = number(8);
+  const double middle = piece.middle * middle_step(from.level) + x * (lx + xx * x + xy * y + xz * z) +
+                        y * (ly + yy * y + yz * z) + z * (lz + zz * z);
+  const std::array<double, Curved::kNumbers> moved{lx + 2 * xx * x + xy * y + xz * z,
+                                                   ly + 2 * yy * y + xy * x + yz * z,
+                                                   lz + 2 * zz * z + xz * x + yz * y,
+                                                   scale * xx,
+                                                   scale * yy,
+                                                   scale * zz,
+                                                   scale * xy,
+                                                   scale * xz,
+                                                   scale * yz};
+  Curved curved;
+  const auto held = [](double v) { return static_cast<std::int32_t>(std::clamp(v, -1e9, 1e9)); };
+  curved.middle = held(std::round(middle / scale / middle_step(to.level)));
+  const int multiple = LeafHead::multiple(to.level);
+  for (std::size_t k = 0; k < Curved::kNumbers; ++k)
+    curved.numbers[k] =
+        std::clamp(multiple * held(std::round(moved[k] / (multiple * LeafHead::kStep))), -32768, 32767);
+  return curved;
+}
+
+}  // namespace
+
+Place Place::child(unsigned k) const {
+  const int side = 1 << (level - 1);
+  return {{corner[0] + (k & 1U ? side : 0), corner[1] + (k & 2U ? side : 0), corner[2] + (k & 4U ? side : 0)},
+          level - 1};
+}
+
+Place root_place(const models::FieldGrid& grid, std::size_t index) {
+  const auto i = static_cast<int>(index);
+  return {{i % grid.roots[0] << grid.levels, i / grid.roots[0] % grid.roots[1] << grid.levels,
+           i / (grid.roots[0] * grid.roots[1]) << grid.levels},
+          grid.levels};
+}
+
+std::optional<Curved> steps_of(const std::uint32_t* words, int level) {
+  const double middle = models::detail::f64(words[0]) / middle_step(level);
+  if (!(std::abs(middle) < 1e9) || middle != std::round(middle)) return std::nullopt;
+  if (words[5] >> 16U != 0 || (middle == 0.0 && words[0] != 0)) return std::nullopt;
+  Curved curved;
+  curved.middle = static_cast<std::int32_t>(middle);
+  for (std::size_t k = 0; k < Curved::kNumbers; ++k)
+    curved.numbers[k] = static_cast<std::int16_t>(words[1 + k / 2] >> (k % 2 == 0 ? 0U : 16U) & 0xFFFFU);
+  return curved;
+}
+void set_words(const Curved& curved, int level, std::vector<std::uint32_t>& words) {
+  words.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(curved.middle * middle_step(level))));
+  for (std::size_t k = 0; k < Curved::kNumbers; k += 2) {
+    const auto low = static_cast<std::uint32_t>(curved.numbers[k]) & 0xFFFFU;
+    const auto high =
+        k + 1 < Curved::kNumbers ? static_cast<std::uint32_t>(curved.numbers[k + 1]) & 0xFFFFU : 0U;
+    words.push_back(low | high << 16U);
+  }
+}
+
+void RecentPieces::add(const Curved& piece, const Place& place) {
+  std::rotate(pieces_.begin(), pieces_.end() - 1, pieces_.end());
+  pieces_.front() = {piece, place};
+  count_ = std::min(count_ + 1, kMost);
+}
+
+Curved RecentPieces::predict(std::size_t k, const Place& place) const {
+  return continued(pieces_[k].first, pieces_[k].second, place);
+}
+
+std::uint32_t RecentPlanes::rank(const Plane& plane) {
+  const auto at = std::find(planes_.begin(), planes_.end(), plane);
+  const auto rank = at == planes_.end() ? 0U : static_cast<std::uint32_t>(at - planes_.begin()) + 1U;
+  if (rank == 0) {
+    add(plane);
+  } else {
+    std::rotate(planes_.begin(), at, at + 1);
+  }
+  return rank;
+}
+
+std::optional<Plane> RecentPlanes::take(std::uint32_t rank) {
+  if (rank == 0 || rank > planes_.size()) return std::nullopt;
+  const auto at = planes_.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+  std::rotate(planes_.begin(), at, at + 1);
+  return planes_.front();
+}
+
+void RecentPlanes::add(const Plane& plane) {
+  if (planes_.size() == kMost) planes_.pop_back();
+  planes_.insert(planes_.begin(), plane);
+}
+
+}  // namespace palpable::formats

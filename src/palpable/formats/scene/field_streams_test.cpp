@@ -1,0 +1,96 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/field_streams.hpp"
+
+#include "palpable/models/field/field_leaf.hpp"
+
+#include <bit>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::formats {
+namespace {
+
+using models::FieldTree;
+using models::LeafHead;
+
+models::FieldGrid grid() { return {{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}}; }
+
+/// Leaves of all kinds: planes, curved pieces in whole steps and others, up to three of them.
+FieldTree tree_of_everything() {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
+  const auto number = [&] { return static_cast<std::uint32_t>(random()); };
+  FieldTree tree;
+  const auto leaf = [&] {
+    const auto at = static_cast<std::uint32_t>(tree.words.size());
+    const std::uint32_t pieces = number() % 3, curved = number() % 8;
+    tree.words.push_back(pieces | curved << 2U | (number() % 4) << 5U);
+    const LeafHead head{tree.words[at]};
+    tree.words.resize(tree.words.size() + 2 * pieces);
+    for (int i = 0; i < head.pieces(); ++i) {
+      if (!head.curved(i)) {
+        for (std::size_t k = 0; k < LeafHead::kPlaneWords; ++k)
+          tree.words.push_back(std::bit_cast<std::uint32_t>(uniform(random)));
+        continue;
+      }
+      const bool whole = number() % 4 != 0;
+      tree.words.push_back(std::bit_cast<std::uint32_t>(
+          whole ? static_cast<float>(static_cast<int>(number() % 4000) - 2000) / 8192.0F : uniform(random)));
+      for (int k = 0; k < 4; ++k) tree.words.push_back(number());
+      tree.words.push_back(number() & 0xFFFFU);
+    }
+    models::set_half_angles(&tree.words[at]);
+    return at | FieldTree::kLeaf;
+  };
+  tree.nodes.resize(24);
+  for (std::size_t i = 0; i < 8; ++i) tree.nodes[i] = i == 3 ? 1U : leaf();
+  for (std::size_t i = 8; i < 16; ++i) tree.nodes[i] = i == 9 ? 2U : leaf();
+  for (std::size_t i = 16; i < 24; ++i) tree.nodes[i] = leaf();
+  // A leaf that is met again.
+  tree.nodes[20] = tree.nodes[5];
+  tree.roots = {0U, leaf()};
+  return tree;
+}
+
+TEST(FieldStreams, BringEveryKindOfLeafBackToTheBit) {
+  const FieldTree tree = tree_of_everything();
+  const auto again = tree_from(grid(), streams_of(grid(), tree));
+  ASSERT_TRUE(again) << again.error().sentence();
+  // Words lie in another order: the order of the tree's leaves.
+  const auto same = [&](std::uint32_t a, std::uint32_t b, auto&& recurse) -> bool {
+    if (((a ^ b) & FieldTree::kLeaf) != 0) return false;
+    if ((a & FieldTree::kLeaf) == 0) {
+      for (std::size_t k = 0; k < 8; ++k)
+        if (!recurse(tree.nodes[8 * std::size_t{a} + k], again->nodes[8 * std::size_t{b} + k], recurse))
+          return false;
+      return true;
+    }
+    const std::uint32_t* left = &tree.words[a & ~FieldTree::kLeaf];
+    const std::uint32_t* right = &again->words[b & ~FieldTree::kLeaf];
+    return std::equal(left, left + LeafHead{*left}.words(), right);
+  };
+  for (std::size_t i = 0; i < tree.roots.size(); ++i)
+    EXPECT_TRUE(same(tree.roots[i], again->roots[i], same)) << i;
+}
+
+TEST(FieldStreams, AreRefusedOrHarmlessWhenDamagedAnywhere) {
+  const FieldStreams whole = streams_of(grid(), tree_of_everything());
+  int refused = 0;
+  for (std::size_t stream = 0; stream < FieldStreams::kCount; ++stream)
+    for (std::size_t at = 0; at < whole.bytes[stream].size(); ++at) {
+      FieldStreams damaged = whole;
+      damaged.bytes[stream][at] ^= 0x5BU;
+      auto tree = tree_from(grid(), damaged);
+      refused += tree ? 0 : 1;
+      if (tree) static_cast<void>(models::DistanceField::from_tree(grid(), *std::move(tree), {}));
+      damaged.bytes[stream].resize(at);
+      auto cut = tree_from(grid(), damaged);
+      if (cut) static_cast<void>(models::DistanceField::from_tree(grid(), *std::move(cut), {}));
+    }
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace palpable::formats

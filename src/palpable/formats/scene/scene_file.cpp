@@ -1,0 +1,266 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/scene_file.hpp"
+
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
+#include "palpable/formats/picture/jpeg.hpp"
+#include "palpable/formats/picture/png.hpp"
+#include "palpable/formats/scene/material_codec.hpp"
+#include "palpable/formats/scene/model_codec.hpp"
+#include "palpable/models/material/material_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::formats {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kMajor = 1;
+constexpr int kMinor = 0;
+constexpr const char* kFormat = "palpable-scene";
+constexpr const char* kDescription = "scene.json";
+constexpr const char* kTexture = "texture.png";
+constexpr const char* kLabels = "labels.png";
+constexpr std::size_t kMaxMaterials = 256;
+constexpr std::size_t kMaxDescriptionBytes = std::size_t{16} << 20U;
+
+struct Reader {
+  std::string_view kind;
+  Result<models::Model> (*read)(const json& description, const ZipMembers& members);
+};
+/// A kind that joins models::Model is entered here and in write_model().
+constexpr std::array<Reader, 5> kReaders{{{"relief", read_relief},
+                                          {"contours", read_contours},
+                                          {"field", read_field},
+                                          {"grid", read_grid},
+                                          {"dense-field", read_dense_field}}};
+
+Result<void> write_model(const models::Model& model, json& description, ZipMembers& members) {
+  if (const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&model))
+    return write_relief(**relief, description, members);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&model))
+    return write_field(**field, description, members);
+  if (const auto* grid = std::get_if<std::shared_ptr<const models::Grid>>(&model))
+    return write_grid(**grid, description, members);
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&model))
+    return write_dense_field(**dense, description, members);
+  return write_contours(*std::get<std::shared_ptr<const models::Contours>>(model), description, members);
+}
+
+using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
+
+json to_json(const SceneFromInput& t) {
+  return {{"rotation", t.rotation},
+          {"translation_m", {t.translation_m.x, t.translation_m.y, t.translation_m.z}},
+          {"scale", t.scale}};
+}
+
+SceneFromInput transform_from(const json& j) {
+  const auto move = j.at("translation_m").get<std::array<double, 3>>();
+  return {j.at("rotation").get<std::array<double, 9>>(),
+          {move[0], move[1], move[2]},
+          j.at("scale").get<double>()};
+}
+
+bool is_sound(const SceneFromInput& t) {
+  return std::all_of(t.rotation.begin(), t.rotation.end(), [](double v) { return std::isfinite(v); }) &&
+         is_finite(t.translation_m) && std::isfinite(t.scale) && t.scale > 0.0;
+}
+
+Result<Raster<Rgb8>> texture_from(const Bytes& member) {
+  const auto image = has_magic(member, "\xFF\xD8") ? decode_jpeg(member) : decode_png(member);
+  if (!image) return invalid_input("its picture " + image.error().message);
+  return rgb8(*image);
+}
+
+Result<Raster<std::uint8_t>> labels_from(const Bytes& member) {
+  const auto image = decode_png(member);
+  if (!image) return invalid_input("its map of materials " + image.error().message);
+  if (image->channels != 1 || image->bits != 8)
+    return invalid_input("holds a map of materials that is not an 8-bit grey picture");
+  Raster<std::uint8_t> labels(image->width, image->height);
+  std::transform(image->samples.begin(), image->samples.end(), labels.values().begin(),
+                 [](float v) { return static_cast<std::uint8_t>(std::lround(255.0F * v)); });
+  return labels;
+}
+
+Result<void> check_version(const json& description, SceneFile& out) {
+  const int major = description.at("version").at("major").get<int>();
+  const int minor = description.at("version").at("minor").get<int>();
+  out.version = std::to_string(major) + "." + std::to_string(minor);
+  if (major != kMajor)
+    return invalid_input("is a scene of format version " + out.version + ", but this program reads version " +
+                         std::to_string(kMajor) + ": use a newer program or make the scene again");
+  return {};
+}
+
+/// The member that `key` names, taken out of `members`; nullopt where the scene has none.
+Result<std::optional<Bytes>> member_named(const json& description, const char* key, ZipMembers& members) {
+  if (!description.contains(key)) return std::optional<Bytes>();
+  const auto name = description.at(key).get<std::string>();
+  auto node = members.extract(name);
+  if (node.empty()) return invalid_input("lacks its member " + name);
+  return std::optional(std::move(node.mapped()));
+}
+
+Result<void> read_pictures(const json& description, ZipMembers& members, models::Scene& scene) {
+  auto texture = member_named(description, "texture", members);
+  if (!texture) return std::move(texture).error();
+  if (*texture) {
+    auto picture = texture_from(**texture);
+    if (!picture) return std::move(picture).error();
+    scene.texture = *std::move(picture);
+  }
+  auto labels = member_named(description, "labels", members);
+  if (!labels) return std::move(labels).error();
+  if (*labels) {
+    auto map = labels_from(**labels);
+    if (!map) return std::move(map).error();
+    scene.labels = *std::move(map);
+  }
+  return {};
+}
+
+void read_source(const json& description, models::Provenance& source) {
+  const json& j = description.at("source");
+  source.inputs = j.at("inputs").get<std::vector<std::string>>();
+  source.method = j.at("method").get<std::string>();
+  source.made_by = j.at("made_by").get<std::string>();
+}
+
+Result<SceneFile> scene_from(const json& description, ZipMembers members) {
+  SceneFile out;
+  if (description.at("format").get<std::string>() != kFormat) return invalid_input("is not a scene of ours");
+  if (auto version = check_version(description, out); !version) return std::move(version).error();
+  const auto kind = description.at("kind").get<std::string>();
+  const auto* reader =
+      std::find_if(kReaders.begin(), kReaders.end(), [&kind](const Reader& r) { return r.kind == kind; });
+  if (reader == kReaders.end())
+    return invalid_input("is a scene of the kind '" + kind + "', which is not known here");
+  auto model = reader->read(description.at("model"), members);
+  if (!model) return std::move(model).error();
+  out.scene.model = *std::move(model);
+  const json& materials = description.at("materials");
+  if (materials.size() > kMaxMaterials) return invalid_input("states more than 256 materials");
+  out.scene.materials.clear();
+  for (const json& j : materials) {
+    auto material = read_material(j, members);
+    if (!material) return std::move(material).error();
+    out.scene.materials.push_back(*std::move(material));
+  }
+  out.scene.scene_from_input = transform_from(description.at("scene_from_input"));
+  read_source(description, out.scene.source);
+  if (auto pictures = read_pictures(description, members, out.scene); !pictures)
+    return std::move(pictures).error();
+  if (auto sound = check_scene(out.scene); !sound) return std::move(sound).error();
+  for (const json& value : description.at("model")) {
+    if (value.is_string()) members.erase(value.get<std::string>());
+    if (!value.is_array()) continue;
+    for (const json& part : value)
+      if (part.is_string()) members.erase(part.get<std::string>());
+  }
+  out.others = std::move(members);
+  return out;
+}
+
+}  // namespace
+
+Result<void> check_scene(const models::Scene& scene) {
+  if (scene.materials.empty() || scene.materials.size() > kMaxMaterials)
+    return invalid_input("a scene has between 1 and 256 materials");
+  if (!std::all_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return is_sound(m); }))
+    return invalid_input(
+        "a material's stiffness, damping or friction is negative or not a number, or its texture out of "
+        "range");
+  if (!is_sound(scene.scene_from_input))
+    return invalid_input("the scene's place in its input is not a number");
+  const bool labelled = std::all_of(scene.labels.values().begin(), scene.labels.values().end(),
+                                    [&](std::uint8_t label) { return label < scene.materials.size(); });
+  if (!labelled) return invalid_input("the map of materials names one that the scene does not have");
+  return {};
+}
+
+Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others) {
+  if (auto sound = check_scene(scene); !sound) return std::move(sound).error();
+  ZipMembers members = others;
+  json model;
+  if (auto written = write_model(scene.model, model, members); !written) return std::move(written).error();
+  const Vec3 size = models::size_m(scene);
+  json description{
+      {"format", kFormat},
+      {"version", {{"major", kMajor}, {"minor", kMinor}}},
+      {"frame", "right-handed, x right, y up, z towards the person; origin at the centre of the base"},
+      {"units", "m"},
+      {"kind", models::kind_of(scene.model)},
+      {"size_m", {size.x, size.y, size.z}},
+      {"model", model},
+      {"materials", json::array()},
+      {"scene_from_input", to_json(scene.scene_from_input)},
+      {"source",
+       {{"inputs", scene.source.inputs},
+        {"method", scene.source.method},
+        {"made_by", scene.source.made_by}}}};
+  for (std::size_t k = 0; k < scene.materials.size(); ++k) {
+    auto material = write_material(scene.materials[k], k, members);
+    if (!material) return std::move(material).error();
+    description["materials"].push_back(*std::move(material));
+  }
+  const auto add_picture = [&](const char* key, const char* name, const auto& picture) -> Result<void> {
+    if (picture.empty()) return {};
+    auto file = encode_png(picture);
+    if (!file) return std::move(file).error();
+    members[name] = *std::move(file);
+    description[key] = name;
+    return {};
+  };
+  if (auto added = add_picture("texture", kTexture, scene.texture); !added) return std::move(added).error();
+  if (auto added = add_picture("labels", kLabels, scene.labels); !added) return std::move(added).error();
+  // Names come from files and people: what is not UTF-8 in them is replaced rather than refused.
+  constexpr int kIndent = 1;
+  const std::string text = description.dump(kIndent, ' ', false, json::error_handler_t::replace);
+  const auto bytes = as_bytes(text);
+  members[kDescription] = Bytes(bytes.begin(), bytes.end());
+  return zip(members);
+}
+
+Result<SceneFile> decode_scene(std::span<const std::byte> file) {
+  auto members = unzip(file);
+  if (!members) return std::move(members).error();
+  const auto text = members->extract(kDescription);
+  if (text.empty()) return invalid_input("is a zip archive without scene.json, so not a scene");
+  if (text.mapped().size() > kMaxDescriptionBytes)
+    return invalid_input("has a scene.json larger than 16 MiB");
+  const json description = json::parse(as_text(text.mapped()), nullptr, false);
+  try {
+    auto scene = scene_from(description, *std::move(members));
+    if (scene) scene->file_bytes = file.size();
+    return scene;
+  } catch (const json::exception&) {
+    return invalid_input("has a scene.json that is damaged or incomplete");
+  }
+}
+
+Result<void> write_scene(const std::filesystem::path& path, const models::Scene& scene,
+                         const ZipMembers& others) {
+  const auto file = encode_scene(scene, others);
+  if (!file) return Error{file.error().code, file.error().message, path.string()};
+  return write_file_atomically(path, *file);
+}
+
+Result<SceneFile> read_scene(const std::filesystem::path& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  auto scene = decode_scene(*file);
+  if (!scene) scene.error().place = path.string();
+  return scene;
+}
+
+}  // namespace palpable::formats

@@ -1,0 +1,331 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/scene_file.hpp"
+
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/formats/packing/float_block.hpp"
+#include "palpable/models/field/field_leaf.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::formats {
+namespace {
+
+Raster<float> hills(int width, int height) {
+  Raster<float> z(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      z(x, y) =
+          0.005F + 0.004F * std::sin(0.1F * static_cast<float>(x)) * std::cos(0.07F * static_cast<float>(y));
+  return z;
+}
+
+models::Scene sample(int width = 40, int height = 30) {
+  models::Scene scene;
+  scene.model =
+      std::make_shared<const models::Relief>(*models::Relief::from_samples(hills(width, height), 0.0025));
+  scene.texture = Raster<Rgb8>(8, 6, {10, 20, 30});
+  scene.materials = {{"stone", 900.0, 1.0, 0.5, 0.4, {models::TouchTexture::Kind::grain, 0.0015, 2e-5, 0.25}},
+                     {"glass \xC3\xA4", 1200.5, 0.1, 0.05, 0.03, {}}};
+  scene.labels = Raster<std::uint8_t>(8, 6, 1);
+  scene.scene_from_input.translation_m = {0.1, -1.0 / 3.0, 0.25};
+  scene.scene_from_input.scale = 1e-4;
+  scene.source = {{"left.png", "right.png"}, "scanline --detail plain", "Palpable test"};
+  return scene;
+}
+
+/// The sample's file with a part of its scene.json replaced.
+Bytes with_description(const std::string& from, const std::string& to) {
+  auto members = *unzip(*encode_scene(sample()));
+  std::string text(as_text(members["scene.json"]));
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from << " in " << text;
+  text.replace(at, from.size(), to);
+  members["scene.json"] = Bytes(as_bytes(text).begin(), as_bytes(text).end());
+  return *zip(members);
+}
+
+TEST(SceneFile, KeepsATexturesPictureToTheFifteenthBit) {
+  models::Scene scene = sample();
+  std::vector<float> tile(std::size_t{models::kTextureSide} * models::kTextureSide);
+  for (std::size_t k = 0; k < tile.size(); ++k) tile[k] = std::sin(0.37F * static_cast<float>(k));
+  tile[0] = -1.0F;
+  tile[1] = 1.0F;
+  scene.materials[1].texture = {models::TouchTexture::Kind::picture, 0.002, 2e-5, 0.5, tile};
+  const auto file = encode_scene(scene);
+  ASSERT_TRUE(file);
+  const auto back = decode_scene(*file);
+  ASSERT_TRUE(back) << back.error().sentence();
+  const models::TouchTexture& texture = back->scene.materials[1].texture;
+  EXPECT_EQ(texture.kind, models::TouchTexture::Kind::picture);
+  ASSERT_EQ(texture.tile.size(), tile.size());
+  for (std::size_t k = 0; k < tile.size(); ++k) EXPECT_NEAR(texture.tile[k], tile[k], 2e-5F);
+  EXPECT_TRUE(back->others.empty());
+
+  models::Scene broken = scene;
+  broken.materials[1].texture.tile.pop_back();
+  EXPECT_FALSE(encode_scene(broken));
+}
+
+TEST(SceneFile, GivesBackEveryValueExactly) {
+  const models::Scene scene = sample();
+  const auto path = std::filesystem::path(testing::TempDir()) / "palpable-scene.palp";
+  ASSERT_TRUE(write_scene(path, scene));
+  const auto back = read_scene(path);
+  ASSERT_TRUE(back) << back.error().sentence();
+  EXPECT_EQ(back->version, "1.0");
+  EXPECT_EQ(back->file_bytes, std::filesystem::file_size(path));
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(back->scene.model);
+  EXPECT_EQ(relief.samples_m(), hills(40, 30));
+  EXPECT_EQ(relief.pixel_m(), 0.0025);
+  EXPECT_EQ(back->scene.texture, scene.texture);
+  EXPECT_EQ(back->scene.labels, scene.labels);
+  ASSERT_EQ(back->scene.materials.size(), 2U);
+  EXPECT_EQ(back->scene.materials[1].name, "glass \xC3\xA4");
+  EXPECT_EQ(back->scene.materials[1].stiffness_N_per_m, 1200.5);
+  EXPECT_EQ(back->scene.scene_from_input.translation_m, scene.scene_from_input.translation_m);
+  EXPECT_EQ(back->scene.scene_from_input.scale, 1e-4);
+  EXPECT_EQ(back->scene.source.inputs, scene.source.inputs);
+  EXPECT_EQ(back->scene.source.method, scene.source.method);
+  EXPECT_TRUE(back->others.empty());
+}
+
+TEST(SceneFile, GivesBackContoursAndTheirGroovesExactly) {
+  Raster<models::BoundaryPixel> edges(12, 9);
+  for (int x = 0; x < 12; ++x) edges(x, 4) = {0.5F, 0.01F * static_cast<float>(x)};
+  auto map = models::BoundaryMap::from_edges(edges, 0.001, 2.5, {0.3, 0.125}, Work{});
+  ASSERT_TRUE(map);
+  models::Scene scene = sample();
+  scene.model = std::make_shared<const models::Contours>(models::Contours{
+      std::move(*map),
+      std::make_shared<const models::Relief>(*models::Relief::from_samples(hills(24, 18), 0.0005))});
+  const auto back = decode_scene(*encode_scene(scene));
+  ASSERT_TRUE(back) << back.error().sentence();
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&back->scene.model);
+  ASSERT_NE(contours, nullptr);
+  EXPECT_EQ((*contours)->boundaries.edges(), edges);
+  EXPECT_EQ((*contours)->boundaries.radius_px(), 2.5);
+  EXPECT_EQ((*contours)->boundaries.origin().threshold, 0.3);
+  EXPECT_EQ((*contours)->boundaries.origin().boundary_fraction, 0.125);
+  EXPECT_EQ((*contours)->grooves->samples_m(), hills(24, 18));
+}
+
+/// A field of two roots, one of them cut, with a plane that two leaves share, an edge and a curved leaf.
+models::Scene field_scene() {
+  const auto w = [](float v) { return std::bit_cast<std::uint32_t>(v); };
+  constexpr std::uint32_t kLeaf = models::FieldTree::kLeaf;
+  models::FieldTree tree;
+  tree.words = {
+      0U,         w(0), w(0), w(1), w(-0.004F), 1U, w(0.7071068F), w(0.7071068F), w(0),        w(0), w(1),
+      w(-0.004F), w(1), w(0), w(0), w(-0.005F), 4U, w(0.5F),       0x10002000U,   0x30004000U, 0U,   0xFFF0U,
+      7U};
+  models::set_half_angles(&tree.words[5]);
+  tree.nodes = {kLeaf, kLeaf | 5U, kLeaf, kLeaf | 16U, kLeaf, kLeaf, kLeaf | 5U, kLeaf};
+  tree.roots = {0U, kLeaf};
+  auto distance = models::DistanceField::from_tree({{-0.008, -0.004, 0.0}, 0.001, 3, {2, 1, 1}}, tree,
+                                                   {1e-5, 2e-5, 3e-5});
+  models::Scene scene = sample();
+  scene.model = std::make_shared<const models::Field>(
+      *models::field_of(*std::move(distance), {-0.005, -0.003, 0.001}, {0.005, 0.003, 0.004}));
+  return scene;
+}
+
+models::Scene dense_scene(models::DenseContent content) {
+  const models::Lattice lattice{{-0.004, -0.003, 0.0}, 0.001, {9, 7, 5}};
+  std::vector<float> values;
+  for (std::size_t i = 0; i < lattice.places() * models::floats_of(content); ++i)
+    values.push_back(0.001F * std::sin(0.37F * static_cast<float>(i)));
+  auto dense = models::DenseField::from(lattice, content, std::move(values), {0.0, 2e-5, 3e-5});
+  models::Scene scene = sample();
+  scene.model = std::make_shared<const models::FieldOnLattice>(
+      *models::field_of(*std::move(dense), {-0.003, -0.002, 0.001}, {0.003, 0.002, 0.003}));
+  return scene;
+}
+
+TEST(SceneFile, GivesBackADenseFieldToTheBit) {
+  for (const auto content : {models::DenseContent::distance, models::DenseContent::distance_and_force}) {
+    const models::Scene scene = dense_scene(content);
+    const auto back = decode_scene(*encode_scene(scene));
+    ASSERT_TRUE(back) << back.error().sentence();
+    EXPECT_TRUE(back->others.empty());
+    const auto& before = *std::get<std::shared_ptr<const models::FieldOnLattice>>(scene.model);
+    const auto& after = *std::get<std::shared_ptr<const models::FieldOnLattice>>(back->scene.model);
+    EXPECT_EQ(after.distance.content(), content);
+    EXPECT_EQ(after.distance.values(), before.distance.values());
+    EXPECT_EQ(after.distance.lattice().origin_m, before.distance.lattice().origin_m);
+    EXPECT_EQ(after.distance.errors().max_m, 3e-5);
+    EXPECT_EQ(after.least_m, before.least_m);
+    EXPECT_EQ(after.from_above->samples_m(), before.from_above->samples_m());
+  }
+}
+
+TEST(SceneFile, RefusesADenseFieldOfAnotherSizeThanItStates) {
+  auto members = unzip(*encode_scene(dense_scene(models::DenseContent::distance)));
+  ASSERT_TRUE(members);
+  auto description = nlohmann::json::parse(as_text(members->at("scene.json")));
+  for (const nlohmann::json& counts :
+       {nlohmann::json{9, 7, 6}, nlohmann::json{1 << 19, 1 << 19, 1 << 19}, nlohmann::json{9, 7, 0}}) {
+    description["model"]["counts"] = counts;
+    const std::string text = description.dump();
+    const auto bytes = std::as_bytes(std::span(text));
+    (*members)["scene.json"] = Bytes(bytes.begin(), bytes.end());
+    EXPECT_FALSE(decode_scene(*zip(*members))) << counts;
+  }
+}
+
+TEST(SceneFile, GivesBackAFieldsDistancesExactly) {
+  const models::Scene scene = field_scene();
+  const auto back = decode_scene(*encode_scene(scene));
+  ASSERT_TRUE(back) << back.error().sentence();
+  const auto& before = *std::get<std::shared_ptr<const models::Field>>(scene.model);
+  const auto& after = *std::get<std::shared_ptr<const models::Field>>(back->scene.model);
+  EXPECT_EQ(after.distance.leaves(), before.distance.leaves());
+  EXPECT_EQ(after.distance.memory_bytes(), before.distance.memory_bytes());
+  EXPECT_EQ(after.distance.errors().max_m, 3e-5);
+  EXPECT_EQ(after.most_m, before.most_m);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p{-0.008 + 0.016 * (i % 10) / 9.0, -0.004 + 0.008 * (i / 10 % 10) / 9.0,
+                 0.008 * (i / 100) / 9.0};
+    ASSERT_EQ(after.distance.sample(p).distance_m, before.distance.sample(p).distance_m);
+    ASSERT_EQ(after.distance.sample(p).gradient, before.distance.sample(p).gradient);
+  }
+}
+
+TEST(SceneFile, WithADamagedFieldIsRefusedOrHarmless) {
+  const auto members = unzip(*encode_scene(field_scene()));
+  ASSERT_TRUE(members);
+  const Bytes& sound = members->at("cells.field.zst");
+  int refused = 0;
+  for (std::size_t i = 0; i < sound.size(); ++i) {
+    ZipMembers damaged = *members;
+    damaged.at("cells.field.zst")[i] ^= static_cast<std::byte>(1U << (i % 8));
+    const auto scene = decode_scene(*zip(damaged));
+    refused += scene ? 0 : 1;
+  }
+  EXPECT_GT(refused, static_cast<int>(sound.size() / 3));
+  ZipMembers cut = *members;
+  cut.at("cells.field.zst").resize(sound.size() / 2);
+  EXPECT_FALSE(decode_scene(*zip(cut)));
+}
+
+TEST(SceneFile, GivesTheSameBytesForTheSameScene) {
+  EXPECT_EQ(*encode_scene(sample()), *encode_scene(sample()));
+}
+
+TEST(SceneFile, KeepsMembersThatItDoesNotKnow) {
+  const ZipMembers others{{"notes.txt", Bytes(5, std::byte{'x'})}};
+  const auto first = decode_scene(*encode_scene(sample(), others));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->others, others);
+  EXPECT_EQ(decode_scene(*encode_scene(first->scene, first->others))->others, others);
+}
+
+TEST(SceneFile, OfANewerMajorVersionIsRefusedAndOfANewerMinorIsRead) {
+  const auto newer = decode_scene(with_description("\"major\": 1", "\"major\": 2"));
+  ASSERT_FALSE(newer);
+  EXPECT_EQ(newer.error().code, ErrorCode::invalid_input);
+  EXPECT_NE(newer.error().message.find("format version 2.0"), std::string::npos) << newer.error().message;
+  const auto minor = decode_scene(with_description("\"minor\": 0", "\"minor\": 7, \"later\": [1]"));
+  ASSERT_TRUE(minor) << minor.error().message;
+  EXPECT_EQ(minor->version, "1.7");
+}
+
+TEST(SceneFile, ThatStatesNonsenseIsRefusedWithASentence) {
+  const struct {
+    const char* from;
+    const char* to;
+    const char* says;
+  } kCases[] = {
+      {"\"kind\": \"relief\"", "\"kind\": \"cloud\"", "kind 'cloud'"},
+      {"\"columns\": 40", "\"columns\": 20000000", "more than the 64 million"},
+      {"\"columns\": 40", "\"columns\": -4", "states a size"},
+      {"\"columns\": 40", "\"columns\": 41", "damaged"},
+      {"\"columns\": 40", "\"columns\": \"x\"", "scene.json that is damaged"},
+      {"\"pixel_m\": 0.0025", "\"pixel_m\": -1", ""},
+      {"heights.f32.zst", "elsewhere", "lacks the heights"},
+      {"\"texture\": \"texture.png\"", "\"texture\": \"nowhere.png\"", "lacks its member nowhere.png"},
+      {"\"texture\": \"texture.png\"", "\"texture\": \"heights.f32.zst\"", "its picture is a PNG"},
+      {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": -1", "negative"},
+      {"\"stiffness_N_per_m\": 900.0", "\"stiffness_N_per_m\": null", "damaged"},
+      {"\"scale\": 0.0001", "\"scale\": 0", "place in its input"},
+      {"\"format\": \"palpable-scene\"", "\"format\": \"other\"", "not a scene of ours"},
+      {"\"source\"", "\"sauce\"", "damaged or incomplete"}};
+  for (const auto& c : kCases) {
+    const auto scene = decode_scene(with_description(c.from, c.to));
+    ASSERT_FALSE(scene) << c.to;
+    EXPECT_NE(scene.error().message.find(c.says), std::string::npos) << c.to << ": " << scene.error().message;
+  }
+}
+
+TEST(SceneFile, DamagedAnywhereIsAnErrorOrTheSameScene) {
+  const auto file = *encode_scene(sample());
+  const Raster<float> good = hills(40, 30);
+  for (std::size_t length = 0; length < file.size(); length += 7)
+    EXPECT_FALSE(decode_scene(std::span(file).first(length))) << length;
+  int refused = 0;
+  for (std::size_t i = 0; i < file.size(); i += 3) {
+    auto changed = file;
+    changed[i] ^= std::byte{0x55};
+    const auto scene = decode_scene(changed);
+    refused += scene ? 0 : 1;
+    // Dates and flags of the archive may change without harm; heights are guarded by the archive's checksums.
+    if (scene) {
+      EXPECT_EQ(std::get<std::shared_ptr<const models::Relief>>(scene->scene.model)->samples_m(), good) << i;
+    }
+  }
+  EXPECT_GT(refused, static_cast<int>(file.size() / 3 / 2));
+}
+
+TEST(SceneFile, ThatIsNoneIsRefused) {
+  EXPECT_FALSE(decode_scene({}));
+  EXPECT_FALSE(decode_scene(as_bytes("just a text")));
+  EXPECT_NE(decode_scene(*zip({{"a", {}}})).error().message.find("without scene.json"), std::string::npos);
+  EXPECT_FALSE(read_scene("/no/such/scene.palp"));
+}
+
+TEST(SceneFile, WithoutMaterialsOrWithUnknownLabelsIsNotWritten) {
+  models::Scene scene = sample();
+  scene.labels(0, 0) = 2;
+  EXPECT_FALSE(encode_scene(scene));
+  scene.labels = {};
+  EXPECT_TRUE(encode_scene(scene));
+  scene.materials.clear();
+  EXPECT_FALSE(encode_scene(scene));
+}
+
+TEST(FloatBlock, KeepsEveryBitPatternAndMakesSmoothRowsSmall) {
+  using Limits = std::numeric_limits<float>;
+  const std::vector<float> odd{0.0F,
+                               -0.0F,
+                               1.0F,
+                               -1.0F,
+                               Limits::infinity(),
+                               -Limits::infinity(),
+                               Limits::quiet_NaN(),
+                               Limits::denorm_min(),
+                               Limits::max(),
+                               Limits::lowest(),
+                               3.0F,
+                               4.0F};
+  const auto packed = pack_floats(odd, 4);
+  const auto back = unpack_floats(*packed, odd.size(), 4);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(std::memcmp(back->data(), odd.data(), 4 * odd.size()), 0);
+  EXPECT_FALSE(unpack_floats(*packed, odd.size() + 1, 4));
+  EXPECT_FALSE(unpack_floats(std::span(*packed).first(packed->size() - 1), odd.size(), 4));
+
+  const Raster<float> smooth = hills(640, 480);
+  EXPECT_LT(pack_floats(smooth.values(), 640)->size(), 4 * smooth.count() * 2 / 3);
+}
+
+}  // namespace
+}  // namespace palpable::formats

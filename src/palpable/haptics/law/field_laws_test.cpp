@@ -1,0 +1,196 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/law/field_laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+/// A wall 2 mm thick across z, its middle sheet smooth as a field's is.
+class Wall {
+ public:
+  models::FieldSample sample(Vec3 p) const noexcept {
+    constexpr double kRound_m = 1e-4;
+    const double height = std::abs(p.z);
+    const double away = height < kRound_m ? 0.5 * (height * height / kRound_m + kRound_m) : height;
+    const double slope = height < kRound_m ? p.z / kRound_m : (p.z > 0.0 ? 1.0 : -1.0);
+    return {away - 0.001, {0.0, 0.0, slope}};
+  }
+  double cell_m() const noexcept { return 2e-4; }
+  std::size_t memory_bytes() const noexcept { return sizeof(*this); }
+};
+
+class Ball {
+ public:
+  models::FieldSample sample(Vec3 p) const noexcept { return {norm(p) - 0.02, unit(p)}; }
+  double cell_m() const noexcept { return 2e-4; }
+  std::size_t memory_bytes() const noexcept { return sizeof(*this); }
+};
+
+MaterialMap material(double friction, double damping = 0.0) {
+  return MaterialMap({1000.0, damping, friction, friction});
+}
+Hand hand_at(Vec3 p) { return {{p}, {}, 0.001}; }
+
+TEST(FieldProxyLaw, NeverPopsThroughAThinWall) {
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0);
+  FieldProxyLaw<Wall>::State state;
+  Feel feel;
+  for (int i = 0; i <= 1000; ++i) feel = law.feel(hand_at({0.0, 0.0, 0.005 - i * 2e-5}), state);
+  // The hand is 14 mm beyond the wall's far side, and still pushed back where it came from.
+  EXPECT_TRUE(feel.contact);
+  EXPECT_NEAR(feel.proxy.v.z, 0.001, 1e-6);
+  EXPECT_NEAR(feel.force_N.v.z, 16.0, 0.01);
+}
+
+TEST(FieldProxyLaw, FeelsTheMaterialUnderTheProxyNotUnderTheHand) {
+  std::array<Contact, 256> contacts{};
+  contacts[0] = {1000.0, 0.0, 10.0, 10.0};
+  contacts[1] = {200.0, 0.0, 0.0, 0.0};
+  Raster<std::uint8_t> halves(2, 1, 0);
+  halves(1, 0) = 1;
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), MaterialMap(contacts, halves, 0.04, 0.04),
+                                0.0);
+  FieldProxyLaw<Wall>::State state;
+  law.feel(hand_at({-0.0005, 0.0, 0.003}), state);
+  law.feel(hand_at({-0.0005, 0.0, 0.0005}), state);
+  // The left half sticks: the hand slips over the border inside the wall, the proxy stays.
+  const Feel feel = law.feel(hand_at({0.0005, 0.0, 0.0005}), state);
+  EXPECT_EQ(feel.label, 0);
+  EXPECT_NEAR(feel.proxy.v.x, -0.0005, 1e-6);
+  EXPECT_NEAR(feel.force_N.v.x, -1.0, 1e-3);
+}
+
+TEST(FieldProxyLaw, KeepsAFastHandOnItsSide) {
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0);
+  FieldProxyLaw<Wall>::State state;
+  law.feel(hand_at({0.0, 0.0, 0.003}), state);
+  Feel feel;
+  for (int i = 0; i < 4; ++i) feel = law.feel(hand_at({0.0, 0.0, -0.002}), state);
+  EXPECT_TRUE(feel.contact);
+  EXPECT_GT(feel.force_N.v.z, 2.9);
+}
+
+TEST(FieldProxyLaw, SlidesRoundABallWithoutFriction) {
+  const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.0);
+  FieldProxyLaw<Ball>::State state;
+  Feel feel;
+  Vec3 hand;
+  law.feel(hand_at({0.0, 0.0, 0.021}), state);
+  for (int i = 0; i <= 2000; ++i) {
+    const double angle = std::numbers::pi / 2000.0 * i;
+    hand = 0.0195 * Vec3{std::sin(angle), 0.0, std::cos(angle)};
+    feel = law.feel(hand_at(hand), state);
+    ASSERT_TRUE(feel.contact);
+    ASSERT_NEAR(norm(feel.force_N), 0.5, 0.01);
+  }
+  EXPECT_GT(dot(unit(feel.force_N.v), unit(hand)), 0.999);
+}
+
+TEST(FieldProxyLaw, SticksWithinTheFrictionCone) {
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.5), 0.0);
+  FieldProxyLaw<Wall>::State state;
+  law.feel(hand_at({0.0, 0.0, 0.0015}), state);
+  law.feel(hand_at({0.0, 0.0, 0.0}), state);
+  const Feel held = law.feel(hand_at({0.0004, 0.0, 0.0}), state);
+  EXPECT_NEAR(held.proxy.v.x, 0.0, 1e-6);
+  EXPECT_NEAR(held.force_N.v.x, -0.4, 1e-3);
+  Feel slid;
+  for (int i = 0; i < 200; ++i) slid = law.feel(hand_at({0.004, 0.0, 0.0}), state);
+  EXPECT_NEAR(slid.force_N.v.x, -0.5, 0.01);
+}
+
+TEST(FieldProxyLaw, LetsGoOfAHandThatLeaves) {
+  const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.3), 0.0);
+  FieldProxyLaw<Ball>::State state;
+  for (const double z : {0.022, 0.0195, 0.019, 0.0201, 0.021}) law.feel(hand_at({0.0, 0.0, z}), state);
+  const Feel feel = law.feel(hand_at({0.0, 0.0, 0.0215}), state);
+  EXPECT_FALSE(feel.contact);
+  EXPECT_EQ(feel.force_N.v, Vec3{});
+  EXPECT_NEAR(feel.proxy.v.z, 0.0215, 1e-9);
+}
+
+TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
+  const FieldPenaltyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, false);
+  FieldPenaltyLaw<Wall>::State state;
+  double work_J = 0.0, swing_J = 0.0;
+  Vec3 last{0.0, 0.0, 0.0009};
+  constexpr int kSteps = 200000;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / kSteps;
+    const Vec3 p{0.001 * std::sin(t), 0.0005 * std::sin(2.0 * t), 0.0009 * std::cos(t)};
+    const Feel feel = law.feel(hand_at(0.5 * (p + last)), state);
+    work_J += dot(feel.force_N.v, p - last);
+    swing_J = std::max(swing_J, feel.stored_J);
+    last = p;
+  }
+  EXPECT_GT(swing_J, 1e-4);
+  EXPECT_LT(std::abs(work_J), 1e-6 * swing_J);
+}
+
+TEST(FieldPenaltyLaw, FeelsABallOfItsRadiusEarlier) {
+  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.001, false);
+  FieldPenaltyLaw<Ball>::State state;
+  EXPECT_FALSE(law.feel(hand_at({0.0211, 0.0, 0.0}), state).contact);
+  EXPECT_NEAR(law.feel(hand_at({0.0206, 0.0, 0.0}), state).force_N.v.x, 0.4, 1e-9);
+}
+
+TEST(FieldPenaltyLaw, NeverPulls) {
+  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0, 50.0), 0.0, false);
+  FieldPenaltyLaw<Ball>::State state;
+  Hand leaving = hand_at({0.0199, 0.0, 0.0});
+  leaving.velocity_m_per_s = {{1.0, 0.0, 0.0}};
+  EXPECT_EQ(law.feel(leaving, state).force_N.v, Vec3{});
+}
+
+Textures ridges_all_over() {
+  models::Material material;
+  material.texture = {models::TouchTexture::Kind::ridges, 0.002, 50e-6, 0.0};
+  return Textures({material});
+}
+
+TEST(FieldProxyLaw, FeelsATextureOnAFaceAsAReliefDoes) {
+  const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, ridges_all_over());
+  const models::TexturePattern pattern({models::TouchTexture::Kind::ridges, 0.002, 50e-6, 0.0});
+  FieldProxyLaw<Wall>::State state{};
+  const double depth = 0.0005;
+  law.feel(hand_at({0.0, 0.0, 0.002}), state);
+  for (int k = 0; k < 200; ++k) law.feel(hand_at({0.0, 0.0, 0.001 - depth}), state);
+  for (double x = 0.0; x < 0.004; x += 1e-5) {
+    const Feel feel = law.feel(hand_at({x, 0.0, 0.001 - depth}), state);
+    const auto h = pattern.sample(x, 0.0);
+    ASSERT_NEAR(feel.force_N.v.z, 1000.0 * (depth + h.z_m), 2e-3);
+    ASSERT_NEAR(feel.force_N.v.x, -1000.0 * depth * h.dzdx, 2e-3);
+  }
+}
+
+TEST(FieldProxyLaw, FeelsATextureOnEverySideOfASolid) {
+  const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.0, ridges_all_over());
+  for (const Vec3 side : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{-1, 0, 0}, Vec3{0.6, 0.0, 0.8}}) {
+    // Across the ridges of each side: their pattern's x runs along y, z and x on the sides of x, y and z.
+    const Vec3 along = unit(Vec3{side.z, side.x, side.y} - dot(Vec3{side.z, side.x, side.y}, side) * side);
+    FieldProxyLaw<Ball>::State state{};
+    law.feel(hand_at(0.021 * side), state);
+    double least = 1e9, most = 0.0;
+    for (int k = 0; k < 1200; ++k) {
+      const double angle = k * 5e-4;
+      const Vec3 at = 0.0195 * (std::cos(angle) * side + std::sin(angle) * along);
+      const Feel feel = law.feel(hand_at(at), state);
+      if (k < 200) continue;
+      least = std::min(least, norm(feel.force_N.v));
+      most = std::max(most, norm(feel.force_N.v));
+    }
+    // 0.5 N from the depth, and up to 50 micrometres to both sides of it.
+    EXPECT_GE(most - least, 0.03);
+    EXPECT_LE(most, 0.62);
+  }
+}
+
+}  // namespace
+}  // namespace palpable::haptics

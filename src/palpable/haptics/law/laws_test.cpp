@@ -1,0 +1,191 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/law/laws.hpp"
+
+#include "palpable/core/allocations.hpp"
+#include "palpable/haptics/law/test_scenes.hpp"
+#include "palpable/haptics/servo/probe_path.hpp"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+TEST(RollingLaw, DoesNoWorkRoundClosedLoopsWhereSobelDoes) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 13));
+  const auto net_of = [&](Law kind) {
+    LawParameters p;
+    p.law = kind;
+    p.damping_Ns_per_m = 0.0;
+    const LoopWork loop = work_round(*made(scene, p), 400000, 0, [](double t) {
+      return Vec3{0.015 * std::sin(t) + 0.003 * std::sin(3 * t), 0.012 * std::sin(2 * t + 0.3), 0};
+    });
+    return std::abs(loop.net_J) / loop.swing_J;
+  };
+  EXPECT_LE(net_of(Law::rolling), 1e-6);
+  EXPECT_GE(net_of(Law::sobel), 1e-3);
+}
+
+TEST(RollingLaw, IsTheWeightOfABallOnASlope) {
+  Raster<float> plane(60, 60);
+  for (int j = 0; j < 60; ++j)
+    for (int i = 0; i < 60; ++i) plane(i, j) = static_cast<float>(0.5 * i * kPixel_m);
+  for (const Law kind : {Law::rolling, Law::sobel}) {
+    LawParameters p;
+    p.law = kind;
+    p.stiffness_N_per_m = 2.0;
+    p.damping_Ns_per_m = 3.0;
+    const auto law = made(scene_of(plane), p);
+    TouchState state;
+    Hand hand;
+    hand.velocity_m_per_s = {{0.1, -0.2, 0.7}};
+    const Feel feel = law->feel(hand, state);
+    EXPECT_NEAR(feel.force_N.v.x, -2.0 * 0.5 - 3.0 * 0.1, 1e-4);
+    EXPECT_NEAR(feel.force_N.v.y, 3.0 * 0.2, 1e-4);
+    EXPECT_EQ(feel.force_N.v.z, 0.0);
+    EXPECT_TRUE(feel.contact);
+    EXPECT_FALSE(feel.has_proxy);
+  }
+}
+
+TEST(PenaltyLaw, PushesFromFlatGroundAsASpringAndNeverPulls) {
+  for (const Law kind : {Law::penalty, Law::averaged})
+    for (const auto direction : {PenaltyDirection::gradient, PenaltyDirection::normal}) {
+      LawParameters p = frictionless();
+      p.law = kind;
+      p.damping_Ns_per_m = 2.0;
+      p.penalty = direction;
+      const auto law = made(flat_ground(), p);
+      TouchState state;
+      EXPECT_NEAR(feel_at(*law, state, {0.001, 0, 0.003}).force_N.v.z, 1.0, 1e-6);
+      EXPECT_FALSE(feel_at(*law, state, {0.001, 0, 0.0051}).contact);
+      Hand hand;
+      hand.position = {{0, 0, 0.004}};
+      hand.velocity_m_per_s = {{0, 0, 1.0}};
+      EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
+    }
+}
+
+TEST(PenaltyLaw, IsTheExactGradientOfItsPotential) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 29));
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
+  LawParameters p = frictionless();
+  p.law = Law::penalty;
+  const auto law = made(scene, p);
+  TouchState state;
+  const auto energy = [&](Vec3 at) {
+    const auto s = relief.sample(at.x, at.y);
+    const double d = (s.z_m - at.z) / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+    return 0.5 * 500.0 * d * d;
+  };
+  for (int k = 0; k < 500; ++k) {
+    const double x = 0.015 * std::sin(0.7 * k);
+    const double y = 0.011 * std::sin(1.1 * k);
+    const Vec3 at{x, y, relief.sample(x, y).z_m - 0.001};
+    const Vec3 f = feel_at(*law, state, at).force_N.v;
+    // Far above the rounding of a look, 1e-10 m, and far below a pixel.
+    const double e = 1e-7;
+    ASSERT_NEAR(f.x, -(energy(at + Vec3{e, 0, 0}) - energy(at - Vec3{e, 0, 0})) / (2 * e), 1e-3);
+    ASSERT_NEAR(f.y, -(energy(at + Vec3{0, e, 0}) - energy(at - Vec3{0, e, 0})) / (2 * e), 1e-3);
+    ASSERT_NEAR(f.z, -(energy(at + Vec3{0, 0, e}) - energy(at - Vec3{0, 0, e})) / (2 * e), 1e-3);
+  }
+}
+
+TEST(AveragedLaw, WithAllWeightAtTheCentreIsTheShadedPenalty) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 31));
+  LawParameters p = frictionless();
+  p.law = Law::averaged;
+  p.averaging = {0.001, 0.0, 3.0};
+  const auto averaged = made(scene, p);
+  p.law = Law::penalty;
+  p.penalty = PenaltyDirection::normal;
+  const auto penalty = made(scene, p);
+  TouchState state;
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 at{0.015 * std::sin(0.7 * k), 0.011 * std::sin(1.1 * k), 0.0};
+    ASSERT_NEAR(norm(feel_at(*averaged, state, at).force_N - feel_at(*penalty, state, at).force_N), 0.0,
+                1e-12);
+  }
+}
+
+TEST(Laws, ContinueEachOthersStateOnlyOnTheSameSurface) {
+  const models::Scene scene = flat_ground();
+  LawParameters p = frictionless();
+  const auto family = made(scene, p)->state_family();
+  p.stiffness_N_per_m = 900.0;
+  EXPECT_EQ(made(flat_ground(), p)->state_family(), family);
+  p.radius_m = 0.001;
+  EXPECT_NE(made(scene, p)->state_family(), family);
+  EXPECT_NE(made(flat_ground(0.006F), frictionless())->state_family(), family);
+}
+
+TEST(Laws, RefuseParametersOutOfTheirRange) {
+  for (const double bad : {0.0, -1.0, 1e9, std::nan("")}) {
+    LawParameters p;
+    p.stiffness_N_per_m = bad;
+    const auto refused = make_touchable(flat_ground(), p);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::usage);
+  }
+  LawParameters p;
+  p.radius_m = 0.5;
+  EXPECT_FALSE(make_touchable(flat_ground(), p));
+}
+
+TEST(Laws, NeverAllocateInATick) {
+  ASSERT_TRUE(allocations_are_counted());
+  const models::Scene scene = scene_of(random_hills(100, 80, 23));
+  for (const Law kind : laws_for(scene)) {
+    LawParameters p;
+    p.law = kind;
+    p.radius_m = 0.0005;
+    const auto law = made(scene, p);
+    TouchState state;
+    std::uint64_t contacts = 0;
+    const AllocationScope scope;
+    for (int k = 0; k < 20000; ++k)
+      contacts +=
+          feel_at(*law, state,
+                  {0.013 * std::sin(0.003 * k), 0.01 * std::sin(0.005 * k), 0.002 * std::sin(0.02 * k)})
+                  .contact
+              ? 1U
+              : 0U;
+    EXPECT_EQ(scope.count(), 0U) << name_of(kind);
+    EXPECT_GT(contacts, 5000U);
+  }
+}
+
+TEST(Laws, HaveNamesThatLeadBack) {
+  for (const Law law : {Law::rolling, Law::sobel, Law::proxy, Law::penalty, Law::averaged})
+    EXPECT_EQ(law_from(name_of(law)), law);
+  EXPECT_FALSE(law_from("no such law"));
+}
+
+TEST(ProbePath, GivesTheSameForcesEachTimeAndChecksItsInput) {
+  const models::Scene scene = scene_of(random_hills(100, 80, 17));
+  const auto law = made(scene, {});
+  std::vector<PathSample> path;
+  path.reserve(3000);
+  for (int k = 0; k < 3000; ++k)
+    path.push_back({0.001 * k, {{0.008 * std::sin(0.004 * k), 0.006 * std::sin(0.007 * k), 0.002}}});
+  ASSERT_TRUE(check_path(path));
+  std::vector<Vec3> first;
+  probe_path(*law, path, [&](const PathSample&, const Feel& f) { first.push_back(f.force_N.v); });
+  std::size_t at = 0;
+  probe_path(*law, path, [&](const PathSample&, const Feel& f) { EXPECT_EQ(f.force_N.v, first[at++]); });
+  EXPECT_EQ(at, path.size());
+  const TickTimes times = time_path(*law, path);
+  EXPECT_EQ(times.latency.count, path.size());
+  EXPECT_GT(times.latency.p50_ns, 0.0);
+  path[7].t_s = path[6].t_s;
+  EXPECT_FALSE(check_path(path));
+  path[7].t_s = std::nan("");
+  EXPECT_FALSE(check_path(path));
+}
+
+}  // namespace
+}  // namespace palpable::haptics

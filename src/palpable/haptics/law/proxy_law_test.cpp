@@ -1,0 +1,165 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/law/test_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+TEST(ProxyLaw, PushesFromFlatGroundWithExactlyTheSpringsForce) {
+  for (const double radius_m : {0.0, 0.001}) {
+    const auto law = made(flat_ground(), frictionless(radius_m));
+    TouchState state;
+    feel_at(*law, state, {0, 0, 0.02});
+    const Vec3 pressed{0.001, 0, 0.005 + radius_m - 0.002};
+    // 15 mm in one tick is farther than a tick looks: the proxy arrives in the next.
+    feel_at(*law, state, pressed);
+    const Feel feel = feel_at(*law, state, pressed);
+    EXPECT_TRUE(feel.contact);
+    EXPECT_NEAR(feel.force_N.v.z, 1.0, 0.005);
+    EXPECT_NEAR(feel.force_N.v.x, 0.0, 1e-6);
+  }
+}
+
+TEST(ProxyLaw, IsSilentAboveTheSurface) {
+  const auto law = made(scene_of(random_hills(100, 80, 3)), frictionless());
+  TouchState state;
+  for (double x = -0.02; x < 0.02; x += 0.0003) {
+    const Feel feel = feel_at(*law, state, {x, 0.001, 0.02});
+    EXPECT_FALSE(feel.contact);
+    EXPECT_EQ(norm(feel.force_N), 0.0);
+    EXPECT_EQ(feel.proxy.v, (Vec3{x, 0.001, 0.02}));
+  }
+}
+
+TEST(ProxyLaw, FindsANewTouchUnderTheSurface) {
+  const auto law = made(flat_ground(), frictionless());
+  TouchState state;
+  EXPECT_TRUE(feel_at(*law, state, {0, 0, 0.004}).contact);
+}
+
+TEST(ProxyLaw, SticksInsideTheConeAndSlidesOutsideIt) {
+  LawParameters p = frictionless();
+  p.static_friction = 0.5;
+  p.dynamic_friction = 0.4;
+  const auto law = made(flat_ground(), p);
+  TouchState state;
+  feel_at(*law, state, {0, 0, 0.006});
+  feel_at(*law, state, {0, 0, 0.003});
+  Feel feel = feel_at(*law, state, {0.00099, 0, 0.003});
+  EXPECT_NEAR(feel.proxy.v.x, 0.0, 1e-9) << "2 mm deep, the cone is 1 mm wide";
+  feel = feel_at(*law, state, {0.0015, 0, 0.003});
+  EXPECT_NEAR(feel.proxy.v.x, 0.0015 - 0.4 * 0.002, 1e-6) << "now the dynamic coefficient holds";
+  EXPECT_NEAR(-feel.force_N.v.x / feel.force_N.v.z, 0.4, 1e-3);
+  const double rests = feel.proxy.v.x;
+  for (int k = 0; k < 1000; ++k) feel = feel_at(*law, state, {0.0015, 0, 0.003});
+  EXPECT_EQ(feel.proxy.v.x, rests) << "nothing drifts";
+  feel = feel_at(*law, state, {rests + 0.00098, 0, 0.003});
+  EXPECT_NEAR(feel.proxy.v.x, rests, 1e-9) << "at rest, the static coefficient holds again";
+}
+
+TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
+  const models::Scene scene = scene_of(random_hills(200, 160, 5));
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
+  LawParameters p = frictionless();
+  p.static_friction = 0.6;
+  p.dynamic_friction = 0.3;
+  const auto law = made(scene, p);
+  TouchState state;
+  for (int k = 0; k < 20000; ++k) {
+    const double t = 0.001 * k;
+    const double x = 0.017 * std::sin(2.0 * t);
+    const double y = 0.013 * std::sin(3.1 * t);
+    const Feel feel = feel_at(*law, state, {x, y, relief.sample(x, y).z_m - 0.0007});
+    if (!feel.contact) continue;
+    const auto s = relief.sample(feel.proxy.v.x, feel.proxy.v.y);
+    const Vec3 n = unit(Vec3{-s.dzdx, -s.dzdy, 1.0});
+    const double normal = dot(feel.force_N.v, n);
+    const double along = norm(feel.force_N.v - normal * n);
+    ASSERT_GE(normal, -1e-9);
+    ASSERT_LE(along, 0.6 * normal + 2e-3);
+  }
+}
+
+TEST(ProxyLaw, FeelsTheSameWhenSceneAndProbeAreTurnedTogether) {
+  const Raster<float> hills = random_hills(120, 120, 7);
+  Raster<float> turned(120, 120);
+  // A quarter turn to the left: what was at (x, y) comes to (-y, x).
+  for (int j = 0; j < 120; ++j)
+    for (int i = 0; i < 120; ++i) turned(j, 119 - i) = hills(i, j);
+  LawParameters p = frictionless(0.0006);
+  p.static_friction = 0.3;
+  const auto law = made(scene_of(hills), p);
+  const auto law_turned = made(scene_of(turned), p);
+  TouchState a;
+  TouchState b;
+  for (int k = 0; k < 4000; ++k) {
+    const double t = 0.001 * k;
+    const Vec3 at{0.009 * std::sin(2 * t), 0.008 * std::sin(3 * t + 1), 0.003 + 0.002 * std::sin(5 * t)};
+    const Vec3 f = feel_at(*law, a, at).force_N.v;
+    const Vec3 g = feel_at(*law_turned, b, {-at.y, at.x, at.z}).force_N.v;
+    ASSERT_NEAR(norm(Vec3{-f.y, f.x, f.z} - g), 0.0, 2e-4) << k;
+  }
+}
+
+TEST(ProxyLaw, MakesNoEnergyRoundClosedLoopsOfAPress) {
+  // Without friction and damping the force is the gradient of half the stiffness times the distance squared.
+  const models::Scene scene = scene_of(random_hills(200, 160, 11));
+  const auto law = made(scene, frictionless());
+  const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(scene.model);
+  const LoopWork loop = work_round(*law, 200000, 1, [&](double t) {
+    const double x = 0.012 * std::sin(t);
+    const double y = 0.009 * std::sin(2 * t);
+    return Vec3{x, y, relief.sample(x, y).z_m - 0.0002 - 0.0001 * std::sin(3 * t)};
+  });
+  EXPECT_LE(std::abs(loop.net_J), 2e-5 * loop.swing_J);
+}
+
+TEST(ProxyLaw, DampsAlongTheNormalAndNeverPulls) {
+  LawParameters p = frictionless();
+  p.damping_Ns_per_m = 2.0;
+  const auto law = made(flat_ground(), p);
+  TouchState state;
+  Hand hand;
+  hand.position = {{0, 0, 0.004}};
+  hand.velocity_m_per_s = {{0.3, 0, -0.1}};
+  const Feel pressing = law->feel(hand, state);
+  EXPECT_NEAR(pressing.force_N.v.z, 0.5 + 0.2, 1e-6);
+  EXPECT_NEAR(pressing.force_N.v.x, 0.0, 1e-9);
+  hand.velocity_m_per_s = {{0, 0, 1.0}};
+  EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
+}
+
+TEST(ProxyLaw, TakesEachRegionsMaterial) {
+  models::Scene scene = flat_ground();
+  models::Material soft;
+  soft.stiffness_N_per_m = 100.0;
+  soft.static_friction = soft.dynamic_friction = soft.damping_Ns_per_m = 0.0;
+  models::Material hard = soft;
+  hard.stiffness_N_per_m = 800.0;
+  scene.materials = {soft, hard};
+  scene.labels = Raster<std::uint8_t>(100, 80);
+  for (int j = 0; j < 80; ++j)
+    for (int i = 50; i < 100; ++i) scene.labels(i, j) = 1;
+  const auto law = made(scene, {});
+  TouchState state;
+  feel_at(*law, state, {-0.005, 0, 0.006});
+  Feel feel = feel_at(*law, state, {-0.005, 0, 0.004});
+  EXPECT_NEAR(feel.force_N.v.z, 0.1, 1e-6);
+  EXPECT_EQ(feel.label, 0);
+  double last = feel.force_N.v.z;
+  for (int k = 0; k < 200; ++k) {
+    feel = feel_at(*law, state, {-0.005 + 0.00005 * k, 0, 0.004});
+    EXPECT_LT(std::abs(feel.force_N.v.z - last), 0.08) << "a border is no kick";
+    last = feel.force_N.v.z;
+  }
+  EXPECT_EQ(feel.label, 1);
+  EXPECT_NEAR(feel.force_N.v.z, 0.8, 0.01);
+}
+
+}  // namespace
+}  // namespace palpable::haptics

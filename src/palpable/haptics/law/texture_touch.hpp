@@ -1,0 +1,95 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/law/texture.hpp"
+#include "palpable/haptics/law/touchable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace palpable::haptics {
+
+/// What a touch remembers of textures: whose is felt, and how much of it. It comes in smoothly. All zero =
+/// none.
+struct TextureTouch {
+  std::uint16_t label;
+  double share;
+};
+
+/// Where a proxy touches, and how deep the hand is under it.
+struct TexturedPlace {
+  Vec3 place_m;
+  /// Outward, unit.
+  Vec3 normal;
+  double depth_m = 0.0;
+  double stiffness_N_per_m = 0.0;
+};
+
+/// How much higher a texture makes the surface at a place, and how that rises along the surface.
+struct TextureRise {
+  double height_m = 0.0;
+  Vec3 slope;
+};
+
+/// Laid on the plan: a relief's, stretched where it is steep. Tick path.
+inline TextureRise on_plan(const models::TexturePattern& pattern, const TexturedPlace& at) noexcept {
+  const models::HeightSample h = pattern.sample(at.place_m.x, at.place_m.y);
+  const Vec3 over{h.dzdx, h.dzdy, 0.0};
+  return {h.z_m, over - dot(over, at.normal) * at.normal};
+}
+
+/// Laid on a solid from its three sides, each the more the more the surface faces it; on a face of one of
+/// them it is the pattern itself. How the shares change along a bent surface is left out of the slope. Tick
+/// path.
+inline TextureRise on_solid(const models::TexturePattern& pattern, const TexturedPlace& at) noexcept {
+  constexpr double kFaint = 1e-3;
+  const Vec3 n2{at.normal.x * at.normal.x, at.normal.y * at.normal.y, at.normal.z * at.normal.z};
+  const Vec3 faces{n2.x * n2.x, n2.y * n2.y, n2.z * n2.z};
+  const double all = faces.x + faces.y + faces.z;
+  TextureRise rise;
+  Vec3 over;
+  const auto add = [&](double face, double u_m, double v_m, auto&& laid) {
+    const double share = face / all;
+    if (!(share > kFaint)) return;
+    const models::HeightSample h = pattern.sample(u_m, v_m);
+    rise.height_m += share * h.z_m;
+    over += laid(share * h.dzdx, share * h.dzdy);
+  };
+  const Vec3 p = at.place_m;
+  add(faces.z, p.x, p.y, [](double u, double v) { return Vec3{u, v, 0.0}; });
+  add(faces.x, p.y, p.z, [](double u, double v) { return Vec3{0.0, u, v}; });
+  add(faces.y, p.z, p.x, [](double u, double v) { return Vec3{v, 0.0, u}; });
+  rise.slope = over - dot(over, at.normal) * at.normal;
+  return rise;
+}
+
+/// A texture of height h under the proxy is a surface that stands h higher: the potential k·depth·h more, and
+/// its gradient as force (height maps after Minsky 1995). The push is never taken away altogether. `laid` is
+/// on_plan or on_solid; a null pattern is none. Tick path.
+template <class Laid>
+void add_texture(const Hand& hand, const models::TexturePattern* pattern, const TexturedPlace& at,
+                 Laid&& laid, TextureTouch& state, Feel& feel) noexcept {
+  constexpr double kEase_s = 0.010;
+  constexpr double kWhole = 1.0 - 1e-6;
+  if (pattern == nullptr) {
+    state.share = 0.0;
+    return;
+  }
+  if (state.label != feel.label) state.share = 0.0;
+  state.label = feel.label;
+  if (state.share < kWhole) state.share += hand.dt_s / (hand.dt_s + kEase_s) * (1.0 - state.share);
+  if (!(at.depth_m > 0.0)) return;
+  const double share =
+      state.share * Textures::carried(hand.velocity_m_per_s.v, hand.dt_s, pattern->pitch_m());
+  const TextureRise rise = laid(*pattern, at);
+  const double k = share * at.stiffness_N_per_m;
+  const double higher_N = std::max(k * rise.height_m, -dot(feel.force_N.v, at.normal));
+  const Vec3 pushed_N = higher_N * at.normal - (k * at.depth_m) * rise.slope;
+  feel.force_N.v += pushed_N;
+  feel.spring_N.v += pushed_N;
+  feel.stored_J += k * at.depth_m * rise.height_m;
+}
+
+}  // namespace palpable::haptics

@@ -1,0 +1,91 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/law/tracing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpable::haptics {
+namespace {
+
+constexpr double kKnee_m_per_s = 0.005;
+constexpr double kSpeedWindow_s = 0.04;
+/// Cosine of the turn from one tick to the next that is a hand going back: where the lines of a square corner
+/// meet, the tangent jumps by a right angle, and that is none.
+constexpr double kTurnedRound = -0.5;
+
+/// 0 at rest, 1/2 at the knee, 1 beyond; so flat at rest that a sensor's last digit moves no hand.
+double moving(double speed) {
+  const double ratio = speed / kKnee_m_per_s;
+  const double v6 = ratio * ratio * ratio * ratio * ratio * ratio;
+  return v6 < 1e6 ? v6 / (v6 + 1.0) : 1.0;
+}
+
+/// 1 up to half of the cap, falling smoothly to 0 at the cap.
+double below_cap(double speed) {
+  const double t = std::clamp(2.0 - 2.0 * speed / TracingLaw::kSpeedCap_m_per_s, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+}  // namespace
+
+Feel TracingLaw::feel(const Hand& hand, State& s) const noexcept {
+  const double x = hand.position.v.x;
+  const double y = hand.position.v.y;
+  if (!s.begun) {
+    s.begun = true;
+    s.w_x_m = s.last_x_m = x;
+    s.w_y_m = s.last_y_m = y;
+  }
+  // What the last force gave over the way since: exact for a held force.
+  s.spent_J += s.last_fx_N * (x - s.last_x_m) + s.last_fy_N * (y - s.last_y_m);
+  const double refilled_J = s.steady_s >= kSteady_s ? kRefill_W * hand.dt_s : 0.0;
+  s.spent_J = std::clamp(s.spent_J - refilled_J, 0.0, kTank_J);
+  const double blend = hand.dt_s / (hand.dt_s + kSpeedWindow_s);
+  s.vx_m_per_s += blend * ((x - s.last_x_m) / hand.dt_s - s.vx_m_per_s);
+  s.vy_m_per_s += blend * ((y - s.last_y_m) / hand.dt_s - s.vy_m_per_s);
+
+  // Eqs 5 and 6: w is dragged behind the hand on a string of length epsilon.
+  const double dx = x - s.w_x_m;
+  const double dy = y - s.w_y_m;
+  const double distance = std::sqrt(dx * dx + dy * dy);
+  if (distance > p_.direction_m) {
+    s.w_x_m = x - dx / distance * p_.direction_m;
+    s.w_y_m = y - dy / distance * p_.direction_m;
+  }
+  const double direction_x = (x - s.w_x_m) / p_.direction_m;
+  const double direction_y = (y - s.w_y_m) / p_.direction_m;
+
+  const models::BoundarySample b = map_->sample(x, y);
+  const double speed = std::sqrt(s.vx_m_per_s * s.vx_m_per_s + s.vy_m_per_s * s.vy_m_per_s);
+  const double along = direction_x * b.tangent_x + direction_y * b.tangent_y;
+  const double wanted = p_.force_N * along * b.strength * moving(speed) * below_cap(speed);
+  s.steady_s += hand.dt_s;
+  if (wanted != 0.0) {
+    const double heading_x = std::copysign(1.0, wanted) * b.tangent_x;
+    const double heading_y = std::copysign(1.0, wanted) * b.tangent_y;
+    if (heading_x * s.heading_x + heading_y * s.heading_y < kTurnedRound) {
+      s.steady_s = 0.0;
+      s.spent_J = kTank_J;
+    }
+    s.heading_x = heading_x;
+    s.heading_y = heading_y;
+  }
+  // No tick may give more than the tank holds, even at the fastest motion that the loop lets through.
+  const double most = (kTank_J - s.spent_J) / (kFastest_m_per_s * hand.dt_s);
+  const double push = std::clamp(wanted, -most, most);
+
+  Feel feel;
+  s.last_fx_N = push * b.tangent_x;
+  s.last_fy_N = push * b.tangent_y;
+  s.last_x_m = x;
+  s.last_y_m = y;
+  const Vec3 v = hand.velocity_m_per_s.v;
+  const double depth = std::max(0.0, -hand.position.v.z);
+  feel.force_N.v = {s.last_fx_N - p_.damping_Ns_per_m * v.x, s.last_fy_N - p_.damping_Ns_per_m * v.y,
+                    p_.wall_N_per_m * depth};
+  feel.contact = b.strength > 0.0 || depth > 0.0;
+  return feel;
+}
+
+}  // namespace palpable::haptics

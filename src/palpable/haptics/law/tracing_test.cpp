@@ -1,0 +1,213 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/law/tracing.hpp"
+
+#include "palpable/core/allocations.hpp"
+#include "palpable/haptics/law/laws.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+constexpr double kTick_s = 0.001;
+
+/// A boundary along x through the whole map, strongest at y = 0.
+std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0, double pixel_m = 0.0005) {
+  Raster<models::BoundaryPixel> pixels(
+      200, 200,
+      {static_cast<float>(0.8 * std::cos(2 * angle)), static_cast<float>(0.8 * std::sin(2 * angle))});
+  return std::make_shared<const models::BoundaryMap>(
+      *models::BoundaryMap::from_edges(std::move(pixels), pixel_m, 1.0, {}, Work{}));
+}
+
+/// Moves the hand in steps and returns the feel of every tick.
+std::vector<Feel> traced(const TracingLaw& law, TracingLaw::State& state, const std::vector<Vec3>& path) {
+  std::vector<Feel> felt;
+  Vec3 before = path.front();
+  for (const Vec3 p : path) {
+    felt.push_back(law.feel({{p}, {(p - before) / kTick_s}, kTick_s}, state));
+    before = p;
+  }
+  return felt;
+}
+
+std::vector<Vec3> straight_path(Vec3 from, Vec3 velocity_m_per_s, int ticks) {
+  std::vector<Vec3> path;
+  for (int k = 0; k < ticks; ++k) path.push_back(from + k * kTick_s * velocity_m_per_s);
+  return path;
+}
+
+TracingParameters undamped() {
+  TracingParameters p;
+  p.damping_Ns_per_m = 0.0;
+  return p;
+}
+
+TEST(Tracing, HelpsAlongTheBoundaryBothWays) {
+  const TracingLaw law(straight_boundary(), undamped());
+  for (const double way : {1.0, -1.0}) {
+    TracingLaw::State state{};
+    const Feel last = traced(law, state, straight_path({}, {0.05 * way, 0, 0}, 200)).back();
+    EXPECT_NEAR(last.force_N.v.x * way, 0.8, 0.01);
+    EXPECT_NEAR(last.force_N.v.y, 0.0, 1e-9);
+  }
+}
+
+TEST(Tracing, DoesNothingToAHandThatCrossesAtARightAngle) {
+  const TracingLaw law(straight_boundary(), undamped());
+  TracingLaw::State state{};
+  for (const Feel& f : traced(law, state, straight_path({0.001, -0.02, 0}, {0, 0.05, 0}, 800)))
+    EXPECT_LT(norm(f.force_N), 1e-9);
+}
+
+TEST(Tracing, LetsAHandRest) {
+  TracingParameters strong = undamped();
+  strong.force_N = 5.0;
+  const TracingLaw law(straight_boundary(), strong);
+  TracingLaw::State state{};
+  auto path = straight_path({}, {0.05, 0, 0}, 200);
+  const Vec3 stop = path.back();
+  std::mt19937 random(3);
+  // A resting hand on a sensor of 20 um: the last digit flickers now and then, the hand creeps by 0.4 mm/s.
+  for (int k = 0; k < 2000; ++k) {
+    const double x = stop.x + 0.0004 * k * kTick_s;
+    path.push_back({std::round(x / 2e-5) * 2e-5, stop.y, 0});
+  }
+  const auto felt = traced(law, state, path);
+  for (std::size_t k = 700; k < felt.size(); ++k) EXPECT_LE(norm(felt[k].force_N), 0.001) << k;
+}
+
+TEST(Tracing, GivesNothingAtTheSpeedCap) {
+  const TracingLaw law(straight_boundary(), undamped());
+  TracingLaw::State state{};
+  const auto felt = traced(law, state, straight_path({-0.045, 0, 0}, {0.3, 0, 0}, 280));
+  EXPECT_LT(norm(felt.back().force_N), 1e-9);
+}
+
+TEST(Tracing, NeverGivesMoreThanItsTank) {
+  // A hand led along the boundary as fast as the law helps, for long: energy given <= tank + refill.
+  TracingParameters strong = undamped();
+  strong.force_N = 5.0;
+  const TracingLaw law(straight_boundary(0.0, 0.005), strong);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> speed(0.0, 0.3);
+  TracingLaw::State state{};
+  Vec3 p{};
+  Vec3 before = p;
+  Vec3 force{};
+  double v = 0.1;
+  double given_J = 0.0;
+  for (int k = 1; k <= 20000; ++k) {
+    if (k % 97 == 0) v = std::copysign(speed(random), v);
+    if (std::abs(p.x + v * kTick_s) > 0.45) v = -v;
+    p.x += v * kTick_s;
+    given_J += dot(force, p - before);
+    force = law.feel({{p}, {(p - before) / kTick_s}, kTick_s}, state).force_N.v;
+    before = p;
+    ASSERT_GE(TracingLaw::kTank_J - state.spent_J, 0.0);
+    ASSERT_LE(given_J, TracingLaw::kTank_J + TracingLaw::kRefill_W * k * kTick_s + 1e-9);
+  }
+  EXPECT_GT(given_J, 0.1);
+}
+
+/// An arm as a mass on a spring to the boundary's middle, let go at a distance: its speed at the end.
+double speed_left(const TracingLaw& law, double mass_kg, double hertz, double damping_ratio, double at_m) {
+  const double omega = 2.0 * std::numbers::pi * hertz;
+  TracingLaw::State state{};
+  double x = at_m, v = 0.0;
+  for (int k = 0; k < 15000; ++k) {
+    const double push_N = law.feel({{{x, 0, 0}}, {{v, 0, 0}}, kTick_s}, state).force_N.v.x;
+    v += kTick_s * (push_N / mass_kg - 2.0 * damping_ratio * omega * v - omega * omega * x);
+    x += kTick_s * v;
+  }
+  return std::abs(v);
+}
+
+TEST(Tracing, KeepsNoArmSwingingAboutItsAim) {
+  for (const double force_N : {1.0, 5.0}) {
+    TracingParameters p;
+    p.force_N = force_N;
+    const TracingLaw law(straight_boundary(), p);
+    for (const double mass_kg : {0.3, 1.0, 2.0})
+      for (const double hertz : {0.8, 1.5, 3.0, 6.0})
+        for (const double damping_ratio : {0.1, 0.3})
+          EXPECT_LT(speed_left(law, mass_kg, hertz, damping_ratio, 0.01), 0.001)
+              << force_N << " N, " << mass_kg << " kg, " << hertz << " Hz, " << damping_ratio;
+  }
+}
+
+TEST(Tracing, PushesAgainSoonAfterTheHandTurnedRound) {
+  const TracingLaw law(straight_boundary(), undamped());
+  TracingLaw::State state{};
+  traced(law, state, straight_path({}, {0.05, 0, 0}, 200));
+  const auto back = traced(law, state, straight_path({0.01, 0, 0}, {-0.02, 0, 0}, 1200));
+  EXPECT_NEAR(back[800].force_N.v.x, 0.0, 1e-9);
+  EXPECT_LT(back[1199].force_N.v.x, -0.7);
+}
+
+TEST(Tracing, HoldsAHandOfThreeAxesInFrontOfThePicture) {
+  const TracingLaw law(straight_boundary(), undamped());
+  TracingLaw::State state{};
+  EXPECT_NEAR(law.feel({{{0, 0, -0.002}}, {}, kTick_s}, state).force_N.v.z, 0.3, 1e-12);
+  EXPECT_EQ(law.feel({{{0, 0, 0.002}}, {}, kTick_s}, state).force_N.v.z, 0.0);
+}
+
+models::Scene contours_scene() {
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Contours>(models::Contours{
+      *straight_boundary(), std::make_shared<const models::Relief>(
+                                *models::Relief::from_samples(Raster<float>(50, 50, 0.001F), 0.002))});
+  return scene;
+}
+
+TEST(Tracing, IsTheDefaultLawOfContours) {
+  const auto laws = laws_for(contours_scene());
+  ASSERT_EQ(laws, (std::vector{Law::tracing, Law::groove, Law::rolling}));
+  for (const Law law : laws) {
+    LawParameters parameters;
+    parameters.law = law;
+    EXPECT_TRUE(make_touchable(contours_scene(), parameters)) << name_of(law);
+  }
+  LawParameters proxy;
+  EXPECT_EQ(make_touchable(contours_scene(), proxy).error().code, ErrorCode::usage);
+}
+
+TEST(Tracing, TakesItsForceAndNeighbourhoodLive) {
+  const auto pushed = [](double force_N) {
+    LawParameters p;
+    p.law = Law::tracing;
+    p.stiffness_N_per_m = force_N;
+    p.damping_Ns_per_m = 0.0;
+    p.neighbourhood_px = 5.0;
+    const auto touchable = make_touchable(contours_scene(), p);
+    TouchState state;
+    Feel feel;
+    for (int k = 0; k < 200; ++k)
+      feel = (*touchable)->feel({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
+    return feel.force_N.v.x;
+  };
+  EXPECT_NEAR(pushed(2.0), 2.0 * pushed(1.0), 1e-9);
+  LawParameters wide;
+  wide.law = Law::tracing;
+  wide.neighbourhood_px = 100.0;
+  EXPECT_FALSE(make_touchable(contours_scene(), wide));
+}
+
+TEST(Tracing, AllocatesNothingInATick) {
+  const TracingLaw law(straight_boundary(0.4), {});
+  TracingLaw::State state{};
+  ASSERT_TRUE(allocations_are_counted());
+  const AllocationScope scope;
+  for (int k = 0; k < 1000; ++k) law.feel({{{0.00001 * k, 0.0001, 0}}, {{0.01, 0, 0}}, kTick_s}, state);
+  EXPECT_EQ(scope.count(), 0U);
+}
+
+}  // namespace
+}  // namespace palpable::haptics

@@ -1,0 +1,114 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/safety/passivity.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+constexpr double kT_s = 0.001;
+constexpr double kStiffness = 1000.0;
+
+/// A hand presses 5 mm into a held spring and comes out again, smoothly, in `seconds`; the greatest energy
+/// made.
+double press_once(PassivityObserver& observer, double damping, double seconds) {
+  const int ticks = static_cast<int>(seconds / kT_s);
+  double x = 0.0;
+  Vec3 held;
+  for (int n = 1; n <= ticks; ++n) {
+    const double before = x;
+    const double angle = 2.0 * std::numbers::pi * n / ticks;
+    x = -0.0025 * (1.0 - std::cos(angle));
+    PassivityObserver::Tick tick;
+    tick.held_force_N = held;
+    tick.moved_m = {0.0, 0.0, x - before};
+    tick.dt_s = kT_s;
+    tick.stored_J = 0.5 * kStiffness * x * x;
+    tick.damping_Ns_per_m = damping;
+    observer.see(tick);
+    held = {0.0, 0.0, -kStiffness * x - damping * (x - before) / kT_s};
+  }
+  return observer.made_max_J();
+}
+
+TEST(PassivityObserver, SeesTheEnergyThatAHeldSpringMakes) {
+  // A held spring makes ½K·dx² a tick on the way in and again on the way out.
+  PassivityObserver observer;
+  const double made_J = press_once(observer, 0.0, 0.1);
+  double expected_J = 0.0;
+  double x = 0.0;
+  for (int n = 1; n <= 100; ++n) {
+    const double now = -0.0025 * (1.0 - std::cos(2.0 * std::numbers::pi * n / 100));
+    expected_J += 0.5 * kStiffness * (now - x) * (now - x);
+    x = now;
+  }
+  EXPECT_GT(expected_J, 1e-4);
+  EXPECT_NEAR(made_J, expected_J, 1e-9);
+}
+
+TEST(PassivityObserver, FindsNothingMadeWhereTheDamperTakesMoreThanTheHeldSpringMakes) {
+  // Colgate & Schenkel: b > K·T/2 = 0.5 N·s/m.
+  // At the very begin the damper still knows a smaller speed than the one that the spring lags by.
+  PassivityObserver enough;
+  EXPECT_LT(press_once(enough, 0.6, 0.1), 5e-7);
+  PassivityObserver too_little;
+  EXPECT_GT(press_once(too_little, 0.4, 0.1), 5e-6);
+}
+
+TEST(PassivityObserver, DoesNotPayWithWhatFrictionTookLongAgo) {
+  PassivityObserver observer;
+  PassivityObserver::Tick braking;
+  braking.held_force_N = {-1.0, 0.0, 0.0};
+  braking.moved_m = {1e-4, 0.0, 0.0};
+  braking.dt_s = kT_s;
+  for (int n = 0; n < 1000; ++n) observer.see(braking);
+  PassivityObserver fresh;
+  EXPECT_NEAR(press_once(observer, 0.0, 0.1), press_once(fresh, 0.0, 0.1), 1e-9);
+}
+
+TEST(PassivityObserver, DoesNotBlameTheLawForWhatALimitKeptBack) {
+  PassivityObserver observer;
+  PassivityObserver::Tick tick;
+  tick.held_force_N = {0.0, 0.0, 1.0};
+  tick.moved_m = {0.0, 0.0, -0.001};
+  tick.stored_J = 0.01;
+  tick.dt_s = kT_s;
+  tick.shortened = true;
+  observer.see(tick);
+  EXPECT_EQ(observer.made_max_J(), 0.0);
+}
+
+TEST(PassivityController, TakesOutExactlyWhatWasMadeWhereItMay) {
+  const Vec3 velocity{0.1, 0.0, 0.0};
+  const Vec3 braked = control_passivity({1.0, 0.0, 0.0}, velocity, 1e-6, kT_s, 50.0);
+  EXPECT_NEAR(dot(braked - Vec3{1.0, 0.0, 0.0}, velocity) * kT_s, -1e-6, 1e-15);
+}
+
+TEST(PassivityController, NeverTurnsTheHandRound) {
+  // A free 50 g hand under the greatest braking that is ever allowed, its speed known late.
+  for (const int delay : {0, 1, 2, 8}) {
+    const double damping = most_damping_Ns_per_m(0.05, kT_s, delay);
+    std::array<double, 10> speeds{};
+    speeds.fill(1.0);
+    for (int n = 0; n < 1000; ++n) {
+      const auto at = [&](int tick) { return static_cast<std::size_t>((tick + 100) % 10); };
+      const Vec3 braked = control_passivity({}, {speeds[at(n - delay - 1)], 0.0, 0.0}, 1.0, kT_s, damping);
+      speeds[at(n + 1)] = speeds[at(n)] + braked.x * kT_s / 0.05;
+      ASSERT_GE(speeds[at(n + 1)], 0.0) << "delay " << delay;
+    }
+    EXPECT_LT(speeds[0], 1e-6);
+  }
+}
+
+TEST(PassivityController, OnlyTakesEnergyOut) {
+  EXPECT_EQ(control_passivity({1.0, 2.0, 3.0}, {0.1, 0.0, 0.0}, -1.0, kT_s, 50.0), (Vec3{1.0, 2.0, 3.0}));
+  EXPECT_EQ(control_passivity({1.0, 2.0, 3.0}, {}, 1.0, kT_s, 50.0), (Vec3{1.0, 2.0, 3.0}));
+}
+
+}  // namespace
+}  // namespace palpable::haptics

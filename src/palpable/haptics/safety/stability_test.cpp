@@ -1,0 +1,109 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/safety/stability.hpp"
+
+#include "palpable/haptics/safety/test_hands.hpp"
+#include "palpable/haptics/servo/test_touch.hpp"
+#include "palpable/haptics/servo/tick.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+device::Traits known() {
+  device::Traits traits;
+  traits.damping_Ns_per_m = 0.1;
+  traits.coulomb_friction_N = 0.05;
+  traits.position_resolution_m = 10e-6;
+  return traits;
+}
+
+TEST(SafeContact, LeavesASoftWallAsItIs) {
+  const auto safe = safe_contact(known(), 1000.0, 1.0, 500.0, 0.5);
+  EXPECT_EQ(safe.stiffness_N_per_m, 500.0);
+  EXPECT_EQ(safe.damping_Ns_per_m, 0.5);
+  EXPECT_EQ(safe.bound, StiffnessBound::none);
+  EXPECT_TRUE(reason(safe.bound).empty());
+}
+
+TEST(SafeContact, GivesAWallTheDampingThatItNeeds) {
+  // (2d + 1)·K·T/2 from three fifths of it.
+  const auto safe = safe_contact(known(), 1000.0, 1.0, 500.0, 0.0);
+  EXPECT_EQ(safe.stiffness_N_per_m, 500.0);
+  EXPECT_NEAR(safe.damping_Ns_per_m, 0.25 / 0.6, 1e-12);
+}
+
+TEST(SafeContact, CountsTheDelayAndTheRate) {
+  // Device and hand damp 1.6 N·s/m, the wall at most half of that.
+  device::Traits traits = known();
+  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.6 * 1600.0, 1e-9);
+  traits.delay_samples = 2;
+  EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.6 * 320.0, 1e-9);
+  EXPECT_NEAR(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.6 * 1280.0, 1e-9);
+  EXPECT_NE(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).bound, StiffnessBound::none);
+}
+
+TEST(SafeContact, LowersADampingThatTheDeviceCannotCarry) {
+  const auto safe = safe_contact(known(), 1000.0, 1.0, 300.0, 50.0);
+  EXPECT_NEAR(safe.damping_Ns_per_m, 0.8, 1e-12);
+  EXPECT_EQ(safe.stiffness_N_per_m, 300.0);
+}
+
+TEST(SafeContact, KeepsTheSensorsStepsBelowWhatFrictionHolds) {
+  device::Traits traits = known();
+  traits.position_resolution_m = 0.5e-3;
+  const auto safe = safe_contact(traits, 1000.0, 1.0, 500.0, 0.5);
+  EXPECT_NEAR(safe.stiffness_N_per_m, 0.9 * 200.0, 1e-9);
+  EXPECT_EQ(safe.bound, StiffnessBound::quantisation);
+}
+
+TEST(SafeContact, KnowsThatAScaledSceneIsStifferInTheHand) {
+  // Half a metre of scene in a tenth of a metre of device: stiffness and damping are five times as great
+  // there.
+  const auto safe = safe_contact(known(), 1000.0, 5.0, 1e6, 0.1);
+  EXPECT_NEAR(safe.stiffness_N_per_m, 0.6 * 320.0, 1e-9);
+}
+
+TEST(SafeContact, BoundsNothingWithoutMotors) {
+  device::Traits traits = known();
+  traits.pushes_back = false;
+  EXPECT_EQ(safe_contact(traits, 1000.0, 1.0, 1e5, 9.0).stiffness_N_per_m, 1e5);
+}
+
+TEST(SafeContact, ComesToRestInEveryHandThatWeTried) {
+  Hands hands(11);
+  for (int round = 0; round < 60; ++round) {
+    device::HandOptions hand = hands.next();
+    hand.explorer.script = device::ExplorerOptions::Script::hold;
+    device::SimulatedHand simulated(hand);
+    const auto safe = safe_contact(simulated.traits(), hand.rate_hz, 1.0, hands.uniform(100.0, 5000.0),
+                                   hands.uniform(0.0, 2.0));
+    Program program;
+    program.touchable = std::make_shared<SpringSurface>(flat, safe.stiffness_N_per_m, safe.damping_Ns_per_m);
+    TickOptions options;
+    options.passivity = Passivity::observe;
+    Ring<TouchEvent> events(1024);
+    Tick tick(simulated, program, options, events);
+    simulated.place({0.0, 0.0, 0.002});
+    simulated.set_goal({0.0, 0.0, -0.006});
+    double least_m = 1.0;
+    double most_m = -1.0;
+    for (int n = 0; n < 3000; ++n) {
+      tick.step(0.001 * n, 0.001);
+      const double z = simulated.true_position_m().z;
+      if (n < 2000) continue;
+      least_m = std::min(least_m, z);
+      most_m = std::max(most_m, z);
+    }
+    EXPECT_GT(tick.counts().contact_ticks, 2000U);
+    EXPECT_LE(most_m - least_m, std::max(10e-6, hand.resolution_m))
+        << "round " << round << " delay " << hand.delay_samples << " K " << safe.stiffness_N_per_m;
+  }
+}
+
+}  // namespace
+}  // namespace palpable::haptics

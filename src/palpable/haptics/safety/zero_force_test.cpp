@@ -1,0 +1,118 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/safety/zero_force.hpp"
+
+#include "palpable/haptics/servo/servo_loop.hpp"
+#include "palpable/haptics/servo/test_touch.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace palpable::haptics {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// A hand held 2 mm under a wall. Says on standard error when it is stopped, and whether it was pushed before
+/// and not at the last.
+class TellingDevice final : public device::Device {
+ public:
+  TellingDevice() {
+    traits_.name = "telling";
+    reading_.position.v = {0.0, 0.0, -0.002};
+  }
+  const device::Traits& traits() const noexcept override { return traits_; }
+  device::Reading read() noexcept override {
+    if (crash_when_pushed && pushed) std::abort();
+    return reading_;
+  }
+  void write(Vector<DeviceFrame> force_N) noexcept override {
+    last_N = norm(force_N);
+    if (last_N > 0.5 && !pushed.exchange(true)) pushed.notify_all();
+  }
+  void stop() noexcept override {
+    constexpr char kText[] = "zero force\n";
+    if (pushed && last_N == 0.0) static_cast<void>(!write_text(kText, sizeof kText - 1));
+    ++stops;
+  }
+
+  std::atomic<bool> pushed{false};
+  std::atomic<double> last_N{0.0};
+  std::atomic<int> stops{0};
+  bool crash_when_pushed = false;
+
+ private:
+  static bool write_text(const char* text, std::size_t size) {
+    return ::write(STDERR_FILENO, text, size) == static_cast<ssize_t>(size);
+  }
+  device::Traits traits_;
+  device::Reading reading_;
+};
+
+struct Wall {
+  explicit Wall(bool crash = false) {
+    auto owned = std::make_unique<TellingDevice>();
+    owned->crash_when_pushed = crash;
+    device = owned.get();
+    ServoOptions options;
+    options.memory = Memory::leave;
+    Program program{std::make_shared<SpringSurface>(flat, 500.0, 0.5), {}, 1};
+    loop = *ServoLoop::start(std::move(owned), std::move(program), options);
+  }
+  /// The force rises in a quarter of a second.
+  bool comes_to_push() const {
+    device->pushed.wait(false);
+    return device->pushed;
+  }
+  TellingDevice* device = nullptr;
+  std::unique_ptr<ServoLoop> loop;
+};
+
+TEST(ZeroForce, IsWrittenByEveryServoThatIsEndedFromOutside) {
+  Wall first;
+  Wall second;
+  ASSERT_TRUE(first.comes_to_push() && second.comes_to_push());
+  EXPECT_TRUE(end_every_servo(10000));
+  for (const Wall* wall : {&first, &second}) {
+    EXPECT_EQ(wall->device->last_N, 0.0);
+    EXPECT_GE(wall->device->stops, 1);
+  }
+  Wall later;
+  EXPECT_TRUE(later.comes_to_push()) << "a servo that begins afterwards runs";
+}
+
+// The child of a death test begins anew, so that its threads are its own.
+class ZeroForceDeathTest : public testing::Test {
+ protected:
+  void SetUp() override { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
+};
+
+TEST_F(ZeroForceDeathTest, IsWrittenWhenAnotherThreadCrashes) {
+  EXPECT_EXIT(
+      {
+        write_zero_force_on_crash();
+        const Wall wall;
+        if (wall.comes_to_push()) std::abort();
+      },
+      testing::KilledBySignal(SIGABRT), "zero force");
+}
+
+TEST_F(ZeroForceDeathTest, IsWrittenWhenTheServoItselfCrashes) {
+  EXPECT_EXIT(
+      {
+        write_zero_force_on_crash();
+        const Wall wall(true);
+        std::this_thread::sleep_for(60s);
+      },
+      testing::KilledBySignal(SIGABRT), "zero force");
+}
+
+}  // namespace
+}  // namespace palpable::haptics

@@ -1,0 +1,57 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What the default law makes of energy in hands of every kind, at the stiffness limit and far above it.
+#include "palpable/haptics/law/test_scenes.hpp"
+#include "palpable/haptics/safety/stability.hpp"
+#include "palpable/haptics/safety/test_hands.hpp"
+#include "palpable/haptics/servo/tick.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+/// The greatest energy made without the controller while a hand explores for five seconds.
+double made_by(const device::HandOptions& options, double times_the_limit, double* contact_share) {
+  device::SimulatedHand hand(options);
+  models::Scene scene = scene_of(random_hills(200, 160, 5));
+  const auto safe = safe_contact(hand.traits(), options.rate_hz, 1.0, 1e5, 0.5);
+  LawParameters parameters;
+  parameters.stiffness_N_per_m = times_the_limit * safe.stiffness_N_per_m;
+  parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
+  Program program;
+  program.touchable = made(scene, parameters);
+  TickOptions observed;
+  observed.passivity = Passivity::observe;
+  Ring<TouchEvent> events(1024);
+  Tick tick(hand, program, observed, events);
+  constexpr int kTicks = 5000;
+  for (int n = 0; n < kTicks; ++n) {
+    tick.step(0.001 * n, 0.001);
+    while (events.take()) {
+    }
+  }
+  *contact_share = static_cast<double>(tick.counts().contact_ticks) / kTicks;
+  return tick.counts().made_max_without_controller_J;
+}
+
+TEST(Energy, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
+  Hands hands(17);
+  double most_above_J = 0.0;
+  for (int round = 0; round < 6; ++round) {
+    device::HandOptions hand = hands.next();
+    hand.explorer.script = device::ExplorerOptions::Script::random;
+    hand.explorer.workspace_m = {0.04, 0.03, 0.03};
+    hand.explorer.seed = static_cast<std::uint64_t>(round) + 1;
+    double contact = 0.0;
+    EXPECT_LE(made_by(hand, 1.0, &contact), 1e-6) << "round " << round << " delay " << hand.delay_samples;
+    EXPECT_GT(contact, 0.3);
+    most_above_J = std::max(most_above_J, made_by(hand, 5.0, &contact));
+  }
+  EXPECT_GT(most_above_J, 1e-5) << "the account sees what there is to see";
+}
+
+}  // namespace
+}  // namespace palpable::haptics

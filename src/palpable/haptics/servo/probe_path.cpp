@@ -1,0 +1,69 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/servo/probe_path.hpp"
+
+#include "palpable/haptics/servo/real_time.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace palpable::haptics {
+namespace {
+
+// What the first sample of a path, which has none before it, counts as its tick's length.
+constexpr double kFirstTick_s = 0.001;
+
+Hand hand_at(std::span<const PathSample> path, std::size_t i) {
+  Hand hand;
+  hand.position = path[i].position;
+  hand.dt_s = kFirstTick_s;
+  if (i == 0) return hand;
+  hand.dt_s = path[i].t_s - path[i - 1].t_s;
+  hand.velocity_m_per_s = (1.0 / hand.dt_s) * (path[i].position - path[i - 1].position);
+  return hand;
+}
+
+}  // namespace
+
+Result<void> check_path(std::span<const PathSample> path) {
+  if (path.empty()) return invalid_input("the path has no samples");
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!std::isfinite(path[i].t_s) || !is_finite(path[i].position))
+      return invalid_input("sample " + std::to_string(i + 1) + " is not finite");
+    if (i > 0 && !(path[i].t_s > path[i - 1].t_s))
+      return invalid_input("sample " + std::to_string(i + 1) + " is not later than the one before");
+  }
+  return {};
+}
+
+void probe_path(const Touchable& touchable, std::span<const PathSample> path,
+                const std::function<void(const PathSample&, const Feel&)>& each) {
+  TouchState state;
+  for (std::size_t i = 0; i < path.size(); ++i) each(path[i], touchable.feel(hand_at(path, i), state));
+}
+
+TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path) {
+  flush_denormals();
+  const TickClock clock = TickClock::calibrate();
+  LatencyRecorder recorder;
+  std::size_t contacts = 0;
+  for (const bool warm : {false, true}) {
+    TouchState state;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const Hand hand = hand_at(path, i);
+      const std::uint64_t start = TickClock::now();
+      const Feel feel = touchable.feel(hand, state);
+      const std::uint64_t stop = TickClock::now();
+      if (!warm) continue;
+      recorder.record_ns(clock.nanoseconds(start, stop));
+      contacts += feel.contact ? 1U : 0U;
+    }
+  }
+  TickTimes times;
+  times.latency = recorder.summary();
+  if (!path.empty())
+    times.contact_fraction = static_cast<double>(contacts) / static_cast<double>(path.size());
+  return times;
+}
+
+}  // namespace palpable::haptics

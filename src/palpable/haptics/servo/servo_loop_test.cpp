@@ -1,0 +1,311 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/servo/servo_loop.hpp"
+
+#include "palpable/device/pointer/pointer.hpp"
+#include "palpable/haptics/servo/test_touch.hpp"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+ServoOptions quiet() {
+  ServoOptions options;
+  options.realtime_priority = 0;
+  options.memory = Memory::leave;
+  options.tick.fade_s = 0.002;
+  return options;
+}
+
+/// What outlives the loop that owned the device.
+struct Log {
+  std::atomic<int> writes{0};
+  std::atomic<int> stops{0};
+  std::atomic<bool> last_was_zero{true};
+};
+
+class LoggingDevice final : public device::Device {
+ public:
+  explicit LoggingDevice(Log& log) : log_(log) { traits_.max_force_N = 3.0; }
+  const device::Traits& traits() const noexcept override { return traits_; }
+  device::Reading read() noexcept override { return {{{0.0, 0.0, -0.002}}, device::Status::ok, 0}; }
+  void write(Vector<DeviceFrame> force_N) noexcept override {
+    ++log_.writes;
+    log_.last_was_zero = force_N.v == Vec3{};
+  }
+  void stop() noexcept override { ++log_.stops; }
+
+ private:
+  Log& log_;
+  device::Traits traits_;
+};
+
+/// Counts how many of it are alive, so that a test sees old programs freed.
+class CountedTouchable final : public Touchable {
+ public:
+  CountedTouchable(std::atomic<int>& alive, double force_N) : alive_(alive), force_N_(force_N) { ++alive_; }
+  ~CountedTouchable() override { --alive_; }
+  Feel feel(const Hand&, TouchState&) const noexcept override {
+    Feel feel;
+    feel.force_N.v.z = force_N_;
+    feel.contact = true;
+    return feel;
+  }
+  std::uint64_t state_family() const noexcept override { return 5; }
+  double damping_Ns_per_m() const noexcept override { return 0.0; }
+  void touch_pages() const noexcept override {}
+
+ private:
+  std::atomic<int>& alive_;
+  double force_N_;
+};
+
+Program counted(std::atomic<int>& alive, double force_N, std::uint32_t id = 0) {
+  Program program;
+  program.touchable = std::make_shared<CountedTouchable>(alive, force_N);
+  program.id = id;
+  return program;
+}
+
+void wait_for_ticks(const ServoLoop& loop, std::uint64_t ticks) {
+  while (loop.statistics().touch.ticks < ticks) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+}
+
+TEST(ServoLoop, RefusesARateThatItCannotServe) {
+  Log log;
+  std::atomic<int> alive{0};
+  for (const double rate : {0.0, 99.0, 4001.0, std::numeric_limits<double>::quiet_NaN()}) {
+    ServoOptions options = quiet();
+    options.rate_hz = rate;
+    const auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), options);
+    ASSERT_FALSE(loop);
+    EXPECT_EQ(loop.error().code, ErrorCode::usage);
+  }
+}
+
+TEST(ServoLoop, WritesZeroForceOnEveryWayOut) {
+  Log log;
+  std::atomic<int> alive{0};
+  {
+    auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), quiet());
+    ASSERT_TRUE(loop);
+    wait_for_ticks(**loop, 50);
+    EXPECT_FALSE(log.last_was_zero);
+  }
+  EXPECT_TRUE(log.last_was_zero);
+  EXPECT_EQ(log.stops, 1);
+  EXPECT_EQ(alive, 0);
+}
+
+TEST(ServoLoop, AllocatesNothingInItsTicksAndCountsThem) {
+  Log log;
+  std::atomic<int> alive{0};
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), quiet());
+  ASSERT_TRUE(loop);
+  (*loop)->record(Recording::on);
+  wait_for_ticks(**loop, 300);
+  (*loop)->stop();
+  const auto statistics = (*loop)->statistics();
+  EXPECT_EQ(statistics.allocations_in_ticks, 0U);
+  EXPECT_EQ(static_cast<std::uint64_t>(log.writes), statistics.touch.ticks + 1);
+  EXPECT_NEAR(statistics.touch.max_force_N, 1.0, 1e-9);
+  EXPECT_GT(statistics.touch.first_force_t_s, 0.0);
+  // Every period since the begin was served or is counted as missed.
+  EXPECT_GT(statistics.rate_hz, 0.0);
+  EXPECT_LE(statistics.rate_hz, 1001.0);
+}
+
+TEST(ServoLoop, RecordsEveryTickInOrderAndCountsWhatItLoses) {
+  Log log;
+  std::atomic<int> alive{0};
+  ServoOptions options = quiet();
+  options.recording_capacity = 64;
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), options);
+  ASSERT_TRUE(loop);
+  (*loop)->record(Recording::on);
+  int taken = 0;
+  std::uint64_t before = 0;
+  bool in_order = true;
+  while (taken < 500) {
+    const auto sample = (*loop)->take_recorded();
+    if (!sample) {
+      std::this_thread::yield();
+      continue;
+    }
+    in_order = in_order && (taken == 0 || sample->tick > before);
+    before = sample->tick;
+    ++taken;
+  }
+  EXPECT_TRUE(in_order);
+  // Nobody empties it now: the ring fills, and the loop goes on without it.
+  wait_for_ticks(**loop, before + 200);
+  EXPECT_GT((*loop)->recording_lost(), 0U);
+}
+
+TEST(ServoLoop, SwapsProgramsLiveAndFreesTheOldOnesElsewhere) {
+  constexpr int kChanges = 100;
+  Log log;
+  std::atomic<int> alive{0};
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), quiet());
+  ASSERT_TRUE(loop);
+  int faded = 0;
+  for (std::uint32_t id = 1; id <= kChanges; ++id) {
+    (*loop)->change(counted(alive, 1.0 + 0.01 * id, id));
+    // Each is waited for until the servo has really taken it in: swaps that happened, not swaps asked for.
+    for (bool arrived = false; !arrived;) {
+      while (const auto event = (*loop)->take_event())
+        arrived = arrived || (event->kind == TouchEvent::Kind::program_changed && event->value == id);
+      std::this_thread::yield();
+    }
+    ++faded;
+  }
+  EXPECT_EQ(faded, kChanges);
+  // The housekeeper frees within its rhythm; the loop's end frees the rest.
+  while (alive > 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  (*loop)->stop();
+  EXPECT_EQ((*loop)->statistics().allocations_in_ticks, 0U);
+  loop->reset();
+  EXPECT_EQ(alive, 0);
+}
+
+TEST(ServoLoop, KeepsOnlyTheNewestOfProgramsThatCameTooFast) {
+  Log log;
+  std::atomic<int> alive{0};
+  ServoOptions options = quiet();
+  options.tick.fade_s = 0.02;
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), options);
+  ASSERT_TRUE(loop);
+  for (std::uint32_t id = 1; id <= 1000; ++id) (*loop)->change(counted(alive, 2.0, id));
+  std::uint32_t last = 0;
+  while (last != 1000) {
+    while (const auto event = (*loop)->take_event())
+      if (event->kind == TouchEvent::Kind::program_changed) last = event->value;
+    std::this_thread::yield();
+  }
+  loop->reset();
+  EXPECT_EQ(alive, 0);
+}
+
+TEST(ServoLoop, ShowsTheLatestSampleToAnotherThread) {
+  Log log;
+  std::atomic<int> alive{0};
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), quiet());
+  ASSERT_TRUE(loop);
+  int looks = 0;
+  std::uint64_t before = 0;
+  bool forwards = true;
+  while (looks < 200) {
+    if (const auto sample = (*loop)->take_latest()) {
+      forwards = forwards && (looks == 0 || sample->tick > before);
+      before = sample->tick;
+      ++looks;
+    }
+    std::this_thread::yield();
+  }
+  EXPECT_TRUE(forwards);
+}
+
+TEST(ServoLoop, PausesToZeroAndResumes) {
+  Log log;
+  std::atomic<int> alive{0};
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), quiet());
+  ASSERT_TRUE(loop);
+  wait_for_ticks(**loop, 50);
+  (*loop)->pause();
+  while (!log.last_was_zero) std::this_thread::yield();
+  (*loop)->resume();
+  while (log.last_was_zero) std::this_thread::yield();
+}
+
+/// A further probe, which a test moves and takes away while the loop runs.
+std::unique_ptr<device::Device> probe_of(const std::shared_ptr<device::PointerFeed>& feed) {
+  return std::make_unique<device::PointerDevice>(feed, 1000.0);
+}
+
+/// The first sample of a probe that fits; sends its place again and again meanwhile, as the page does.
+std::optional<TouchSample> wait_for(ServoLoop& loop, std::size_t probe, device::PointerFeed& feed,
+                                    const std::optional<Point<DeviceFrame>>& place,
+                                    const std::function<bool(const TouchSample&)>& fits) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (std::chrono::steady_clock::now() < end) {
+    feed.put(place);
+    const auto sample = loop.take_latest(probe);
+    if (sample && fits(*sample)) return sample;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return std::nullopt;
+}
+
+TEST(ServoLoop, FurtherProbesTouchTheSameSceneEachForItself) {
+  Log log;
+  Program program;
+  program.touchable = std::make_shared<SpringSurface>(flat, 500.0, 0.0);
+  const std::vector feeds{std::make_shared<device::PointerFeed>(), std::make_shared<device::PointerFeed>()};
+  std::vector<std::unique_ptr<device::Device>> further;
+  for (const auto& feed : feeds) further.push_back(probe_of(feed));
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), program, quiet(), std::move(further));
+  ASSERT_TRUE(loop);
+  (*loop)->record(Recording::on);
+  const auto pressed = [](double force_N) {
+    return [force_N](const TouchSample& s) { return std::abs(s.written_force_N.v.z - force_N) < 1e-6; };
+  };
+  const auto first = wait_for(**loop, 1, *feeds[0], {{{0.01, 0.0, -0.001}}}, pressed(0.5));
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->probe, 1);
+  EXPECT_EQ(first->label, 1);
+  const auto second = wait_for(**loop, 2, *feeds[1], {{{-0.01, 0.0, -0.003}}}, pressed(1.5));
+  ASSERT_TRUE(second);
+  EXPECT_EQ(second->probe, 2);
+  EXPECT_EQ(second->label, 0);
+  const auto gone = wait_for(**loop, 2, *feeds[1], {}, [](const TouchSample& s) { return !is_there(s); });
+  ASSERT_TRUE(gone);
+  EXPECT_EQ(gone->written_force_N.v.z, 0.0);
+  EXPECT_FALSE((*loop)->take_latest(3));
+  (*loop)->stop();
+  // The hand was touched, and its device written to, as if it were alone.
+  const auto statistics = (*loop)->statistics();
+  EXPECT_EQ(statistics.allocations_in_ticks, 0U);
+  EXPECT_NEAR(statistics.touch.max_force_N, 1.0, 1e-9);
+  EXPECT_EQ(static_cast<std::uint64_t>(log.writes), statistics.touch.ticks + 1);
+  std::array<std::uint64_t, 3> recorded{};
+  while (const auto sample = (*loop)->take_recorded()) ++recorded.at(sample->probe);
+  EXPECT_GE(recorded[0], recorded[1]);
+  EXPECT_GT(recorded[1], recorded[2]);
+  EXPECT_GT(recorded[2], 0U);
+}
+
+TEST(ServoLoop, ChangesTheSceneOfProbesThatAreAwayToo) {
+  Log log;
+  std::atomic<int> alive{0};
+  auto feed = std::make_shared<device::PointerFeed>();
+  std::vector<std::unique_ptr<device::Device>> further;
+  further.push_back(probe_of(feed));
+  auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0, 1), quiet(),
+                               std::move(further));
+  ASSERT_TRUE(loop);
+  for (std::uint32_t id = 2; id < 20; ++id) {
+    (*loop)->change(counted(alive, 0.1 * id, id));
+    const bool comes = id % 2 == 0;
+    const auto place = comes ? std::optional(Point<DeviceFrame>{{0.0, 0.0, -0.001}}) : std::nullopt;
+    const auto there = wait_for(**loop, 1, *feed, place, [&](const TouchSample& s) {
+      return s.program == id && is_there(s) == comes &&
+             (!comes || std::abs(s.written_force_N.v.z - 0.1 * id) < 1e-6);
+    });
+    ASSERT_TRUE(there) << id;
+  }
+  // The first programs are gone, and no probe was at them any more.
+  (*loop)->stop();
+  EXPECT_LE(alive, 1);
+}
+
+}  // namespace
+}  // namespace palpable::haptics

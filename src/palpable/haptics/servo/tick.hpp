@@ -1,0 +1,129 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/hand_off.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/haptics/safety/limits.hpp"
+#include "palpable/haptics/safety/passivity.hpp"
+#include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/servo/velocity.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace palpable::haptics {
+
+enum class Passivity { observe, control };
+
+struct TickOptions {
+  /// Lowered to the device's own; > 0.
+  double max_force_N = std::numeric_limits<double>::infinity();
+  /// Growth only; release is never delayed. The default lets a wall of 500 N/m met at 0.6 m/s through.
+  double max_force_rate_N_per_s = 300.0;
+  Passivity passivity = Passivity::control;
+  /// One program gives way to the next in this time.
+  double fade_s = 0.15;
+  /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
+  double ramp_down_s = 0.02;
+  double ramp_up_s = 0.25;
+  /// A reading that moved faster than this since the last good one is not a hand's: it is refused.
+  double max_speed_m_per_s = 8.0;
+};
+
+/// One tick of touch, without thread or clock: read the device; refuse what is not finite or plausible; ask
+/// the law; refuse what is not finite; cap the force; ramp; cap its rise; let the passivity controller take
+/// energy out and cap again; write. What was written is observed at the next reading. The servo loop calls it
+/// in time, tests call it as fast as they like: given the same readings it does the same. One thread; step()
+/// never allocates, locks, throws or prints.
+class Tick {
+ public:
+  /// `device`, `events` and `program` (with its touchable) outlive the Tick or, for the program, the next
+  /// change. Samples and events carry the number of the probe.
+  Tick(device::Device& device, const Program& program, const TickOptions& options, Ring<TouchEvent>& events,
+       std::uint8_t probe = 0);
+
+  /// `dt_s` > 0 since the step before, `t_s` since the first.
+  const TouchSample& step(double t_s, double dt_s) noexcept;
+
+  bool fading() const noexcept { return coming_.program != nullptr; }
+  /// Begins to fade to `program`; only while not fading(). Takes fade_s, whatever the device does meanwhile.
+  void change(const Program& program) noexcept;
+  /// The program that the last step() stopped using, once; else null.
+  const Program* take_retired() noexcept;
+  void set_paused(bool paused) noexcept { paused_ = paused; }
+
+  const TickCounts& counts() const noexcept { return counts_; }
+
+ private:
+  /// One program's side of a touch.
+  struct Side {
+    const Program* program = nullptr;
+    TouchState state;
+    Feel feel;
+  };
+  bool accept(const device::Reading& reading, double dt_s) noexcept;
+  bool ask_law(Side& side, double dt_s) noexcept;
+  Vec3 device_force_N(const Side& side, Vec3 force_N) const noexcept;
+  double device_stored_J() const noexcept;
+  bool feel(double dt_s) noexcept;
+  void fade(double dt_s) noexcept;
+  void end_fade() noexcept;
+  void observe(double dt_s) noexcept;
+  void make_force(double dt_s, bool wanted) noexcept;
+  void begin_touch() noexcept;
+  void describe(const device::Reading& reading) noexcept;
+  void tell(const TouchSample& before) noexcept;
+  void tell_well(bool well, std::uint32_t status) noexcept;
+  void emit(TouchEvent::Kind kind, std::uint32_t value) noexcept;
+  void count() noexcept;
+
+  device::Device& device_;
+  Ring<TouchEvent>& events_;
+  TickOptions options_;
+  double max_force_N_;
+  double mass_kg_;
+  bool planar_;
+
+  Side now_;
+  /// Its program is null when nothing is fading in.
+  Side coming_;
+  double faded_ = 0.0;
+  const Program* retired_ = nullptr;
+
+  VelocityEstimator velocity_;
+  FinePosition fine_;
+  Vec3 velocity_m_per_s_;
+  Vec3 position_m_;
+  Vec3 moved_m_;
+  /// Since the last good reading; infinite before the first.
+  double since_good_s_ = std::numeric_limits<double>::infinity();
+
+  Ramp ramp_;
+  /// All in the device's frame: the law's (the last finite one), after the caps and ramp, and as written.
+  Vec3 law_force_N_;
+  Vec3 uncontrolled_N_;
+  Vec3 written_N_;
+  /// The last forces, for a device whose motors get them some ticks late; newest at newest_.
+  struct Sent {
+    Vec3 written_N;
+    Vec3 uncontrolled_N;
+  };
+  static constexpr int kMostDelay = 15;
+  std::array<Sent, kMostDelay + 1> sent_{};
+  std::size_t newest_ = 0;
+  std::size_t delay_;
+  /// The held force was shortened by the cap, a ramp or a fade.
+  bool shortened_ = true;
+  bool paused_ = false;
+  bool well_ = true;
+  std::uint32_t flags_ = 0;
+  PassivityObserver observer_;
+  PassivityObserver without_controller_;
+  TouchSample sample_;
+  TickCounts counts_;
+};
+
+}  // namespace palpable::haptics

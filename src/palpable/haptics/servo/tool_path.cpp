@@ -1,0 +1,91 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/servo/tool_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace palpable::haptics {
+namespace {
+
+/// What one probe remembers from pose to pose.
+struct Probe {
+  std::optional<double> last_s;
+  /// Of each place of its tool.
+  std::vector<TouchState> states;
+  std::vector<Point<SceneFrame>> places;
+};
+
+ToolFeel feel(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
+              Probe& probe) {
+  // What a first sample, which has none before it, counts as its tick's length.
+  constexpr double kFirstTick_s = 0.001;
+  const bool first = !probe.last_s;
+  if (first) {
+    probe.states.resize(tool.size());
+    probe.places.resize(tool.size());
+  }
+  ToolFeel sum;
+  Hand hand;
+  hand.dt_s = first ? kFirstTick_s : pose.t_s - *probe.last_s;
+  for (std::size_t i = 0; i < tool.size(); ++i) {
+    hand.position = pose.scene_from_tool * tool[i].place;
+    hand.velocity_m_per_s =
+        first ? Vector<SceneFrame>{} : (1.0 / hand.dt_s) * (hand.position - probe.places[i]);
+    probe.places[i] = hand.position;
+    const Feel place = touchable.feel(hand, probe.states[i]);
+    const Vector<SceneFrame> force = tool[i].share * place.force_N;
+    sum.force_N += force;
+    sum.torque_Nm += cross(hand.position - Point<SceneFrame>{pose.scene_from_tool.translation_m}, force);
+    if (i == 0 || (place.contact && !sum.contact)) sum.label = place.label;
+    sum.contact = sum.contact || place.contact;
+    sum.has_proxy = place.has_proxy && tool.size() == 1;
+    sum.proxy = place.proxy;
+  }
+  probe.last_s = pose.t_s;
+  return sum;
+}
+
+}  // namespace
+
+void probe_tools(const Touchable& touchable, std::span<const ToolPlace> tool, std::span<const ToolPose> poses,
+                 const std::function<void(const ToolPose&, const ToolFeel&)>& each) {
+  std::vector<Probe> probes(kMostProbes);
+  for (const ToolPose& pose : poses)
+    each(pose, feel(touchable, tool, pose, probes[static_cast<std::size_t>(pose.probe)]));
+}
+
+Result<void> check_poses(std::span<const ToolPose> poses) {
+  if (poses.empty()) return invalid_input("the path has no samples");
+  std::vector<std::optional<double>> last_s(kMostProbes);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const ToolPose& pose = poses[i];
+    const auto& r = pose.scene_from_tool.rotation;
+    const std::string sample = "sample " + std::to_string(i + 1);
+    if (!std::isfinite(pose.t_s) || !is_finite(pose.scene_from_tool.translation_m) ||
+        !std::all_of(r.begin(), r.end(), [](double v) { return std::isfinite(v); }))
+      return invalid_input(sample + " is not finite");
+    if (pose.probe < 0 || pose.probe >= kMostProbes)
+      return invalid_input(sample + " is of a probe that is none of 0 to " + std::to_string(kMostProbes - 1));
+    auto& last = last_s[static_cast<std::size_t>(pose.probe)];
+    if (last && !(pose.t_s > *last))
+      return invalid_input(sample + " is not later than the one before of the same probe");
+    last = pose.t_s;
+  }
+  return {};
+}
+
+Result<void> check_tool(std::span<const ToolPlace> tool) {
+  if (tool.empty() || tool.size() > kMostToolPlaces)
+    return invalid_input("a tool has 1 to " + std::to_string(kMostToolPlaces) + " places");
+  for (std::size_t i = 0; i < tool.size(); ++i)
+    if (!(norm(tool[i].place.v) <= 1.0) || !(tool[i].share > 0.0 && tool[i].share <= 1000.0))
+      return invalid_input("place " + std::to_string(i + 1) +
+                           " is farther than 1 m from the tool's origin, or its share is not above 0 and at "
+                           "most 1000");
+  return {};
+}
+
+}  // namespace palpable::haptics

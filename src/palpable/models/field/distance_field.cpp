@@ -1,0 +1,248 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/models/field/distance_field.hpp"
+
+#include "palpable/models/field/field_leaf.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace palpable::models {
+namespace {
+
+constexpr int kMostLevels = 10;
+constexpr std::size_t kMostRoots = std::size_t{1} << 24U;
+
+bool grid_is_sound(const FieldGrid& grid) {
+  if (!is_finite(grid.origin_m) || !(grid.cell_m >= 1e-6 && grid.cell_m <= 1.0)) return false;
+  if (grid.levels < 0 || grid.levels > kMostLevels) return false;
+  std::size_t count = 1;
+  for (const int n : grid.roots) {
+    if (n < 1 || n > (1 << 20) >> grid.levels) return false;
+    count *= static_cast<std::size_t>(n);
+    if (count > kMostRoots) return false;
+  }
+  return true;
+}
+
+/// Whether the words that begin there are a leaf, all of it in place and finite.
+bool leaf_is_sound(const std::vector<std::uint32_t>& words, std::size_t at) {
+  if (at >= words.size()) return false;
+  const LeafHead head{words[at]};
+  if (head.pieces() > 3 || head.bits >> 7U != 0 || at + head.words() > words.size()) return false;
+  const std::uint32_t* next = &words[at] + 1;
+  for (int i = 1; i < head.pieces(); ++i, next += 2) {
+    const double cosine = detail::f64(next[0]);
+    const double sine = detail::f64(next[1]);
+    if (!(cosine >= 0.0 && cosine <= 1.0 && sine >= 1e-3 && sine <= 1.0)) return false;
+  }
+  for (int i = 0; i < head.pieces(); ++i) {
+    const std::size_t floats = head.curved(i) ? 1 : LeafHead::kPlaneWords;
+    for (std::size_t k = 0; k < floats; ++k)
+      if (!(std::abs(detail::f64(next[k])) < 1e9)) return false;
+    next += head.curved(i) ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
+  }
+  return true;
+}
+
+/// Every entry leads to a sound leaf or, deeper, to a node of its own; counts the leaves.
+Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree) {
+  const Error damaged = invalid_input("holds a field whose cells are damaged");
+  const std::size_t roots = static_cast<std::size_t>(grid.roots[0]) *
+                            static_cast<std::size_t>(grid.roots[1]) * static_cast<std::size_t>(grid.roots[2]);
+  if (tree.roots.size() != roots || tree.nodes.size() % 8 != 0) return damaged;
+  const std::size_t nodes = tree.nodes.size() / 8;
+  // The level of the entry that leads to a node; nodes come in an order in which parents are first.
+  std::vector<std::int8_t> level(nodes, std::int8_t{-1});
+  std::size_t leaves = 0;
+  const auto check = [&](std::uint32_t entry, int entry_level, std::size_t after) {
+    if ((entry & FieldTree::kLeaf) != 0) {
+      ++leaves;
+      return leaf_is_sound(tree.words, entry & ~FieldTree::kLeaf);
+    }
+    if (entry >= nodes || entry < after || entry_level < 1 || level[entry] != -1) return false;
+    level[entry] = static_cast<std::int8_t>(entry_level);
+    return true;
+  };
+  for (const std::uint32_t entry : tree.roots)
+    if (!check(entry, grid.levels, 0)) return damaged;
+  for (std::size_t node = 0; node < nodes; ++node) {
+    if (level[node] < 1) return damaged;
+    for (std::size_t i = 0; i < 8; ++i)
+      if (!check(tree.nodes[8 * node + i], level[node] - 1, node + 1)) return damaged;
+  }
+  return leaves;
+}
+
+/// The share of the window on the upper side of a face that stands `beyond` finest cells above the place
+/// (-0.5 ... 0.5 is under the window), and how it changes per cell.
+struct Share {
+  double upper = 0.0;
+  double slope = 0.0;
+};
+Share share_above(double place_over_face) {
+  const double t = 2.0 * place_over_face;
+  const double rest = 1.0 - std::abs(t);
+  return {t < 0.0 ? 0.5 * rest * rest : 1.0 - 0.5 * rest * rest, 2.0 * rest};
+}
+
+}  // namespace
+
+Result<DistanceField> DistanceField::from_tree(const FieldGrid& grid, FieldTree tree,
+                                               const FieldErrors& errors) {
+  if (!grid_is_sound(grid)) return invalid_input("holds a field whose grid makes no sense");
+  const auto leaves = checked_leaves(grid, tree);
+  if (!leaves) return leaves.error();
+  DistanceField field;
+  field.grid_ = grid;
+  field.tree_ = std::move(tree);
+  field.errors_ = errors;
+  field.leaves_ = *leaves;
+  field.cells_per_m_ = 1.0 / grid.cell_m;
+  field.round_m_ = kRounding * grid.cell_m;
+  return field;
+}
+
+std::size_t DistanceField::memory_bytes() const noexcept {
+  return sizeof(*this) +
+         sizeof(std::uint32_t) * (tree_.roots.size() + tree_.nodes.size() + tree_.words.size());
+}
+
+bool DistanceField::contains(Vec3 place_m) const noexcept {
+  const Vec3 p = place_m - grid_.origin_m;
+  const Vec3 size = grid_.size_m();
+  return p.x >= 0.0 && p.y >= 0.0 && p.z >= 0.0 && p.x <= size.x && p.y <= size.y && p.z <= size.z;
+}
+
+struct DistanceField::Descent {
+  std::array<std::uint32_t, kMostLevels + 1> entries;
+  std::array<int, 3> cell{};
+  int last = kMostLevels + 1;
+};
+
+DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& way) const noexcept {
+  const auto differing = static_cast<unsigned>((x ^ way.cell[0]) | (y ^ way.cell[1]) | (z ^ way.cell[2]));
+  int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
+  if (level > grid_.levels) {
+    level = grid_.levels;
+    const auto root = static_cast<std::size_t>((z >> level) * grid_.roots[1] + (y >> level)) *
+                          static_cast<std::size_t>(grid_.roots[0]) +
+                      static_cast<std::size_t>(x >> level);
+    way.entries[static_cast<std::size_t>(level)] = tree_.roots[root];
+  }
+  std::uint32_t entry = way.entries[static_cast<std::size_t>(level)];
+  while ((entry & FieldTree::kLeaf) == 0) {
+    --level;
+    const int child = (x >> level & 1) | (y >> level & 1) << 1 | (z >> level & 1) << 2;
+    entry = tree_.nodes[8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
+    way.entries[static_cast<std::size_t>(level)] = entry;
+  }
+  way.cell = {x, y, z};
+  way.last = level;
+  const int mask = -(1 << level);
+  return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
+}
+
+DistanceField::Leaf DistanceField::leaf_of(int x, int y, int z) const noexcept {
+  Descent way;
+  return down_to(x, y, z, way);
+}
+
+FieldSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
+  const double half = 0.5 * leaf.side;
+  const double per_half = 1.0 / half;
+  const Vec3 u{(cells.x - leaf.corner[0]) * per_half - 1.0, (cells.y - leaf.corner[1]) * per_half - 1.0,
+               (cells.z - leaf.corner[2]) * per_half - 1.0};
+  return leaf_at(&tree_.words[leaf.words], grid_.cell_m * cells, u, half * grid_.cell_m, round_m_);
+}
+
+FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
+  const Vec3 wanted = cells_per_m_ * (place_m - grid_.origin_m);
+  const auto held = [](double v, int n) { return v > 0.0 ? (v < n ? v : static_cast<double>(n)) : 0.0; };
+  const int nx = grid_.cells(0), ny = grid_.cells(1), nz = grid_.cells(2);
+  const Vec3 cells{held(wanted.x, nx), held(wanted.y, ny), held(wanted.z, nz)};
+  const auto cell = [](double v, int n) { return std::min(static_cast<int>(v), n - 1); };
+  Descent way;
+  const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), way);
+  const auto inside = [&](double v, std::size_t axis) {
+    return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
+  };
+  FieldSample sample = inside(cells.x, 0) && inside(cells.y, 1) && inside(cells.z, 2)
+                           ? leaf_sample(home, cells)
+                           : mixed(cells, home, way);
+  if (wanted != cells) {
+    const Vec3 beyond = grid_.cell_m * (wanted - cells);
+    const double length = norm(beyond);
+    sample.distance_m += length;
+    sample.gradient = unit(beyond);
+  }
+  return sample;
+}
+
+FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept {
+  // On each axis one face of the finest grid is nearest: the window reaches over it or ends at the next two.
+  struct Side {
+    int cell;
+    double share, slope;
+    bool at_home;
+  };
+  std::array<std::array<Side, 2>, 3> sides;
+  const std::array<double, 3> place{cells.x, cells.y, cells.z};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int face = static_cast<int>(place[axis] + 0.5);
+    const Share share = share_above(place[axis] - face);
+    const int last = grid_.cells(axis) - 1, from = home.corner[axis], to = from + home.side;
+    const int below = std::max(face - 1, 0), above = std::min(face, last);
+    sides[axis][0] = {below, 1.0 - share.upper, -share.slope, below >= from && below < to};
+    sides[axis][1] = {above, share.upper, share.slope, above >= from && above < to};
+  }
+  // The leaves under the window, and the share that each has of it. Planes do not depend on their leaf: along
+  // an edge, all leaves round it say the same.
+  struct Part {
+    Leaf leaf;
+    bool flat;
+    double share, along_x, along_y, along_z;
+  };
+  const auto is_flat = [&](const Leaf& leaf) { return LeafHead{tree_.words[leaf.words]}.flat(); };
+  const auto holds = [](const Leaf& leaf, int x, int y, int z) {
+    const auto along = [&](int v, std::size_t axis) {
+      return static_cast<unsigned>(v - leaf.corner[axis]) < static_cast<unsigned>(leaf.side);
+    };
+    return along(x, 0) && along(y, 1) && along(z, 2);
+  };
+  std::array<Part, 8> parts;
+  parts[0] = {home, is_flat(home), 0.0, 0.0, 0.0, 0.0};
+  std::size_t count = 1;
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    const Side &x = sides[0][octant & 1U], &y = sides[1][octant >> 1U & 1U], &z = sides[2][octant >> 2U];
+    std::size_t k = 0;
+    if (!(x.at_home && y.at_home && z.at_home)) {
+      for (k = 1; k < count && !holds(parts[k].leaf, x.cell, y.cell, z.cell);) ++k;
+      if (k == count) {
+        const Leaf leaf = down_to(x.cell, y.cell, z.cell, way);
+        const bool flat = is_flat(leaf);
+        for (k = 0; k < count && !(flat && parts[k].leaf.words == leaf.words);) ++k;
+        if (k == count) parts[count++] = {leaf, flat, 0.0, 0.0, 0.0, 0.0};
+      }
+    }
+    const double xy = x.share * y.share;
+    Part& part = parts[k];
+    part.share += xy * z.share;
+    part.along_x += x.slope * y.share * z.share;
+    part.along_y += x.share * y.slope * z.share;
+    part.along_z += xy * z.slope;
+  }
+  if (count == 1) return leaf_sample(home, cells);
+  FieldSample sample;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Part& part = parts[k];
+    const FieldSample s = leaf_sample(part.leaf, cells);
+    sample.distance_m += part.share * s.distance_m;
+    sample.gradient += part.share * s.gradient +
+                       (s.distance_m * cells_per_m_) * Vec3{part.along_x, part.along_y, part.along_z};
+  }
+  return sample;
+}
+
+}  // namespace palpable::models

@@ -1,0 +1,79 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/models/field/field.hpp"
+
+#include "palpable/core/work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace palpable::models {
+namespace {
+
+/// Between a height outside and one inside, where the distance changes its sign.
+template <DistanceSurface Distance>
+double crossing_m(const Distance& field, double x_m, double y_m, double outside_m, double inside_m) {
+  // Ten halvings of at most a quarter of a cell: a four-thousandth of it.
+  constexpr int kHalvings = 10;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle_m = 0.5 * (outside_m + inside_m);
+    (field.sample({x_m, y_m, middle_m}).distance_m > 0.0 ? outside_m : inside_m) = middle_m;
+  }
+  return 0.5 * (outside_m + inside_m);
+}
+
+/// Down from the top of the grid by the distance itself, which no surface is nearer than.
+template <DistanceSurface Distance>
+double height_m(const Distance& field, double x_m, double y_m, double lowest_m) {
+  double outside_m = field.origin_m().z + field.size_m().z;
+  if (!field.contains({x_m, y_m, outside_m})) return lowest_m;
+  constexpr double kShare = 0.95;
+  const double shortest_m = 0.25 * field.cell_m();
+  for (double z_m = outside_m; z_m > lowest_m;) {
+    const double distance_m = field.sample({x_m, y_m, z_m}).distance_m;
+    if (distance_m <= 0.0) return crossing_m(field, x_m, y_m, outside_m, z_m);
+    outside_m = z_m;
+    z_m -= std::max(kShare * distance_m, shortest_m);
+  }
+  return lowest_m;
+}
+
+template <DistanceSurface Distance>
+Result<SolidField<Distance>> seen_from_above(Distance distance, Vec3 least_m, Vec3 most_m) {
+  const Vec3 size = most_m - least_m;
+  if (!is_finite(least_m) || !is_finite(most_m) || !(size.x >= 0.0 && size.y >= 0.0 && size.z >= 0.0))
+    return invalid_input("holds a field whose box makes no sense");
+  constexpr double kPixels = 256.0;
+  const double half_x = std::max({std::abs(least_m.x), std::abs(most_m.x), distance.cell_m()});
+  const double half_y = std::max({std::abs(least_m.y), std::abs(most_m.y), distance.cell_m()});
+  const double pixel_m = std::clamp(2.0 * std::max(half_x, half_y) / kPixels, 1e-6, 1.0);
+  const auto count = [&](double half) {
+    return std::clamp(static_cast<int>(std::ceil(2.0 * half / pixel_m)), 2, 4096);
+  };
+  Raster<float> heights(count(half_x), count(half_y));
+  constexpr int kRows = 8;
+  parallel_for({}, heights.height(), kRows, [&](int begin, int end) {
+    for (int j = begin; j < end; ++j)
+      for (int i = 0; i < heights.width(); ++i)
+        heights(i, j) =
+            static_cast<float>(height_m(distance, (i - 0.5 * (heights.width() - 1)) * pixel_m,
+                                        -(j - 0.5 * (heights.height() - 1)) * pixel_m, least_m.z));
+  });
+  auto relief = Relief::from_samples(std::move(heights), pixel_m);
+  if (!relief) return std::move(relief).error();
+  return SolidField<Distance>{
+      std::move(distance), least_m, most_m, std::make_shared<const Relief>(std::move(*relief)), {}};
+}
+
+}  // namespace
+
+Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
+  return seen_from_above(std::move(distance), least_m, most_m);
+}
+
+Result<FieldOnLattice> field_of(DenseField distance, Vec3 least_m, Vec3 most_m) {
+  return seen_from_above(std::move(distance), least_m, most_m);
+}
+
+}  // namespace palpable::models

@@ -1,0 +1,22 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/material/touch_texture.hpp"
+
+#include <string>
+
+namespace palpable::models {
+
+/// How a surface answers a touch. Neutral defaults suit a simulated or mid-range device; a device's own
+/// limits lower them.
+struct Material {
+  std::string name = "default";
+  double stiffness_N_per_m = 500.0;
+  double damping_Ns_per_m = 0.5;
+  double static_friction = 0.3;
+  double dynamic_friction = 0.25;
+  TouchTexture texture;
+};
+
+}  // namespace palpable::models

@@ -1,0 +1,151 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/models/relief/spline_block.hpp"
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+
+namespace palpable::models {
+
+/// Height above the base and its exact gradient, at one place of a height field.
+struct HeightSample {
+  double z_m = 0.0;
+  double dzdx = 0.0;
+  double dzdy = 0.0;
+};
+
+/// The same with its exact second derivatives, in 1/m.
+struct CurvedSample {
+  double z_m = 0.0;
+  double dzdx = 0.0;
+  double dzdy = 0.0;
+  double dzdxx_per_m = 0.0;
+  double dzdxy_per_m = 0.0;
+  double dzdyy_per_m = 0.0;
+};
+
+/// What a law needs to feel a surface z(x, y): height and slope, both continuous. Never allocates, locks or
+/// throws.
+template <class M>
+concept HeightField = requires(const M& m, double x_m, double y_m) {
+  { m.sample(x_m, y_m) } -> std::same_as<HeightSample>;
+  requires noexcept(m.sample(x_m, y_m));
+};
+
+/// What a law needs to follow such a surface closely: curvature, a bound of the slope, the step within which
+/// the surface hides nothing (its pixel), and a hint that a place will be looked at soon. Never allocates,
+/// locks or throws.
+template <class M>
+concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, double y_m) {
+  { m.curved_sample(x_m, y_m) } -> std::same_as<CurvedSample>;
+  { m.steepest_slope() } -> std::same_as<double>;
+  { m.pixel_m() } -> std::same_as<double>;
+  m.prefetch(x_m, y_m);
+  requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(x_m, y_m));
+};
+
+/// A height field z(x, y) over a rectangle centred on the scene's origin: a uniform cubic B-spline whose
+/// control values are the samples (approximating: the surface stays within the extremes of its 4 x 4
+/// samples), so height, slope and curvature are continuous. Sample (i, j), j counted downwards, stands at x =
+/// (i - (w-1)/2) pixel_m, y = -(j - (h-1)/2) pixel_m. Outside the rectangle the border continues level
+/// outwards (slope falls to zero continuously). Immutable; any thread.
+class Relief {
+ public:
+  /// Errors: fewer than 2 x 2 samples, more than 64 M samples, a sample that is not finite, pixel_m not in
+  /// (0, 1].
+  static Result<Relief> from_samples(Raster<float> height_m, double pixel_m);
+
+  /// Height and exact gradient at (x_m, y_m), any finite value. Tick path.
+  HeightSample sample(double x_m, double y_m) const noexcept;
+
+  /// The same with the exact second derivatives; costs little more. Tick path.
+  CurvedSample curved_sample(double x_m, double y_m) const noexcept;
+
+  /// Lets the processor fetch what a look at a place will read, and goes on at once.
+  /// Tick path.
+  void prefetch(double x_m, double y_m) const noexcept;
+
+  const Raster<float>& samples_m() const { return height_m_; }
+  double pixel_m() const noexcept { return pixel_m_; }
+  /// A bound that no slope |grad z| of the surface exceeds: from the samples' greatest differences.
+  double steepest_slope() const noexcept { return steepest_slope_; }
+  /// Size between the outermost samples' outer edges: width * pixel_m, height * pixel_m.
+  double width_m() const { return pixel_m_ * height_m_.width(); }
+  double depth_m() const { return pixel_m_ * height_m_.height(); }
+  double lowest_m() const { return lowest_m_; }
+  double highest_m() const { return highest_m_; }
+  std::size_t memory_bytes() const;
+
+ private:
+  Relief() = default;
+  SplinePlace place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept;
+  SplinePlace border_place(double x_px, double y_px, std::array<float, 16>& copy) const noexcept;
+
+  Raster<float> height_m_;
+  double pixel_m_ = 0.0;
+  double pixels_per_m_ = 0.0;
+  /// Where the scene's origin stands in pixels, and where the cells end whose 4 x 4 samples all exist.
+  double middle_x_px_ = 0.0;
+  double middle_y_px_ = 0.0;
+  double inside_x_px_ = 0.0;
+  double inside_y_px_ = 0.0;
+  double steepest_slope_ = 0.0;
+  double lowest_m_ = 0.0;
+  double highest_m_ = 0.0;
+};
+
+// In the header so that a tick's chain of looks is one piece of code: a call and its result in memory would
+// cost a third of a look.
+inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept {
+  const double x_px = middle_x_px_ + x_m * pixels_per_m_;
+  const double y_px = middle_y_px_ - y_m * pixels_per_m_;
+  // Written so that NaN goes to the border, where it is held.
+  if (!(x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_))
+    return border_place(x_px, y_px, copy);
+  const int i = static_cast<int>(x_px);
+  const int j = static_cast<int>(y_px);
+  const auto stride = static_cast<std::size_t>(height_m_.width());
+  return {height_m_.data() + static_cast<std::size_t>(j - 1) * stride + static_cast<std::size_t>(i - 1),
+          stride, x_px - i, y_px - j};
+}
+
+// Inlined by force: this compiler takes a function that only prefetches for one without effect, and drops it.
+[[gnu::always_inline]] inline void Relief::prefetch(double x_m, double y_m) const noexcept {
+  const double x_px = middle_x_px_ + x_m * pixels_per_m_;
+  const double y_px = middle_y_px_ - y_m * pixels_per_m_;
+  if (!(x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_)) return;
+  const auto stride = static_cast<std::size_t>(height_m_.width());
+  const float* row =
+      height_m_.data() + static_cast<std::size_t>(y_px - 1.0) * stride + static_cast<std::size_t>(x_px - 1.0);
+  for (int k = 0; k < 4; ++k) {
+    __builtin_prefetch(row);
+    __builtin_prefetch(row + 3);
+    row += stride;
+  }
+}
+
+inline HeightSample Relief::sample(double x_m, double y_m) const noexcept {
+  std::array<float, 16> copy;
+  const SplineLook look = SplineBlock(place_at(x_m, y_m, copy)).look();
+  return {look.z, look.right * pixels_per_m_, -look.down * pixels_per_m_};
+}
+
+inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept {
+  std::array<float, 16> copy;
+  const SplineLook look = SplineBlock(place_at(x_m, y_m, copy)).curved_look();
+  const double s = pixels_per_m_;
+  return {look.z,
+          look.right * s,
+          -look.down * s,
+          look.right_right * (s * s),
+          -look.right_down * (s * s),
+          look.down_down * (s * s)};
+}
+
+}  // namespace palpable::models

@@ -1,0 +1,71 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/frame.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/models/contours/contours.hpp"
+#include "palpable/models/field/field.hpp"
+#include "palpable/models/grid/grid.hpp"
+#include "palpable/models/material/material.hpp"
+#include "palpable/models/relief/relief.hpp"
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace palpable::models {
+
+/// The frame of what went in: pixels of a picture (x right, y down, z = depth or disparity as read) or a
+/// mesh's own metres.
+struct InputFrame;
+
+/// What can be touched. Later kinds join here (map).
+using Model =
+    std::variant<std::shared_ptr<const Relief>, std::shared_ptr<const Contours>, std::shared_ptr<const Field>,
+                 std::shared_ptr<const Grid>, std::shared_ptr<const FieldOnLattice>>;
+
+/// "relief", "field", … as `palpable info` prints it.
+std::string kind_of(const Model& model);
+
+/// Whether it is a distance field, however it is kept.
+bool is_field(const Model& model) noexcept;
+
+/// Where a scene came from, kept in its file so that a result can be traced.
+struct Provenance {
+  std::vector<std::string> inputs;
+  /// The method and options that made it, as one command-line-like text.
+  std::string method;
+  std::string made_by;
+};
+
+/// A touchable scene as it is saved: a model, its picture, materials and origin. A value type; models are
+/// shared and immutable.
+struct Scene {
+  Model model;
+  /// Shown on the surface, covering the model's rectangle; may be empty.
+  Raster<Rgb8> texture;
+  /// At least one; label k of `labels` uses materials[k].
+  std::vector<Material> materials{Material{}};
+  /// Material index per sample, over the same rectangle as the texture; empty = all 0.
+  Raster<std::uint8_t> labels;
+  Transform<SceneFrame, InputFrame> scene_from_input;
+  Provenance source;
+};
+
+/// Index of the material at a place of the scene, seen from above: always one of scene.materials. Outside the
+/// scene the nearest place's. Any thread; never allocates.
+std::size_t label_at(const Scene& scene, Point<SceneFrame> place);
+
+/// The surface of a scene: a relief itself, the grooves of contours, or a field or grid seen from above.
+/// Never null.
+const std::shared_ptr<const Relief>& relief_of(const Scene& scene);
+
+/// Width, height and depth in metres of the box that the scene fills.
+Vec3 size_m(const Scene& scene);
+
+/// The middle of that box.
+Vec3 centre_m(const Scene& scene);
+
+}  // namespace palpable::models

@@ -1,0 +1,61 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/contours/junctions.hpp"
+
+#include <cmath>
+#include <initializer_list>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+struct Stroke {
+  double x0, y0, x1, y1;
+};
+
+Raster<float> drawn(std::initializer_list<Stroke> strokes) {
+  Raster<float> line(120, 100, 0.0F);
+  for (const Stroke& s : strokes)
+    for (int k = 0; k <= 400; ++k) {
+      const double f = k / 400.0;
+      line(static_cast<int>(std::lround(s.x0 + f * (s.x1 - s.x0))),
+           static_cast<int>(std::lround(s.y0 + f * (s.y1 - s.y0)))) = 1.0F;
+    }
+  return line;
+}
+
+TEST(Junctions, AreWhereThreeOrFourLinesMeet) {
+  const auto tee = find_junctions(drawn({{20, 50, 100, 50}, {60, 50, 60, 90}}), 8);
+  ASSERT_EQ(tee.size(), 1U);
+  EXPECT_NEAR(tee[0].x_px, 60, 1.5);
+  EXPECT_NEAR(tee[0].y_px, 50, 3.0);
+  EXPECT_EQ(tee[0].branches, 3);
+  const auto cross = find_junctions(drawn({{20, 20, 90, 80}, {90, 20, 20, 80}}), 8);
+  ASSERT_EQ(cross.size(), 1U);
+  EXPECT_NEAR(cross[0].x_px, 55, 1.5);
+  EXPECT_EQ(cross[0].branches, 4);
+}
+
+TEST(Junctions, BridgeTheGapThatThinningLeaves) {
+  EXPECT_EQ(find_junctions(drawn({{20, 50, 100, 50}, {60, 53, 60, 90}}), 8).size(), 1U);
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 100, 50}, {60, 57, 60, 90}}), 8).empty());
+}
+
+TEST(Junctions, AreNeitherCornersNorEndsNorLinesThatPassBy) {
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 60, 50}, {60, 50, 60, 90}}), 8).empty());
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 100, 50}, {20, 55, 100, 55}}), 8).empty());
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 40, 52}}), 8).empty());
+  EXPECT_TRUE(find_junctions(drawn({}), 8).empty());
+}
+
+TEST(Junctions, AreMarkedByDiscs) {
+  const auto labels = mark_junctions({{60.0, 50.0, 3}, {0.0, 0.0, 3}}, 120, 100, 5.0, 7);
+  EXPECT_EQ(labels(60, 50), 7);
+  EXPECT_EQ(labels(64, 52), 7);
+  EXPECT_EQ(labels(66, 50), 0);
+  EXPECT_EQ(labels(0, 0), 7);
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

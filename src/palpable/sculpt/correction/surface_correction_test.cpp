@@ -1,0 +1,118 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/correction/surface_correction.hpp"
+
+#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/sculpt/triangles/box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+constexpr double kRadius = 0.02;
+
+Mesh sphere(double radius_m, double spacing_m) {
+  models::Superquadric s;
+  s.size_m = {radius_m, radius_m, radius_m};
+  return models::mesh_of(s, spacing_m);
+}
+
+/// The part of a sphere above z = cut: what a camera measured.
+Mesh cap(double radius_m, double cut_m) {
+  Mesh mesh = sphere(radius_m, 0.0015);
+  std::erase_if(mesh.triangles, [&](const auto& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t i) { return mesh.vertices_m[i].z < cut_m; });
+  });
+  return mesh;
+}
+
+CorrectedSurface corrected(double by, double cut_m = 0.0) {
+  auto predicted = predicted_surface(sphere(kRadius, 0.0013));
+  EXPECT_TRUE(predicted.has_value());
+  auto made =
+      correct_surface(*std::move(predicted), cap((1.0 + by) * kRadius, cut_m), {0.004, 0.006}, Work{});
+  EXPECT_TRUE(made.has_value());
+  return *std::move(made);
+}
+
+TEST(SurfaceCorrection, PullsHalfASphereOntoALargerAndASmallerOne) {
+  for (const double by : {0.1, -0.1}) {
+    const CorrectedSurface s = corrected(by);
+    const Mesh adapted = s.adapted();
+    EXPECT_TRUE(is_watertight(adapted));
+    std::size_t pulled = 0;
+    for (std::size_t i = 0; i < adapted.vertices_m.size(); ++i) {
+      const Vec3 v = adapted.vertices_m[i];
+      const double arc = kRadius * std::acos(std::clamp(s.predicted.vertices_m[i].z / kRadius, -1.0, 1.0));
+      if (arc < 0.48 * 3.14159265 * kRadius) {
+        EXPECT_TRUE(s.measured[i]);
+        EXPECT_NEAR(norm(v) / kRadius, 1.0 + by, 0.005);
+        ++pulled;
+      }
+      // Beyond the transition nothing has moved, to the bit.
+      if (arc > 0.5 * 3.14159265 * kRadius + 0.0062) {
+        EXPECT_EQ(s.translations_m[i], Vec3{});
+      }
+    }
+    EXPECT_GT(pulled, 500U);
+  }
+}
+
+TEST(SurfaceCorrection, LeavesNeitherStepNorCrease) {
+  const CorrectedSurface s = corrected(0.1);
+  // Radius by the arc from the pole, in bins: its slope changes no faster than the smooth phi's (6 / delta^2
+  // times the displacement, with room for the mesh).
+  constexpr double kBin = 0.0015;
+  std::vector<double> sums(64), counts(64);
+  for (std::size_t i = 0; i < s.translations_m.size(); ++i) {
+    const auto bin = static_cast<std::size_t>(
+        kRadius * std::acos(std::clamp(s.predicted.vertices_m[i].z / kRadius, -1.0, 1.0)) / kBin);
+    sums[bin] += norm(s.predicted.vertices_m[i] + s.translations_m[i]);
+    counts[bin] += 1.0;
+  }
+  std::vector<double> radius;
+  for (std::size_t b = 6; b < 34; ++b) {
+    ASSERT_GT(counts[b], 0.0);
+    radius.push_back(sums[b] / counts[b]);
+  }
+  const double most = 6.0 * 0.1 * kRadius / (0.006 * 0.006) * kBin * kBin;
+  for (std::size_t b = 1; b + 1 < radius.size(); ++b)
+    EXPECT_LE(std::abs(radius[b + 1] - 2.0 * radius[b] + radius[b - 1]), 1.3 * most) << b;
+}
+
+TEST(SurfaceCorrection, AddsLaterMeasurementsWithoutTouchingTheRest) {
+  const CorrectedSurface first = corrected(0.1, 0.012);
+  Mesh below = cap(1.1 * kRadius, 0.012);
+  for (Vec3& v : below.vertices_m) v = {v.x, -v.y, -v.z};
+  const auto second = correct_surface(first, below, {0.004, 0.006}, Work{});
+  ASSERT_TRUE(second.has_value());
+  for (std::size_t i = 0; i < first.translations_m.size(); ++i)
+    if (first.predicted.vertices_m[i].z > 0.0) {
+      EXPECT_EQ(second->translations_m[i], first.translations_m[i]);
+    }
+  const Box changed = bounds_of(second->changed());
+  EXPECT_LT(changed.most_m.z, 0.0);
+  EXPECT_NEAR(changed.least_m.z, -1.1 * kRadius, 2e-4);
+}
+
+TEST(SurfaceCorrection, RefusesWhatItCannotUse) {
+  Mesh open = sphere(kRadius, 0.002);
+  open.triangles.pop_back();
+  EXPECT_FALSE(predicted_surface(open));
+  auto predicted = predicted_surface(sphere(kRadius, 0.002));
+  ASSERT_TRUE(predicted.has_value());
+  Mesh bad = cap(kRadius, 0.0);
+  EXPECT_FALSE(correct_surface(*predicted, bad, {0.0, 0.006}, Work{}));
+  bad.vertices_m[0].x = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(correct_surface(*predicted, bad, {}, Work{}));
+  bad.vertices_m.clear();
+  EXPECT_FALSE(correct_surface(*predicted, bad, {}, Work{}));
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

@@ -1,0 +1,34 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/field/dense_field.hpp"
+#include "palpable/sculpt/solid/distance_source.hpp"
+
+#include <cstddef>
+
+namespace palpable::sculpt {
+
+struct DenseFieldOptions {
+  /// `distance`: the source's exact distance at every place. `distance_and_force`: as Moustakas et al. 2007:
+  /// exact within a cell of the surface, from there by fast marching, the force with it.
+  models::DenseContent content = models::DenseContent::distance;
+  /// Cells along the solid's longest side, 16 ... 4096.
+  int resolution = 512;
+  /// A field that would take more memory is refused, before anything is done.
+  std::size_t most_bytes = std::size_t{1} << 31U;
+};
+
+/// The lattice for a solid in `bounds`, which surrounds it by 6 % of its longest side, at least 2 mm. Quick.
+/// Errors: as finest_cell_m(); failed for one over most_bytes, with the size that it would need and the
+/// resolution that fits.
+Result<models::Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options);
+
+/// Long work: all threads where distances are asked for (fast marching has one), reports progress, polls
+/// cancel; the same for any number of threads. Errors: as lattice_around(); interrupted.
+Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
+                                                   const DenseFieldOptions& options, const Work& work);
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,399 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/field/field_branches.hpp"
+
+#include "palpable/sculpt/field/field_too_large.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::FieldGrid;
+using models::FieldSample;
+using models::FieldTree;
+
+/// A source's answers at the places of a root cell's lattice, half a finest cell apart: neighbours and all
+/// levels of the tree share them. Remembers as many as fit; the others are asked again.
+class SharedSamples {
+ public:
+  SharedSamples(const DistanceSource& source, const Earlier* earlier)
+      : source_(source), earlier_(earlier), slots_(earlier == nullptr ? kSlots : kSlots / 4) {}
+
+  /// A new lattice of `count` places along each axis; its first lies at `from_grid_m` from the grid's origin.
+  void begin(const FieldGrid& grid, Vec3 from_grid_m, int count) {
+    const double step_m = 0.5 * grid.cell_m;
+    from_grid_m_ = from_grid_m;
+    origin_m_ = grid.origin_m + from_grid_m;
+    step_m_ = step_m;
+    count_ = static_cast<std::uint64_t>(count);
+    hint_ = {};
+    ++lattice_;
+  }
+  struct Answer {
+    FieldSample sample;
+    /// Whether the place is nearest to what changed since the earlier field.
+    bool changed = false;
+    double coarse_m = 0.0, coarse_turn = 0.0;
+  };
+  const Answer& at(std::array<int, 3> place) {
+    const std::uint64_t index =
+        (static_cast<std::uint64_t>(place[2]) * count_ + static_cast<std::uint64_t>(place[1])) * count_ +
+        static_cast<std::uint64_t>(place[0]);
+    const std::uint64_t key = lattice_ << 40U | index;
+    Slot& slot = slots_[index % slots_.size()];
+    if (slot.key != key) {
+      const Vec3 from_first_m = step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
+                                               static_cast<double>(place[2])};
+      slot.answer.sample = between(from_first_m);
+      slot.answer.coarse_m = hint_.coarse_m;
+      slot.answer.coarse_turn = hint_.coarse_turn;
+      slot.answer.changed = earlier_ != nullptr &&
+                            earlier_->changed_at(from_grid_m_ + from_first_m, slot.answer.sample.distance_m);
+      slot.key = key;
+    }
+    return slot.answer;
+  }
+  /// All places lie in this ball until it is left.
+  void enter(Vec3 centre_from_grid_m, double radius_m) {
+    source_.enter(origin_m_ - from_grid_m_ + centre_from_grid_m, radius_m, hint_);
+  }
+  void leave() { source_.leave(hint_); }
+  /// Since the lattice's begin.
+  double greatest_difference_m() const { return hint_.greatest_difference_m; }
+  /// At any place from the lattice's first.
+  FieldSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
+
+ private:
+  static constexpr std::size_t kSlots = std::size_t{1} << 19U;
+  struct Slot {
+    /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
+    std::uint64_t key = 0;
+    Answer answer;
+  };
+  const DistanceSource& source_;
+  const Earlier* earlier_;
+  DistanceSource::Hint hint_;
+  Vec3 origin_m_, from_grid_m_;
+  double step_m_ = 0.0;
+  std::uint64_t count_ = 0;
+  std::uint64_t lattice_ = 0;
+  std::vector<Slot> slots_;
+};
+
+/// Copies an entry and all below it.
+std::uint32_t copied(const FieldTree& tree, std::uint32_t entry, Branch& branch) {
+  if ((entry & FieldTree::kLeaf) != 0) {
+    const std::uint32_t* words = &tree.words[entry & ~FieldTree::kLeaf];
+    const auto begin = static_cast<std::uint32_t>(branch.words.size());
+    branch.words.insert(branch.words.end(), words, words + models::LeafHead{*words}.words());
+    return begin | FieldTree::kLeaf;
+  }
+  const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
+  branch.nodes.resize(branch.nodes.size() + 8);
+  for (std::size_t child = 0; child < 8; ++child) {
+    const std::uint32_t below = copied(tree, tree.nodes[8 * std::size_t{entry} + child], branch);
+    branch.nodes[8 * std::size_t{node} + child] = below;
+  }
+  return node;
+}
+
+class BranchBuilder {
+ public:
+  BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
+                const Earlier* earlier, const Work& work)
+      : grid_(grid), bounds_(bounds), earlier_(earlier), work_(work), shared_(source, earlier) {
+    // A cell on the surface is never larger than this: finer things could hide between its samples.
+    longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
+  }
+
+  /// Builders may be used for one root cell after another.
+  Branch build(std::array<int, 3> corner, std::size_t root) {
+    Branch branch;
+    if (earlier_ != nullptr) {
+      const double half_m = 0.5 * grid_.cell_m * (1 << grid_.levels);
+      branch.kept = earlier_->is_far(place_of(corner) + Vec3{half_m, half_m, half_m}, half_m);
+      if (branch.kept) return branch;
+    }
+    root_ = corner;
+    recent_ = {};
+    shared_.begin(grid_, place_of(corner), (2 << grid_.levels) + 1);
+    branch.entry =
+        build(corner, grid_.levels, earlier_ == nullptr ? kNone : earlier_->tree.roots[root], branch);
+    branch.greatest_difference_m = shared_.greatest_difference_m();
+    return branch;
+  }
+
+ private:
+  Vec3 place_of(std::array<int, 3> corner) const {
+    return grid_.cell_m * Vec3{static_cast<double>(corner[0]), static_cast<double>(corner[1]),
+                               static_cast<double>(corner[2])};
+  }
+
+  /// `was`: the cell's entry in the earlier tree, or kNone.
+  std::uint32_t build(std::array<int, 3> corner, int level, std::uint32_t was, Branch& branch) {
+    CellSamples samples;
+    samples.half_m = 0.5 * grid_.cell_m * (1 << level);
+    samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
+    if (was != kNone && earlier_->is_far(samples.centre_m, samples.half_m))
+      return copied(earlier_->tree, was, branch);
+    // Round the cell's corners, and a little for the places' rounding.
+    shared_.enter(samples.centre_m, 1.7321 * samples.half_m);
+    const std::uint32_t entry = build_within(samples, corner, level, was, branch);
+    shared_.leave();
+    return entry;
+  }
+
+  std::uint32_t build_within(CellSamples& samples, std::array<int, 3> corner, int level, std::uint32_t was,
+                             Branch& branch) {
+    const int side = 1 << level;
+    std::size_t changed = 0;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const SharedSamples::Answer& answer = shared_.at(lattice_place(corner, side, fit_place(k)));
+      samples.at[k] = answer.sample;
+      samples.coarse_m = std::max(samples.coarse_m, answer.coarse_m);
+      samples.coarse_turn = std::max(samples.coarse_turn, answer.coarse_turn);
+      changed += answer.changed;
+    }
+    if (was != kNone) {
+      const bool whole = (was & FieldTree::kLeaf) != 0;
+      if (changed == 0 && whole) return copied(earlier_->tree, was, branch);
+      if (changed < kFitPlaces && !whole) return split(corner, level, was, branch);
+    }
+    // Half the diagonal of a cube, and a little.
+    constexpr std::size_t kCentre = kFitPlaces / 2;
+    const bool on_surface = std::abs(samples.at[kCentre].distance_m) < 1.8 * samples.half_m;
+    if (on_surface && side > longest_on_surface_ && !work_.cancelled())
+      return split(corner, level, kNone, branch);
+    samples.is_last = side <= smallest_side(samples);
+    const LeafFit leaf = fit_leaf(samples, bounds_, recent_);
+    const bool fits = leaf.error <= 1.0 && (samples.is_last || holds_between(leaf, samples));
+    if (!fits && !samples.is_last && !work_.cancelled()) return split(corner, level, kNone, branch);
+    if (fits) recent_.add(leaf);
+    const auto begin = static_cast<std::uint32_t>(branch.words.size());
+    branch.words.insert(branch.words.end(), leaf.used().begin(), leaf.used().end());
+    return begin | FieldTree::kLeaf;
+  }
+
+  /// A place of the fit in half cells from the root's corner.
+  std::array<int, 3> lattice_place(std::array<int, 3> corner, int side, Vec3 u) const {
+    const auto along = [&](std::size_t axis, double v) {
+      return 2 * (corner[axis] - root_[axis]) + side * (1 + static_cast<int>(v));
+    };
+    return {along(0, u.x), along(1, u.y), along(2, u.z)};
+  }
+
+  std::uint32_t split(std::array<int, 3> corner, int level, std::uint32_t was, Branch& branch) {
+    const auto node = static_cast<std::uint32_t>(branch.nodes.size() / 8);
+    branch.nodes.resize(branch.nodes.size() + 8);
+    const int half = 1 << (level - 1);
+    for (unsigned child = 0; child < 8; ++child) {
+      const std::uint32_t entry =
+          build({corner[0] + (child & 1U ? half : 0), corner[1] + (child & 2U ? half : 0),
+                 corner[2] + (child & 4U ? half : 0)},
+                level - 1, was == kNone ? kNone : earlier_->tree.nodes[8 * std::size_t{was} + child], branch);
+      branch.nodes[8 * std::size_t{node} + child] = entry;
+    }
+    return node;
+  }
+
+  /// Asks at places between those of the fit, where something small may hide: many near the surface, a few
+  /// elsewhere, where what is small has no distance of its own. They may err a little more: the bound was
+  /// judged at the others.
+  bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
+    constexpr std::array<Vec3, 9> kBetween{{{0.4, -0.45, 0.35},
+                                            {0.6, 0.56, 0.52},
+                                            {-0.64, 0.68, 0.66},
+                                            {0.68, -0.62, 0.7},
+                                            {0.62, 0.7, -0.68},
+                                            {-0.7, -0.64, 0.62},
+                                            {-0.66, 0.62, -0.7},
+                                            {0.66, -0.68, -0.64},
+                                            {-0.62, -0.7, -0.66}}};
+    // Of edges less is forgiven: what they are rounded by comes on top.
+    const bool has_edge = models::LeafHead{leaf.words[0]}.pieces() > 1;
+    const double slack = has_edge ? 1.1 : 1.5;
+    constexpr std::ptrdiff_t kFew = 4;
+    const bool is_near = std::any_of(samples.at.begin(), samples.at.end(), [&](const FieldSample& s) {
+      return s.distance_m > -bounds_.inside_m && s.distance_m < bounds_.outside_m;
+    });
+    const auto holds_at = [&](Vec3 u) {
+      const FieldSample truth = shared_.between(samples.centre_m + samples.half_m * u - place_of(root_));
+      return leaf_error(leaf, samples, u, truth, bounds_) <= slack;
+    };
+    const auto end = is_near ? kBetween.end() : kBetween.begin() + kFew;
+    if (!std::all_of(kBetween.begin(), end, holds_at)) return false;
+    if (!is_near) return true;
+    // In large cells the places of the fit are far apart: where there is one edge, another could cut off a
+    // part between them.
+    const int side = static_cast<int>(std::lround(2.0 * samples.half_m / grid_.cell_m));
+    const int more = has_edge && side >= kLarge ? kMorePerCell * side : 0;
+    for (int i = 1; i <= more; ++i)
+      if (!holds_at(spread_place(i))) return false;
+    return true;
+  }
+  static constexpr int kLarge = 4, kMorePerCell = 8;
+  /// The i-th of places that fill a cell evenly, however many are taken (Roberts 2018: powers of the plastic
+  /// number's kin in three dimensions).
+  static Vec3 spread_place(int i) {
+    const auto along = [&](double step) {
+      const double v = 0.5 + i * step;
+      return 2.0 * (v - std::floor(v)) - 1.0;
+    };
+    return {along(0.8191725133961645), along(0.6710436067037893), along(0.5497004779019703)};
+  }
+
+  /// Far from the surface nothing small is felt: there cells stay larger.
+  int smallest_side(const CellSamples& samples) const {
+    double nearest_m = std::numeric_limits<double>::infinity();
+    bool outside = true;
+    for (const FieldSample& s : samples.at) {
+      nearest_m = std::min(nearest_m, std::abs(s.distance_m));
+      outside = outside && s.distance_m > 0.0;
+    }
+    if (nearest_m <= (outside ? bounds_.outside_m : bounds_.inside_m)) return 1;
+    if (!outside) return 2;
+    return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
+  }
+
+  /// No node has this number: there are fewer than 2^31.
+  static constexpr std::uint32_t kNone = FieldTree::kLeaf - 1;
+  const FieldGrid& grid_;
+  const FitBounds& bounds_;
+  const Earlier* earlier_;
+  const Work& work_;
+  SharedSamples shared_;
+  RecentLeaves recent_;
+  std::array<int, 3> root_{};
+  int longest_on_surface_ = 1;
+};
+
+/// Foretells what all root cells take from those that are done, which are spread over the solid.
+class Forecast {
+ public:
+  Forecast(int count, std::size_t most_bytes) : count_(count), most_bytes_(static_cast<double>(most_bytes)) {}
+
+  void add(const Branch& branch) {
+    const auto bytes =
+        static_cast<double>(sizeof(std::uint32_t) * (branch.nodes.size() + branch.words.size()));
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    sum_ += bytes;
+    squares_ += bytes * bytes;
+    const double mean = sum_ / done_;
+    const double variance = std::max(0.0, squares_ / done_ - mean * mean) * (count_ - done_) / count_;
+    // Root cells differ a hundredfold: the mean of a few tells little, and how little follows from them too.
+    constexpr double kLeast = 64.0, kSure = 4.0;
+    const double least = count_ * (mean - kSure * std::sqrt(variance / done_));
+    if (sum_ > most_bytes_ || (done_ >= kLeast && least > most_bytes_)) too_much_ = true;
+  }
+  bool is_too_much() const { return too_much_.load(std::memory_order_relaxed); }
+
+  /// What a field takes grows with its surface, that is, with the square of its resolution.
+  Error too_large(const FieldOptions& options) const {
+    const double needed_bytes = count_ * sum_ / std::max(1.0, done_);
+    const double share = std::sqrt(most_bytes_ / needed_bytes);
+    const int fits =
+        std::clamp(static_cast<int>(0.9 * share * options.resolution) / 16 * 16, 16, options.resolution);
+    return field_too_large("a field", needed_bytes, options.most_bytes, options.resolution, fits);
+  }
+
+ private:
+  double count_, most_bytes_;
+  std::mutex mutex_;
+  double done_ = 0.0, sum_ = 0.0, squares_ = 0.0;
+  std::atomic<bool> too_much_{false};
+};
+
+/// Steps of so many root cells, of `count` in all, meet each of them once, the first ones spread over all.
+int spread_step(int count) {
+  constexpr double kGolden = 0.618034;
+  int step = std::max(1, static_cast<int>(kGolden * count));
+  while (std::gcd(step, count) != 1) ++step;
+  return step;
+}
+
+}  // namespace
+
+Result<std::vector<Branch>> branches_of(const DistanceSource& source, const FieldGrid& grid,
+                                        const FitBounds& bounds, const FieldOptions& options,
+                                        const Earlier* earlier, const Work& work) {
+  const int count = grid.roots[0] * grid.roots[1] * grid.roots[2];
+  std::vector<Branch> branches(static_cast<std::size_t>(count));
+  std::atomic<int> next{0};
+  std::atomic<int> done{0};
+  Forecast forecast(count, options.most_bytes);
+  const std::int64_t step = spread_step(count);
+  std::mutex reporting;
+  // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
+  parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
+    if (begin == end) return;
+    BranchBuilder builder(source, grid, bounds, earlier, work);
+    for (int n = next++; n < count && !work.cancelled() && !forecast.is_too_much(); n = next++) {
+      const int side = 1 << grid.levels;
+      const auto i = static_cast<int>(n * step % count);
+      const auto root = static_cast<std::size_t>(i);
+      branches[root] = builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
+                                      i / (grid.roots[0] * grid.roots[1]) * side},
+                                     root);
+      forecast.add(branches[root]);
+      const int ready = ++done;
+      if (ready % 32 == 0) {
+        const std::lock_guard lock(reporting);
+        work.report(0.05 + 0.93 * ready / count, "sampling the distance");
+      }
+    }
+  });
+  if (work.cancelled()) return Work::interrupted();
+  if (forecast.is_too_much()) return forecast.too_large(options);
+  return branches;
+}
+
+std::uint32_t Joiner::moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node) {
+  if ((entry & FieldTree::kLeaf) == 0) return entry + first_node;
+  const std::uint32_t* words = &branch.words[entry & ~FieldTree::kLeaf];
+  const std::size_t count = models::LeafHead{words[0]}.words();
+  const auto begin = static_cast<std::uint32_t>(tree_.words.size());
+  tree_.words.insert(tree_.words.end(), words, words + count);
+  const auto [at, fresh] = known_.insert(begin);
+  if (!fresh) tree_.words.resize(begin);
+  return *at | FieldTree::kLeaf;
+}
+
+std::uint32_t Joiner::kept(std::uint32_t entry) {
+  if ((entry & FieldTree::kLeaf) == 0) {
+    const auto node = static_cast<std::uint32_t>(tree_.nodes.size() / 8);
+    tree_.nodes.resize(tree_.nodes.size() + 8);
+    for (std::size_t child = 0; child < 8; ++child) {
+      const std::uint32_t below = kept(earlier_->nodes[8 * std::size_t{entry} + child]);
+      tree_.nodes[8 * std::size_t{node} + child] = below;
+    }
+    return node;
+  }
+  // What was shared stays shared.
+  std::uint32_t& went = kept_words_[entry & ~FieldTree::kLeaf];
+  if (went == 0) {
+    const std::uint32_t* words = &earlier_->words[entry & ~FieldTree::kLeaf];
+    went = static_cast<std::uint32_t>(tree_.words.size()) + 1;
+    tree_.words.insert(tree_.words.end(), words, words + models::LeafHead{*words}.words());
+  }
+  return (went - 1) | FieldTree::kLeaf;
+}
+
+FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options) {
+  FitBounds bounds;
+  bounds.cell_m = cell_m;
+  bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
+  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
+  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
+  return bounds;
+}
+
+}  // namespace palpable::sculpt

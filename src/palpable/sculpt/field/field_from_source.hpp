@@ -1,0 +1,48 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/field/distance_field.hpp"
+#include "palpable/sculpt/solid/distance_source.hpp"
+
+#include <cstddef>
+
+namespace palpable::sculpt {
+
+struct FieldOptions {
+  /// Finest cells along the solid's longest side, 16 ... 4096.
+  int resolution = 512;
+  /// The error bound near the surface where the distance is smooth, metres; 0 = a ten-thousandth of the
+  /// longest side (10 um in 100 mm).
+  double max_error_m = 0.0;
+  /// Where the bound holds: this deep inside and this far outside, and at least 3 % and 1 % of the longest
+  /// side.
+  double inside_m = 0.003;
+  double outside_m = 0.001;
+  /// A field that would take more memory is refused, before it does.
+  std::size_t most_bytes = std::size_t{1} << 31U;
+};
+
+/// Side of the finest cells for a solid in `bounds`. Errors: usage for options out of range; invalid_input
+/// for a solid without extent.
+Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
+
+/// How far beside the facets of a curved surface the smooth one may be taken that they stand for
+/// (solid_from_mesh()): a tenth of a finest cell, as a kink may lie beside its true place (docs/fields.md),
+/// and no more than twice the error bound. 0 for what finest_cell_m() refuses.
+double facet_rounding_m(const Box& bounds, const FieldOptions& options);
+
+/// How far a field reaches beyond the solid in `bounds`: 6 % of its longest side, at least 2 mm.
+double field_margin_m(const Box& bounds);
+
+/// Samples a solid's distance adaptively: cells that no leaf of models/field/field_leaf.hpp fits are cut into
+/// eight until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2 mm.
+/// Long work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as
+/// finest_cell_m(); failed for a field over most_bytes, naming about what it would take and the resolution
+/// that fits; interrupted.
+Result<models::DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,
+                                                const Work& work);
+
+}  // namespace palpable::sculpt

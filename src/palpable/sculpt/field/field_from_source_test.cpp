@@ -1,0 +1,303 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/field/field_from_source.hpp"
+
+#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/sculpt/solid/mesh_solid.hpp"
+#include "palpable/sculpt/solid/surface_cut.hpp"
+#include "palpable/sculpt/solid/test_solids.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+TEST(FieldFromSource, FollowsABall) {
+  const Ball ball(0.03);
+  FieldOptions options;
+  options.resolution = 128;
+  options.max_error_m = 1e-5;
+  const auto field = field_from_source(ball, options, {});
+  ASSERT_TRUE(field);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform(-0.003, 0.001);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 n = unit({normal(random), normal(random), normal(random)});
+    const double distance = uniform(random);
+    const models::FieldSample s = field->sample((0.03 + distance) * n);
+    ASSERT_NEAR(s.distance_m, distance, 1e-5);
+    ASSERT_NEAR(norm(s.gradient), 1.0, 0.02);
+    ASSERT_GT(dot(unit(s.gradient), n), std::cos(1.0 / 57.3));
+  }
+}
+
+TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
+  const Vec3 low{-0.02, -0.015, -0.01}, high{0.02, 0.015, 0.01};
+  const auto solid = solid_from_mesh(box_mesh(low, high), 1e-4, {});
+  ASSERT_TRUE(solid);
+  FieldOptions options;
+  options.resolution = 256;
+  const auto field = field_from_source(*solid->distance, options, {});
+  ASSERT_TRUE(field);
+  // A dense field of this box has 256 x 192 x 128 cells.
+  EXPECT_LT(field->leaves(), 60000U);
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  double worst = 0.0;
+  for (int i = 0; i < 30000; ++i) {
+    const Vec3 p{0.021 * uniform(random), 0.016 * uniform(random), 0.011 * uniform(random)};
+    worst = std::max(worst, std::abs(field->sample(p).distance_m - box_distance(p, low, high)));
+  }
+  // Edges and medial sheets among them.
+  EXPECT_LT(worst, 0.4 * field->cell_m());
+}
+
+/// Beside an opening as wide as a hair, the nearest faces stand back to back.
+class Ridge final : public DistanceSource {
+ public:
+  models::FieldSample at(Vec3 p, Hint&) const override {
+    return {0.001 + std::abs(p.x), {p.x < 0.0 ? -1.0 : 1.0, 0.0, 0.0}};
+  }
+  Box bounds() const override { return {{-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01}}; }
+};
+
+TEST(FieldFromSource, GivesANumberWhereFacesStandBackToBack) {
+  FieldOptions options;
+  options.resolution = 32;
+  const auto field = field_from_source(Ridge{}, options, {});
+  ASSERT_TRUE(field);
+  for (int i = -90; i <= 90; ++i) {
+    const double x = 1e-4 * i;
+    EXPECT_NEAR(field->sample({x, 0.002, -0.003}).distance_m, 0.001 + std::abs(x), 2e-4) << x;
+  }
+}
+
+TEST(FieldFromSource, IsTheSameForAnyNumberOfThreads) {
+  const Ball ball(0.02);
+  FieldOptions options;
+  options.resolution = 32;
+  Work one;
+  one.threads = 1;
+  Work three;
+  three.threads = 3;
+  const auto a = field_from_source(ball, options, one), b = field_from_source(ball, options, three);
+  ASSERT_TRUE(a && b);
+  EXPECT_EQ(a->tree().roots, b->tree().roots);
+  EXPECT_EQ(a->tree().nodes, b->tree().nodes);
+  EXPECT_EQ(a->tree().words, b->tree().words);
+}
+
+TEST(FieldFromSource, StopsWhenCancelled) {
+  const std::atomic<bool> cancel{true};
+  Work work;
+  work.cancel = &cancel;
+  const auto field = field_from_source(Ball(0.02), {}, work);
+  ASSERT_FALSE(field);
+  EXPECT_EQ(field.error().code, ErrorCode::interrupted);
+}
+
+TEST(FieldFromSource, RefusesWhatCannotBeSampled) {
+  FieldOptions options;
+  options.resolution = 5000;
+  EXPECT_FALSE(field_from_source(Ball(0.02), options, {}));
+  EXPECT_FALSE(field_from_source(Ball(0.0), {}, {}));
+  EXPECT_FALSE(field_from_source(Ball(1e-6), {}, {}));
+}
+
+TEST(FieldFromSource, RefusesWhatWouldTakeTooMuchMemoryAndSaysWhatFits) {
+  FieldOptions options;
+  options.resolution = 128;
+  options.most_bytes = 20000;
+  const auto refused = field_from_source(Ball(0.02), options, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::failed);
+  EXPECT_NE(refused.error().message.find("cells would fit"), std::string::npos) << refused.error().message;
+}
+
+/// Counts what it is asked.
+class Asked final : public DistanceSource {
+ public:
+  models::FieldSample at(Vec3 p, Hint& hint) const override {
+    ++count;
+    return ball_.at(p, hint);
+  }
+  Box bounds() const override { return ball_.bounds(); }
+  mutable std::atomic<std::size_t> count{0};
+
+ private:
+  Ball ball_{0.02};
+};
+
+TEST(FieldFromSource, RefusesLongBeforeTheMemoryIsTaken) {
+  FieldOptions options;
+  options.resolution = 128;
+  const Asked whole, refused;
+  const auto field = field_from_source(whole, options, {});
+  ASSERT_TRUE(field);
+  options.most_bytes = field->memory_bytes() / 2;
+  const auto error = field_from_source(refused, options, {});
+  ASSERT_FALSE(error);
+  EXPECT_LT(refused.count, whole.count / 5);
+}
+
+TEST(MeshSolid, TellsBeforehandWhatAMeshTakes) {
+  EXPECT_FALSE(mesh_too_large(100'000, std::size_t{1} << 30U));
+  const auto refused = mesh_too_large(10'000'000, std::size_t{1} << 30U);
+  ASSERT_TRUE(refused);
+  EXPECT_NE(refused->message.find("MiB"), std::string::npos);
+  EXPECT_NE(refused->message.find("triangles would fit"), std::string::npos);
+}
+
+TEST(MeshSolid, TurnsAnInsideOutMesh) {
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
+  for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
+  const auto solid = solid_from_mesh(mesh, 0.01, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.turned_parts, 1U);
+  DistanceSource::Hint hint;
+  EXPECT_NEAR(solid->distance->at({0.2, 0.1, 0.5}, hint).distance_m, -0.5, 1e-9);
+  EXPECT_NEAR(solid->distance->at({0, 0, 3}, hint).distance_m, 2.0, 1e-9);
+}
+
+TEST(MeshSolid, ClosesAnOpenMesh) {
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
+  mesh.triangles.resize(10);
+  const auto solid = solid_from_mesh(mesh, 0.02, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.closed_holes, 1U);
+  DistanceSource::Hint hint;
+  EXPECT_NEAR(solid->distance->at({0.7, 0.1, 0.2}, hint).distance_m, -0.3, 1e-6);
+  EXPECT_NEAR(solid->distance->at({1.5, 0.1, 0.2}, hint).distance_m, 0.5, 1e-6);
+}
+
+TEST(MeshSolid, ClosesHousesWithoutFloorsThatShareAWall) {
+  const auto house = [](double from, double to) {
+    Mesh mesh = box_mesh({from, 0, 0}, {to, 1, 1});
+    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);
+    return mesh;
+  };
+  const auto solid = solid_from_mesh(together(house(0, 1), house(1, 2)), 0.02, {});
+  ASSERT_TRUE(solid);
+  EXPECT_GE(solid->repair.closed_holes, 1U);
+  DistanceSource::Hint hint;
+  for (const double x : {0.5, 0.98, 1.02, 1.5}) {
+    EXPECT_NEAR(solid->distance->at({x, 0.5, -0.3}, hint).distance_m, 0.3, 1e-3) << x;
+    EXPECT_NEAR(solid->distance->at({x, 0.5, 0.1}, hint).distance_m, -0.1, 1e-3) << x;
+    EXPECT_NEAR(solid->distance->at({x, 0.5, 0.8}, hint).distance_m, -0.2, 1e-3) << x;
+  }
+}
+
+TEST(MeshSolid, JoinsBodiesThatOverlap) {
+  const Vec3 slab_low{-1, -1, -1}, slab_high{1, 1, 0}, tower_low{-0.4, -0.4, -0.5}, tower_high{0.4, 0.4, 1};
+  const auto solid =
+      solid_from_mesh(together(box_mesh(slab_low, slab_high), box_mesh(tower_low, tower_high)), 0.04, {});
+  ASSERT_TRUE(solid);
+  EXPECT_GT(solid->repair.inner, 0U);
+  DistanceSource::Hint hint;
+  // On the hidden top face of the slab the nearest surface is the foot of the tower's side.
+  EXPECT_NEAR(solid->distance->at({0, 0, -0.01}, hint).distance_m, -std::hypot(0.4, 0.01), 1e-6);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(-1.5, 1.5);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 p{uniform(random), uniform(random), uniform(random)};
+    const double to_slab = box_distance(p, slab_low, slab_high),
+                 to_tower = box_distance(p, tower_low, tower_high);
+    const double distance = solid->distance->at(p, hint).distance_m;
+    // Outside the nearer of both; the side is told everywhere, at cuts and seams too.
+    if (std::min(to_slab, to_tower) > 0.0)
+      ASSERT_NEAR(distance, std::min(to_slab, to_tower), 1e-3) << p.x << " " << p.y << " " << p.z;
+    else
+      ASSERT_LE(distance, std::min(to_slab, to_tower) + 1e-9) << p.x << " " << p.y << " " << p.z;
+  }
+}
+
+TEST(MeshSolid, CutsWhatOthersCrossWithoutCuttingItSmall) {
+  Mesh city = box_mesh({-1, -1, -0.1}, {1, 1, 0});
+  for (int i = 0; i < 16; ++i) {
+    const double x = -0.9 + 0.45 * (i % 4), y = -0.9 + 0.45 * (i / 4);
+    city = together(city, box_mesh({x, y, -0.02}, {x + 0.3, y + 0.3, 0.3}));
+  }
+  const TriangleTree tree(city);
+  const SolidSurface surface = surface_of(city, tree, 0.004, {});
+  // Down to pieces of 4 mm, the slab's top alone would be a hundred thousand triangles.
+  EXPECT_LT(surface.mesh.triangles.size(), 2500U);
+  double area_m2 = 0.0;
+  for (const auto& t : surface.mesh.triangles) {
+    const Vec3 a = surface.mesh.vertices_m[t[0]];
+    area_m2 += 0.5 * norm(cross(surface.mesh.vertices_m[t[1]] - a, surface.mesh.vertices_m[t[2]] - a));
+  }
+  // Top and bottom, the slab's sides, and the towers' sides above the slab.
+  EXPECT_NEAR(area_m2, 2.0 * 4.0 + 4.0 * 2.0 * 0.1 + 16.0 * 4.0 * 0.3 * 0.3, 1e-6);
+}
+
+TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {
+  models::Superquadric ball;
+  ball.size_m = {0.02, 0.02, 0.02};
+  const Mesh mesh = models::mesh_of(ball, 0.001);
+  constexpr double kFinest_m = 0.0005, kRounding_m = 2e-5;
+  const auto rounded = solid_from_mesh(mesh, kFinest_m, {}, kRounding_m);
+  const auto exact = solid_from_mesh(mesh, kFinest_m, {});
+  ASSERT_TRUE(rounded && exact);
+  EXPECT_EQ(rounded->repair.rounded, mesh.triangles.size());
+  EXPECT_FALSE(rounded->repair.notes().empty());
+  EXPECT_EQ(exact->repair.rounded, 0U);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-0.024, 0.024);
+  DistanceSource::Hint hint, other;
+  double facets_m = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p{x, y, z};
+    if (norm(p) < 0.01) continue;
+    const double distance_m = rounded->distance->at(p, hint).distance_m;
+    const double of_facets_m = exact->distance->at(p, other).distance_m;
+    ASSERT_NEAR(distance_m, norm(p) - 0.02, 1e-6);
+    ASSERT_NEAR(distance_m, of_facets_m, kRounding_m);
+    facets_m = std::max(facets_m, std::abs(of_facets_m - (norm(p) - 0.02)));
+  }
+  EXPECT_GT(facets_m, 3e-6);
+}
+
+TEST(MeshSolid, KeepsFacetsThatStandTooFarOffASmoothSurfaceOrAreLarge) {
+  models::Superquadric ball;
+  ball.size_m = {0.02, 0.02, 0.02};
+  const Mesh mesh = models::mesh_of(ball, 0.001);
+  const auto exact = solid_from_mesh(mesh, 0.0005, {});
+  const auto too_far = solid_from_mesh(mesh, 0.0005, {}, 1e-6);
+  const auto too_large = solid_from_mesh(mesh, 0.00005, {}, 2e-5);
+  ASSERT_TRUE(exact && too_far && too_large);
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(-0.024, 0.024);
+  DistanceSource::Hint hint, first, second;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p{x, y, z};
+    const double distance_m = exact->distance->at(p, hint).distance_m;
+    const double slack_m = 2.0 * TriangleTree::kNearestSlack * std::abs(distance_m);
+    ASSERT_NEAR(too_far->distance->at(p, first).distance_m, distance_m, 1e-6 + slack_m);
+    ASSERT_NEAR(too_large->distance->at(p, second).distance_m, distance_m, 1e-9 + slack_m);
+  }
+}
+
+TEST(MeshSolid, RefusesMeshesWithoutASolid) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(solid_from_mesh({}, 0.01, {}));
+  Mesh nan;
+  nan.vertices_m = {{0, 0, 0}, {1, 0, 0}, {kNaN, 1, 0}};
+  nan.triangles = {{0, 1, 2}, {0, 1, 7}, {0, 1, 1}};
+  EXPECT_FALSE(solid_from_mesh(nan, 0.01, {}));
+  Mesh single;
+  single.vertices_m = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  single.triangles = {{0, 1, 2}};
+  EXPECT_FALSE(solid_from_mesh(single, 0.01, {}));
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

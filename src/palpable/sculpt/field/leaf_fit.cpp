@@ -1,0 +1,388 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/field/leaf_fit.hpp"
+
+#include "palpable/models/field/distance_field.hpp"
+#include "palpable/models/field/field_leaf.hpp"
+#include "palpable/sculpt/field/leaf_quadratic.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::FieldSample;
+using models::HalfAngle;
+using models::LeafHead;
+using models::Meeting;
+
+/// How much a place forgives, at most and as the root mean square over a leaf.
+struct Allowance {
+  double value_m = 0.0;
+  double value_rms_m = 0.0;
+  double gradient = 0.0;
+  double gradient_rms = 0.0;
+};
+
+/// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
+/// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
+Allowance allowance(double distance_m, double side, const FitBounds& b) {
+  const double loose = side < 3.0 ? 4.0 : side < 6.0 ? 2.0 : 1.0;
+  // Neighbouring leaves that differ by rms x 2 over half a cell tilt the gradient by 1 % to 2 %.
+  Allowance a{b.bound_m, std::min(0.15 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
+  const double beyond =
+      distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m : (distance_m - b.outside_m) / b.outside_m;
+  if (beyond <= 0.0) return a;
+  const double more = distance_m < 0.0 ? 1.0 + 4.0 * std::min(beyond, 1.0) : 1.0 + 10.0 * beyond;
+  a.value_m *= more;
+  a.value_rms_m *= more;
+  const double turned = distance_m < 0.0 ? 1.0 + std::min(beyond, 2.0) : 1.0 + 4.0 * std::min(beyond, 4.0);
+  a.gradient *= turned;
+  a.gradient_rms *= turned;
+  return a;
+}
+
+/// The errors of a leaf, place by place.
+class Judge {
+ public:
+  Judge(const CellSamples& samples, const FitBounds& bounds)
+      : samples_(samples),
+        bounds_(bounds),
+        round_m_(models::DistanceField::kRounding * bounds.cell_m),
+        side_(2.0 * samples.half_m / bounds.cell_m) {}
+
+  /// Sums of squared errors over their allowances.
+  struct Squares {
+    double value = 0.0;
+    double gradient = 0.0;
+    double greater() const { return std::max(value, gradient); }
+  };
+
+  /// The greater of value and gradient error over their allowances at one place; adds to the squares.
+  double at(const LeafFit& leaf, Vec3 u, const FieldSample& truth, Squares& squares) const {
+    const Vec3 x = samples_.centre_m + samples_.half_m * u;
+    const std::uint32_t* words = leaf.words.data();
+    const double sharp_round_m = 1e-3 * round_m_;
+    FieldSample s, sharp;
+    models::visit_pieces(words, x, u, samples_.half_m, [&](int i, const FieldSample& piece) {
+      sharp = i == 0 ? piece : models::joined_by(words, i, sharp, piece, sharp_round_m);
+      s = i == 0 ? piece : models::joined_by(words, i, s, piece, round_m_);
+    });
+    Allowance a = allowance(truth.distance_m, side_, bounds_);
+    a.value_m += samples_.coarse_m;
+    a.value_rms_m += 0.5 * samples_.coarse_m;
+    a.gradient += samples_.coarse_turn;
+    a.gradient_rms += 0.5 * samples_.coarse_turn;
+    // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink must
+    // be where it is in truth.
+    if (std::abs(sharp.distance_m - s.distance_m) > sharp_round_m)
+      return std::abs(sharp.distance_m - truth.distance_m) /
+             std::max(a.value_m, kKinkInCells * bounds_.cell_m);
+    const double value = std::abs(s.distance_m - truth.distance_m);
+    const double turned2 = squared_norm(s.gradient - truth.gradient);
+    squares.value += value * value / (a.value_rms_m * a.value_rms_m);
+    squares.gradient += turned2 / (a.gradient_rms * a.gradient_rms);
+    return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
+  }
+
+  /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`.
+  double greatest_m(const LeafFit& leaf, double enough_m) const {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < kFitPlaces && greatest < enough_m; ++k) {
+      const Vec3 u = fit_place(k);
+      const Vec3 x = samples_.centre_m + samples_.half_m * u;
+      const double distance = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_).distance_m;
+      if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
+      greatest = std::max(greatest, std::abs(distance - samples_.at[k].distance_m));
+    }
+    return greatest;
+  }
+  /// Whether the cell is one that is not cut any more.
+  bool is_finest() const { return side_ < 1.5; }
+
+  /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
+  double error(const LeafFit& leaf, double enough) const {
+    double worst = 0.0;
+    Squares squares;
+    const double enough2 = enough * enough * kFitPlaces;
+    for (std::size_t k = 0; k < kFitPlaces && worst <= enough && squares.greater() <= enough2; ++k) {
+      const double here = at(leaf, fit_place(k), samples_.at[k], squares);
+      if (!std::isfinite(here)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, here);
+    }
+    return std::max(worst, std::sqrt(squares.greater() / kFitPlaces));
+  }
+
+ private:
+  const CellSamples& samples_;
+  const FitBounds& bounds_;
+  double round_m_;
+  double side_;
+};
+
+/// One piece, in the form that leaves keep.
+struct Piece {
+  bool curved = false;
+  std::array<std::uint32_t, 6> words{};
+  Vec3 normal;
+};
+
+std::uint32_t word(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
+
+/// The tangent plane of a sample. Coarsely rounded, so that leaves over the same face hold the same words.
+Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
+  const FieldSample& s = samples.at[k];
+  // Adding zero makes one zero of both.
+  const auto rounded = [](double v, double step) { return std::round(v / step) * step + 0.0; };
+  constexpr double kDirectionStep = 1.0 / (1 << 20);
+  const Vec3 n{rounded(s.gradient.x, kDirectionStep), rounded(s.gradient.y, kDirectionStep),
+               rounded(s.gradient.z, kDirectionStep)};
+  const Vec3 x = samples.centre_m + samples.half_m * fit_place(k);
+  Piece piece;
+  piece.normal = n;
+  piece.words = {word(n.x), word(n.y), word(n.z), word(rounded(s.distance_m - dot(n, x), cell_m / 2048.0))};
+  return piece;
+}
+
+/// Rounded as far as the leaf's size allows: what is judged is what is kept, and round numbers pack better.
+Piece quadratic_of(const Quadratic& c, double half_m, double cell_m) {
+  const double value_step = cell_m / LeafHead::kValuesPerCell / half_m;
+  const int level = std::ilogb(1.01 * 2.0 * half_m / cell_m);
+  const int multiple = LeafHead::multiple(level);
+  Piece piece;
+  piece.curved = true;
+  piece.words[0] = word(std::round(c[0] / value_step) * value_step + 0.0);
+  for (std::size_t i = 1; i < kQuadraticTerms; ++i) {
+    const double most = 32768.0 / multiple - 1.0;
+    const double steps = std::clamp(std::round(c[i] / (multiple * LeafHead::kStep)), -most, most);
+    const auto bits = static_cast<std::uint32_t>(multiple * static_cast<std::int32_t>(steps)) & 0xFFFFU;
+    piece.words[1 + (i - 1) / 2] |= (i - 1) % 2 == 0 ? bits : bits << 16U;
+  }
+  piece.normal = models::rise_of(piece.words.data(), true);
+  return piece;
+}
+
+/// Pieces that meet at less than a degree are one.
+bool meet_well(HalfAngle half) { return half.sine > 0.01F; }
+
+LeafFit leaf_of(std::span<const Piece> pieces, std::span<const Meeting> meetings) {
+  LeafFit leaf;
+  std::uint32_t head = static_cast<std::uint32_t>(pieces.size() - 1);
+  for (std::size_t i = 0; i < pieces.size(); ++i) head |= (pieces[i].curved ? 1U : 0U) << (2 + i);
+  for (std::size_t i = 0; i < meetings.size(); ++i)
+    head |= (meetings[i] == Meeting::concave ? 1U : 0U) << (5 + i);
+  leaf.words[leaf.count++] = head;
+  leaf.count += 2 * meetings.size();
+  for (const Piece& piece : pieces) {
+    const std::size_t words = piece.curved ? LeafHead::kCurvedWords : LeafHead::kPlaneWords;
+    std::copy_n(piece.words.begin(), words, leaf.words.begin() + static_cast<std::ptrdiff_t>(leaf.count));
+    leaf.count += words;
+  }
+  models::set_half_angles(leaf.words.data());
+  return leaf;
+}
+
+/// Samples whose directions differ most: those of the faces that meet, for the directions of the fan over
+/// their edge lie between.
+struct Extremes {
+  std::size_t a = 0, b = 0, c = 0;
+  double ab = 0.0, c_from_both = 0.0;
+};
+Extremes extremes_of(const CellSamples& samples) {
+  Vec3 mean;
+  for (const FieldSample& s : samples.at) mean += s.gradient / static_cast<double>(kFitPlaces);
+  const auto farthest = [&](auto distance) {
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < kFitPlaces; ++k)
+      if (distance(k) > distance(best) + 1e-12) best = k;
+    return best;
+  };
+  const auto from = [&](std::size_t k, Vec3 g) { return squared_norm(samples.at[k].gradient - g); };
+  Extremes e;
+  e.a = farthest([&](std::size_t k) { return from(k, mean); });
+  const Vec3 ga = samples.at[e.a].gradient;
+  e.b = farthest([&](std::size_t k) { return from(k, ga); });
+  const Vec3 gb = samples.at[e.b].gradient;
+  const auto from_both = [&](std::size_t k) { return std::min(from(k, ga), from(k, gb)); };
+  e.c = farthest(from_both);
+  e.ab = from(e.b, ga);
+  e.c_from_both = from_both(e.c);
+  return e;
+}
+
+/// Tries leaf after leaf and keeps the best.
+class Search {
+ public:
+  Search(const CellSamples& samples, const FitBounds& bounds)
+      : samples_(samples), bounds_(bounds), judge_(samples, bounds), ends_(extremes_of(samples)) {}
+
+  LeafFit run(const RecentLeaves& recent) {
+    const double turn2 = ends_.ab;
+    constexpr double kFlat = 1e-3;
+    if (turn2 < 4e-4 && try_leaf(leaf_of(std::array{plane(kCentre)}, {}))) return best_;
+    for (const LeafFit& leaf : recent.all())
+      if (turn2 > kFlat && try_leaf(leaf)) return best_;
+    if (turn2 > kFlat && try_planes()) return best_;
+    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic(quadratic_through(samples_))}, {})))
+      return best_;
+    if (turn2 > kFlat && try_quadratics()) return best_;
+    if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
+    if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
+    if (!judge_.is_finest()) return best_;
+    if (closest_m_ > kAstray * bounds_.cell_m) try_all_planes();
+    const double astray_m = std::max(kAstray * bounds_.cell_m, closest_m_);
+    return judge_.greatest_m(best_, kNoLimit) > astray_m ? closest_ : best_;
+  }
+
+ private:
+  static constexpr std::size_t kCentre = kFitPlaces / 2;
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  Piece plane(std::size_t k) const { return plane_through(samples_, k, bounds_.cell_m); }
+  Piece quadratic(const Quadratic& c) const { return quadratic_of(c, samples_.half_m, bounds_.cell_m); }
+
+  bool try_leaf(LeafFit leaf) {
+    leaf.error = judge_.error(leaf, samples_.is_last ? std::max(1.0, best_.error) : 1.0);
+    if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
+    if (best_.count > 0 && best_.error <= 1.0) return true;
+    if (judge_.is_finest()) keep_closest(leaf);
+    return false;
+  }
+  /// A finest cell whose best leaf errs by more than the rounding of an edge does takes the leaf that is
+  /// nearest to the true distance: where many faces meet, none has the gradient right everywhere, and the one
+  /// that errs least in it may be far off. In finest cells.
+  static constexpr double kAstray = 0.3;
+  void keep_closest(LeafFit leaf) {
+    const double greatest_m = judge_.greatest_m(leaf, closest_m_);
+    if (!(greatest_m < closest_m_)) return;
+    closest_m_ = greatest_m;
+    leaf.error = std::max(leaf.error, 1.0 + 1e-9);
+    closest_ = leaf;
+  }
+  /// Where many faces meet, those whose directions differ most need not be the ones that are felt: of all
+  /// planes that the samples lie in, the most frequent ones, each two and each three of them; and one smooth
+  /// piece through everything.
+  void try_all_planes() {
+    keep_closest(leaf_of(std::array{quadratic(quadratic_through(samples_))}, {}));
+    std::vector<std::pair<int, Piece>> planes;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const Piece piece = plane(k);
+      const auto known = std::find_if(planes.begin(), planes.end(),
+                                      [&](const auto& p) { return p.second.words == piece.words; });
+      if (known == planes.end())
+        planes.emplace_back(1, piece);
+      else
+        ++known->first;
+    }
+    std::stable_sort(planes.begin(), planes.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    constexpr std::size_t kMost = 8;
+    const std::size_t count = std::min(kMost, planes.size());
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j) {
+        try_closest_pair(planes[i].second, planes[j].second);
+        for (std::size_t k = j + 1; k < count; ++k)
+          try_closest_corner({planes[i].second, planes[j].second, planes[k].second});
+      }
+  }
+  void try_closest_pair(const Piece& a, const Piece& b) {
+    if (!meet_well(models::half_angle_between(a.normal, b.normal))) return;
+    for (const Meeting m : {Meeting::convex, Meeting::concave})
+      keep_closest(leaf_of(std::array{a, b}, std::array{m}));
+  }
+  void try_closest_corner(const std::array<Piece, 3>& p) {
+    for (const auto& order : kOrders) {
+      const std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
+      if (!corner_meets_well(pieces)) continue;
+      for (const Meeting m : {Meeting::convex, Meeting::concave})
+        for (const Meeting n : {Meeting::convex, Meeting::concave})
+          keep_closest(leaf_of(pieces, std::array{m, n}));
+    }
+  }
+  /// Which of the two comes first is no matter: one order makes equal leaves of equal pieces.
+  bool try_pair(Piece a, Piece b) {
+    const HalfAngle half = models::half_angle_between(a.normal, b.normal);
+    if (!meet_well(half)) return false;
+    if (b.words < a.words) std::swap(a, b);
+    return try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::convex})) ||
+           try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::concave}));
+  }
+  bool try_planes() { return try_pair(plane(ends_.a), plane(ends_.b)); }
+  bool try_quadratics() {
+    const Vec3 ga = samples_.at[ends_.a].gradient, gb = samples_.at[ends_.b].gradient;
+    std::array<bool, kFitPlaces> by_a{}, by_b{};
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < kFitPlaces; ++k) {
+      const Vec3 g = samples_.at[k].gradient;
+      by_a[k] = squared_norm(g - ga) < squared_norm(g - gb);
+      by_b[k] = !by_a[k];
+      count += by_a[k] ? 1 : 0;
+    }
+    constexpr std::size_t kLeast = 5;
+    if (count < kLeast || kFitPlaces - count < kLeast) return false;
+    const Piece a = quadratic(quadratic_through(samples_, by_a));
+    const Piece b = quadratic(quadratic_through(samples_, by_b));
+    return try_pair(a, b);
+  }
+  /// Which two of three meet first.
+  static constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
+  static bool corner_meets_well(const std::array<Piece, 3>& p) {
+    return meet_well(models::half_angle_between(p[0].normal, p[1].normal)) &&
+           meet_well(models::half_angle_between(p[0].normal + p[1].normal, p[2].normal));
+  }
+  bool try_corner() {
+    const std::array<Piece, 3> p{plane(ends_.a), plane(ends_.b), plane(ends_.c)};
+    for (const auto& order : kOrders) {
+      std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
+      if (pieces[1].words < pieces[0].words) std::swap(pieces[0], pieces[1]);
+      if (!corner_meets_well(pieces)) continue;
+      for (const Meeting m : {Meeting::convex, Meeting::concave})
+        for (const Meeting n : {Meeting::convex, Meeting::concave})
+          if (try_leaf(leaf_of(pieces, std::array{m, n}))) return true;
+    }
+    return false;
+  }
+
+  const CellSamples& samples_;
+  const FitBounds& bounds_;
+  Judge judge_;
+  Extremes ends_;
+  LeafFit best_;
+  LeafFit closest_;
+  double closest_m_ = kNoLimit;
+};
+
+}  // namespace
+
+Vec3 fit_place(std::size_t k) {
+  const auto axis = [](std::size_t i) { return static_cast<double>(i % 3) - 1.0; };
+  return {axis(k), axis(k / 3), axis(k / 9)};
+}
+
+void RecentLeaves::add(const LeafFit& leaf) {
+  const LeafHead head{leaf.words[0]};
+  if (head.pieces() < 2 || !head.flat()) return;
+  const auto known =
+      std::find_if(leaves_.begin(), leaves_.begin() + static_cast<std::ptrdiff_t>(count_),
+                   [&](const LeafFit& l) { return std::ranges::equal(l.used(), leaf.used()); });
+  if (known == leaves_.begin() + static_cast<std::ptrdiff_t>(count_) && count_ < kMost) ++count_;
+  const auto last = std::min(known, leaves_.begin() + static_cast<std::ptrdiff_t>(count_) - 1);
+  std::rotate(leaves_.begin(), last, last + 1);
+  leaves_.front() = leaf;
+}
+
+LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const RecentLeaves& recent) {
+  return Search(samples, bounds).run(recent);
+}
+
+double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const FieldSample& truth,
+                  const FitBounds& bounds) {
+  Judge::Squares squares;
+  return Judge(samples, bounds).at(leaf, u, truth, squares);
+}
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,21 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/sculpt/field/leaf_fit.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace palpable::sculpt {
+
+inline constexpr std::size_t kQuadraticTerms = 10;
+/// c + l.u + u.Qu as c, l and Q (xx, yy, zz, xy, xz, yz), u from the cell's centre in halves of its side.
+using Quadratic = std::array<double, kQuadraticTerms>;
+
+/// The least-squares fit, in halves of the cell's side, to the values and gradients at the wanted places.
+Quadratic quadratic_through(const CellSamples& samples, const std::array<bool, kFitPlaces>& wanted);
+/// To those at all places: a linear map that is the same in every cell.
+Quadratic quadratic_through(const CellSamples& samples);
+
+}  // namespace palpable::sculpt

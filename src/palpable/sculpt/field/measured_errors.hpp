@@ -1,0 +1,24 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/work.hpp"
+#include "palpable/models/field/field_errors.hpp"
+#include "palpable/sculpt/solid/distance_source.hpp"
+
+#include <functional>
+
+namespace palpable::sculpt {
+
+/// How far a field may be from its source's distance, and where that is asked.
+struct ErrorRange {
+  double inside_m = 0.0;
+  double outside_m = 0.0;
+};
+
+/// Errors of the distance `felt` at up to 20000 random places of `box` whose felt distance lies within
+/// `range` of the surface: 99th percentile and greatest (bound_m stays 0). The same for the same work.seed.
+models::FieldErrors measured_errors(const std::function<double(Vec3 place_m)>& felt, const Box& box,
+                                    const DistanceSource& source, const ErrorRange& range, const Work& work);
+
+}  // namespace palpable::sculpt

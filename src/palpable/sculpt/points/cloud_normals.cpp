@@ -1,0 +1,164 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/points/cloud_normals.hpp"
+
+#include "palpable/sculpt/points/point_index.hpp"
+#include "palpable/sculpt/triangles/box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+namespace palpable::sculpt {
+namespace {
+
+constexpr std::size_t kFewest = 16;
+constexpr std::size_t kNeighbours = 12;
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+using Neighbours = std::array<std::uint32_t, kNeighbours>;
+
+/// The nearest others, where they are expected about `guess_m` away; kNone where there are no more.
+Neighbours nearest(const PointIndex& index, Vec3 p, std::uint32_t self, double guess_m, double most_m) {
+  std::vector<std::pair<double, std::uint32_t>> found;
+  for (double radius_m = guess_m;; radius_m *= 1.6) {
+    found.clear();
+    index.within(p, radius_m, [&](std::uint32_t i, double squared) {
+      if (i != self && squared > 0.0) found.emplace_back(squared, i);
+    });
+    if (found.size() >= kNeighbours || radius_m > most_m) break;
+  }
+  const std::size_t count = std::min(found.size(), kNeighbours);
+  std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
+  Neighbours neighbours;
+  neighbours.fill(kNone);
+  for (std::size_t k = 0; k < count; ++k) neighbours[k] = found[k].second;
+  return neighbours;
+}
+
+/// Across the plane through a place and its neighbours; its side is open.
+Vec3 normal_of(const std::vector<Vec3>& places, std::uint32_t self, const Neighbours& neighbours) {
+  Vec3 mean = places[self];
+  double count = 1.0;
+  for (const std::uint32_t i : neighbours)
+    if (i != kNone) mean += places[i], count += 1.0;
+  mean = mean / count;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  const auto add = [&](Vec3 p) {
+    const Eigen::Vector3d d(p.x - mean.x, p.y - mean.y, p.z - mean.z);
+    spread += d * d.transpose();
+  };
+  add(places[self]);
+  for (const std::uint32_t i : neighbours)
+    if (i != kNone) add(places[i]);
+  const double trace = spread.trace();
+  if (!(trace > 0.0)) return {0.0, 0.0, 1.0};
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(spread / trace);
+  const Eigen::Vector3d n = solver.eigenvectors().col(0);
+  const Vec3 normal = unit({n.x(), n.y(), n.z()});
+  return is_finite(normal) ? normal : Vec3{0.0, 0.0, 1.0};
+}
+
+/// Turns normals to one side, part by part, and gives each point its part.
+class Turning {
+ public:
+  Turning(PointCloud& cloud, const std::vector<Neighbours>& neighbours)
+      : cloud_(cloud), neighbours_(neighbours), backwards_(cloud.places_m.size()), done_(backwards_.size()) {
+    // Whom a point is near to need not be whom it has near.
+    for (std::uint32_t i = 0; i < neighbours_.size(); ++i)
+      for (const std::uint32_t other : neighbours_[i])
+        if (other != kNone) backwards_[other].push_back(i);
+  }
+
+  void run() {
+    for (std::uint32_t i = 0; i < done_.size(); ++i)
+      if (!done_[i]) turn_part(i);
+  }
+
+ private:
+  void turn_part(std::uint32_t first) {
+    std::vector<std::uint32_t> part;
+    waiting_.emplace(0.0, first, first);
+    while (!waiting_.empty()) {
+      const auto [bend, i, from] = waiting_.top();
+      waiting_.pop();
+      if (done_[i]) continue;
+      done_[i] = true;
+      part.push_back(i);
+      Vec3& n = cloud_.normals[i];
+      if (dot(n, cloud_.normals[from]) < 0.0) n = -n;
+      for (const std::uint32_t other : neighbours_[i]) offer(i, other);
+      for (const std::uint32_t other : backwards_[i]) offer(i, other);
+    }
+    if (!faces_out(part))
+      for (const std::uint32_t i : part) cloud_.normals[i] = -cloud_.normals[i];
+  }
+
+  void offer(std::uint32_t from, std::uint32_t to) {
+    if (to == kNone || done_[to]) return;
+    waiting_.emplace(1.0 - std::abs(dot(cloud_.normals[from], cloud_.normals[to])), to, from);
+  }
+
+  /// Whether the extreme places of a part face the way in which they are extreme, on the whole.
+  bool faces_out(const std::vector<std::uint32_t>& part) const {
+    double out = 0.0;
+    for (int k = 0; k < 27; ++k) {
+      if (k == 13) continue;
+      const int row = k / 3 % 3, layer = k / 9;
+      const Vec3 way = unit({k % 3 - 1.0, row - 1.0, layer - 1.0});
+      const auto farthest = std::max_element(part.begin(), part.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return dot(way, cloud_.places_m[a]) < dot(way, cloud_.places_m[b]);
+      });
+      out += dot(way, cloud_.normals[*farthest]);
+    }
+    return out >= 0.0;
+  }
+
+  /// How much the normals bend, the place, and the one that it is turned like.
+  using Step = std::tuple<double, std::uint32_t, std::uint32_t>;
+  PointCloud& cloud_;
+  const std::vector<Neighbours>& neighbours_;
+  std::vector<std::vector<std::uint32_t>> backwards_;
+  std::vector<bool> done_;
+  std::priority_queue<Step, std::vector<Step>, std::greater<>> waiting_;
+};
+
+}  // namespace
+
+Result<PointCloud> with_normals(PointCloud cloud, const Work& work) {
+  if (cloud.places_m.size() < kFewest) return invalid_input("holds fewer than 16 points");
+  for (const Vec3 p : cloud.places_m)
+    if (!is_finite(p)) return invalid_input("holds a point that is not a finite number");
+  const auto less = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+  std::sort(cloud.places_m.begin(), cloud.places_m.end(), less);
+  cloud.places_m.erase(std::unique(cloud.places_m.begin(), cloud.places_m.end()), cloud.places_m.end());
+  const Vec3 size = bounds_of(cloud.places_m).size_m();
+  const double longest_m = std::max({size.x, size.y, size.z});
+  const double guess_m =
+      std::max(2.0 * longest_m / std::sqrt(static_cast<double>(cloud.places_m.size())), 1e-12);
+  work.report(0.0, "estimating normals");
+  const PointIndex index(cloud.places_m, guess_m);
+  std::vector<Neighbours> neighbours(cloud.places_m.size());
+  cloud.normals.resize(cloud.places_m.size());
+  parallel_for(work, static_cast<int>(neighbours.size()), 256, [&](int begin, int end) {
+    for (int i = begin; i < end && !work.cancelled(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const auto self = static_cast<std::uint32_t>(i);
+      neighbours[at] = nearest(index, cloud.places_m[at], self, 0.5 * guess_m, longest_m);
+      cloud.normals[at] = normal_of(cloud.places_m, self, neighbours[at]);
+    }
+  });
+  if (work.cancelled()) return Work::interrupted();
+  Turning(cloud, neighbours).run();
+  return cloud;
+}
+
+}  // namespace palpable::sculpt

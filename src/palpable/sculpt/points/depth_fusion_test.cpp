@@ -1,0 +1,144 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/points/depth_fusion.hpp"
+
+#include "palpable/sculpt/field/level_set_surface.hpp"
+#include "palpable/sculpt/solid/mesh_solid.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+constexpr double kRadius_m = 0.05;
+
+/// What a camera sees of a ball round the origin, with noise; nothing else is there.
+DepthMap ball_seen(const Transform<SceneFrame, CameraFrame>& scene_from_camera, double noise_m,
+                   unsigned seed) {
+  DepthMap map;
+  map.camera = Pinhole{200.0, 200.0, 79.5, 59.5, 160, 120};
+  map.depth_m = Raster<float>(160, 120, std::numeric_limits<float>::quiet_NaN());
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  const Vec3 eye = scene_from_camera.translation_m;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      const Vec3 way = scene_from_camera.rotate({(x - 79.5) / 200.0, (y - 59.5) / 200.0, 1.0});
+      const double a = squared_norm(way), b = dot(way, eye), c = squared_norm(eye) - kRadius_m * kRadius_m;
+      const double rest = b * b - a * c;
+      if (rest < 0.0) continue;
+      map.depth_m(x, y) = static_cast<float>((-b - std::sqrt(rest)) / a + noise_m * noise(random));
+    }
+  return map;
+}
+
+/// A camera 0.2 m from the middle, looking at it, turned about y.
+Transform<SceneFrame, CameraFrame> camera_at(double angle_rad) {
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  Transform<SceneFrame, CameraFrame> t;
+  t.rotation = {c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c};
+  t.translation_m = -0.2 * t.rotate({0.0, 0.0, 1.0});
+  return t;
+}
+
+struct Seen {
+  std::vector<DepthMap> maps;
+  std::vector<DepthView> views;
+};
+
+Seen ball_from(const std::vector<double>& angles_rad, double noise_m) {
+  Seen seen;
+  for (std::size_t k = 0; k < angles_rad.size(); ++k)
+    seen.maps.push_back(ball_seen(camera_at(angles_rad[k]), noise_m, static_cast<unsigned>(k + 1)));
+  for (std::size_t k = 0; k < angles_rad.size(); ++k)
+    seen.views.push_back({&seen.maps[k], camera_at(angles_rad[k])});
+  return seen;
+}
+
+/// Root mean square of the fused surface's distance from the ball, where the cameras saw it (|y| small).
+std::optional<double> error_m(const Seen& seen) {
+  FusionOptions options;
+  options.resolution = 64;
+  const auto set = fused_depth(seen.views, options, Work{});
+  if (!set) return std::nullopt;
+  const auto mesh = surface_of_level_set(*set, Work{});
+  if (!mesh) return std::nullopt;
+  double sum = 0.0, count = 0.0;
+  for (const Vec3 v : mesh->vertices_m) {
+    if (std::abs(v.y) > 0.5 * kRadius_m) continue;
+    sum += std::pow(norm(v) - kRadius_m, 2.0), count += 1.0;
+  }
+  return std::sqrt(sum / count);
+}
+
+const std::vector<double> kRound{0.0, 0.785, 1.571, 2.356, 3.142, 3.927, 4.712, 5.498};
+
+TEST(FusedDepth, IsTheSolidThatWasSeenFromAllRound) {
+  const auto error = error_m(ball_from(kRound, 0.0));
+  ASSERT_TRUE(error);
+  // A voxel is 1.6 mm.
+  EXPECT_LT(*error, 0.0004);
+}
+
+TEST(FusedDepth, AveragesNoiseOverTheFrames) {
+  std::vector<double> often;
+  const std::vector<double> few{0.0, 1.571, 3.142, 4.712};
+  for (int k = 0; k < 4; ++k) often.insert(often.end(), few.begin(), few.end());
+  const auto once = error_m(ball_from(few, 0.002)), four_times = error_m(ball_from(often, 0.002));
+  ASSERT_TRUE(once && four_times);
+  EXPECT_LT(*four_times, 0.65 * *once);
+}
+
+TEST(FusedDepth, FillsBehindWhatOneViewSawAndLeavesTheRestEmpty) {
+  const Seen seen = ball_from({0.0}, 0.0);
+  FusionOptions options;
+  options.resolution = 64;
+  const auto set = fused_depth(seen.views, options, Work{});
+  ASSERT_TRUE(set);
+  const auto mesh = surface_of_level_set(*set, Work{});
+  ASSERT_TRUE(mesh);
+  const auto solid = solid_from_contour(*mesh);
+  ASSERT_TRUE(solid);
+  DistanceSource::Hint hint;
+  // The camera looks along +z: its box ends where it saw no farther, before the ball's middle.
+  EXPECT_LT((*solid)->at({0.0, 0.0, -0.03}, hint).distance_m, 0.0);
+  EXPECT_GT((*solid)->at({0.0, 0.0, -0.06}, hint).distance_m, 0.0);
+  EXPECT_GT((*solid)->at({0.0, 0.06, -0.03}, hint).distance_m, 0.0);
+  EXPECT_GT((*solid)->at({0.0, 0.0, 0.03}, hint).distance_m, 0.0);
+}
+
+TEST(FusedDepth, IsTheSameForAnyNumberOfThreads) {
+  const Seen seen = ball_from(kRound, 0.001);
+  FusionOptions options;
+  options.resolution = 32;
+  Work one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const auto a = fused_depth(seen.views, options, one), b = fused_depth(seen.views, options, three);
+  ASSERT_TRUE(a && b);
+  ASSERT_EQ(a->blocks.size(), b->blocks.size());
+  for (std::size_t i = 0; i < a->blocks.size(); ++i) {
+    ASSERT_EQ(a->blocks[i].corner, b->blocks[i].corner);
+    ASSERT_EQ(a->blocks[i].values, b->blocks[i].values);
+  }
+}
+
+TEST(FusedDepth, RefusesMapsWithoutCameraSizeOrDepth) {
+  Seen seen = ball_from({0.0}, 0.0);
+  FusionOptions far;
+  far.near_m = 10.0;
+  EXPECT_FALSE(fused_depth(seen.views, far, Work{}));
+  seen.maps[0].camera->width = 100;
+  EXPECT_FALSE(fused_depth(seen.views, {}, Work{}));
+  seen.maps[0].camera.reset();
+  EXPECT_FALSE(fused_depth(seen.views, {}, Work{}));
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

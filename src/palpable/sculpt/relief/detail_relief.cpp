@@ -1,0 +1,348 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/relief/detail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::sculpt {
+namespace {
+
+// The operator works on the scene in its own proportions, R, which is `compression` times too high, and looks
+// for the relief h whose slopes are R's, weakened: what is smooth over a wide neighbourhood by a gain that
+// falls where the ground is steep on the large, the rest (detail) by one gain everywhere, so that its forms
+// stay what they were. Silhouettes (steps that no slope limit could hold) are set to low steps, in proportion
+// to each other wherever they lie so close that their ramps would meet, and hardly weighed, so that what does
+// not add up gathers there (Weyrich et al. 2007). Every difference between neighbours keeps R's sign, and the
+// slope limit, by ADMM with a Poisson solution in each round (Boyd et al. 2011, section 5; the Poisson
+// equation by the discrete cosine transform). Between the first rounds the gain is corrected, until the
+// relief is as high as it may be.
+
+/// A silhouette's step: at least this, growing with the gain of the ground up to the greatest.
+constexpr double kLeastStep_m = 0.0006;
+constexpr double kGreatestStep_m = 0.0030;
+/// What is not to be had is shared out among silhouettes within these shares of their step.
+constexpr float kStepAtLeast = 0.3F;
+constexpr float kStepAtMost = 6.0F;
+/// Steps within so many pixels add up, as far as the ramps of the nearest ones reach.
+constexpr int kStepWindow_px = 5;
+constexpr int kStepReach_px = 6;
+/// A silhouette is steeper than this many times the slope limit.
+constexpr float kSilhouette = 2.0F;
+constexpr float kSilhouetteWeight = 0.05F;
+/// The large scale on which steepness decides the gain, and the one above which a form is no detail: shares
+/// of the longer side.
+constexpr double kGainScale = 0.08;
+constexpr double kDetailScale = 0.04;
+/// Detail keeps this much of its height, wherever the order of heights allows it.
+constexpr float kDetailGain = 0.30F;
+/// Where the scene is so level (the measures of touch count no slope below it), the relief may lean as much
+/// either way.
+constexpr float kFeltSlope = 0.02F;
+/// Each round goes this much of the way to its Poisson solution: over-relaxation, which needs fewer rounds.
+constexpr float kOnward = 1.6F;
+constexpr int kRounds = 28;
+constexpr double kLeastKnee = 0.005;
+constexpr double kGreatestKnee = 20.0;
+/// Until the first of these rounds the gain is corrected, whenever as many as the second have passed.
+constexpr int kCorrectedUntil = 20;
+constexpr int kCorrectedEvery = 4;
+
+/// Differences to the right and below; the last column (row) is 0.
+struct Differences {
+  cv::Mat x;
+  cv::Mat y;
+};
+
+Differences differences(const cv::Mat& z) {
+  Differences d{cv::Mat::zeros(z.size(), CV_32F), cv::Mat::zeros(z.size(), CV_32F)};
+  const int w = z.cols;
+  const int h = z.rows;
+  cv::subtract(z.colRange(1, w), z.colRange(0, w - 1), d.x.colRange(0, w - 1));
+  cv::subtract(z.rowRange(1, h), z.rowRange(0, h - 1), d.y.rowRange(0, h - 1));
+  return d;
+}
+
+/// Finds the surface whose differences are nearest to given ones, with level borders.
+class PoissonSolver {
+ public:
+  explicit PoissonSolver(cv::Size size)
+      : size_(size),
+        padded_(2 * cv::getOptimalDFTSize((size.width + 1) / 2),
+                2 * cv::getOptimalDFTSize((size.height + 1) / 2)) {
+    inverse_.create(padded_, CV_32F);
+    const auto eigenvalue = [](int k, int n) { return 2.0 - 2.0 * std::cos(std::numbers::pi * k / n); };
+    for (int y = 0; y < padded_.height; ++y)
+      for (int x = 0; x < padded_.width; ++x)
+        inverse_.at<float>(y, x) = static_cast<float>(
+            1.0 / std::max(1e-12, eigenvalue(x, padded_.width) + eigenvalue(y, padded_.height)));
+    inverse_.at<float>(0, 0) = 0.0F;
+  }
+
+  cv::Mat solve(const Differences& d) const {
+    cv::Mat source = cv::Mat::zeros(padded_, CV_32F);
+    const auto add = [&source](const cv::Mat& values, int x, int y, double sign) {
+      cv::Mat part = source(cv::Rect(x, y, values.cols, values.rows));
+      cv::scaleAdd(values, sign, part, part);
+    };
+    add(d.x.colRange(0, size_.width - 1), 0, 0, -1.0);
+    add(d.x.colRange(0, size_.width - 1), 1, 0, 1.0);
+    add(d.y.rowRange(0, size_.height - 1), 0, 0, -1.0);
+    add(d.y.rowRange(0, size_.height - 1), 0, 1, 1.0);
+    cv::dct(source, source);
+    cv::multiply(source, inverse_, source);
+    cv::idct(source, source);
+    return source(cv::Rect({0, 0}, size_)).clone();
+  }
+
+ private:
+  cv::Size size_;
+  cv::Size padded_;
+  cv::Mat inverse_;
+};
+
+/// What each difference should be, how much that counts, and what it may be.
+struct Goal {
+  Differences wanted;
+  Differences weight;
+  Differences low;
+  Differences high;
+};
+
+/// Means of what is not at a silhouette, over `share` of the picture's longer side. Wide means are taken on a
+/// small copy.
+cv::Mat level_mean(const cv::Mat& values, const cv::Mat& level, double share) {
+  const double sigma = std::max(1.5, share * std::max(values.cols, values.rows));
+  const double scale = std::min(1.0, 4.0 / sigma);
+  const auto spread = [&](const cv::Mat& v) {
+    cv::Mat small = v;
+    if (scale < 1.0) cv::resize(v, small, {}, scale, scale, cv::INTER_AREA);
+    cv::GaussianBlur(small, small, {}, sigma * scale, sigma * scale, cv::BORDER_REPLICATE);
+    return small;
+  };
+  cv::Mat mean = spread(values.mul(level)) / (spread(level) + 1e-3F);
+  if (scale < 1.0) cv::resize(mean, mean, values.size(), 0, 0, cv::INTER_LINEAR);
+  return mean;
+}
+
+/// The scene's differences, and what decides how each is treated.
+struct Ground {
+  Differences own;
+  /// 0 at silhouettes, 1 elsewhere.
+  Differences level;
+  /// The same forms without their detail.
+  Differences base;
+  /// How steep the ground is on the large.
+  cv::Mat large_slope;
+  /// The silhouettes' steps that add up near a pixel.
+  cv::Mat steps;
+  /// How much a difference may be turned round where nothing slopes.
+  cv::Mat lean;
+};
+
+/// 0 at silhouettes: differences above `steep` beside a pixel whose slope (over both of its neighbours, so
+/// that the single steps of coarsely quantised depth are none) is above `silhouette`; 1 elsewhere.
+Differences levels(const Differences& own, double silhouette, double steep) {
+  const cv::Size size = own.x.size();
+  Differences level{cv::Mat::ones(size, CV_32F), cv::Mat::ones(size, CV_32F)};
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const float across = own.x.at<float>(y, x) + (x > 0 ? own.x.at<float>(y, x - 1) : 0.0F);
+      const float down = own.y.at<float>(y, x) + (y > 0 ? own.y.at<float>(y - 1, x) : 0.0F);
+      if (!(0.5 * std::hypot(double{across}, double{down}) > silhouette)) continue;
+      const auto mark = [steep](const cv::Mat& d, cv::Mat& l, int j, int i) {
+        if (std::abs(double{d.at<float>(j, i)}) > steep) l.at<float>(j, i) = 0.0F;
+      };
+      mark(own.x, level.x, y, x);
+      mark(own.y, level.y, y, x);
+      if (x > 0) mark(own.x, level.x, y, x - 1);
+      if (y > 0) mark(own.y, level.y, y - 1, x);
+    }
+  return level;
+}
+
+/// How high the silhouettes' steps near each pixel are together: the steps of a short window, and round each
+/// as far as its ramp may reach.
+cv::Mat crowded_steps(const Ground& g) {
+  cv::Mat x;
+  cv::Mat y;
+  cv::boxFilter(cv::abs(g.own.x).mul(1.0F - g.level.x), x, CV_32F, {kStepWindow_px, 1}, {-1, -1}, false);
+  cv::boxFilter(cv::abs(g.own.y).mul(1.0F - g.level.y), y, CV_32F, {1, kStepWindow_px}, {-1, -1}, false);
+  const cv::Mat here = cv::max(x, y);
+  cv::Mat steps;
+  cv::dilate(here, steps, cv::Mat::ones(2 * kStepReach_px + 1, 2 * kStepReach_px + 1, CV_8U));
+  cv::GaussianBlur(steps, steps, {}, kStepReach_px, kStepReach_px, cv::BORDER_REPLICATE);
+  return cv::max(steps, here);
+}
+
+/// kFeltSlope where the scene slopes less than that all round a pixel, 0 elsewhere.
+cv::Mat unfelt_lean(const cv::Mat& slope_m, double pixel_m) {
+  const auto felt = static_cast<float>(kFeltSlope * pixel_m);
+  cv::Mat steepest;
+  cv::dilate(slope_m, steepest, cv::Mat::ones(3, 3, CV_8U));
+  cv::Mat lean = cv::Mat::zeros(slope_m.size(), CV_32F);
+  lean.setTo(felt, steepest < felt);
+  return lean;
+}
+
+Ground survey(const cv::Mat& scene, const DetailTarget& target) {
+  Ground g;
+  g.own = differences(scene);
+  g.level = levels(g.own, kSilhouette * target.steepest_slope * target.pixel_m,
+                   target.steepest_slope * target.pixel_m);
+  g.base = {level_mean(g.own.x, g.level.x, kDetailScale), level_mean(g.own.y, g.level.y, kDetailScale)};
+  cv::Mat slope;
+  cv::magnitude(g.own.x, g.own.y, slope);
+  g.lean = unfelt_lean(slope, target.pixel_m);
+  g.large_slope = level_mean(slope / target.pixel_m, g.level.x.mul(g.level.y), kGainScale);
+  g.steps = crowded_steps(g);
+  return g;
+}
+
+/// What is free in a goal: `knee` is the slope on the large at which the base's gain has fallen to a half;
+/// the silhouettes' steps grow with it.
+struct Strength {
+  float knee;
+  float step_m;
+};
+
+Strength strength_at(double knee) {
+  return {static_cast<float>(knee),
+          static_cast<float>(std::min(kGreatestStep_m, kLeastStep_m * (1.0 + 4.0 * std::sqrt(knee))))};
+}
+
+/// One direction's part of the goal.
+void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, const Ground& g,
+              Strength strength, const DetailTarget& target, cv::Mat& wanted, cv::Mat& weight, cv::Mat& low,
+              cv::Mat& high) {
+  for (cv::Mat* m : {&wanted, &weight, &low, &high}) m->create(own.size(), CV_32F);
+  const auto steepest = static_cast<float>(target.steepest_slope * target.pixel_m);
+  const auto compression = static_cast<float>(target.compression);
+  for (int y = 0; y < own.rows; ++y)
+    for (int x = 0; x < own.cols; ++x) {
+      const float d = own.at<float>(y, x);
+      const float size = std::abs(d);
+      const bool silhouette = level.at<float>(y, x) == 0.0F;
+      const float gain = 1.0F / (1.0F + g.large_slope.at<float>(y, x) / strength.knee);
+      const float lean = g.lean.at<float>(y, x);
+      const float smooth = base.at<float>(y, x);
+      const float step =
+          size * std::min(1.0F / compression, strength.step_m / std::max(g.steps.at<float>(y, x), 1e-9F));
+      const float most = silhouette ? kStepAtMost * step : std::clamp(size, lean, steepest);
+      const float least = silhouette ? kStepAtLeast * step : -lean;
+      const float eased = gain * smooth + std::max(gain, kDetailGain) * (d - smooth);
+      const float sign = std::copysign(1.0F, d);
+      wanted.at<float>(y, x) = sign * std::clamp(silhouette ? step : sign * eased, least, most);
+      weight.at<float>(y, x) = silhouette ? kSilhouetteWeight : 1.0F;
+      low.at<float>(y, x) = d > 0.0F ? least : -most;
+      high.at<float>(y, x) = d > 0.0F ? most : -least;
+    }
+}
+
+Goal goal_for(const Ground& g, double knee, const DetailTarget& target) {
+  Goal goal;
+  const Strength strength = strength_at(knee);
+  set_goal(g.own.x, g.level.x, g.base.x, g, strength, target, goal.wanted.x, goal.weight.x, goal.low.x,
+           goal.high.x);
+  set_goal(g.own.y, g.level.y, g.base.y, g, strength, target, goal.wanted.y, goal.weight.y, goal.low.y,
+           goal.high.y);
+  return goal;
+}
+
+double range_of(const cv::Mat& z) {
+  double low = 0.0;
+  double high = 0.0;
+  cv::minMaxLoc(z, &low, &high);
+  return high - low;
+}
+
+/// The knee at which the relief is as high as it may be, found on a small picture without the rounds: its
+/// height grows with the knee.
+double knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
+  constexpr int kSmall = 160;
+  const double scale = std::min(1.0, static_cast<double>(kSmall) / std::max(scene.cols, scene.rows));
+  cv::Mat small;
+  cv::resize(scene, small, {}, scale, scale, cv::INTER_AREA);
+  if (small.cols < 2 || small.rows < 2) small = scene;
+  DetailTarget coarse = target;
+  coarse.pixel_m = target.pixel_m * scene.cols / small.cols;
+  const PoissonSolver poisson(small.size());
+  const Ground ground = survey(small, coarse);
+  double low = std::log(kLeastKnee);
+  double high = std::log(kGreatestKnee);
+  for (int k = 0; k < 12; ++k) {
+    const double middle = 0.5 * (low + high);
+    const Goal goal = goal_for(ground, std::exp(middle), coarse);
+    (range_of(poisson.solve(goal.wanted)) > target.height_m ? high : low) = middle;
+  }
+  return std::exp(0.5 * (low + high));
+}
+
+/// A round's new differences and multipliers, one direction.
+void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, const cv::Mat& low,
+             const cv::Mat& high, cv::Mat& chosen, cv::Mat& multiplier) {
+  for (int y = 0; y < own.rows; ++y) {
+    const auto* o = own.ptr<float>(y);
+    const auto* t = wanted.ptr<float>(y);
+    const auto* w = weight.ptr<float>(y);
+    const auto* l = low.ptr<float>(y);
+    const auto* u = high.ptr<float>(y);
+    auto* c = chosen.ptr<float>(y);
+    auto* m = multiplier.ptr<float>(y);
+    for (int x = 0; x < own.cols; ++x) {
+      const float onward = kOnward * o[x] + (1.0F - kOnward) * c[x];
+      const float free = (w[x] * t[x] + onward + m[x]) / (w[x] + 1.0F);
+      c[x] = std::max(l[x], std::min(u[x], free));
+      m[x] += onward - c[x];
+    }
+  }
+}
+
+}  // namespace
+
+Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, const DetailTarget& target,
+                                             const Work& work) {
+  Raster<float> result = nearness;
+  const cv::Mat given(result.height(), result.width(), CV_32F, result.data());
+  cv::Mat scene = given * (target.compression * target.height_m);
+  if (range_of(scene) <= 0.0) {
+    std::fill(result.values().begin(), result.values().end(), 0.0F);
+    return result;
+  }
+  const Ground ground = survey(scene, target);
+  double knee = knee_for_height(scene, target);
+  Goal goal = goal_for(ground, knee, target);
+  const PoissonSolver poisson(scene.size());
+  Differences chosen{goal.wanted.x.clone(), goal.wanted.y.clone()};
+  Differences multiplier{cv::Mat::zeros(scene.size(), CV_32F), cv::Mat::zeros(scene.size(), CV_32F)};
+  cv::Mat relief;
+  for (int round = 1; round <= kRounds; ++round) {
+    if (work.cancelled()) return Work::interrupted();
+    relief = poisson.solve({chosen.x - multiplier.x, chosen.y - multiplier.y});
+    const Differences own = differences(relief);
+    if (round <= kCorrectedUntil && round % kCorrectedEvery == 0) {
+      const double lacking = target.height_m / std::max(range_of(relief), 1e-9);
+      knee = std::clamp(knee * std::clamp(std::pow(lacking, 1.5), 0.5, 2.0), kLeastKnee, kGreatestKnee);
+      goal = goal_for(ground, knee, target);
+    }
+    project(own.x, goal.wanted.x, goal.weight.x, goal.low.x, goal.high.x, chosen.x, multiplier.x);
+    project(own.y, goal.wanted.y, goal.weight.y, goal.low.y, goal.high.y, chosen.y, multiplier.y);
+    work.report(static_cast<double>(round) / kRounds, "relief");
+  }
+  relief = poisson.solve(chosen);
+  double low = 0.0;
+  double high = 0.0;
+  cv::minMaxLoc(relief, &low, &high);
+  const double scale = high > low ? target.height_m / (high - low) : 0.0;
+  for (int y = 0; y < result.height(); ++y)
+    for (int x = 0; x < result.width(); ++x)
+      result(x, y) = static_cast<float>((double{relief.at<float>(y, x)} - low) * scale);
+  return result;
+}
+
+}  // namespace palpable::sculpt

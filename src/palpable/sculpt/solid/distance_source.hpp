@@ -1,0 +1,66 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/vec3.hpp"
+#include "palpable/models/field/distance_surface.hpp"
+#include "palpable/sculpt/triangles/box.hpp"
+#include "palpable/sculpt/triangles/triangle_shortlist.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace palpable::sculpt {
+
+/// A solid that knows its exact distance: what a distance field is sampled from (a mesh, superquadrics, a
+/// relief, points). Any thread.
+class DistanceSource {
+ public:
+  virtual ~DistanceSource() = default;
+
+  /// A source's own memory from one call to the next, a start for places near each other. New at first, one
+  /// for each thread.
+  struct Hint {
+    std::uint32_t triangle = 0;
+    /// Of a second surface that a source looks at.
+    std::uint32_t second_triangle = 0;
+    /// The last places and their distances (0: none yet): nearer to them than that, nothing changes its side.
+    struct Answered {
+      Vec3 place_m;
+      double distance_m = 0.0;
+    };
+    std::array<Answered, 8> last;
+    std::size_t oldest = 0;
+    /// How far the last answer may be beside what its surface stands for, metres and radians: between samples
+    /// it is a guess. 0 where the surface is exact.
+    double coarse_m = 0.0, coarse_turn = 0.0;
+    /// Of a source that goes over from one distance to another: the most that these differed by, of all
+    /// places on the way.
+    double greatest_difference_m = 0.0;
+    /// What was found of the balls that were entered; the first `entered` count.
+    std::vector<TriangleShortlist> balls;
+    std::size_t entered = 0;
+  };
+
+  /// The next places all lie in this ball, which lies in the last one entered and not left: a source may look
+  /// round it once, for all of them.
+  virtual void enter(Vec3 /*centre_m*/, double /*radius_m*/, Hint& /*hint*/) const {}
+  virtual void leave(Hint& /*hint*/) const {}
+
+  /// Euclidean distance to the surface at any finite place, negative inside, and its gradient: a unit vector
+  /// (on edges and medial sheets that of one side).
+  virtual models::FieldSample at(Vec3 place_m, Hint& hint) const = 0;
+  /// Of the solid's surface.
+  virtual Box bounds() const = 0;
+
+ protected:
+  DistanceSource() = default;
+  DistanceSource(const DistanceSource&) = default;
+  DistanceSource(DistanceSource&&) = default;
+  DistanceSource& operator=(const DistanceSource&) = default;
+  DistanceSource& operator=(DistanceSource&&) = default;
+};
+
+}  // namespace palpable::sculpt

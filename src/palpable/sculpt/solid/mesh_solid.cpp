@@ -1,0 +1,110 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/solid/mesh_solid.hpp"
+
+#include "palpable/sculpt/solid/mesh_distance.hpp"
+#include "palpable/sculpt/solid/smooth_surface.hpp"
+#include "palpable/sculpt/solid/surface_cut.hpp"
+#include "palpable/sculpt/triangles/mesh_orientation.hpp"
+#include "palpable/sculpt/triangles/triangle_tree.hpp"
+
+#include <cmath>
+#include <optional>
+
+namespace palpable::sculpt {
+
+std::vector<std::string> MeshRepair::notes() const {
+  std::vector<std::string> notes;
+  const auto tell = [&](std::size_t count, const char* one, const char* many) {
+    if (count == 1) notes.emplace_back(one);
+    if (count > 1) notes.push_back(std::to_string(count) + many);
+  };
+  tell(degenerate, "One triangle without an area was left out.", " triangles without an area were left out.");
+  tell(turned_parts, "One part of the mesh was turned to face outwards.",
+       " parts of the mesh were turned to face outwards.");
+  tell(closed_holes, "One hole in the mesh was closed.", " holes in the mesh were closed.");
+  tell(inner, "One triangle inside the solid was left out.", " triangles inside the solid were left out.");
+  if (rounded > 0)
+    notes.push_back(std::to_string(rounded) +
+                    " small facets were taken for the smooth surface that they stand for, at most " +
+                    std::to_string(std::lround(1e6 * rounded_m)) + " um beside them.");
+  return notes;
+}
+
+namespace {
+
+/// Few small facets are not worth it.
+constexpr std::size_t kOneOf = 10;
+
+/// Null where there are few facets to be rounded.
+std::unique_ptr<DistanceSource> rounded(const Mesh& whole, double finest_m, double rounding_m,
+                                        MeshRepair& repair) {
+  constexpr double kFinestCells = 2.0;
+  // Corners are exact; between them, normals that are means of facets leave about so much open.
+  constexpr double kCoarseShare = 0.1;
+  auto smooth = std::make_unique<SmoothSurface>(
+      whole, SmoothSurface::Rounding{rounding_m, kFinestCells * finest_m, kCoarseShare});
+  const std::size_t count = smooth->rounded_facets();
+  if (count * kOneOf < whole.triangles.size()) return nullptr;
+  repair.rounded = count;
+  repair.rounded_m = rounding_m;
+  return smooth;
+}
+
+}  // namespace
+
+Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work, double rounding_m) {
+  work.report(0.0, "mending the mesh");
+  MeshSolid solid;
+  Mesh whole = welded(mesh, solid.repair.degenerate);
+  if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
+  solid.repair.triangles = whole.triangles.size();
+  solid.repair.turned_parts = orient_outwards(whole, work.seed);
+  solid.repair.closed_holes = close_holes(whole);
+  if (work.cancelled()) return Work::interrupted();
+  // Given back before the distance makes its own: of millions of triangles it takes gigabytes.
+  std::optional<TriangleTree> tree(whole);
+  // What rays told of parts that were still open may be wrong.
+  if (solid.repair.closed_holes > 0) {
+    const std::size_t turned = turn_inside_out_parts(whole, *tree);
+    if (turned > 0) tree.emplace(whole);
+    solid.repair.turned_parts += turned;
+  }
+  work.report(0.02, "finding the solid's surface");
+  if (work.cancelled()) return Work::interrupted();
+  if (is_watertight(whole) && is_own_surface(whole, *tree, work.seed)) {
+    tree.reset();
+    if (rounding_m > 0.0) solid.distance = rounded(whole, finest_m, rounding_m, solid.repair);
+    if (!solid.distance) solid.distance = mesh_distance(whole, whole);
+    return solid;
+  }
+  const SolidSurface surface = surface_of(whole, *tree, finest_m, work);
+  tree.reset();
+  if (work.cancelled()) return Work::interrupted();
+  solid.repair.inner = surface.inner;
+  if (surface.mesh.triangles.empty()) return invalid_input("is a mesh that encloses no volume");
+  solid.distance = mesh_distance(surface.mesh, whole);
+  return solid;
+}
+
+std::optional<Error> mesh_too_large(std::size_t triangles, std::size_t free_bytes) {
+  // Measured (docs/measurements.md): welding, search trees and normals, 528 at their most.
+  constexpr std::size_t kBytesPerTriangle = 540;
+  if (triangles <= free_bytes / kBytesPerTriangle) return std::nullopt;
+  const auto mebi = [](std::size_t bytes) { return std::to_string(bytes >> 20U); };
+  return Error{ErrorCode::failed,
+               "has " + std::to_string(triangles) + " triangles, which would take about " +
+                   mebi(triangles * kBytesPerTriangle) + " MiB, more than the " + mebi(free_bytes) +
+                   " MiB that are free; " + std::to_string(free_bytes / kBytesPerTriangle / 1000 * 1000) +
+                   " triangles would fit",
+               {}};
+}
+
+Result<std::unique_ptr<DistanceSource>> solid_from_contour(const Mesh& mesh) {
+  std::size_t degenerate = 0;
+  const Mesh whole = welded(mesh, degenerate);
+  if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
+  return mesh_distance(whole, whole);
+}
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,95 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+#include "palpable/sculpt/solid/distance_source.hpp"
+#include "palpable/sculpt/triangles/triangle_tree.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace palpable::sculpt {
+
+/// The smooth solid that a closed mesh's triangles are facets of. Over each triangle the normals at its
+/// corners are blended, and the surface is bent half way to the corners' tangent planes (Phong tessellation,
+/// Boubekeur & Alexa 2008; one half is exact for a sphere to the second order). A place's distance is told
+/// along the blended normal that leads to it, so it has no facets, and a field of it needs far fewer cells.
+/// Edges that turn by over 20 degrees stay sharp; where blended normals cross on their way (about a middle of
+/// curvature), the triangles themselves are told. Vertices may move. Queries: any thread, none while vertices
+/// move.
+class SmoothSurface final : public DistanceSource {
+ public:
+  /// Which facets are taken for a smooth surface; all, unless it is said.
+  struct Rounding {
+    /// The smooth surface lies no farther beside the facets than this: edges that would need more stay sharp.
+    double most_m = std::numeric_limits<double>::infinity();
+    /// Edges of facets whose greatest inscribed circle is larger stay sharp, however little they turn.
+    double largest_facet_m = std::numeric_limits<double>::infinity();
+    /// The part of a facet's rise and turn that a field of it need not follow (DistanceSource::Hint): a
+    /// surface that bends evenly stands a quarter of the rise before the facet's middle, and that far corners
+    /// that were measured may be beside it.
+    double coarse_share = 0.25;
+  };
+  /// A mesh that is_watertight().
+  explicit SmoothSurface(Mesh mesh) : SmoothSurface(std::move(mesh), Rounding{}) {}
+  SmoothSurface(Mesh mesh, const Rounding& rounding);
+
+  /// How many facets are not flat any more.
+  std::size_t rounded_facets() const;
+
+  struct Move {
+    std::uint32_t vertex = 0;
+    Vec3 to_m;
+  };
+  /// Puts vertices elsewhere; looks only at the triangles around them.
+  void move(std::span<const Move> moves);
+
+  models::FieldSample at(Vec3 place_m, Hint& hint) const override;
+  void enter(Vec3 centre_m, double radius_m, Hint& hint) const override;
+  void leave(Hint& hint) const override;
+  /// Of the triangles.
+  Box bounds() const override { return tree_.bounds(); }
+  /// A triangle's corners with their normals.
+  struct Patch;
+
+ private:
+  Patch patch_of(std::uint32_t triangle) const;
+  std::span<const std::uint32_t> fan(std::uint32_t vertex) const {
+    return {fans_.data() + fan_begin_[vertex], fan_begin_[vertex + 1] - fan_begin_[vertex]};
+  }
+  void find_neighbours();
+  void set_face(std::uint32_t triangle);
+  void set_edges(std::uint32_t triangle);
+  void set_normals(std::uint32_t vertex);
+  /// Across a triangle's edge.
+  bool is_smooth(std::uint32_t triangle, std::size_t side) const {
+    return (smooth_[triangle] >> side & 1U) != 0;
+  }
+  Vec3 pseudo_normal(const NearestTriangle& near) const;
+  models::FieldSample faceted(Vec3 p, const NearestTriangle& near, const Hint& hint) const;
+  std::optional<models::FieldSample> projected(Vec3 p, const NearestTriangle& near, double faceted_m) const;
+
+  Rounding rounding_;
+  Mesh mesh_;
+  TriangleTree tree_;
+  std::vector<Vec3> faces_;
+  /// For each corner of each triangle, of the smooth part of the surface around it.
+  std::vector<std::array<Vec3, 3>> normals_;
+  /// The triangle across each edge: 0-1, 1-2, 2-0.
+  std::vector<std::array<std::uint32_t, 3>> across_;
+  /// Which of these edges are smooth, a bit each.
+  std::vector<std::uint8_t> smooth_;
+  /// For each vertex the sum of the faces around it, weighted by their angles.
+  std::vector<Vec3> around_;
+  /// The corners at each vertex, as 3 triangle + corner; vertex v's from fan_begin_[v].
+  std::vector<std::uint32_t> fan_begin_, fans_;
+};
+
+}  // namespace palpable::sculpt

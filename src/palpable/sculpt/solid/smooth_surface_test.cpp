@@ -1,0 +1,112 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/solid/smooth_surface.hpp"
+
+#include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/sculpt/solid/mesh_distance.hpp"
+#include "palpable/sculpt/solid/test_solids.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+constexpr double kRadius_m = 0.02, kSpacing_m = 0.001;
+
+Mesh sphere() {
+  models::Superquadric s;
+  s.size_m = {kRadius_m, kRadius_m, kRadius_m};
+  return models::mesh_of(s, kSpacing_m);
+}
+
+/// Places from 4 mm inside to 4 mm outside the ball.
+Vec3 place_near(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> depth(-0.004, 0.004);
+  const double x = normal(random), y = normal(random), z = normal(random);
+  return (kRadius_m + depth(random)) * unit(Vec3{x, y, z});
+}
+
+TEST(SmoothSurface, IsTheBallThatItsFacetsStandFor) {
+  const Mesh mesh = sphere();
+  const SmoothSurface smooth(mesh);
+  const auto facets = mesh_distance(mesh, mesh);
+  std::mt19937_64 random(4);
+  DistanceSource::Hint hint, other;
+  double worst_facet_m = 0.0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 p = place_near(random);
+    const models::FieldSample s = smooth.at(p, hint);
+    ASSERT_NEAR(s.distance_m, norm(p) - kRadius_m, 2e-7);
+    ASSERT_LT(norm(s.gradient - unit(p)), 1e-3);
+    worst_facet_m =
+        std::max(worst_facet_m, std::abs(facets->at(p, other).distance_m - (norm(p) - kRadius_m)));
+  }
+  // A chord of 1 mm lies 6 um below the ball.
+  EXPECT_GT(worst_facet_m, 2e-6);
+}
+
+TEST(SmoothSurface, KeepsEdgesAsSharpAsTheyAre) {
+  const Mesh mesh = box_mesh({-0.01, -0.02, -0.03}, {0.01, 0.02, 0.03});
+  const SmoothSurface smooth(mesh);
+  const auto exact = mesh_distance(mesh, mesh);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform(-0.04, 0.04);
+  DistanceSource::Hint hint, other;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    ASSERT_NEAR(smooth.at({x, y, z}, hint).distance_m, exact->at({x, y, z}, other).distance_m, 1e-9 + 2e-5);
+  }
+}
+
+TEST(SmoothSurface, AnswersAfterItsVerticesMovedAsOneThatWasMadeThere) {
+  const Mesh before = sphere();
+  Mesh after = before;
+  SmoothSurface moved(before);
+  std::vector<SmoothSurface::Move> moves;
+  for (std::uint32_t v = 0; v < after.vertices_m.size(); ++v) {
+    if (after.vertices_m[v].z < 0.5 * kRadius_m) continue;
+    after.vertices_m[v] = 1.05 * after.vertices_m[v];
+    moves.push_back({v, after.vertices_m[v]});
+  }
+  ASSERT_GT(moves.size(), 100U);
+  moved.move(moves);
+  const SmoothSurface made(after);
+  std::mt19937_64 random(6);
+  DistanceSource::Hint hint, other;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 p = place_near(random);
+    const double distance_m = made.at(p, other).distance_m;
+    ASSERT_NEAR(moved.at(p, hint).distance_m, distance_m,
+                1e-6 + 2.0 * TriangleTree::kNearestSlack * std::abs(distance_m));
+  }
+  EXPECT_EQ(moved.bounds().most_m.z, made.bounds().most_m.z);
+}
+
+TEST(SmoothSurface, SaysTheSameInABallThatWasEntered) {
+  const SmoothSurface smooth(sphere());
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(-0.57, 0.57);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 centre = place_near(random);
+    DistanceSource::Hint hint, other;
+    smooth.enter(centre, 0.002, hint);
+    smooth.enter(centre, 0.0005, hint);
+    for (int k = 0; k < 10; ++k) {
+      const double x = uniform(random), y = uniform(random), z = uniform(random);
+      const Vec3 p = centre + 0.0005 * Vec3{x, y, z};
+      const double distance_m = smooth.at(p, other).distance_m;
+      ASSERT_NEAR(smooth.at(p, hint).distance_m, distance_m,
+                  1e-7 + 2.0 * TriangleTree::kNearestSlack * std::abs(distance_m));
+    }
+    smooth.leave(hint);
+    smooth.leave(hint);
+    EXPECT_EQ(hint.entered, 0U);
+  }
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

@@ -1,0 +1,88 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/field/superquadric.hpp"
+#include "palpable/sculpt/superquadric/superquadric_kernel.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace palpable::sculpt {
+
+/// A line of sight that grazes a solid: its outline in a picture.
+struct Sight {
+  Vec3 origin_m;
+  Vec3 direction;  // unit
+};
+
+/// What the fit moves: 11 numbers, 13 with taper, 15 with bend. The rotation is a small turn after a
+/// reference, half axes are logarithms, exponents and tapers pass through sigmoids, so no bound needs
+/// watching.
+constexpr int kPlainParameters = 11;
+constexpr int kTaperParameters = 13;
+constexpr int kBendParameters = 15;
+constexpr int kMostParameters = kBendParameters;
+using Parameters = std::array<double, kMostParameters>;
+
+/// The shape that the parameters stand for, and the parameters of a shape (its rotation goes into
+/// `reference`).
+models::Superquadric shape_from(const Parameters& parameters, const std::array<double, 9>& reference);
+Parameters parameters_of(const models::Superquadric& shape, std::array<double, 9>& reference);
+
+/// One residual with its derivative by every parameter.
+struct Residual {
+  double value = 0.0;
+  std::array<double, kMostParameters> by{};
+};
+
+/// Residuals of points and lines of sight at one set of parameters. No state beyond it: any thread.
+class ResidualsAt {
+ public:
+  ResidualsAt(const Parameters& parameters, const std::array<double, 9>& reference, int count);
+
+  /// |r| (1 - 1 / gauge), the distance along the ray from the centre, exact there.
+  double radial(Vec3 p) const;
+  Residual radial_with_derivatives(Vec3 p) const;
+  /// sqrt(a1 a2 a3) (F^e1 - 1), the cost of Solina & Bajcsy 1990.
+  double solina(Vec3 p) const;
+  Residual solina_with_derivatives(Vec3 p) const;
+
+  /// Where lines of sight come nearest to the shape (where the gauge is least): there the radial distance is
+  /// 0 for a line that grazes. By the envelope theorem the place's own motion does not count in derivatives.
+  Columns nearest_on(std::span<const Sight> sights) const;
+
+  /// How points stand to the shape.
+  void stands_of(const Columns& places, Stands& out) const;
+  /// Whether the surface nearest to point i of `places` looks towards `eye`.
+  bool faces(Vec3 place, Vec3 outward, Vec3 eye) const;
+
+  /// Weighted radial residuals of all points, and unless `jacobian` is null their derivatives, column after
+  /// column.
+  void radial_rows_of(const Columns& places, std::span<const double> weights, double* residuals,
+                      double* jacobian) const;
+
+  const models::Superquadric& shape() const { return shape_; }
+
+ private:
+  struct Gauge {
+    double value;
+    Vec3 by_place;  // before deformation
+    Vec3 by_log_size;
+    double by_e1, by_e2;
+  };
+  Vec3 local(Vec3 p) const;
+  Gauge gauge_with_derivatives(Vec3 straight) const;
+  /// From derivatives by the undeformed place to those by all parameters.
+  void chain(Vec3 placed, Vec3 straight, Vec3 by_straight, const Gauge& gauge, double by_gauge,
+             Residual& out) const;
+
+  models::Superquadric shape_;
+  Parameters parameters_;
+  int count_;
+  std::array<double, 9> turned_{};  // right Jacobian of the small turn
+  double e1_pace_, e2_pace_;        // d exponent / d parameter
+};
+
+}  // namespace palpable::sculpt

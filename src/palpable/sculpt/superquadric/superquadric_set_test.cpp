@@ -1,0 +1,128 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/superquadric/superquadric_set.hpp"
+
+#include "palpable/models/field/superquadric_distance.hpp"
+#include "palpable/models/field/superquadric_samples.hpp"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+using models::Superquadric;
+
+Superquadric ball(Vec3 at, double radius_m) {
+  Superquadric s;
+  s.size_m = {radius_m, radius_m, radius_m};
+  s.scene_from_shape.translation_m = at;
+  return s;
+}
+
+Superquadric box(Vec3 at, Vec3 half_m) {
+  Superquadric s;
+  s.size_m = half_m;
+  s.e1 = s.e2 = 0.1;
+  s.scene_from_shape.translation_m = at;
+  return s;
+}
+
+/// Points of several shapes with noise, those inside another shape left out; with an eye only those that face
+/// it.
+std::vector<Vec3> points_of(const std::vector<Superquadric>& shapes, double spacing_m, double noise_m,
+                            const std::optional<Vec3>& eye = std::nullopt) {
+  std::vector<models::SuperquadricDistance> distances;
+  for (const Superquadric& s : shapes) distances.push_back(*models::SuperquadricDistance::from(s));
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal(0.0, noise_m);
+  std::vector<Vec3> points;
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    for (const auto& sample : models::even_samples(shapes[k], spacing_m)) {
+      bool seen = !eye || dot(*eye - sample.place.v, sample.normal.v) > 0.0;
+      for (std::size_t other = 0; other < shapes.size(); ++other)
+        seen = seen && (other == k || distances[other].distance_m(sample.place) > 0.0);
+      if (seen) points.push_back(sample.place.v + Vec3{normal(random), normal(random), normal(random)});
+    }
+  return points;
+}
+
+/// Mean distance of noiseless points of the truth to the fitted union's surface.
+double error_m(const ShapeSet& set, const std::vector<Superquadric>& truth) {
+  std::vector<models::SuperquadricDistance> shapes;
+  for (const auto& s : set.shapes) shapes.push_back(*models::SuperquadricDistance::from(s.shape));
+  double sum = 0.0;
+  const auto points = points_of(truth, 0.004, 0.0);
+  for (const Vec3 p : points) sum += std::abs(closest_point(shapes, {p}).distance_m);
+  return sum / static_cast<double>(points.size());
+}
+
+TEST(SuperquadricSet, OneShapeStaysOne) {
+  const std::vector<Superquadric> truth{box({0.01, 0.02, 0.0}, {0.05, 0.03, 0.02})};
+  const auto set = fit_superquadrics(points_of(truth, 0.004, 0.0003), {}, std::nullopt, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  EXPECT_EQ(set->shapes.size(), 1U);
+  EXPECT_LT(error_m(*set, truth), 0.001);
+}
+
+TEST(SuperquadricSet, ThreeThatStandApartAreFound) {
+  const std::vector<Superquadric> truth{
+      ball({-0.1, 0.0, 0.0}, 0.03), box({0.0, 0.0, 0.0}, {0.02, 0.03, 0.04}), ball({0.1, 0.02, 0.0}, 0.02)};
+  const auto set = fit_superquadrics(points_of(truth, 0.004, 0.0003), {}, std::nullopt, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  EXPECT_EQ(set->shapes.size(), 3U);
+  EXPECT_LT(error_m(*set, truth), 0.001);
+}
+
+TEST(SuperquadricSet, TwoThatGrowIntoEachOtherAreParted) {
+  const std::vector<Superquadric> truth{box({0.0, 0.0, 0.0}, {0.06, 0.02, 0.02}),
+                                        ball({0.0, 0.0, 0.045}, 0.03)};
+  const auto set = fit_superquadrics(points_of(truth, 0.003, 0.0003), {}, std::nullopt, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  EXPECT_GE(set->shapes.size(), 2U);
+  EXPECT_LE(set->shapes.size(), 4U);
+  EXPECT_LT(error_m(*set, truth), 0.002);
+}
+
+TEST(SuperquadricSet, ABallOnATableSeenFromAboveIsASlabAndABall) {
+  const Vec3 eye{0.0, -0.2, 0.6};
+  const std::vector<Superquadric> truth{box({0.0, 0.0, -0.005}, {0.15, 0.1, 0.005}),
+                                        ball({0.02, 0.0, 0.03}, 0.03)};
+  const auto set =
+      fit_superquadrics(points_of(truth, 0.003, 0.0003, eye), {}, Point<SceneFrame>{eye}, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  ASSERT_EQ(set->shapes.size(), 2U);
+  // The table's front, and the ball.
+  const Superquadric& table = set->shapes[0].shape;
+  const double top_m = table.scene_from_shape.translation_m.z + table.size_m.z;
+  EXPECT_NEAR(top_m, 0.0, 0.002);
+  const Superquadric& seen = set->shapes[1].shape;
+  EXPECT_LT(norm(seen.scene_from_shape.translation_m - Vec3{0.02, 0.0, 0.03}), 0.006);
+  for (const double a : {seen.size_m.x, seen.size_m.y, seen.size_m.z}) EXPECT_NEAR(a, 0.03, 0.006);
+}
+
+TEST(SuperquadricSet, PointsOfDifferentLabelsNeverShareAShape) {
+  const auto points = points_of({ball({0.0, 0.0, 0.0}, 0.03)}, 0.003, 0.0);
+  std::vector<std::uint8_t> labels;
+  for (const Vec3 p : points) labels.push_back(p.x < 0.0 ? 1 : 2);
+  const auto set = fit_superquadrics(points, labels, std::nullopt, {}, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  EXPECT_GE(set->shapes.size(), 2U);
+}
+
+TEST(SuperquadricSet, RefusesTooFewPointsThoseAtOnePlaceAndNumbersThatAreNone) {
+  const auto fit = [](const std::vector<Vec3>& points) {
+    return fit_superquadrics(points, {}, std::nullopt, {}, Work{});
+  };
+  EXPECT_FALSE(fit(std::vector<Vec3>(5)));
+  EXPECT_FALSE(fit(std::vector<Vec3>(100, Vec3{1.0, 2.0, 3.0})));
+  std::vector<Vec3> points = points_of({ball({}, 0.03)}, 0.01, 0.0);
+  points[3].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(fit(points));
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

@@ -1,0 +1,33 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/field/distance_surface.hpp"
+#include "palpable/sculpt/triangles/box.hpp"
+
+#include <functional>
+#include <span>
+
+namespace palpable::sculpt {
+
+/// A solid as a function: negative inside, with a gradient, or with none (0) where edges need not be sharp:
+/// then vertices stand in the middle of their crossings. Any thread.
+using SolidFunction = std::function<models::FieldSample(Vec3 place_m)>;
+
+struct ContourOptions {
+  /// Side of the cubes that hold one vertex each, > 0.
+  double spacing_m = 0.0;
+};
+
+/// The surface where `solid` is 0, as triangles facing outwards: one vertex for each sheet of it in each
+/// cube, where the tangent planes of its crossings meet, so that edges and corners stay sharp (dual
+/// contouring, Ju et al. 2002). Begins at `seeds_m`, places on or near the surface, and follows it from cube
+/// to cube within `bounds`; where it leaves them it is left open. Errors: usage for a spacing that makes over
+/// 2^19 cubes along a side; interrupted.
+Result<Mesh> dual_contour(const SolidFunction& solid, const Box& bounds, std::span<const Vec3> seeds_m,
+                          const ContourOptions& options, const Work& work);
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,347 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/triangles/mesh_orientation.hpp"
+
+#include "palpable/sculpt/triangles/triangle_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <random>
+#include <span>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace palpable::sculpt {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+struct PlaceHash {
+  std::size_t operator()(const Vec3& p) const {
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const double v : {p.x, p.y, p.z}) hash = (hash ^ std::bit_cast<std::uint64_t>(v)) * 0x100000001B3U;
+    return static_cast<std::size_t>(hash ^ hash >> 29U);
+  }
+};
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
+}
+
+void turn(Triangle& t) { std::swap(t[1], t[2]); }
+
+/// Whether the triangle runs along its edge from a to b.
+bool runs(const Triangle& t, std::uint32_t a, std::uint32_t b) {
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
+
+/// For each triangle the one across each of its edges; itself where there is none or more than one.
+std::vector<Triangle> neighbours_of(const Mesh& mesh) {
+  struct Users {
+    std::uint32_t first = 0, second = 0;
+    int count = 0;
+  };
+  std::unordered_map<std::uint64_t, Users> edges;
+  edges.reserve(2 * mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      Users& users = edges[edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3])];
+      (users.count == 0 ? users.first : users.second) = t;
+      ++users.count;
+    }
+  std::vector<Triangle> neighbours(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Users& users = edges[edge_key(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3])];
+      neighbours[t][k] = users.count != 2 ? t : users.first == t ? users.second : users.first;
+    }
+  return neighbours;
+}
+
+/// Whether more of a part's front than of its back looks into the solid, by the parity of rays.
+bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
+                   double lift_m, std::mt19937_64& random) {
+  std::vector<double> area_until(part.size());
+  double area = 0.0;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    const Triangle& t = mesh.triangles[part[i]];
+    const Vec3 a = mesh.vertices_m[t[0]];
+    area += norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+    area_until[i] = area;
+  }
+  constexpr int kRays = 41;
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  std::normal_distribution<double> normal;
+  int inwards = 0;
+  for (int ray = 0; ray < kRays; ++ray) {
+    const auto pick = std::lower_bound(area_until.begin(), area_until.end(), area * uniform(random));
+    const auto index = std::min(static_cast<std::size_t>(pick - area_until.begin()), part.size() - 1);
+    const Triangle& t = mesh.triangles[part[index]];
+    const Vec3 a = mesh.vertices_m[t[0]], ab = mesh.vertices_m[t[1]] - a, ac = mesh.vertices_m[t[2]] - a;
+    double u = uniform(random), v = uniform(random);
+    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+    const Vec3 n = unit(cross(ab, ac));
+    Vec3 direction = unit({normal(random), normal(random), normal(random)});
+    if (dot(direction, n) < 0.0) direction = -direction;
+    const Vec3 place = a + u * ab + v * ac;
+    const int front = tree.crossings(place + lift_m * n, direction);
+    const int back = tree.crossings(place - lift_m * n, -direction);
+    inwards += front % 2 - back % 2;
+  }
+  return inwards > 0;
+}
+
+}  // namespace
+
+Mesh welded(const Mesh& mesh, std::size_t& removed) {
+  Mesh result;
+  std::unordered_map<Vec3, std::uint32_t, PlaceHash> places;
+  std::vector<std::uint32_t> now(mesh.vertices_m.size());
+  for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
+    // Adding zero makes one zero of both.
+    const Vec3 p = mesh.vertices_m[i] + Vec3{};
+    if (!is_finite(p)) continue;
+    const auto [at, fresh] = places.try_emplace(p, static_cast<std::uint32_t>(result.vertices_m.size()));
+    if (fresh) result.vertices_m.push_back(p);
+    now[i] = at->second;
+  }
+  removed = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const bool sound = std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+      return v < mesh.vertices_m.size() && is_finite(mesh.vertices_m[v]);
+    });
+    const Triangle n = sound ? Triangle{now[t[0]], now[t[1]], now[t[2]]} : Triangle{};
+    const bool has_area =
+        sound && squared_norm(cross(result.vertices_m[n[1]] - result.vertices_m[n[0]],
+                                    result.vertices_m[n[2]] - result.vertices_m[n[0]])) > 0.0;
+    if (has_area)
+      result.triangles.push_back(n);
+    else
+      ++removed;
+  }
+  return result;
+}
+
+namespace {
+
+/// Triangles that hang together across edges that two of them share.
+struct Part {
+  std::vector<std::uint32_t> triangles;
+  /// Whether some were turned to agree with their neighbours, and whether all were turned after that.
+  bool made_to_agree = false, turned = false;
+};
+
+void turn_all(Mesh& mesh, Part& part) {
+  for (const std::uint32_t t : part.triangles) turn(mesh.triangles[t]);
+  part.turned = !part.turned;
+}
+
+std::vector<Part> agreeing_parts(Mesh& mesh, const std::vector<Triangle>& neighbours) {
+  std::vector<Part> parts;
+  std::vector<bool> seen(mesh.triangles.size());
+  for (std::uint32_t start = 0; start < mesh.triangles.size(); ++start) {
+    if (seen[start]) continue;
+    Part part{{start}, false, false};
+    seen[start] = true;
+    for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+      const Triangle t = mesh.triangles[part.triangles[i]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        // Neighbours were noted by the place of an edge before any turning: ask for the shared edge itself.
+        const std::uint32_t other = neighbours[part.triangles[i]][k];
+        if (seen[other]) continue;
+        seen[other] = true;
+        part.triangles.push_back(other);
+        Triangle& o = mesh.triangles[other];
+        bool same_way = false;
+        for (std::size_t e = 0; e < 3; ++e) same_way = same_way || runs(o, t[e], t[(e + 1) % 3]);
+        if (same_way) {
+          turn(o);
+          part.made_to_agree = true;
+        }
+      }
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+double area_m2(const Mesh& mesh, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3 a = mesh.vertices_m[t[0]];
+  return 0.5 * norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+}
+
+/// The edges that more than two triangles share, as the parts run along them.
+class SharedEdges {
+ public:
+  SharedEdges(const Mesh& mesh, const std::vector<Part>& parts) : of_part_(parts.size()) {
+    struct Use {
+      std::uint64_t key;
+      std::uint32_t part;
+      int step;
+    };
+    std::vector<Use> uses;
+    for (std::uint32_t p = 0; p < parts.size(); ++p)
+      for (const std::uint32_t i : parts[p].triangles) {
+        const Triangle& t = mesh.triangles[i];
+        for (std::size_t k = 0; k < 3; ++k)
+          uses.push_back({edge_key(t[k], t[(k + 1) % 3]), p, t[k] < t[(k + 1) % 3] ? 1 : -1});
+      }
+    std::sort(uses.begin(), uses.end(),
+              [](const Use& a, const Use& b) { return std::pair(a.key, a.part) < std::pair(b.key, b.part); });
+    for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+      while (end < uses.size() && uses[end].key == uses[i].key) ++end;
+      if (end - i < 3) continue;
+      const auto edge = static_cast<std::uint32_t>(sums_.size());
+      int sum = 0;
+      for (std::size_t k = i; k < end; ++k) {
+        auto& of_part = of_part_[uses[k].part];
+        if (of_part.empty() || of_part.back().edge != edge) of_part.push_back({edge, 0});
+        of_part.back().steps += uses[k].step;
+        sum += uses[k].step;
+      }
+      sums_.push_back(sum);
+      lengths_m_.push_back(norm(mesh.vertices_m[uses[i].key >> 32U] -
+                                mesh.vertices_m[static_cast<std::uint32_t>(uses[i].key)]));
+    }
+  }
+  /// How much less is left open when the part is turned, metres.
+  double gain_m(std::uint32_t part) const {
+    double gain = 0.0;
+    for (const Along& a : of_part_[part])
+      gain += lengths_m_[a.edge] * (std::abs(sums_[a.edge]) - std::abs(sums_[a.edge] - 2 * a.steps));
+    return gain;
+  }
+  void turn(std::uint32_t part) {
+    for (Along& a : of_part_[part]) {
+      sums_[a.edge] -= 2 * a.steps;
+      a.steps = -a.steps;
+    }
+  }
+
+ private:
+  struct Along {
+    std::uint32_t edge;
+    int steps;
+  };
+  std::vector<std::vector<Along>> of_part_;
+  std::vector<int> sums_;
+  std::vector<double> lengths_m_;
+};
+
+/// A closed solid's triangles run to and fro along every edge. A wall that two bodies share is a part of its
+/// own for each, and rays tell nothing of it, for it has a solid on both sides: it is turned as its edges
+/// want, small parts before large ones.
+void turn_as_shared_edges_want(Mesh& mesh, std::vector<Part>& parts) {
+  if (parts.size() < 2) return;
+  SharedEdges edges(mesh, parts);
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (std::uint32_t p = 0; p < parts.size(); ++p) {
+    double area = 0.0;
+    for (const std::uint32_t t : parts[p].triangles) area += area_m2(mesh, t);
+    order.emplace_back(area, p);
+  }
+  std::sort(order.begin(), order.end());
+  constexpr int kSweeps = 32;
+  bool any = true;
+  for (int sweep = 0; any && sweep < kSweeps; ++sweep) {
+    any = false;
+    for (const auto& [area, p] : order) {
+      if (!(edges.gain_m(p) > 0.0)) continue;
+      edges.turn(p);
+      turn_all(mesh, parts[p]);
+      any = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed) {
+  if (mesh.triangles.empty()) return 0;
+  auto parts = agreeing_parts(mesh, neighbours_of(mesh));
+  const TriangleTree tree(mesh);
+  const Box box = tree.bounds();
+  const double lift_m = 1e-6 * norm(box.size_m());
+  std::mt19937_64 random(seed);
+  for (Part& part : parts)
+    if (faces_inwards(mesh, part.triangles, tree, lift_m, random)) turn_all(mesh, part);
+  turn_as_shared_edges_want(mesh, parts);
+  return static_cast<std::size_t>(
+      std::count_if(parts.begin(), parts.end(), [](const Part& p) { return p.made_to_agree || p.turned; }));
+}
+
+std::size_t turn_inside_out_parts(Mesh& mesh, const TriangleTree& tree) {
+  auto parts = agreeing_parts(mesh, neighbours_of(mesh));
+  const double lift_m = 1e-6 * norm(tree.bounds().size_m());
+  std::size_t turned = 0;
+  for (Part& part : parts) {
+    // Spread over the part: a body's triangles may be many.
+    constexpr std::size_t kMost = 64;
+    const std::size_t step = std::max<std::size_t>(1, part.triangles.size() / kMost);
+    double inside_out = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < part.triangles.size(); i += step) {
+      const Triangle& t = mesh.triangles[part.triangles[i]];
+      const Vec3 a = mesh.vertices_m[t[0]], b = mesh.vertices_m[t[1]], c = mesh.vertices_m[t[2]];
+      const double area = area_m2(mesh, part.triangles[i]);
+      all += area;
+      if (tree.winding((a + b + c) / 3.0 + lift_m * unit(cross(b - a, c - a))) < -0.5) inside_out += area;
+    }
+    if (!(inside_out > 0.5 * all)) continue;
+    turn_all(mesh, part);
+    ++turned;
+  }
+  return turned;
+}
+
+std::size_t close_holes(Mesh& mesh) {
+  // What is left of an edge when those that run to and fro along it are taken from each other: walls that two
+  // bodies share end there together, and are no rim.
+  std::unordered_map<std::uint64_t, int> upwards;
+  const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) upwards[edge_key(t[k], t[(k + 1) % 3])] += step(t[k], t[(k + 1) % 3]);
+  // Rim edges by the vertex where they start, in a fixed order.
+  std::multimap<std::uint32_t, std::uint32_t> rim;
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+      int& left = upwards[edge_key(from, to)];
+      if (left * step(from, to) <= 0) continue;
+      rim.emplace(from, to);
+      left -= step(from, to);
+    }
+  std::size_t closed = 0;
+  const auto close = [&](std::span<const std::uint32_t> loop) {
+    if (loop.size() < 3) return;
+    Vec3 centre;
+    for (const std::uint32_t v : loop) centre += mesh.vertices_m[v] / static_cast<double>(loop.size());
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    mesh.vertices_m.push_back(centre);
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
+    ++closed;
+  };
+  // As many rims end at a vertex as start there, so each way along them comes back to where it has been.
+  while (!rim.empty()) {
+    std::vector<std::uint32_t> way{rim.begin()->first};
+    for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find(way.back())) {
+      const std::uint32_t next = edge->second;
+      rim.erase(edge);
+      const auto before = std::find(way.begin(), way.end(), next);
+      if (before == way.end()) {
+        way.push_back(next);
+      } else {
+        close({before, way.end()});
+        way.erase(before + 1, way.end());
+      }
+    }
+  }
+  return closed;
+}
+
+}  // namespace palpable::sculpt

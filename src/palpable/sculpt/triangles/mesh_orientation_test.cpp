@@ -1,0 +1,66 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/triangles/mesh_orientation.hpp"
+
+#include "palpable/sculpt/solid/test_solids.hpp"
+#include "palpable/sculpt/triangles/triangle_tree.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+constexpr double kSide_m = 0.01;
+
+/// A house from x = `at` on, as city models have them: walls and roof, no floor.
+Mesh open_house(double at_m) {
+  Mesh house = box_mesh({at_m, 0.0, 0.0}, {at_m + kSide_m, kSide_m, kSide_m});
+  std::erase_if(house.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return house.vertices_m[v].z == 0.0; });
+  });
+  return house;
+}
+
+TEST(MeshOrientation, TurnsWallsThatHousesShareAsTheirEdgesWant) {
+  constexpr int kHouses = 5;
+  Mesh row = open_house(0.0);
+  for (int k = 1; k < kHouses; ++k) row = together(row, open_house(kSide_m * k));
+  // Of a shared wall rays tell nothing, so chance would leave some of them turned.
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    std::size_t removed = 0;
+    Mesh mesh = welded(row, removed);
+    for (std::size_t t = seed % 3; t < mesh.triangles.size(); t += 3)
+      std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    orient_outwards(mesh, seed);
+    EXPECT_EQ(close_holes(mesh), 1U);
+    const TriangleTree tree(mesh);
+    for (int k = 0; k < kHouses; ++k)
+      EXPECT_NEAR(tree.winding({kSide_m * (k + 0.4), 0.4 * kSide_m, 0.4 * kSide_m}), 1.0, 0.02)
+          << "house " << k << " with seed " << seed;
+    EXPECT_NEAR(tree.winding({kSide_m * 2.4, 0.4 * kSide_m, 1.1 * kSide_m}), 0.0, 0.02);
+  }
+}
+
+TEST(MeshOrientation, TurnsPartsThatAreInsideOutOnceTheyAreClosed) {
+  Mesh turned = box_mesh({0.02, 0.0, 0.0}, {0.03, 0.01, 0.01});
+  for (auto& t : turned.triangles) std::swap(t[1], t[2]);
+  Mesh mesh = together(box_mesh({0.0, 0.0, 0.0}, {0.01, 0.01, 0.01}), turned);
+  // A hollow faces inwards rightly.
+  Mesh hollow = box_mesh({0.004, 0.004, 0.004}, {0.006, 0.006, 0.006});
+  for (auto& t : hollow.triangles) std::swap(t[1], t[2]);
+  mesh = together(mesh, hollow);
+  const TriangleTree before(mesh);
+  EXPECT_NEAR(before.winding({0.025, 0.005, 0.005}), -1.0, 0.02);
+  EXPECT_EQ(turn_inside_out_parts(mesh, before), 1U);
+  const TriangleTree after(mesh);
+  EXPECT_NEAR(after.winding({0.025, 0.005, 0.005}), 1.0, 0.02);
+  EXPECT_NEAR(after.winding({0.002, 0.005, 0.005}), 1.0, 0.02);
+  EXPECT_NEAR(after.winding({0.005, 0.005, 0.005}), 0.0, 0.02);
+  EXPECT_EQ(turn_inside_out_parts(mesh, after), 0U);
+}
+
+}  // namespace
+}  // namespace palpable::sculpt

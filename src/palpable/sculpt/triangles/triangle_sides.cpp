@@ -1,0 +1,101 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// On which side of a TriangleTree's triangles a place lies.
+#include "palpable/sculpt/triangles/triangle_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace palpable::sculpt {
+namespace {
+
+/// The solid angle of a triangle seen from p (van Oosterom & Strackee 1983).
+double solid_angle(Vec3 p, const std::array<Vec3, 3>& t) {
+  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
+  const double la = norm(a), lb = norm(b), lc = norm(c);
+  const double volume = dot(a, cross(b, c));
+  const double sum = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+  return 2.0 * std::atan2(volume, sum);
+}
+
+bool meets(Vec3 p, Vec3 direction, const std::array<Vec3, 3>& t) {
+  // Moller & Trumbore 1997.
+  const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
+  const Vec3 h = cross(direction, e2);
+  const double det = dot(e1, h);
+  if (det == 0.0) return false;
+  const Vec3 s = p - t[0];
+  const double u = dot(s, h) / det;
+  if (u < 0.0 || u > 1.0) return false;
+  const Vec3 q = cross(s, e1);
+  const double v = dot(direction, q) / det;
+  return v >= 0.0 && u + v <= 1.0 && dot(e2, q) / det > 0.0;
+}
+
+bool meets_box(Vec3 p, Vec3 inverse, Vec3 low, Vec3 high) {
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+  const auto cut = [&](double at, double inv, double lo, double hi) {
+    const double a = (lo - at) * inv, b = (hi - at) * inv;
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  };
+  cut(p.x, inverse.x, low.x, high.x);
+  cut(p.y, inverse.y, low.y, high.y);
+  cut(p.z, inverse.z, low.z, high.z);
+  return from <= to;
+}
+
+/// Calls leaf(node) for the leaves under every node, told by its number, that is to be opened; from the root.
+template <std::size_t kMost, class Nodes, class Opens, class Leaf>
+void descend(const Nodes& nodes, const Opens& opens, const Leaf& leaf) {
+  std::array<std::uint32_t, kMost> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t at = stack[--size];
+    if (!opens(at)) continue;
+    const auto& node = nodes[at];
+    if (node.right == 0) {
+      leaf(node);
+    } else {
+      stack[size++] = at + 1;
+      stack[size++] = node.right;
+    }
+  }
+}
+
+}  // namespace
+
+double TriangleTree::winding(Vec3 p) const {
+  constexpr double kFarRadii = 2.5;
+  double sum = 0.0;
+  const auto opens = [&](std::uint32_t at) {
+    const Dipole& dipole = dipoles_[at];
+    const Vec3 way = dipole.centre_m - p;
+    const double distance2 = squared_norm(way);
+    if (distance2 <= kFarRadii * kFarRadii * dipole.radius_m * dipole.radius_m) return true;
+    sum += dot(dipole.area_m2, way) / (distance2 * std::sqrt(distance2));
+    return false;
+  };
+  descend<kStack>(nodes_, opens, [&](const Node& node) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) sum += solid_angle(p, corners_[i]);
+  });
+  return sum / (4.0 * std::numbers::pi);
+}
+
+int TriangleTree::crossings(Vec3 p, Vec3 direction) const {
+  const Vec3 inverse{1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z};
+  int count = 0;
+  const auto opens = [&](std::uint32_t at) { return meets_box(p, inverse, nodes_[at].low, nodes_[at].high); };
+  descend<kStack>(nodes_, opens, [&](const Node& node) {
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      count += meets(p, direction, corners_[i]) ? 1 : 0;
+  });
+  return count;
+}
+
+}  // namespace palpable::sculpt

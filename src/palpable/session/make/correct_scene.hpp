@@ -1,0 +1,29 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/sculpt/correction/surface_correction.hpp"
+#include "palpable/session/make/make_scene.hpp"
+
+#include <cstddef>
+
+namespace palpable::session {
+
+struct CorrectedScene {
+  MadeScene made;
+  /// Samples of the field's surface that went onto the measured one, and all that moved.
+  std::size_t measured_samples = 0;
+  std::size_t moved_samples = 0;
+};
+
+/// A scene's field corrected by a measured surface (Moustakas et al. 2007), which is given in the frame of
+/// what the scene was made from (scene_from_input). The field's own surface, sampled every four finest cells,
+/// is what is corrected; the field is sampled again only where that matters, and anew as a whole where the
+/// corrected solid reaches out of its box. Errors: usage for a scene that is no field; failed where nothing
+/// of the measured surface was met; as sculpt::corrected_field().
+Result<CorrectedScene> correct_scene(const models::Scene& scene, Mesh measured,
+                                     const sculpt::CorrectionOptions& options, const Work& work);
+
+}  // namespace palpable::session

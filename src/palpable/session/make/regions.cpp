@@ -1,0 +1,163 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/make/regions.hpp"
+
+#include "palpable/core/quantile.hpp"
+#include "palpable/vision/segmentation/background.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::session {
+namespace {
+
+/// Materials of a scene whose regions were told apart; they feel alike, and have names.
+enum Region : std::uint8_t { kThings, kGround, kBackground };
+
+void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region) {
+  if (scene.labels.empty()) {
+    scene.labels = Raster<std::uint8_t>(mask.width(), mask.height(), kThings);
+    scene.materials.resize(3);
+    scene.materials[kGround].name = "ground";
+    scene.materials[kBackground].name = "background";
+  }
+  for (std::size_t i = 0; i < mask.count(); ++i)
+    if (mask.values()[i] != 0) scene.labels.values()[i] = region;
+}
+
+/// The ground, where something asks for it, and a note of it.
+std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const SeenPicture& seen,
+                                        const MakeOptions& options, const Work& work,
+                                        std::vector<std::string>& notes) {
+  const bool wanted = options.ground != vision::GroundTreatment::keep;
+  if (!asks_for_regions(options)) return std::nullopt;
+  work.report(0.9, "finding the ground");
+  auto ground = vision::find_ground(seen.picture, disparity.disparity_px, work, seen.origin);
+  // A plane that is everywhere has nothing on it: it must not swallow the background that is asked for.
+  constexpr double kEverywhere = 0.95;
+  if (ground && !wanted && ground->share > kEverywhere) return std::nullopt;
+  if (ground)
+    notes.push_back(fmt::format("The ground covers {:.0f} % of the picture{}.", 100.0 * ground->share,
+                                seen.origin == vision::DisparityOrigin::matched
+                                    ? fmt::format(", {:.2f} px from a plane", ground->rms_px)
+                                    : std::string()));
+  else if (wanted)
+    notes.emplace_back("No ground was found in this picture: the relief is as it would be without --ground.");
+  return ground;
+}
+
+/// The background, where it is to be removed, and a note of it. The ground is none: it is near and far at
+/// once, and would part what stands on it.
+std::optional<vision::Background> background_of(DisparityMap disparity,
+                                                const std::optional<vision::Ground>& ground,
+                                                const SeenPicture& seen, const MakeOptions& options,
+                                                const Work& work, std::vector<std::string>& notes) {
+  if (options.background == BackgroundTreatment::keep) return std::nullopt;
+  work.report(0.92, "finding the background");
+  const auto without = [&](Raster<std::uint8_t>* mask) {
+    for (std::size_t i = 0; ground && i < ground->mask.count(); ++i) {
+      if (ground->mask.values()[i] == 0) continue;
+      if (mask != nullptr) mask->values()[i] = 0;
+      disparity.disparity_px.values()[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  };
+  without(nullptr);
+  auto background = vision::find_background(seen.picture, disparity.disparity_px, work);
+  if (!background) {
+    notes.emplace_back("Near and far do not part in this picture: there is no background to remove.");
+    return std::nullopt;
+  }
+  without(&background->mask);
+  const std::string moves = seen.origin == vision::DisparityOrigin::matched
+                                ? fmt::format(" moves less than {:.1f} px", background->threshold_px)
+                                : " was found";
+  notes.push_back(fmt::format("The background{}: {} of {} regions were removed with it.", moves,
+                              background->removed, background->regions));
+  return background;
+}
+
+/// Nearness in the shape of disparity, so that the finders' bounds in pixels hold: of depth its inverse, as
+/// two cameras side by side would see it. What is nearest, but for a half percent that may be wild, has
+/// kNearest_px; a map whose rig is known stays as it is.
+DisparityMap parallax_of(const std::variant<DepthMap, DisparityMap>& depth) {
+  constexpr double kNearest_px = 256.0, kWild = 0.005;
+  const auto* metres = std::get_if<DepthMap>(&depth);
+  DisparityMap map = metres != nullptr ? DisparityMap{metres->depth_m, {}} : std::get<DisparityMap>(depth);
+  if (map.rig) return map;
+  std::vector<float> known;
+  for (float& value : map.disparity_px.values()) {
+    if (metres != nullptr) value = 1.0F / value;
+    if (std::isfinite(value)) known.push_back(value);
+  }
+  if (known.empty()) return map;
+  const double scale = kNearest_px / double{quantile_of(known, 1.0 - kWild)};
+  for (float& value : map.disparity_px.values()) value *= static_cast<float>(scale);
+  if (metres == nullptr) return map;
+  const int width = metres->depth_m.width(), height = metres->depth_m.height();
+  const Pinhole any{1.0 * width, 1.0 * width, 0.5 * (width - 1), 0.5 * (height - 1), width, height};
+  const Pinhole camera = metres->camera.value_or(any);
+  map.rig = StereoRig{camera, scale / camera.fx, 0.0};
+  return map;
+}
+
+/// Parallax as a grey picture, for depth that came without colour.
+Raster<Rgb8> grey_of(const DisparityMap& parallax) {
+  Raster<Rgb8> out(parallax.disparity_px.width(), parallax.disparity_px.height());
+  for (std::size_t i = 0; i < out.count(); ++i) {
+    const float d = parallax.disparity_px.values()[i];
+    const auto level =
+        static_cast<std::uint8_t>(std::isfinite(d) ? std::clamp(2.0F * d, 0.0F, 255.0F) : 0.0F);
+    out.values()[i] = {level, level, level};
+  }
+  return out;
+}
+
+}  // namespace
+
+bool asks_for_regions(const MakeOptions& options) {
+  return options.ground != vision::GroundTreatment::keep || options.background != BackgroundTreatment::keep;
+}
+
+DisparityMap with_regions_treated(const DisparityMap& disparity, const SeenPicture& seen,
+                                  const MakeOptions& options, const Work& work, models::Scene& scene,
+                                  std::vector<std::string>& notes) {
+  const auto ground = ground_of(disparity, seen, options, work, notes);
+  const auto background = background_of(disparity, ground, seen, options, work, notes);
+  if (background) mark(scene, background->mask, kBackground);
+  if (ground) mark(scene, ground->mask, kGround);
+  DisparityMap treated = disparity;
+  if (ground && (!background || options.ground == vision::GroundTreatment::flatten))
+    treated = vision::treat_ground(disparity, *ground, options.ground);
+  if (!background) return treated;
+  Raster<std::uint8_t> goes = background->mask;
+  if (ground && options.ground == vision::GroundTreatment::remove)
+    for (std::size_t i = 0; i < goes.count(); ++i) goes.values()[i] |= ground->mask.values()[i];
+  return vision::lowered(treated, goes);
+}
+
+void treat_regions(sources::DepthPicture& read, const MakeOptions& options, const Work& work,
+                   models::Scene& regions) {
+  if (!asks_for_regions(options)) return;
+  const DisparityMap parallax = parallax_of(read.depth);
+  const SeenPicture seen{read.colour ? rgb8(*read.colour) : grey_of(parallax),
+                         vision::DisparityOrigin::measured};
+  DisparityMap treated = with_regions_treated(parallax, seen, options, work, regions, read.notes);
+  if (regions.labels.empty()) return;
+  const auto* metres = std::get_if<DepthMap>(&read.depth);
+  // Heights above the ground are no depths any more, and have no camera.
+  if (metres == nullptr || !treated.rig) {
+    read.depth = std::move(treated);
+    return;
+  }
+  DepthMap depth = *depth_from_disparity(treated);
+  depth.camera = metres->camera;
+  read.depth = std::move(depth);
+}
+
+}  // namespace palpable::session

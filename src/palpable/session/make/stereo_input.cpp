@@ -1,0 +1,128 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/make/stereo_input.hpp"
+
+#include "palpable/session/make/places.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
+#include "palpable/vision/rectification/alignment.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::session {
+namespace {
+
+vision::LensCamera lens_of(const sources::CameraModel& camera) { return {camera.matrix, camera.distortion}; }
+
+Result<std::optional<sources::Calibration>> calibration_of(const StereoInput& input, const Image& picture) {
+  using Found = std::optional<sources::Calibration>;
+  if (input.calibration.empty()) return Found();
+  auto calibration = sources::read_calibration(input.calibration);
+  if (!calibration) return calibration.error();
+  auto fitted = sources::calibration_for(std::move(*calibration), picture.width, picture.height);
+  if (!fitted) return at_place(fitted.error(), input.calibration);
+  return Found(std::move(*fitted));
+}
+
+void take(ReadyPair& ready, vision::AlignedPair aligned, AlignedBy way) {
+  ready.pair = std::move(aligned.pair);
+  ready.residual_before_px = aligned.residual_before_px;
+  ready.residual_px = aligned.residual_px;
+  ready.features = aligned.features;
+  if (aligned.changed) ready.aligned_by = way;
+  for (std::string& note : aligned.notes) ready.notes.push_back(std::move(note));
+}
+
+/// The camera of a picture taken by one that was moved: as the calibration says; else a usual one, and a
+/// note.
+vision::LensCamera moved_camera(const std::optional<sources::Calibration>& calibration, ReadyPair& ready) {
+  if (calibration) return lens_of(calibration->left);
+  ready.notes.emplace_back(
+      "The camera's focal length is not known; 65 degrees across the picture were assumed, and all depths "
+      "are "
+      "wrong by the same factor where it is another: give --calibration to know them.");
+  return vision::usual_camera(ready.pair.left.width, ready.pair.left.height);
+}
+
+Result<void> align_moved(const StereoInput& input, const std::optional<sources::Calibration>& calibration,
+                         ReadyPair& ready, const Work& work) {
+  auto aligned = vision::align_moved(ready.pair, moved_camera(calibration, ready), *input.moved_m, work);
+  if (!aligned) return aligned.error();
+  take(ready, std::move(*aligned), AlignedBy::movement);
+  return {};
+}
+
+Result<void> align_by_features(ReadyPair& ready, const Work& work) {
+  auto aligned = vision::align_uncalibrated(ready.pair, work);
+  if (!aligned) return aligned.error();
+  take(ready, std::move(*aligned), AlignedBy::features);
+  return {};
+}
+
+/// By what the calibration states: a rectified pair, two cameras and their places, or only their lenses.
+Result<void> align_calibrated(const sources::Calibration& calibration, ReadyPair& ready, const Work& work) {
+  if (calibration.rig) {
+    ready.pair.rig = calibration.rig;
+    return {};
+  }
+  const vision::LensCamera left = lens_of(calibration.left);
+  const vision::LensCamera right = calibration.right ? lens_of(*calibration.right) : left;
+  if (calibration.right && calibration.rotation && calibration.translation_m) {
+    auto aligned = vision::rectify_calibrated(
+        ready.pair, {left, right, *calibration.rotation, *calibration.translation_m});
+    if (!aligned) return aligned.error();
+    take(ready, std::move(*aligned), AlignedBy::calibration);
+    return {};
+  }
+  if (!calibration.right)
+    ready.notes.emplace_back(
+        "The calibration knows one camera: both pictures were taken to be its, and depth has no unit; say "
+        "--moved MM where it was moved sideways by a known distance.");
+  auto straight = vision::undistorted(ready.pair, left, right);
+  if (!straight) return straight.error();
+  ready.pair = std::move(*straight);
+  return align_by_features(ready, work);
+}
+
+Result<void> align(const StereoInput& input, const std::optional<sources::Calibration>& calibration,
+                   ReadyPair& ready, const Work& work) {
+  if (input.moved_m) return align_moved(input, calibration, ready, work);
+  if (calibration) return align_calibrated(*calibration, ready, work);
+  return align_by_features(ready, work);
+}
+
+}  // namespace
+
+std::string_view name_of(AlignedBy way) {
+  constexpr std::array<std::string_view, 4> kNames{"nothing", "calibration", "features", "movement"};
+  return kNames[static_cast<std::size_t>(way)];
+}
+
+Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work) {
+  if (input.pictures.size() > 2)
+    return Error{ErrorCode::usage, "a stereo pair is two pictures, or one that holds both side by side", {}};
+  auto two = sources::read_stereo(input.pictures, input.layout);
+  if (!two) return two.error();
+  const auto calibration = calibration_of(input, two->left);
+  if (!calibration) return calibration.error();
+  ReadyPair ready;
+  ready.pair = {std::move(two->left), std::move(two->right), {}};
+  ready.notes = std::move(two->notes);
+  ready.residual_before_px = ready.residual_px = std::numeric_limits<double>::quiet_NaN();
+  if (*calibration)
+    ready.notes.insert(ready.notes.end(), (*calibration)->notes.begin(), (*calibration)->notes.end());
+  if (input.align == Align::never && !input.moved_m) {
+    if (*calibration) ready.pair.rig = (*calibration)->rig;
+    return ready;
+  }
+  if (const auto done = align(input, *calibration, ready, work); !done)
+    return at_place(done.error(),
+                    input.calibration.empty() ? names_of(input.pictures) : input.calibration.string());
+  return ready;
+}
+
+}  // namespace palpable::session

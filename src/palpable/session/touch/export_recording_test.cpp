@@ -1,0 +1,71 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/export_recording.hpp"
+
+#include "palpable/formats/packing/npz.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace palpable::session {
+namespace {
+
+device::Recording two_ticks() {
+  device::Recording recording;
+  recording.ticks.resize(2);
+  recording.ticks[1].tick = 1;
+  recording.ticks[1].t_s = 0.001;
+  recording.ticks[1].position.v = {0.01, -0.02, 0.03};
+  recording.ticks[1].raw_force_N.v = {0.0, 0.0, 1.5};
+  recording.ticks[1].device_position.v.x = std::numeric_limits<double>::quiet_NaN();
+  recording.ticks[1].label = 7;
+  return recording;
+}
+
+TEST(ExportRecording, WritesALineATickWithNamedColumns) {
+  const std::string text = recording_csv(two_ticks());
+  EXPECT_TRUE(
+      text.starts_with("tick,t_s,dt_s,energy_J,flags,buttons,program,label,status,probe,device_x_m,"));
+  EXPECT_NE(text.find("\n1,0.001,0,0,0,0,0,7,0,0,,0,0,0.01,-0.02,0.03,"), std::string::npos) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3);
+}
+
+TEST(ExportRecording, PutsFurtherProbesBetweenTheHandsTicksByTime) {
+  auto recording = two_ticks();
+  recording.further = {recording.ticks[0], recording.ticks[1]};
+  for (auto& tick : recording.further) tick.probe = 3;
+  const std::string text = recording_csv(recording);
+  const std::vector<std::string> begins{"\n0,0,0,0,0,0,0,0,0,0,", "\n0,0,0,0,0,0,0,0,0,3,",
+                                        "\n1,0.001,0,0,0,0,0,7,0,0,", "\n1,0.001,0,0,0,0,0,7,0,3,"};
+  std::size_t at = 0;
+  for (const auto& begin : begins) {
+    const auto next = text.find(begin, at);
+    ASSERT_NE(next, std::string::npos) << begin << " in\n" << text;
+    at = next;
+  }
+}
+
+TEST(ExportRecording, WritesArraysThatNumPyReads) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "touch.npz";
+  ASSERT_TRUE(export_recording(two_ticks(), file));
+  const auto arrays = formats::read_npz(file);
+  ASSERT_TRUE(arrays) << arrays.error().sentence();
+  const auto& position = arrays->at("position_m");
+  EXPECT_EQ(position.shape, (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(position.number(4), -0.02);
+  EXPECT_EQ(arrays->at("label").number(1), 7.0);
+}
+
+TEST(ExportRecording, RefusesAnotherEnding) {
+  const auto written = export_recording(two_ticks(), "touch.txt");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::usage);
+}
+
+}  // namespace
+}  // namespace palpable::session

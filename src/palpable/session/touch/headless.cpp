@@ -1,0 +1,74 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/headless.hpp"
+
+#include "palpable/haptics/servo/pacing.hpp"
+
+#include <chrono>
+#include <thread>
+#include <utility>
+
+namespace palpable::session {
+namespace {
+
+constexpr auto kLook = std::chrono::milliseconds(20);
+
+/// Takes the explorer to the last step that is due, if one is.
+Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, double t_s, std::size_t& next) {
+  const std::size_t due = steps_by(options.walk, t_s);
+  if (due == next) return {};
+  next = due;
+  const Stance& stance = options.walk[due - 1].stance;
+  if (auto stood = session.stand(stance); !stood) return stood;
+  if (options.on_stance) options.on_stance(stance);
+  return {};
+}
+
+}  // namespace
+
+Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOptions& options,
+                                       const Work& work) {
+  const std::int64_t begin_ns = options.begin_ns != 0 ? options.begin_ns : haptics::monotonic_ns();
+  MakerThread maker(make, work);
+  auto scene = maker.first_scene(work);
+  if (!scene) return std::move(scene).error();
+  auto opened =
+      TouchSession::open(std::move(*scene), options.settings, options.device_url, options.session, begin_ns);
+  if (!opened) return std::move(opened).error();
+  TouchSession& session = **opened;
+  if (!options.recording.empty())
+    if (auto started = session.start_recording(options.recording); !started)
+      return std::move(started).error();
+
+  const auto tell_notices = [&] {
+    if (!options.on_notice) return;
+    for (const std::string& sentence : session.notices()) options.on_notice(sentence);
+  };
+  tell_notices();
+
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  const auto end = start + std::chrono::duration<double>(options.seconds);
+  std::size_t next_step = 0;
+  while (Clock::now() < end && !work.cancelled()) {
+    const auto before = Clock::now();
+    const double t_s = std::chrono::duration<double>(before - start).count();
+    if (auto walked = walk_on(session, options, t_s, next_step); !walked) return std::move(walked).error();
+    if (auto better = maker.take(kLook)) {
+      if (auto changed = session.change_scene(std::move(better)); !changed) return std::move(changed).error();
+      tell_notices();
+    }
+    for (const auto& missed : session.take_missed())
+      if (options.on_missed) options.on_missed(missed);
+    for (const auto& event : session.take_events())
+      if (options.on_event) options.on_event(event, *session.scene());
+    std::this_thread::sleep_until(before + kLook);
+  }
+  maker.cancel();
+  auto recorded = session.stop_recording();
+  session.stop();
+  if (!recorded) return std::move(recorded).error();
+  return session.statistics();
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,149 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/headless.hpp"
+
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/device/recording/recording.hpp"
+#include "palpable/haptics/servo/tick.hpp"
+#include "palpable/session/touch/program.hpp"
+#include "palpable/session/touch/recorder.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::session {
+namespace {
+
+std::shared_ptr<const models::Scene> hills(double height_m) {
+  Raster<float> samples(100, 80);
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 100; ++x)
+      samples(x, y) = static_cast<float>(height_m * (1.0 + std::sin(0.15 * x) * std::cos(0.11 * y)) / 2.0);
+  auto relief = models::Relief::from_samples(std::move(samples), 0.001);
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Relief>(std::move(*relief));
+  return std::make_shared<const models::Scene>(std::move(scene));
+}
+
+HeadlessOptions quiet(double seconds) {
+  HeadlessOptions options;
+  options.seconds = seconds;
+  options.session.servo.realtime_priority = 0;
+  options.session.servo.memory = haptics::Memory::leave;
+  return options;
+}
+
+Result<void> two_scenes(const DeliverScene& deliver, const Work&) {
+  deliver(hills(0.010));
+  deliver(hills(0.012));
+  return {};
+}
+
+TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
+  auto options = quiet(2.0);
+  options.recording = std::filesystem::path(testing::TempDir()) / "headless.rec";
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const auto& touch = statistics->servo.touch;
+  EXPECT_GT(touch.contact_ticks, 0U);
+  EXPECT_EQ(statistics->servo.allocations_in_ticks, 0U);
+  EXPECT_LE(touch.max_force_N, 3.3 + 1e-9);
+  EXPECT_TRUE(std::isfinite(statistics->seconds_to_first_force));
+  const auto recording = device::read_recording(options.recording);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  EXPECT_TRUE(recording->complete);
+  EXPECT_EQ(recording->programs.size(), 2U);
+  // The ticks before the recording began are not in it.
+  EXPECT_GT(recording->ticks.size(), 0U);
+  EXPECT_LE(recording->ticks.size() + recording->lost, touch.ticks);
+  EXPECT_EQ(recording->ticks.back().program, 2U);
+  const auto json = nlohmann::json::parse(to_json(*statistics));
+  EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
+  EXPECT_EQ(json["allocations_in_ticks"], 0);
+}
+
+TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {
+  auto options = quiet(1.5);
+  options.recording = std::filesystem::path(testing::TempDir()) / "explorer.rec";
+  options.walk = {{0.0, {0.02, 0.01, std::numbers::pi / 2.0}}};
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  const auto recording = device::read_recording(options.recording);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  ASSERT_GE(recording->programs.size(), 2U);
+  const auto place = nlohmann::json::parse(recording->programs.back().json)["scene_from_device"];
+  EXPECT_NEAR(place["rotation"][1].get<double>(), -1.0, 1e-9);  // what is ahead lies to the left
+  EXPECT_NEAR(place["translation_m"][0].get<double>(), 0.02, 1e-9);
+  EXPECT_NEAR(place["translation_m"][1].get<double>(), 0.01, 1e-9);
+}
+
+TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
+  const auto scene = hills(0.010);
+  const auto device = device::open_device("sim:", {});
+  ASSERT_TRUE(device);
+  const auto& traits = (*device)->traits();
+  KeptSurfaces kept;
+  const auto prepared = prepare_program(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits), kept);
+  ASSERT_TRUE(prepared) << prepared.error().sentence();
+  Ring<haptics::TouchEvent> events(4096);
+  haptics::Tick tick(**device, prepared->program, {}, events);
+  std::vector<device::TouchSample> ticks;
+  for (int n = 0; n < 3000; ++n) ticks.push_back(tick.step(0.001 * n, 0.001));
+  const auto file = std::filesystem::path(testing::TempDir()) / "again.rec";
+  auto writer = device::RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(writer);
+  ASSERT_TRUE((*writer)->write(ticks));
+  ASSERT_TRUE((*writer)->finish(0));
+  const auto recording = device::read_recording(file);
+  ASSERT_TRUE(recording) << recording.error().sentence();
+  ASSERT_EQ(recording->ticks, ticks);
+  haptics::TouchState state;
+  int in_contact = 0;
+  for (const auto& recorded : recording->ticks) {
+    const haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
+    const auto feel = prepared->program.touchable->feel(hand, state);
+    ASSERT_EQ(feel.force_N, recorded.raw_force_N) << "tick " << recorded.tick;
+    in_contact += feel.contact ? 1 : 0;
+  }
+  EXPECT_GT(in_contact, 1000);
+}
+
+TEST(TouchHeadless, SaysWhyNoSceneCame) {
+  const auto fails = [](const DeliverScene&, const Work&) -> Result<void> {
+    return invalid_input("is no picture", "a.txt");
+  };
+  const auto statistics = touch_headless(fails, quiet(1.0), {});
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().sentence(), "a.txt: is no picture");
+}
+
+TEST(TouchHeadless, EndsAtOnceWhenInterruptedAndTellsTheMaker) {
+  std::atomic<bool> cancel{true};
+  Work work;
+  work.cancel = &cancel;
+  std::atomic<bool> told{false};
+  const auto waits = [&](const DeliverScene&, const Work& own) -> Result<void> {
+    while (!own.cancelled()) std::this_thread::yield();
+    told = true;
+    return Work::interrupted();
+  };
+  const auto statistics = touch_headless(waits, quiet(1000.0), work);
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().code, ErrorCode::interrupted);
+  EXPECT_TRUE(told);
+}
+
+TEST(TouchHeadless, RefusesADeviceThatDoesNotExist) {
+  auto options = quiet(1.0);
+  options.device_url = "falcn:";
+  const auto statistics = touch_headless(two_scenes, options, {});
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().code, ErrorCode::usage);
+}
+
+}  // namespace
+}  // namespace palpable::session

@@ -1,0 +1,158 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/program.hpp"
+
+#include "palpable/haptics/law/texture.hpp"
+#include "palpable/haptics/safety/stability.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::session {
+
+Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device) {
+  const Vec3 size = models::size_m(scene);
+  const Vec3 work = device.workspace_m;
+  double scale = std::max({1.0, size.x / work.x, size.y / work.y});
+  // A hand must come to the scene from above: a quarter of the device's depth stays free over it.
+  if (device.degrees_of_freedom > 2) scale = std::max(scale, size.z / (0.75 * work.z));
+  Transform<SceneFrame, DeviceFrame> fit;
+  fit.scale = scale;
+  fit.translation_m = models::centre_m(scene);
+  return fit;
+}
+
+Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
+  if (!(std::abs(depth) <= 4.0)) return Error{ErrorCode::usage, "the depth must be from -4 to 4", {}};
+  if (depth == 1.0) return scene;
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
+  if (relief == nullptr)
+    return Error{ErrorCode::usage,
+                 "only a relief's depth can be changed, and this scene is a " + models::kind_of(scene.model),
+                 {}};
+  Raster<float> height_m = (*relief)->samples_m();
+  for (float& height : height_m.values()) height *= static_cast<float>(depth);
+  auto changed = models::Relief::from_samples(std::move(height_m), (*relief)->pixel_m());
+  if (!changed) return std::move(changed).error();
+  models::Scene result = scene;
+  result.model = std::make_shared<const models::Relief>(std::move(*changed));
+  return result;
+}
+
+namespace {
+
+/// Whether the law is a spring against the materials of a surface.
+bool is_wall(haptics::Law law) {
+  return law == haptics::Law::proxy || law == haptics::Law::penalty || law == haptics::Law::averaged ||
+         law == haptics::Law::groove;
+}
+
+/// Leaves out textures that this loop and device cannot carry, and says so of those and of lowered ones.
+void make_carried(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
+                  PreparedProgram& prepared) {
+  if (prepared.law.law != haptics::Law::proxy && prepared.law.law != haptics::Law::groove) return;
+  const double step_m =
+      std::isfinite(device.position_resolution_m) ? device.position_resolution_m * scale : 0.0;
+  const double finest_m = haptics::finest_pitch_m(rate_hz, step_m);
+  for (auto& material : scene.materials) {
+    auto& texture = material.texture;
+    if (texture.kind == models::TouchTexture::Kind::none) continue;
+    const double most_m = haptics::most_height_m(texture.pitch_m);
+    if (texture.pitch_m < finest_m) {
+      prepared.notices.push_back(fmt::format(
+          "The texture of {} was left out: its forms stand {:.2g} mm apart, and this loop and device "
+          "carry none finer than {:.2g} mm.",
+          material.name, 1e3 * texture.pitch_m, 1e3 * finest_m));
+      texture = {};
+    } else if (texture.height_m > most_m) {
+      prepared.notices.push_back(fmt::format(
+          "The texture of {} was lowered from {:.0f} to {:.0f} micrometres: higher, it would make the wall "
+          "too stiff.",
+          material.name, 1e6 * texture.height_m, 1e6 * most_m));
+      texture.height_m = most_m;
+    }
+  }
+}
+
+/// Lowers what the person or the materials ask for to what the device can render without making energy.
+void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
+               PreparedProgram& prepared) {
+  auto& law = prepared.law;
+  if (!is_wall(law.law)) return;
+  std::string lowered;
+  for (auto& material : scene.materials) {
+    const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
+    const double damping = law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
+    // What is out of range is the law's to refuse.
+    if (!(stiffness > 0.0) || !(damping >= 0.0)) return;
+    const auto safe = haptics::safe_contact(device, rate_hz, scale, stiffness, damping);
+    material.stiffness_N_per_m = safe.stiffness_N_per_m;
+    material.damping_Ns_per_m = safe.damping_Ns_per_m;
+    if (safe.bound != haptics::StiffnessBound::none && lowered.empty())
+      lowered = fmt::format("Stiffness {:.0f} N/m was lowered to {:.0f} N/m: {}.", stiffness,
+                            safe.stiffness_N_per_m, haptics::reason(safe.bound));
+  }
+  law.stiffness_N_per_m.reset();
+  law.damping_Ns_per_m.reset();
+  if (!lowered.empty()) prepared.notices.push_back(std::move(lowered));
+}
+
+Result<models::Scene> with_kept_depth(const models::Scene& scene, double depth, KeptSurfaces& kept) {
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
+  if (relief == nullptr || depth == 1.0) return with_depth(scene, depth);
+  if (kept.of != *relief || kept.depth != depth) {
+    auto deep = with_depth(scene, depth);
+    if (!deep) return deep;
+    kept.of = *relief;
+    kept.depth = depth;
+    kept.deep = std::get<std::shared_ptr<const models::Relief>>(deep->model);
+  }
+  models::Scene result = scene;
+  result.model = kept.deep;
+  return result;
+}
+
+}  // namespace
+
+Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
+                                        const device::Traits& device, double rate_hz,
+                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                        KeptSurfaces& kept) {
+  PreparedProgram prepared;
+  prepared.law = settings.law;
+  const auto laws = haptics::laws_for(scene);
+  if (std::find(laws.begin(), laws.end(), prepared.law.law) == laws.end()) {
+    prepared.notices.push_back("There is no law " + std::string(haptics::name_of(prepared.law.law)) +
+                               " for " + models::kind_of(scene.model) + ", so the law is " +
+                               std::string(haptics::name_of(laws.front())) + ".");
+    prepared.law.law = laws.front();
+    // A stiffness in N/m means nothing to a law that takes newtons.
+    prepared.law.stiffness_N_per_m.reset();
+    prepared.law.damping_Ns_per_m.reset();
+  }
+  if (device.degrees_of_freedom < 3 && prepared.law.law != haptics::Law::tracing &&
+      prepared.law.law != haptics::Law::rolling && prepared.law.law != haptics::Law::sobel) {
+    prepared.notices.push_back("The device moves in the plane only, so the law is rolling instead of " +
+                               std::string(haptics::name_of(prepared.law.law)) + ".");
+    prepared.law.law = haptics::Law::rolling;
+    // A contact stiffness in N/m means nothing to a weight on a slope.
+    prepared.law.stiffness_N_per_m.reset();
+    prepared.law.damping_Ns_per_m.reset();
+  }
+  auto deep = with_kept_depth(scene, settings.depth, kept);
+  if (!deep) return std::move(deep).error();
+  make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
+  make_carried(*deep, device, rate_hz, scene_from_device.scale, prepared);
+  prepared.materials = deep->materials;
+  auto touchable = haptics::make_touchable(*deep, prepared.law, &kept.dilated);
+  if (!touchable) return std::move(touchable).error();
+  prepared.program.touchable = std::move(*touchable);
+  prepared.program.scene_from_device = scene_from_device;
+  return prepared;
+}
+
+}  // namespace palpable::session

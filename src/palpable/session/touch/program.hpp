@@ -1,0 +1,52 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
+#include "palpable/haptics/law/laws.hpp"
+#include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/session/touch/touch_settings.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::session {
+
+/// What the servo renders, and how it came to differ from what was asked for.
+struct PreparedProgram {
+  haptics::Program program;
+  /// The law that is really in use. Its stiffness and damping are in the materials below.
+  haptics::LawParameters law;
+  /// As the law feels them: what was asked for, lowered to what the device can render.
+  std::vector<models::Material> materials;
+  /// One sentence for each value that the device's limits changed.
+  std::vector<std::string> notices;
+};
+
+/// The device's workspace laid over the scene: centred on it, and scaled so that the scene's width and height
+/// fit into the device's; a scene that fits is never enlarged.
+Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device);
+
+/// The scene with its height multiplied, kept for kinds other than reliefs. Errors (usage): depth outside
+/// -4…4, or not 1 for a scene that is no relief.
+Result<models::Scene> with_depth(const models::Scene& scene, double depth);
+
+/// What preparing took long to make of a scene, kept from change to change of one touch. Empty at first.
+struct KeptSurfaces {
+  std::shared_ptr<const models::Relief> of;
+  double depth = 1.0;
+  std::shared_ptr<const models::Relief> deep;
+  haptics::DilatedRelief dilated;
+};
+
+/// Law on scene for a device, its walls no stiffer than the device can render at that rate
+/// (haptics/safety/stability.hpp). A change of parameters alone finds its surface in `kept`. Errors: as
+/// make_touchable() and with_depth().
+Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
+                                        const device::Traits& device, double rate_hz,
+                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                        KeptSurfaces& kept);
+
+}  // namespace palpable::session

@@ -1,0 +1,117 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/program.hpp"
+
+#include "palpable/device/drivers/open.hpp"
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::session {
+namespace {
+
+constexpr double kRate_hz = 1000.0;
+
+models::Scene wave() {
+  Raster<float> samples(64, 48);
+  for (int y = 0; y < samples.height(); ++y)
+    for (int x = 0; x < samples.width(); ++x)
+      samples(x, y) = static_cast<float>(0.005 * (1.0 + std::sin(0.2 * x)));
+  models::Scene scene;
+  scene.model =
+      std::make_shared<const models::Relief>(*models::Relief::from_samples(std::move(samples), 0.001));
+  scene.materials = {models::Material{}};
+  return scene;
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto device = device::open_device("sim:", {});
+    ASSERT_TRUE(device);
+    traits_ = (*device)->traits();
+  }
+  PreparedProgram prepare(const TouchSettings& settings, KeptSurfaces& kept) const {
+    auto prepared =
+        prepare_program(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept);
+    EXPECT_TRUE(prepared);
+    return prepared ? std::move(*prepared) : PreparedProgram{};
+  }
+  Vec3 force(const PreparedProgram& prepared, Vec3 at_m) const {
+    haptics::TouchState state;
+    haptics::Hand hand;
+    hand.position.v = at_m;
+    return prepared.program.touchable->feel(hand, state).force_N.v;
+  }
+
+  models::Scene scene_ = wave();
+  device::Traits traits_;
+};
+
+TEST_F(Program, MakesItsSurfaceOnceWhileOnlyParametersChange) {
+  KeptSurfaces kept;
+  TouchSettings settings;
+  settings.law.radius_m = 0.002;
+  settings.depth = 2.0;
+  const auto first = prepare(settings, kept);
+  const auto deep = kept.deep;
+  const auto dilated = kept.dilated.surface;
+  ASSERT_TRUE(deep && dilated);
+  settings.law.stiffness_N_per_m = 100.0;
+  const auto softer = prepare(settings, kept);
+  EXPECT_EQ(kept.deep, deep);
+  EXPECT_EQ(kept.dilated.surface, dilated);
+  EXPECT_EQ(softer.program.touchable->state_family(), first.program.touchable->state_family());
+}
+
+TEST_F(Program, NeverAnswersWithASurfaceKeptOfSomethingElse) {
+  KeptSurfaces kept;
+  const Vec3 under{0.0073, 0.0041, 0.002};
+  for (const double radius_m : {0.001, 0.003})
+    for (const double depth : {2.0, 1.5, 1.0}) {
+      TouchSettings settings;
+      settings.law.radius_m = radius_m;
+      settings.depth = depth;
+      KeptSurfaces fresh;
+      EXPECT_EQ(force(prepare(settings, kept), under), force(prepare(settings, fresh), under))
+          << radius_m << " " << depth;
+    }
+  scene_ = wave();
+  TouchSettings settings;
+  settings.law.radius_m = 0.003;
+  settings.depth = 1.5;
+  static_cast<void>(prepare(settings, kept));
+  EXPECT_EQ(kept.of, models::relief_of(scene_));
+}
+
+TEST_F(Program, GivesADeviceThatMovesInThePlaneTheRollingLawAndSaysSo) {
+  traits_.degrees_of_freedom = 2;
+  KeptSurfaces kept;
+  const auto prepared = prepare({}, kept);
+  EXPECT_EQ(prepared.law.law, haptics::Law::rolling);
+  ASSERT_FALSE(prepared.notices.empty());
+  EXPECT_NE(prepared.notices.front().find("rolling"), std::string::npos);
+}
+
+TEST_F(Program, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {
+  TouchSettings settings;
+  settings.law.stiffness_N_per_m = 1e5;
+  KeptSurfaces kept;
+  const auto prepared = prepare(settings, kept);
+  EXPECT_LT(prepared.materials.front().stiffness_N_per_m, 1e5);
+  ASSERT_FALSE(prepared.notices.empty());
+  EXPECT_NE(prepared.notices.front().find("lowered"), std::string::npos);
+}
+
+TEST_F(Program, RefusesADepthThatIsNone) {
+  TouchSettings settings;
+  settings.depth = std::nan("");
+  KeptSurfaces kept;
+  EXPECT_FALSE(prepare_program(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept));
+}
+
+}  // namespace
+}  // namespace palpable::session

@@ -1,0 +1,103 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/recorder.hpp"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace palpable::session {
+namespace {
+
+/// How often the ring is emptied. A program that is killed loses at most this much of its recording.
+constexpr auto kInterval = std::chrono::milliseconds(50);
+
+}  // namespace
+
+struct Recorder::Inside {
+  void run();
+  void write_what_came();
+
+  haptics::ServoLoop* loop = nullptr;
+  std::unique_ptr<device::RecordingWriter> writer;
+  std::mutex mutex;
+  std::condition_variable rest;
+  bool ending = false;
+  std::vector<device::RecordedProgram> programs;
+  // The thread's own.
+  std::vector<device::TouchSample> ticks;
+  Result<void> outcome;
+  std::uint64_t lost_before = 0;
+  std::thread thread;
+};
+
+void Recorder::Inside::run() {
+  std::unique_lock lock(mutex);
+  while (!ending) {
+    rest.wait_for(lock, kInterval, [&] { return ending; });
+    lock.unlock();
+    write_what_came();
+    lock.lock();
+  }
+}
+
+void Recorder::Inside::write_what_came() {
+  std::vector<device::RecordedProgram> noted;
+  {
+    const std::lock_guard lock(mutex);
+    noted.swap(programs);
+  }
+  // Programs first: a tick may already be the new program's.
+  for (const auto& program : noted)
+    if (outcome) outcome = writer->write(program);
+  ticks.clear();
+  while (const auto sample = loop->take_recorded()) ticks.push_back(*sample);
+  if (outcome && !ticks.empty()) outcome = writer->write(ticks);
+}
+
+Recorder::Recorder(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+
+Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, const std::filesystem::path& file,
+                                                  const std::string& header_json,
+                                                  const device::RecordedProgram& program) {
+  auto writer = device::RecordingWriter::create(file, header_json);
+  if (!writer) return std::move(writer).error();
+  auto inside = std::make_unique<Inside>();
+  inside->loop = &loop;
+  inside->writer = std::move(*writer);
+  inside->programs.push_back(program);
+  inside->lost_before = loop.recording_lost();
+  // What an earlier recording left behind is not this one's.
+  while (loop.take_recorded()) {
+  }
+  loop.record(haptics::Recording::on);
+  inside->thread = std::thread([&it = *inside] { it.run(); });
+  return std::unique_ptr<Recorder>(new Recorder(std::move(inside)));
+}
+
+Recorder::~Recorder() { static_cast<void>(finish()); }
+
+void Recorder::note(const device::RecordedProgram& program) {
+  const std::lock_guard lock(inside_->mutex);
+  inside_->programs.push_back(program);
+}
+
+Result<void> Recorder::finish() {
+  auto& it = *inside_;
+  if (!it.thread.joinable()) return it.outcome;
+  it.loop->record(haptics::Recording::off);
+  {
+    const std::lock_guard lock(it.mutex);
+    it.ending = true;
+  }
+  it.rest.notify_all();
+  it.thread.join();
+  it.write_what_came();
+  if (it.outcome) it.outcome = it.writer->finish(it.loop->recording_lost() - it.lost_before);
+  return it.outcome;
+}
+
+}  // namespace palpable::session

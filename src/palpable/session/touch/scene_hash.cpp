@@ -1,0 +1,108 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/scene_hash.hpp"
+
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <string_view>
+
+namespace palpable::session {
+namespace {
+
+class Fnv1a {
+ public:
+  template <std::unsigned_integral T>
+  void add(T value) {
+    for (std::size_t i = 0; i < sizeof(T); ++i) {
+      hash_ ^= static_cast<std::uint64_t>(value >> (8 * i) & 0xFFU);
+      hash_ *= 0x100000001B3U;
+    }
+  }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
+  void add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char letter : text) add(static_cast<std::uint8_t>(letter));
+  }
+  template <class T>
+  void add(const Raster<T>& raster) {
+    add(static_cast<std::uint32_t>(raster.width()));
+    add(static_cast<std::uint32_t>(raster.height()));
+    for (const T value : raster.values()) add(value);
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xCBF29CE484222325U;
+};
+
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Relief>& relief) {
+  hash.add(relief->pixel_m());
+  hash.add(relief->samples_m());
+}
+
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Contours>& contours) {
+  hash.add(contours->boundaries.pixel_m());
+  hash.add(contours->boundaries.radius_px());
+  for (const models::BoundaryPixel& p : contours->boundaries.edges().values()) {
+    hash.add(p.c2);
+    hash.add(p.s2);
+  }
+  add_model(hash, contours->grooves);
+}
+
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Field>& field) {
+  const models::FieldGrid& grid = field->distance.grid();
+  for (const double v : {grid.origin_m.x, grid.origin_m.y, grid.origin_m.z, grid.cell_m}) hash.add(v);
+  const models::FieldTree& tree = field->distance.tree();
+  for (const auto* part : {&tree.roots, &tree.nodes, &tree.words})
+    for (const std::uint32_t word : *part) hash.add(word);
+}
+
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::FieldOnLattice>& field) {
+  const models::Lattice& lattice = field->distance.lattice();
+  for (const double v : {lattice.origin_m.x, lattice.origin_m.y, lattice.origin_m.z, lattice.spacing_m})
+    hash.add(v);
+  for (const int count : lattice.counts) hash.add(static_cast<std::uint32_t>(count));
+  for (const float value : field->distance.values()) hash.add(std::bit_cast<std::uint32_t>(value));
+}
+
+void add_model(Fnv1a& hash, const std::shared_ptr<const models::Grid>& grid) {
+  const models::Occupancy o = grid->occupancy.occupancy();
+  for (const double v : {o.origin_m.x, o.origin_m.y, o.origin_m.z, o.spacing_m}) hash.add(v);
+  for (const std::uint8_t on : o.occupied) hash.add(std::uint32_t{on});
+}
+
+/// Nothing where there is none, as before there were textures.
+void add_texture(Fnv1a& hash, const models::TouchTexture& texture) {
+  if (texture.kind == models::TouchTexture::Kind::none) return;
+  hash.add(models::name_of(texture.kind));
+  for (const double v : {texture.pitch_m, texture.height_m, texture.angle_rad}) hash.add(v);
+  if (texture.kind != models::TouchTexture::Kind::picture) return;
+  // A scene file keeps fifteen bits of each value.
+  for (const float v : texture.tile)
+    hash.add(static_cast<std::uint32_t>(std::lround(32767.0 * static_cast<double>(v)) + 32768));
+}
+
+}  // namespace
+
+std::string scene_hash(const models::Scene& scene) {
+  Fnv1a hash;
+  hash.add(std::string_view(models::kind_of(scene.model)));
+  std::visit([&](const auto& model) { add_model(hash, model); }, scene.model);
+  for (const auto& material : scene.materials) {
+    hash.add(material.stiffness_N_per_m);
+    hash.add(material.damping_Ns_per_m);
+    hash.add(material.static_friction);
+    hash.add(material.dynamic_friction);
+    add_texture(hash, material.texture);
+  }
+  hash.add(scene.labels);
+  std::string digits(16, '0');
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    digits[i] = "0123456789abcdef"[hash.value() >> (60 - 4 * i) & 0xFU];
+  return digits;
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,16 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/scene/scene.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace palpable::session {
+
+/// A number for everything that a hand can feel of a scene (shape, materials, labels; not its picture or
+/// origin): 64 bits of FNV-1a, as 16 hexadecimal digits. Equal scenes have equal hashes on every machine.
+std::string scene_hash(const models::Scene& scene);
+
+}  // namespace palpable::session

@@ -1,0 +1,318 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/touch_session.hpp"
+
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/device/pointer/pointer.hpp"
+#include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/models/material/material_check.hpp"
+#include "palpable/session/touch/program.hpp"
+#include "palpable/session/touch/recorder.hpp"
+#include "palpable/session/touch/scene_hash.hpp"
+
+#include <array>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::session {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json law_json(const haptics::LawParameters& law) {
+  const auto given = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  return {{"law", haptics::name_of(law.law)},
+          {"stiffness", given(law.stiffness_N_per_m)},
+          {"damping_Ns_per_m", given(law.damping_Ns_per_m)},
+          {"static_friction", given(law.static_friction)},
+          {"dynamic_friction", given(law.dynamic_friction)},
+          {"radius_m", law.radius_m}};
+}
+
+Json texture_json(const models::TouchTexture& texture) {
+  if (texture.kind == models::TouchTexture::Kind::none) return nullptr;
+  return {{"kind", models::name_of(texture.kind)},
+          {"pitch_m", texture.pitch_m},
+          {"height_m", texture.height_m},
+          {"angle_rad", texture.angle_rad}};
+}
+
+}  // namespace
+
+/// `changing` is held while a program is made, which may take a second; `state` only for moments.
+struct TouchSession::Inside {
+  Result<void> change(std::shared_ptr<const models::Scene> to_scene, const TouchSettings& to_settings,
+                      const Transform<SceneFrame, DeviceFrame>& to_place);
+  device::RecordedProgram described(const PreparedProgram& prepared, const models::Scene& touched,
+                                    double depth) const;
+
+  SessionOptions options;
+  std::int64_t begin_ns = 0;
+  std::int64_t servo_begin_ns = 0;
+  /// Where each probe's place arrives from the page, the hand's first.
+  std::vector<std::shared_ptr<device::PointerFeed>> pointers;
+  std::unique_ptr<haptics::ServoLoop> loop;
+
+  std::mutex changing;
+  /// Read and written under `changing`.
+  KeptSurfaces kept;
+  mutable std::mutex state;
+  std::shared_ptr<const models::Scene> scene;
+  TouchSettings settings;
+  Transform<SceneFrame, DeviceFrame> scene_from_device;
+  /// Of an explorer in the scene, under `changing`; nullopt in the exocentric frame.
+  std::optional<Stance> stance;
+  std::vector<std::string> notices;
+  device::RecordedProgram described_now;
+  std::uint32_t programs = 0;
+  bool paused = false;
+  /// Of each probe.
+  std::array<haptics::TouchSample, haptics::kMostLiveProbes> latest;
+  std::unique_ptr<Recorder> recorder;
+};
+
+device::RecordedProgram TouchSession::Inside::described(const PreparedProgram& prepared,
+                                                        const models::Scene& touched, double depth) const {
+  Json json = law_json(prepared.law);
+  const auto& place = prepared.program.scene_from_device;
+  json["depth"] = depth;
+  json["materials"] = Json::array();
+  for (const auto& material : prepared.materials)
+    json["materials"].push_back({{"name", material.name},
+                                 {"stiffness_N_per_m", material.stiffness_N_per_m},
+                                 {"damping_Ns_per_m", material.damping_Ns_per_m},
+                                 {"static_friction", material.static_friction},
+                                 {"dynamic_friction", material.dynamic_friction},
+                                 {"texture", texture_json(material.texture)}});
+  json["scene_hash"] = scene_hash(touched);
+  json["scene_inputs"] = touched.source.inputs;
+  json["scene_method"] = touched.source.method;
+  json["scene_from_device"] = {
+      {"rotation", place.rotation},
+      {"translation_m", {place.translation_m.x, place.translation_m.y, place.translation_m.z}},
+      {"scale", place.scale}};
+  return {prepared.program.id, json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+Result<void> TouchSession::Inside::change(std::shared_ptr<const models::Scene> to_scene,
+                                          const TouchSettings& to_settings,
+                                          const Transform<SceneFrame, DeviceFrame>& to_place) {
+  auto prepared =
+      prepare_program(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
+  if (!prepared) return std::move(prepared).error();
+  const std::lock_guard lock(state);
+  prepared->program.id = ++programs;
+  described_now = described(*prepared, *to_scene, to_settings.depth);
+  if (recorder) recorder->note(described_now);
+  scene = std::move(to_scene);
+  settings = to_settings;
+  scene_from_device = to_place;
+  notices = std::move(prepared->notices);
+  loop->change(std::move(prepared->program));
+  return {};
+}
+
+TouchSession::TouchSession(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+TouchSession::~TouchSession() { stop(); }
+
+Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const models::Scene> scene,
+                                                         const TouchSettings& settings,
+                                                         const std::string& device_url,
+                                                         const SessionOptions& options,
+                                                         std::int64_t begin_ns) {
+  PALPABLE_CHECK(scene != nullptr && options.further_probes < haptics::kMostLiveProbes);
+  auto inside = std::make_unique<Inside>();
+  inside->options = options;
+  inside->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
+  for (auto& sample : inside->latest) sample.status = device::Status::not_ready;
+  for (std::size_t probe = 0; probe <= options.further_probes; ++probe)
+    inside->pointers.push_back(std::make_shared<device::PointerFeed>());
+  auto device =
+      device::open_device(device_url, {options.seed, options.servo.rate_hz, inside->pointers.front()});
+  if (!device) return std::move(device).error();
+  const auto place = fit_workspace(*scene, (*device)->traits());
+  auto prepared =
+      prepare_program(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, inside->kept);
+  if (!prepared) return std::move(prepared).error();
+  prepared->program.id = ++inside->programs;
+  inside->described_now = inside->described(*prepared, *scene, settings.depth);
+  inside->scene = std::move(scene);
+  inside->settings = settings;
+  inside->scene_from_device = place;
+  inside->notices = std::move(prepared->notices);
+  std::vector<std::unique_ptr<device::Device>> further;
+  for (std::size_t probe = 1; probe < inside->pointers.size(); ++probe)
+    further.push_back(
+        std::make_unique<device::PointerDevice>(inside->pointers[probe], options.servo.rate_hz));
+  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->program), options.servo,
+                                        std::move(further));
+  if (!loop) return std::move(loop).error();
+  inside->servo_begin_ns = haptics::monotonic_ns();
+  inside->loop = std::move(*loop);
+  return std::unique_ptr<TouchSession>(new TouchSession(std::move(inside)));
+}
+
+Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> scene) {
+  PALPABLE_CHECK(scene != nullptr);
+  const std::lock_guard changing(inside_->changing);
+  auto place = fit_workspace(*scene, inside_->loop->device_traits());
+  if (inside_->stance) place = with_explorer(place, *inside_->stance);
+  return inside_->change(std::move(scene), settings(), place);
+}
+
+Result<void> TouchSession::change_settings(const TouchSettings& settings) {
+  const std::lock_guard changing(inside_->changing);
+  return inside_->change(scene(), settings, inside_->scene_from_device);
+}
+
+Result<void> TouchSession::change_materials(std::vector<models::Material> materials,
+                                            const TouchSettings& settings) {
+  const std::lock_guard changing(inside_->changing);
+  models::Scene changed = *scene();
+  if (materials.size() != changed.materials.size())
+    return Error{ErrorCode::usage, "there must be one material for each that the scene has", {}};
+  for (const auto& material : materials)
+    if (!models::is_sound(material) || material.stiffness_N_per_m <= 0.0)
+      return Error{ErrorCode::usage, "a value of the material is out of its range", material.name};
+  changed.materials = std::move(materials);
+  return inside_->change(std::make_shared<const models::Scene>(std::move(changed)), settings,
+                         inside_->scene_from_device);
+}
+
+std::shared_ptr<const models::Scene> TouchSession::scene() const {
+  const std::lock_guard lock(inside_->state);
+  return inside_->scene;
+}
+
+TouchSettings TouchSession::settings() const {
+  const std::lock_guard lock(inside_->state);
+  return inside_->settings;
+}
+
+std::vector<std::string> TouchSession::notices() const {
+  const std::lock_guard lock(inside_->state);
+  return inside_->notices;
+}
+
+void TouchSession::pause() {
+  const std::lock_guard lock(inside_->state);
+  inside_->paused = true;
+  inside_->loop->pause();
+}
+
+void TouchSession::resume() {
+  const std::lock_guard lock(inside_->state);
+  inside_->paused = false;
+  inside_->loop->resume();
+}
+
+bool TouchSession::paused() const {
+  const std::lock_guard lock(inside_->state);
+  return inside_->paused;
+}
+
+void TouchSession::recentre() {
+  const std::lock_guard changing(inside_->changing);
+  const Vec3 hand = latest().device_position.v;
+  if (!is_finite(hand)) return;
+  auto place = inside_->scene_from_device;
+  const Vec3 turned = place.scale * place.rotate(hand);
+  place.translation_m = Vec3{0.0, 0.0, models::size_m(*scene()).z} - turned;
+  // What was possible with this scene and these settings before is possible now.
+  static_cast<void>(inside_->change(scene(), settings(), place));
+}
+
+Result<void> TouchSession::stand(const Stance& stance) {
+  const std::lock_guard changing(inside_->changing);
+  auto stood = inside_->change(scene(), settings(), with_explorer(inside_->scene_from_device, stance));
+  if (stood) inside_->stance = stance;
+  return stood;
+}
+
+void TouchSession::stop() {
+  static_cast<void>(stop_recording());
+  inside_->loop->stop();
+}
+
+std::size_t TouchSession::probes() const { return inside_->pointers.size(); }
+
+void TouchSession::move_pointer(Point<SceneFrame> position, std::size_t probe) {
+  if (!is_finite(position) || probe >= probes()) return;
+  const std::lock_guard lock(inside_->state);
+  inside_->pointers[probe]->put(inside_->scene_from_device.inverse() * position);
+}
+
+void TouchSession::lift_pointer(std::size_t probe) {
+  if (probe >= probes()) return;
+  const std::lock_guard lock(inside_->state);
+  inside_->pointers[probe]->put(std::nullopt);
+}
+
+haptics::TouchSample TouchSession::latest(std::size_t probe) const {
+  PALPABLE_CHECK(probe < probes());
+  const std::lock_guard lock(inside_->state);
+  if (const auto newer = inside_->loop->take_latest(probe)) inside_->latest[probe] = *newer;
+  return inside_->latest[probe];
+}
+
+std::vector<haptics::TouchEvent> TouchSession::take_events() {
+  const std::lock_guard lock(inside_->state);
+  std::vector<haptics::TouchEvent> events;
+  while (const auto event = inside_->loop->take_event()) events.push_back(*event);
+  return events;
+}
+
+std::vector<haptics::MissedDeadline> TouchSession::take_missed() {
+  const std::lock_guard lock(inside_->state);
+  std::vector<haptics::MissedDeadline> missed;
+  while (const auto one = inside_->loop->take_missed()) missed.push_back(*one);
+  return missed;
+}
+
+Result<void> TouchSession::start_recording(const std::filesystem::path& file) {
+  const std::lock_guard lock(inside_->state);
+  if (inside_->recorder) return Error{ErrorCode::usage, "a recording is running already", file.string()};
+  const auto& traits = inside_->loop->device_traits();
+  const Json header{{"format", 1},
+                    {"made_by", "palpable"},
+                    {"seed", inside_->options.seed},
+                    {"rate_hz", inside_->options.servo.rate_hz},
+                    {"device", traits.name},
+                    {"as_published", inside_->options.as_published}};
+  auto recorder = Recorder::start(*inside_->loop, file, header.dump(), inside_->described_now);
+  if (!recorder) return std::move(recorder).error();
+  inside_->recorder = std::move(*recorder);
+  return {};
+}
+
+Result<void> TouchSession::stop_recording() {
+  const std::lock_guard lock(inside_->state);
+  if (!inside_->recorder) return {};
+  return std::exchange(inside_->recorder, nullptr)->finish();
+}
+
+bool TouchSession::recording() const {
+  const std::lock_guard lock(inside_->state);
+  return inside_->recorder != nullptr;
+}
+
+TouchStatistics TouchSession::statistics() const {
+  TouchStatistics statistics;
+  statistics.servo = inside_->loop->statistics();
+  statistics.seconds_to_first_force =
+      1e-9 * static_cast<double>(inside_->servo_begin_ns - inside_->begin_ns) +
+      statistics.servo.touch.first_force_t_s;
+  statistics.device = inside_->loop->device_traits().name;
+  const auto real_time = inside_->loop->real_time();
+  statistics.realtime_priority = real_time.priority;
+  statistics.memory_lock = real_time.memory;
+  return statistics;
+}
+
+const device::Traits& TouchSession::device_traits() const { return inside_->loop->device_traits(); }
+std::string TouchSession::device_fault() const { return inside_->loop->device_fault(); }
+
+}  // namespace palpable::session

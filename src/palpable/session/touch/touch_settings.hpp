@@ -1,0 +1,26 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/law/laws.hpp"
+
+namespace palpable::session {
+
+/// The default law, felt with a ball of 1 mm: a fingertip's own smoothing without losing its detail.
+inline haptics::LawParameters default_law() {
+  haptics::LawParameters law;
+  law.radius_m = 0.001;
+  return law;
+}
+
+/// What a person may change while touching.
+struct TouchSettings {
+  /// The law and its parameters; a value that is not set comes from the scene's materials. The device's own
+  /// limits lower them, and TouchSession::notices() says so. A device with two degrees of freedom feels
+  /// `rolling` in place of laws that need the third.
+  haptics::LawParameters law = default_law();
+  /// A relief's height is multiplied by this, -4…4; negative engraves, 0 is flat.
+  double depth = 1.0;
+};
+
+}  // namespace palpable::session

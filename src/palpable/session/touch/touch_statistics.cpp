@@ -1,0 +1,55 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/touch_statistics.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::session {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json percentiles(const haptics::Percentiles& of) {
+  return {
+      {"p50", number(of.p50)}, {"p99", number(of.p99)}, {"p99_9", number(of.p99_9)}, {"max", number(of.max)}};
+}
+
+}  // namespace
+
+std::string to_json(const TouchStatistics& statistics) {
+  const auto& servo = statistics.servo;
+  const auto& touch = servo.touch;
+  const auto& cause = servo.missed_by_cause;
+  Json json;
+  json["servo"] = {{"ticks", touch.ticks},
+                   {"rate_hz", number(servo.rate_hz)},
+                   {"missed", servo.missed},
+                   {"missed_by_cause",
+                    {{"late_wake", cause[0]},
+                     {"held_up_waiting", cause[1]},
+                     {"held_up_in_tick", cause[2]},
+                     {"slow_tick", cause[3]}}},
+                   {"period_us", percentiles(servo.period_us)},
+                   {"compute_us", percentiles(servo.compute_us)}};
+  json["force"] = {{"max_N", number(touch.max_force_N)},
+                   {"clamped_ticks", touch.clamped_ticks},
+                   {"rate_capped_ticks", touch.rate_capped_ticks}};
+  json["energy"] = {{"made_max_J", number(touch.made_max_J)},
+                    {"made_max_without_controller_J", number(touch.made_max_without_controller_J)},
+                    {"controlled_ticks", touch.passivity_ticks},
+                    {"scene_change_J", number(touch.scene_change_J)}};
+  json["contact_ticks"] = touch.contact_ticks;
+  json["fault_ticks"] = touch.fault_ticks;
+  json["allocations_in_ticks"] = servo.allocations_in_ticks;
+  json["seconds_to_first_force"] = number(statistics.seconds_to_first_force);
+  json["device"] = statistics.device;
+  json["realtime_priority"] = statistics.realtime_priority;
+  json["memory_lock"] = statistics.memory_lock;
+  return json.dump();
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,71 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/walk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace palpable::session {
+
+Transform<SceneFrame, ExplorerFrame> scene_from_explorer(const Stance& stance) {
+  const double c = std::cos(stance.heading_rad), s = std::sin(stance.heading_rad);
+  Transform<SceneFrame, ExplorerFrame> transform;
+  transform.rotation = {c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0};
+  transform.translation_m = {stance.x_m, stance.y_m, 0.0};
+  return transform;
+}
+
+Transform<SceneFrame, DeviceFrame> with_explorer(const Transform<SceneFrame, DeviceFrame>& laid_out,
+                                                 const Stance& stance) {
+  Transform<SceneFrame, DeviceFrame> place = laid_out;
+  place.rotation = scene_from_explorer(stance).rotation;
+  place.translation_m = {stance.x_m, stance.y_m, laid_out.translation_m.z};
+  return place;
+}
+
+std::size_t steps_by(std::span<const WalkStep> walk, double t_s) {
+  const auto later = std::upper_bound(walk.begin(), walk.end(), t_s,
+                                      [](double t, const WalkStep& step) { return t < step.t_s; });
+  return static_cast<std::size_t>(later - walk.begin());
+}
+
+const Stance& stance_at(std::span<const WalkStep> walk, double t_s) {
+  return walk[std::max<std::size_t>(steps_by(walk, t_s), 1) - 1].stance;
+}
+
+Result<void> check_walk(std::span<const WalkStep> walk) {
+  if (walk.empty()) return invalid_input("the walk has no steps");
+  constexpr double kFarthest_m = 1000.0;
+  for (std::size_t i = 0; i < walk.size(); ++i) {
+    const Stance& s = walk[i].stance;
+    if (!std::isfinite(walk[i].t_s) || !std::isfinite(s.heading_rad) ||
+        !(std::hypot(s.x_m, s.y_m) <= kFarthest_m))
+      return invalid_input(
+          fmt::format("step {} is not finite or farther than 1000 m from the middle", i + 1));
+    if (i > 0 && !(walk[i].t_s > walk[i - 1].t_s))
+      return invalid_input(fmt::format("step {} is not later than the one before", i + 1));
+  }
+  return {};
+}
+
+std::string words_of(const Stance& stance) {
+  constexpr std::array kWays{"up",   "up and left",    "left",  "down and left",
+                             "down", "down and right", "right", "up and right"};
+  const double eighths = std::round(stance.heading_rad / (0.25 * std::numbers::pi));
+  const auto way = static_cast<std::size_t>(static_cast<int>(eighths - 8.0 * std::floor(eighths / 8.0)));
+  constexpr double kHere_m = 0.0005;
+  std::string where;
+  if (std::abs(stance.x_m) >= kHere_m)
+    where =
+        fmt::format("{:.0f} mm {}", 1000.0 * std::abs(stance.x_m), stance.x_m > 0.0 ? "right of" : "left of");
+  if (std::abs(stance.y_m) >= kHere_m)
+    where += fmt::format("{}{:.0f} mm {}", where.empty() ? "" : " and ", 1000.0 * std::abs(stance.y_m),
+                         stance.y_m > 0.0 ? "above" : "below");
+  return fmt::format("You stand {} the middle, facing {}.", where.empty() ? "in" : where, kWays[way % 8]);
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,85 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/sources/depth/colour_registration.hpp"
+#include "palpable/sources/depth/zbuffer.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace palpable::sources {
+
+/// What the numbers of a depth file mean.
+enum class DepthMeaning : std::uint8_t {
+  /// Along the camera's axis, in units of metres_per_unit.
+  depth,
+  /// Along each pixel's own ray; needs the camera.
+  distance,
+  /// Pixels between the eyes, in units of px_per_unit.
+  disparity,
+  /// Larger is nearer, without unit (a grey picture of depth, as shown on screens).
+  nearness,
+  /// A renderer's depth buffer; needs its planes.
+  zbuffer
+};
+
+/// "depth", "distance", …; and back, nullopt for an unknown name.
+std::string_view name_of(DepthMeaning meaning);
+std::optional<DepthMeaning> depth_meaning_from(std::string_view name);
+
+/// What is stated about a depth file, by option or by a sidecar. What is absent is found out or takes the
+/// defaults of docs/formats.md.
+struct DepthSettings {
+  std::optional<DepthMeaning> meaning;
+  std::optional<double> metres_per_unit;
+  std::optional<double> px_per_unit;
+  std::optional<ZBuffer> zbuffer;
+  /// The depth camera.
+  std::optional<Pinhole> camera;
+  /// The camera that took the colour picture, where it is another one.
+  std::optional<ColourCamera> colour;
+};
+
+/// `first` where it states something, else `otherwise`.
+DepthSettings merged(DepthSettings first, const DepthSettings& otherwise);
+
+/// The settings in a JSON text: `meaning`, `metres_per_unit`, `px_per_unit`, `near_m`, `far_m`, `range`,
+/// `order`, `projection`, `far_plane`, a camera's `fx, fy, cx, cy, width, height`, and `colour` with a
+/// camera, `rotation` (9 numbers) and `translation_m` (3). Unknown keys are ignored. Errors: invalid_input.
+Result<DepthSettings> decode_depth_settings(std::string_view json);
+
+/// What stands beside a depth file: FILE.json, FILE with .json for its ending, or depth.json in its folder,
+/// the first that is there and is about depth; empty settings where there is none. Errors: invalid_input,
+/// naming the sidecar.
+Result<DepthSettings> read_depth_sidecar(const std::filesystem::path& file);
+
+/// A depth file made ready to be shaped.
+struct DepthPicture {
+  /// Metres where they are known; else disparity, of which only the shape counts.
+  std::variant<DepthMap, DisparityMap> depth;
+  /// The picture of the same pixels; alpha 0 where there is no colour.
+  std::optional<Image> colour;
+  std::size_t unknown = 0;
+  /// What was assumed, a sentence each.
+  std::vector<std::string> notes;
+};
+
+/// Reads depth from one file (numbers; a picture with depth in its alpha channel; a phone's photograph with
+/// depth inside; a grey picture), or from two, colour first. A sidecar is obeyed, `settings` more. Errors:
+/// invalid_input or usage, with the file's name: not readable, no pixel known, planes or camera missing where
+/// they are needed, two pictures that do not fit each other.
+Result<DepthPicture> read_depth_picture(std::span<const std::filesystem::path> files,
+                                        const DepthSettings& settings = {});
+
+}  // namespace palpable::sources

@@ -1,0 +1,241 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/input/input.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
+#include "palpable/formats/packing/zip.hpp"
+#include "palpable/formats/vdb/vdb.hpp"
+#include "palpable/sources/picture/photo_depth.hpp"
+#include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/stereo/stereo_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace palpable::sources {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::span<const std::byte>;
+
+constexpr std::array<std::pair<InputKind, std::string_view>, 10> kNames{{{InputKind::picture, "picture"},
+                                                                         {InputKind::stereo, "stereo"},
+                                                                         {InputKind::depth, "depth"},
+                                                                         {InputKind::video, "video"},
+                                                                         {InputKind::map, "map"},
+                                                                         {InputKind::mesh, "mesh"},
+                                                                         {InputKind::points, "points"},
+                                                                         {InputKind::shapes, "shapes"},
+                                                                         {InputKind::level_set, "level-set"},
+                                                                         {InputKind::scene, "scene"}}};
+
+/// Enough to pass over a phone picture's EXIF block with its thumbnail (at most 64 KiB a segment).
+constexpr std::size_t kStartBytes = std::size_t{256} << 10U;
+
+bool is_video(Bytes file) {
+  constexpr std::array<std::string_view, 12> kBrands{"isom", "iso2", "iso4", "iso5", "iso6", "mp41",
+                                                     "mp42", "avc1", "M4V ", "qt  ", "3gp4", "3gp5"};
+  const bool mp4 = has_magic(file, "ftyp", 4) && std::any_of(kBrands.begin(), kBrands.end(), [&](auto brand) {
+                     return has_magic(file, brand, 8);
+                   });
+  return mp4 || (has_magic(file, "RIFF") && has_magic(file, "AVI ", 8)) ||
+         has_magic(file, "\x1A\x45\xDF\xA3") || has_magic(file, "OggS") ||
+         has_magic(file, std::string_view("\0\0\x01\xBA", 4)) || has_magic(file, "moov", 4) ||
+         (has_magic(file, "G") && has_magic(file, "G", 188) && has_magic(file, "G", 376));
+}
+
+bool is_map(Bytes file) {
+  if (has_magic(file, "OSMHeader", 6)) return true;
+  const std::string_view start = as_text(file).substr(0, 1024);
+  return start.find("<osm") != std::string_view::npos &&
+         start.substr(0, 64).find('<') != std::string_view::npos;
+}
+
+/// Wavefront OBJ has no mark, and its faces may stand far from its start: every line begins with one of its
+/// words.
+bool is_obj(std::string_view start) {
+  constexpr std::array<std::string_view, 10> kWords{"v", "vn", "vt", "f",      "o",
+                                                    "g", "s",  "l",  "mtllib", "usemtl"};
+  int vertices = 0;
+  for (std::size_t end = start.find('\n'); end != std::string_view::npos; end = start.find('\n')) {
+    const std::string_view line = start.substr(0, end);
+    start.remove_prefix(end + 1);
+    const std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
+    if (word.empty() || word.front() == '#') continue;
+    if (std::find(kWords.begin(), kWords.end(), word) == kWords.end()) return false;
+    if (word == "v") ++vertices;
+  }
+  return vertices > 0;
+}
+
+std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
+  if (has_magic(file, "glTF")) return InputKind::mesh;
+  if (formats::is_vdb(file)) return InputKind::level_set;
+  if (has_magic(file, "ply\n") || has_magic(file, "ply\r")) {
+    const std::string_view text = as_text(file);
+    const std::size_t faces = text.find("element face ");
+    const bool none = faces == std::string_view::npos || text.substr(faces + 13).starts_with("0\n") ||
+                      text.substr(faces + 13).starts_with("0\r");
+    return none ? InputKind::points : InputKind::mesh;
+  }
+  const std::string_view start = as_text(file).substr(0, 4096);
+  if (start.find("\"CityJSON\"") != std::string_view::npos) return InputKind::mesh;
+  if (start.find("\"primitives\"") != std::string_view::npos && has_magic(file, "{"))
+    return InputKind::shapes;
+  if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return InputKind::mesh;
+  if (is_obj(start)) return InputKind::mesh;
+  // A binary STL has no mark, but its size follows from its count of triangles.
+  ByteReader reader(file);
+  reader.seek(80);
+  const std::uint64_t triangles = reader.u32();
+  if (reader.ok() && triangles > 0 && size == 84 + 50 * triangles) return InputKind::mesh;
+  return std::nullopt;
+}
+
+/// A zip archive is a scene of ours or a NumPy file: its members' names tell.
+Result<InputKind> archive_kind(const fs::path& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  const auto names = formats::member_names(*file);
+  if (!names) return invalid_input(names.error().message, path.string());
+  if (std::find(names->begin(), names->end(), "scene.json") != names->end()) return InputKind::scene;
+  const bool arrays = std::any_of(names->begin(), names->end(),
+                                  [](const std::string& name) { return name.ends_with(".npy"); });
+  if (arrays) return InputKind::depth;
+  return invalid_input("is a zip archive, but neither a scene nor a NumPy file", path.string());
+}
+
+/// Compares names as people count: frame-2 before frame-10.
+bool counted_before(const std::string& a, const std::string& b) {
+  const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+  std::size_t i = 0;
+  std::size_t j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (is_digit(a[i]) && is_digit(b[j])) {
+      const auto number = [&](const std::string& s, std::size_t& at) {
+        while (at + 1 < s.size() && s[at] == '0' && is_digit(s[at + 1])) ++at;
+        const std::size_t begin = at;
+        while (at < s.size() && is_digit(s[at])) ++at;
+        return std::string_view(s).substr(begin, at - begin);
+      };
+      const std::string_view left = number(a, i);
+      const std::string_view right = number(b, j);
+      if (left.size() != right.size()) return left.size() < right.size();
+      if (left != right) return left < right;
+    } else {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i;
+      ++j;
+    }
+  }
+  return a.size() - i < b.size() - j;
+}
+
+Result<std::vector<fs::path>> pictures_in(const fs::path& folder) {
+  std::error_code failed;
+  std::vector<fs::path> files;
+  for (auto it = fs::directory_iterator(folder, failed); !failed && it != fs::directory_iterator();
+       it.increment(failed)) {
+    std::error_code unknown;
+    if (!it->is_regular_file(unknown) || it->path().filename().string().starts_with('.')) continue;
+    const auto start = read_file_start(it->path(), kStartBytes);
+    if (start && picture_format_of(*start)) files.push_back(it->path());
+  }
+  if (failed) return invalid_input("cannot be read: " + failed.message(), folder.string());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return counted_before(a.filename().string(), b.filename().string());
+  });
+  if (files.size() < 2)
+    return invalid_input("is a folder with fewer than two pictures, so not a sequence", folder.string());
+  return files;
+}
+
+Result<Input> recognise_folder(const fs::path& folder, std::optional<InputKind> wanted) {
+  if (wanted.value_or(InputKind::video) != InputKind::video)
+    return invalid_input("is a folder; only a sequence of pictures (video) can be one", folder.string());
+  auto files = pictures_in(folder);
+  if (!files) return std::move(files).error();
+  return Input{InputKind::video, *std::move(files), {}};
+}
+
+bool holds_a_picture(InputKind kind) { return kind == InputKind::picture || kind == InputKind::stereo; }
+
+Result<Input> recognise_two(std::span<const fs::path> paths, std::optional<InputKind> wanted) {
+  Input input{InputKind::stereo, {paths.begin(), paths.end()}, {}};
+  std::array<InputKind, 2> kinds{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto kind = kind_of_file(paths[i]);
+    if (!kind) return kind.error();
+    kinds[i] = *kind;
+    if (!holds_a_picture(*kind) && *kind != InputKind::depth)
+      return invalid_input("is not a picture, so the two are not a stereo pair", paths[i].string());
+  }
+  if (!holds_a_picture(kinds[0]) && holds_a_picture(kinds[1])) std::swap(input.files[0], input.files[1]);
+  const bool numbers = kinds[0] == InputKind::depth || kinds[1] == InputKind::depth;
+  input.kind = wanted.value_or(numbers ? InputKind::depth : InputKind::stereo);
+  if (input.kind != InputKind::stereo && input.kind != InputKind::depth)
+    return Error{ErrorCode::usage, "two files are a stereo pair, or a picture with its depth", {}};
+  return input;
+}
+
+/// One picture is a picture, unless a phone has put depth inside.
+Result<Input> recognise_photograph(const fs::path& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  if (!announces_depth(*file)) return Input{InputKind::picture, {path}, {}};
+  return Input{InputKind::depth,
+               {path},
+               {"The photograph holds depth, which was taken; say --kind picture for its contours."}};
+}
+
+}  // namespace
+
+std::string_view name_of(InputKind kind) { return kNames[static_cast<std::size_t>(kind)].second; }
+
+std::optional<InputKind> input_kind_from(std::string_view name) {
+  for (const auto& [kind, known] : kNames)
+    if (name == known) return kind;
+  return std::nullopt;
+}
+
+Result<InputKind> kind_of_file(const fs::path& path) {
+  const auto start = read_file_start(path, kStartBytes);
+  if (!start) return start.error();
+  const Bytes file = *start;
+  std::error_code unknown;
+  const std::uintmax_t size = fs::file_size(path, unknown);
+  if (has_magic(file, "PK\x03\x04")) return archive_kind(path);
+  if (has_magic(file, "\x93NUMPY")) return InputKind::depth;
+  if (is_map(file)) return InputKind::map;
+  if (is_video(file)) return InputKind::video;
+  if (const auto solid = solid_kind(file, unknown ? 0 : size)) return *solid;
+  const auto picture = picture_format_of(file);
+  if (picture == PictureFormat::pfm || picture == PictureFormat::exr) return InputKind::depth;
+  if (picture == PictureFormat::jpeg && is_stereo_jpeg(file)) return InputKind::stereo;
+  if (picture) return InputKind::picture;
+  auto reason = decode_picture(file);
+  if (reason) return InputKind::picture;
+  reason.error().place = path.string();
+  return std::move(reason).error();
+}
+
+Result<Input> recognise_input(std::span<const fs::path> paths, std::optional<InputKind> wanted) {
+  if (paths.empty()) return Error{ErrorCode::usage, "no input is named", {}};
+  std::error_code unknown;
+  if (paths.size() == 1 && fs::is_directory(paths[0], unknown)) return recognise_folder(paths[0], wanted);
+  if (paths.size() == 2) return recognise_two(paths, wanted);
+  if (paths.size() > 2) {
+    if (wanted.value_or(InputKind::video) != InputKind::video)
+      return Error{ErrorCode::usage, "more than two files can only be a sequence (video)", {}};
+    return Input{InputKind::video, {paths.begin(), paths.end()}, {}};
+  }
+  const auto kind = kind_of_file(paths[0]);
+  if (!kind) return kind.error();
+  if (!wanted && *kind == InputKind::picture) return recognise_photograph(paths[0]);
+  return Input{wanted.value_or(*kind), {paths[0]}, {}};
+}
+
+}  // namespace palpable::sources

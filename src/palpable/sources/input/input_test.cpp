@@ -1,0 +1,149 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/input/input.hpp"
+
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/formats/packing/npz.hpp"
+#include "palpable/formats/packing/zip.hpp"
+#include "palpable/formats/picture/picture.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sources {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AnInput : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / (std::string("palpable-input-") +
+                                              testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path text(const std::string& name, std::string_view content) {
+    EXPECT_TRUE(write_file_atomically(folder_ / name, as_bytes(content)));
+    return folder_ / name;
+  }
+  fs::path picture(const std::string& name) {
+    EXPECT_TRUE(formats::write_png(folder_ / name, Raster<Rgb8>(4, 4)));
+    return folder_ / name;
+  }
+  static std::string kind(std::vector<fs::path> paths, std::optional<InputKind> wanted = std::nullopt) {
+    const auto input = recognise_input(paths, wanted);
+    return input ? std::string(name_of(input->kind)) : input.error().sentence();
+  }
+  fs::path folder_;
+};
+
+TEST_F(AnInput, IsRecognisedByContentNotByName) {
+  fs::rename(picture("a.png"), folder_ / "a.mp4");
+  EXPECT_EQ(kind({folder_ / "a.mp4"}), "picture");
+  ASSERT_TRUE(formats::write_pfm(folder_ / "d.png", Raster<float>(2, 2, 1.0F)));
+  EXPECT_EQ(kind({folder_ / "d.png"}), "depth");
+  ASSERT_TRUE(formats::write_npz(folder_ / "d.npz", {{"a", formats::npy_array(1.0)}}));
+  EXPECT_EQ(kind({folder_ / "d.npz"}), "depth");
+  ASSERT_TRUE(write_file_atomically(folder_ / "s.txt", *formats::zip({{"scene.json", {}}, {"z.zst", {}}})));
+  EXPECT_EQ(kind({folder_ / "s.txt"}), "scene");
+  EXPECT_EQ(kind({text("m.bin", "<?xml version='1.0'?>\n<osm version=\"0.6\">")}), "map");
+  EXPECT_EQ(kind({text("p.bin", std::string("\0\0\0\x0E\x0A\x09OSMHeader", 15))}), "map");
+  EXPECT_EQ(kind({text("g", "glTF....")}), "mesh");
+  EXPECT_EQ(kind({text("o", "# cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}), "mesh");
+  EXPECT_EQ(kind({text("q", "ply\nformat ascii 1.0\nelement vertex 3\nelement face 1\nend_header\n")}),
+            "mesh");
+  EXPECT_EQ(kind({text("r", "ply\nformat ascii 1.0\nelement vertex 3\nend_header\n")}), "points");
+  EXPECT_EQ(kind({text("v", std::string("\0\0\0\x18"
+                                        "ftypisom",
+                                        12))}),
+            "video");
+  EXPECT_EQ(kind({text("stl", std::string(80, 'x') + std::string("\x01\0\0\0", 4) + std::string(50, '\0'))}),
+            "mesh");
+}
+
+TEST_F(AnInput, OfTwoPicturesIsAStereoPairLeftFirst) {
+  const auto left = picture("l.png");
+  const auto right = picture("r.png");
+  const auto input = recognise_input(std::vector{left, right});
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->kind, InputKind::stereo);
+  EXPECT_EQ(input->files, (std::vector{left, right}));
+}
+
+TEST_F(AnInput, OfAPictureAndNumbersIsDepthWithThePictureFirst) {
+  const auto colour = picture("c.png");
+  ASSERT_TRUE(formats::write_pfm(folder_ / "d.pfm", Raster<float>(4, 4, 1.0F)));
+  const auto input = recognise_input(std::vector{folder_ / "d.pfm", colour});
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->kind, InputKind::depth);
+  EXPECT_EQ(input->files, (std::vector{colour, folder_ / "d.pfm"}));
+  EXPECT_EQ(kind({colour, colour}, InputKind::depth), "depth");
+}
+
+TEST_F(AnInput, OfAFolderIsASequenceInTheOrderOfItsNumbers) {
+  for (const char* name : {"f10.png", "f9.png", "f001.png"}) picture(name);
+  text("readme.txt", "not a frame");
+  const auto input = recognise_input(std::vector{folder_});
+  ASSERT_TRUE(input) << input.error().sentence();
+  EXPECT_EQ(input->kind, InputKind::video);
+  EXPECT_EQ(input->files, (std::vector{folder_ / "f001.png", folder_ / "f9.png", folder_ / "f10.png"}));
+  fs::remove(folder_ / "f9.png");
+  fs::remove(folder_ / "f10.png");
+  EXPECT_FALSE(recognise_input(std::vector{folder_}));
+  EXPECT_FALSE(recognise_input(std::vector{folder_}, InputKind::scene));
+}
+
+TEST_F(AnInput, CanBeCalledSomethingElse) {
+  EXPECT_EQ(kind({picture("d.png")}, InputKind::depth), "depth");
+  EXPECT_EQ(kind({picture("sbs.png")}, InputKind::stereo), "stereo");
+  EXPECT_EQ(kind({picture("street.png")}, InputKind::map), "map");
+}
+
+TEST_F(AnInput, ThatIsNothingKnownIsRefusedWithASentence) {
+  EXPECT_EQ(kind({text("a.png", "milk, bread")}),
+            (folder_ / "a.png").string() + ": is a text file, not a picture");
+  EXPECT_NE(kind({folder_ / "none"}).find("No such file"), std::string::npos);
+  EXPECT_NE(kind({text("e", "")}).find("is empty"), std::string::npos);
+  EXPECT_EQ(kind({}), "no input is named");
+  EXPECT_NE(kind({picture("a2.png"), text("t", "hello")}).find("t: is a text file"), std::string::npos);
+  ASSERT_TRUE(write_file_atomically(folder_ / "z.palp", *formats::zip({{"other", {}}})));
+  EXPECT_NE(kind({folder_ / "z.palp"}).find("neither a scene nor a NumPy file"), std::string::npos);
+}
+
+TEST_F(AnInput, NamesItsKindsBothWays) {
+  for (const char* name : {"picture", "stereo", "depth", "video", "map", "mesh", "points", "scene"})
+    EXPECT_EQ(name_of(*input_kind_from(name)), name);
+  EXPECT_FALSE(input_kind_from("pictures"));
+}
+
+TEST_F(AnInput, OfRealFilesIsRecognised) {
+  const char* data = std::getenv("PALPABLE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
+  const fs::path root(data);
+  const auto expect_all = [](const fs::path& folder, const char* extension, const char* expected) {
+    int seen = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() != extension) continue;
+      EXPECT_EQ(kind({entry.path()}), expected) << entry.path();
+      if (++seen == 20) break;
+    }
+    EXPECT_GT(seen, 0) << folder << extension;
+  };
+  expect_all(root / "contour", ".jpg", "picture");
+  expect_all(root / "mesh", ".glb", "mesh");
+  expect_all(root / "mesh", ".obj", "mesh");
+  expect_all(root / "mesh/touchmapper_map", ".osm", "map");
+  expect_all(root / "map-vector", ".pbf", "map");
+  expect_all(root / "stereo", ".pfm", "depth");
+  expect_all(root / "stereo", ".npz", "depth");
+  expect_all(root / "stereo", ".png", "picture");
+}
+
+}  // namespace
+}  // namespace palpable::sources

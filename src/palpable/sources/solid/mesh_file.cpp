@@ -1,0 +1,84 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/solid/mesh_file.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+namespace palpable::sources {
+namespace {
+
+constexpr std::size_t kMostTriangles = 20'000'000;
+
+/// By content, as kind_of_file() recognises it; names lie.
+std::string ending_of(std::span<const std::byte> file) {
+  if (has_magic(file, "glTF")) return "glb";
+  if (has_magic(file, "ply\n") || has_magic(file, "ply\r")) return "ply";
+  const std::string_view start = as_text(file.first(std::min<std::size_t>(file.size(), 4096)));
+  if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return "stl";
+  ByteReader reader(file);
+  reader.seek(80);
+  const std::uint64_t triangles = reader.u32();
+  if (reader.ok() && triangles > 0 && file.size() == 84 + 50 * triangles) return "stl";
+  return "obj";
+}
+
+Result<Mesh> mesh_from(const aiScene& scene) {
+  Mesh mesh;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      const aiVector3D& p = part.mVertices[v];
+      mesh.vertices_m.push_back(
+          {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+    }
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      const aiFace& face = part.mFaces[f];
+      if (face.mNumIndices != 3) continue;
+      mesh.triangles.push_back(
+          {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+    }
+    if (mesh.triangles.size() > kMostTriangles)
+      return invalid_input("has more than 20 million triangles; simplify it first");
+  }
+  if (mesh.triangles.empty()) return invalid_input("is a mesh without triangles");
+  return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending) {
+  try {
+    Assimp::Importer importer;
+    // Lines and points are no surface; nodes' transforms are applied to their vertices.
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
+    const aiScene* scene = importer.ReadFileFromMemory(
+        file.data(), file.size(),
+        aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices, ending.c_str());
+    if (scene == nullptr)
+      return invalid_input(std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+    return mesh_from(*scene);
+  } catch (const std::exception& e) {
+    return invalid_input(std::string("cannot be read as a mesh: ") + e.what());
+  }
+}
+
+Result<Mesh> read_mesh(const std::filesystem::path& path) {
+  const auto file = read_file(path);
+  if (!file) return file.error();
+  if (as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096))).find("\"CityJSON\"") !=
+      std::string_view::npos)
+    return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
+                         path.string());
+  auto mesh = decode_mesh(*file, ending_of(*file));
+  if (!mesh) mesh.error().place = path.string();
+  return mesh;
+}
+
+}  // namespace palpable::sources

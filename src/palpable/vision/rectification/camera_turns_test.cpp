@@ -1,0 +1,42 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/rectification/camera_turns.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+/// The match of a point, `raised` above its row in the right picture, of a camera turned in its plane.
+FeatureMatch seen_turned(double x, double y, double disparity_px, double raised_px) {
+  constexpr double kTurn = 0.03;
+  const double u = x - disparity_px - 319.5, v = y - raised_px - 239.5;
+  return {x, y, 319.5 + std::cos(kTurn) * u - std::sin(kTurn) * v,
+          239.5 + std::sin(kTurn) * u + std::cos(kTurn) * v};
+}
+
+TEST(TurnsToScanlines, TakeOfAlternativesTheOneThatFitsTheOthers) {
+  // A board of 12 x 10 squares whose rows rise by a pixel in 20: each corner looks like its neighbours too.
+  // What lies around it is distinct.
+  constexpr double kSquare_px = 30.0, kRise = 0.05, kBoard_px = 60.0;
+  std::vector<FeatureMatch> matches, truth;
+  for (int i = 0; i < 40; ++i)
+    truth.push_back(seen_turned(20.0 + 15.0 * i, i % 2 == 0 ? 30.0 + i : 440.0 - i, 12.0 + i % 7, 0.0));
+  matches = truth;
+  for (int j = 0; j < 10; ++j)
+    for (int i = 0; i < 12; ++i) {
+      const double x = 150.0 + kSquare_px * i, y = 100.0 + kSquare_px * j - kRise * x;
+      for (const int aside : {-1, 1, 0})
+        matches.push_back(seen_turned(x, y, kBoard_px - kSquare_px * aside, kRise * kSquare_px * aside));
+      truth.push_back(matches.back());
+    }
+  const TurnedCameras found = turns_to_scanlines(matches, unknown_eye(640, 480), 1.5, 1);
+  ASSERT_EQ(found.matches.size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_EQ(found.matches[i].right_x, truth[i].right_x) << i;
+  EXPECT_LT(vertical_rms_px(moved(found.matches, found.how)), 0.05);
+}
+
+}  // namespace
+}  // namespace palpable::vision

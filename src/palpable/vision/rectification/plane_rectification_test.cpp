@@ -1,0 +1,132 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/rectification/plane_rectification.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 480;
+constexpr double kFocal = 560.0;
+
+/// Where a camera that looks down on a table, and a little aside, sees the table's place (metres).
+PicturePoint seen(double x, double y) {
+  const double pitch = 0.6, yaw = 0.25;
+  const double u = std::cos(yaw) * x - std::sin(yaw) * y, v = std::sin(yaw) * x + std::cos(yaw) * y;
+  const double depth = 2.0 + std::sin(pitch) * v, down = -std::cos(pitch) * v;
+  return {0.5 * (kWidth - 1) + kFocal * u / depth, 0.5 * (kHeight - 1) + kFocal * down / depth};
+}
+
+PictureLine line(double x1, double y1, double x2, double y2) { return {seen(x1, y1), seen(x2, y2)}; }
+
+PicturePoint mapped(const std::array<double, 9>& h, const PicturePoint& p) {
+  const double w = h[6] * p.x + h[7] * p.y + h[8];
+  return {(h[0] * p.x + h[1] * p.y + h[2]) / w, (h[3] * p.x + h[4] * p.y + h[5]) / w};
+}
+
+/// Places of the table after rectification, as distances that must be in the table's proportions.
+void expect_metric(const RectifiedPlane& plane, double tolerance) {
+  const auto distance = [&](double x1, double y1, double x2, double y2) {
+    const PicturePoint a = mapped(plane.picture_from_input, seen(x1, y1)),
+                       b = mapped(plane.picture_from_input, seen(x2, y2));
+    return std::hypot(a.x - b.x, a.y - b.y) / std::hypot(x1 - x2, y1 - y2);
+  };
+  const double across = distance(-0.4, 0.1, 0.5, 0.1);
+  EXPECT_NEAR(distance(0.2, -0.3, 0.2, 0.4) / across, 1.0, tolerance);
+  EXPECT_NEAR(distance(-0.3, -0.2, 0.3, 0.4) / across, 1.0, tolerance);
+  EXPECT_NEAR(distance(-0.3, 0.4, 0.3, -0.2) / across, 1.0, tolerance);
+}
+
+Image grey_picture() { return {kWidth, kHeight, 1, 8, std::vector<float>(kWidth * kHeight, 0.5F)}; }
+
+PlaneLines table_lines() {
+  PlaneLines lines;
+  lines.along = {line(-0.5, -0.3, 0.5, -0.3), line(-0.5, 0.4, 0.5, 0.4)};
+  lines.across = {line(-0.4, -0.3, -0.4, 0.4), line(0.4, -0.3, 0.4, 0.4)};
+  return lines;
+}
+
+TEST(RectifyPlane, GivesProportionsBackFromTwoOrthogonalPairs) {
+  PlaneLines lines = table_lines();
+  lines.orthogonal = {{line(0, 0, 0.3, 0), line(0, 0, 0, 0.3)},
+                      {line(0, 0, 0.3, 0.3), line(0, 0, 0.3, -0.3)}};
+  const auto plane = rectify_plane(grey_picture(), lines);
+  ASSERT_TRUE(plane) << plane.error().sentence();
+  expect_metric(*plane, 1e-6);
+  // The lines along come out level, and nothing is mirrored.
+  const PicturePoint a = mapped(plane->picture_from_input, seen(-0.4, 0.1)),
+                     b = mapped(plane->picture_from_input, seen(0.4, 0.1)),
+                     above = mapped(plane->picture_from_input, seen(-0.4, 0.3));
+  EXPECT_NEAR(a.y, b.y, 1e-6);
+  EXPECT_GT(b.x, a.x);
+  EXPECT_LT(above.y, a.y);
+}
+
+TEST(RectifyPlane, GivesProportionsBackFromThePerspectiveAlone) {
+  const auto plane = rectify_plane(grey_picture(), table_lines());
+  ASSERT_TRUE(plane) << plane.error().sentence();
+  EXPECT_TRUE(plane->notes.empty());
+  expect_metric(*plane, 1e-6);
+}
+
+TEST(RectifyPlane, RefusesLinesThatFixNoPlane) {
+  PlaneLines lines = table_lines();
+  lines.across = lines.along;
+  EXPECT_FALSE(rectify_plane(grey_picture(), lines));
+  // The same right angle said twice.
+  lines = table_lines();
+  lines.orthogonal = {{line(0, 0, 0.3, 0), line(0, 0, 0, 0.3)},
+                      {line(0, 0.1, 0.3, 0.1), line(0.1, 0, 0.1, 0.3)}};
+  EXPECT_FALSE(rectify_plane(grey_picture(), lines));
+}
+
+TEST(RectifyRectangle, CutsARectangleOutInItsProportions) {
+  PlaneRectangle rectangle{{seen(-0.45, 0.3), seen(0.45, 0.3), seen(0.45, -0.3), seen(-0.45, -0.3)}, {}};
+  for (const bool stated : {false, true}) {
+    if (stated) rectangle.aspect = 1.5;
+    const auto plane = rectify_rectangle(grey_picture(), rectangle);
+    ASSERT_TRUE(plane) << plane.error().sentence();
+    EXPECT_NEAR(1.0 * plane->picture.width / plane->picture.height, 1.5, 0.01) << stated;
+    expect_metric(*plane, 0.001);
+  }
+  std::swap(rectangle.corners[0], rectangle.corners[1]);
+  EXPECT_FALSE(rectify_rectangle(grey_picture(), rectangle));
+}
+
+/// The table covered with a grid of streets, seen by the camera.
+Image photographed_map() {
+  Image picture = grey_picture();
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      // The table's place behind a pixel, by the inverse of seen().
+      const double pitch = 0.6, yaw = 0.25, i = (x - 0.5 * (kWidth - 1)) / kFocal,
+                   j = (y - 0.5 * (kHeight - 1)) / kFocal;
+      const double v = -2.0 * j / (std::cos(pitch) + j * std::sin(pitch)),
+                   u = i * (2.0 + std::sin(pitch) * v);
+      const double tx = std::cos(yaw) * u + std::sin(yaw) * v, ty = -std::sin(yaw) * u + std::cos(yaw) * v;
+      const bool inside = std::abs(tx) < 0.6 && std::abs(ty) < 0.45;
+      const auto on_street = [](double t) { return std::abs(t - 0.15 * std::round(t / 0.15)) < 0.02; };
+      picture.samples[static_cast<std::size_t>(y * kWidth + x)] = !inside                          ? 0.25F
+                                                                  : on_street(tx) || on_street(ty) ? 0.95F
+                                                                                                   : 0.6F;
+    }
+  return picture;
+}
+
+TEST(FindPlaneLines, StraightensAPhotographedMapByItself) {
+  const Image picture = photographed_map();
+  const auto lines = find_plane_lines(picture, Work{});
+  ASSERT_TRUE(lines) << lines.error().sentence();
+  const auto plane = rectify_plane(picture, *lines);
+  ASSERT_TRUE(plane);
+  expect_metric(*plane, 0.03);
+}
+
+TEST(FindPlaneLines, SaysThatAPlainPictureHasNone) { EXPECT_FALSE(find_plane_lines(grey_picture(), Work{})); }
+
+}  // namespace
+}  // namespace palpable::vision

@@ -1,0 +1,145 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/rectification/rolling_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <opencv2/core.hpp>
+
+namespace palpable::vision {
+namespace {
+
+/// The four control values that a place on an axis hears, and how much: a uniform cubic B-spline over [0, 1]
+/// with `count` control values.
+struct Basis {
+  int first = 0;
+  std::array<double, 4> weights{};
+};
+
+Basis basis_at(double place, int count) {
+  const int spans = count - 3;
+  const double s = std::clamp(place, 0.0, 1.0) * spans;
+  Basis out;
+  out.first = std::min(static_cast<int>(s), spans - 1);
+  const double t = s - out.first, u = 1.0 - t;
+  out.weights = {u * u * u / 6.0, (3.0 * t * t * t - 6.0 * t * t + 4.0) / 6.0,
+                 (3.0 * u * u * u - 6.0 * u * u + 4.0) / 6.0, t * t * t / 6.0};
+  return out;
+}
+
+template <class Visit>
+void visit_controls(double x, double y, int across, int down, const Visit& visit) {
+  const Basis bx = basis_at(x, across), by = basis_at(y, down);
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < 4; ++i)
+      visit((by.first + static_cast<int>(j)) * across + bx.first + static_cast<int>(i),
+            by.weights[j] * bx.weights[i]);
+}
+
+/// Adds the wish that control values run evenly: squared second differences along both axes.
+void add_smoothness(cv::Mat_<double>& normal, int across, int down, double weight) {
+  const auto add = [&](int a, int b, int c) {
+    const std::array<std::pair<int, double>, 3> terms{{{a, 1.0}, {b, -2.0}, {c, 1.0}}};
+    for (const auto& [i, f] : terms)
+      for (const auto& [j, g] : terms) normal(i, j) += weight * f * g;
+  };
+  for (int j = 0; j < down; ++j)
+    for (int i = 0; i < across; ++i) {
+      const int at = j * across + i;
+      if (i > 0 && i + 1 < across) add(at - 1, at, at + 1);
+      if (j > 0 && j + 1 < down) add(at - across, at, at + across);
+    }
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::optional<RollingRows> RollingRows::through(const std::vector<FeatureMatch>& matches, int width,
+                                                int height) {
+  constexpr std::size_t kLeast = 100;
+  constexpr int kControls = kAcross * kDown;
+  constexpr double kSmooth = 0.03, kWiden = 0.8, kFirst_px = 6.0, kLast_px = 0.5;
+  if (matches.size() < kLeast) return std::nullopt;
+  RollingRows rows(width, height);
+  std::vector<double> offsets;
+  for (const FeatureMatch& m : matches) offsets.push_back(m.right_y - m.left_y);
+  const double middle = median(offsets);
+  for (double& v : offsets) v = std::abs(v - middle);
+  // A B-spline's weights add up to 1: equal control values are a level surface.
+  rows.control_.assign(kControls, middle);
+  for (double scale_px = std::max(kFirst_px, 3.0 * median(offsets)); scale_px > kLast_px;
+       scale_px *= kWiden) {
+    cv::Mat_<double> normal(kControls, kControls, 0.0);
+    cv::Mat_<double> right(kControls, 1, 0.0);
+    for (const FeatureMatch& m : matches) {
+      const double offset = m.right_y - m.left_y;
+      const double r = (offset - rows.offset_px(m.right_x, m.left_y)) / scale_px;
+      const double weight = 1.0 / ((1.0 + r * r) * (1.0 + r * r));
+      visit_controls(m.right_x / width, m.left_y / height, kAcross, kDown, [&](int i, double f) {
+        right(i) += weight * f * offset;
+        visit_controls(m.right_x / width, m.left_y / height, kAcross, kDown,
+                       [&](int j, double g) { normal(i, j) += weight * f * g; });
+      });
+    }
+    add_smoothness(normal, kAcross, kDown, kSmooth);
+    cv::Mat_<double> solved;
+    if (!cv::solve(normal, right, solved, cv::DECOMP_CHOLESKY)) return std::nullopt;
+    rows.control_.assign(solved.begin(), solved.end());
+  }
+  return rows;
+}
+
+double RollingRows::offset_px(double x, double y) const {
+  double sum = 0.0;
+  visit_controls(x / width_, y / height_, kAcross, kDown,
+                 [&](int i, double f) { sum += f * control_[static_cast<std::size_t>(i)]; });
+  return sum;
+}
+
+FeatureMatch RollingRows::evened(const FeatureMatch& match) const {
+  FeatureMatch out = match;
+  out.right_y -= offset_px(match.right_x, match.left_y);
+  return out;
+}
+
+bool RollingGain::worth_it(std::size_t other_agree, double other_px) const {
+  constexpr double kMore = 1.08, kCloser = 0.85, kNoticeable_px = 1.0, kGood_px = 0.3;
+  const bool more = static_cast<double>(agree) > kMore * static_cast<double>(other_agree);
+  const bool closer = agree >= other_agree && other_px > kGood_px && residual_px < kCloser * other_px;
+  return greatest_px > kNoticeable_px && (more || closer);
+}
+
+RollingGain rolling_gain(const std::vector<FeatureMatch>& matches, int width, int height,
+                         double tolerance_px) {
+  std::array<std::vector<FeatureMatch>, 2> halves;
+  for (std::size_t i = 0; i < matches.size(); ++i) halves[i % 2].push_back(matches[i]);
+  RollingGain gain;
+  std::vector<FeatureMatch> agreed;
+  std::vector<double> offsets;
+  for (const std::size_t half : {0U, 1U}) {
+    const auto rows = RollingRows::through(halves[1 - half], width, height);
+    if (!rows) return {};
+    for (const FeatureMatch& m : halves[half]) {
+      const FeatureMatch evened = rows->evened(m);
+      if (!(std::abs(evened.right_y - evened.left_y) <= tolerance_px)) continue;
+      agreed.push_back(evened);
+      offsets.push_back(m.right_y - evened.right_y);
+    }
+  }
+  if (agreed.empty()) return gain;
+  gain.agree = agreed.size();
+  gain.residual_px = vertical_rms_px(agreed);
+  const double middle = median(offsets);
+  for (const double offset : offsets)
+    gain.greatest_px = std::max(gain.greatest_px, std::abs(offset - middle));
+  return gain;
+}
+
+}  // namespace palpable::vision

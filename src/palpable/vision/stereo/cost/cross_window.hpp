@@ -1,0 +1,77 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/image/colour_planes.hpp"
+#include "palpable/vision/stereo/cost/matching_cost.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace palpable::vision {
+
+struct CrossOptions {
+  /// An arm along the row reaches at most so many pixels, one along the column so many (slopes mostly run
+  /// down a picture, and a window should see one disparity) …
+  int row_reach_px = 17;
+  int column_reach_px = 6;
+  /// … while every channel stays within this of the centre (levels of 255) …
+  int colour_limit = 25;
+  /// … and beyond so many pixels, in either direction, within this.
+  int sure_reach_px = 8;
+  int colour_limit_beyond = 8;
+  /// The next neighbour belongs within this: 255 makes sure that a window is never one pixel.
+  int neighbour_limit = 255;
+};
+
+/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour. The
+/// window's centre is wherever the pixel stands in its surface.
+struct CrossArms {
+  std::uint8_t left = 0, right = 0, up = 0, down = 0;
+};
+Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& options, const Work& work);
+
+/// Mean costs are whole numbers of this fraction of the matching cost.
+inline constexpr int kMeanCostUnit = 16;
+/// A window has at most so many pixels, so that its sum fits 16 bits.
+inline constexpr int kMostWindowPixels = 65535 / kLargestMatchingCost;
+
+/// Aggregates matching costs over cross-shaped windows (along the row's arms, then along the column's),
+/// streaming down the picture: one scanline's disparity-space image at a time. One object a thread.
+class CrossAggregator {
+ public:
+  /// Rows first_row … end will be asked for, in order. Arms must not make windows of more than
+  /// kMostWindowPixels.
+  CrossAggregator(const MatchingCost& cost, const Raster<CrossArms>& arms, int disparities,
+                  int column_reach_px, int first_row);
+
+  /// Values per pixel: the disparities rounded up to whole vectors, the costs beyond them as high as can be.
+  int stride() const { return stride_; }
+  /// The next row's mean cost over its window, out[x * stride() + d], in units of 1/kMeanCostUnit.
+  void next_row(std::uint16_t* out);
+
+ private:
+  void add_row();
+  std::uint16_t* sums(int row);
+
+  const MatchingCost& cost_;
+  const Raster<CrossArms>& arms_;
+  int disparities_;
+  int stride_;
+  int reach_;
+  int row_;     // the next to hand out
+  int summed_;  // the next to sum
+  int ring_;    // rows kept
+  std::vector<std::uint8_t> raw_;
+  std::vector<std::uint16_t> prefix_;               // of one row, along x
+  std::vector<std::uint16_t> sums_;                 // ring of rows, summed down the columns
+  std::vector<std::vector<std::uint32_t>> pixels_;  // ring: window pixels summed down the columns
+};
+
+/// The whole pair's costs over cross-shaped windows, cut off at `limit` (at most 255) and rounded:
+/// [(y * width + x) * disparities + d].
+std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossOptions& window, float limit,
+                                           const Work& work);
+
+}  // namespace palpable::vision

@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/stereo/problem/stereo_method.hpp"
+
+#include <algorithm>
+
+namespace palpable::vision {
+
+/// Where between d - 1/2 and d + 1/2 the parabola through the costs at d - 1, d and d + 1 has its minimum,
+/// less d; 0 at the ends of the range and where the costs are not convex.
+template <class Cost>
+float sub_pixel_offset(const Cost* costs, int d, int count) {
+  if (d == 0 || d + 1 >= count) return 0.0F;
+  const auto below = static_cast<float>(costs[d - 1]);
+  const auto above = static_cast<float>(costs[d + 1]);
+  const float curvature = below + above - 2.0F * static_cast<float>(costs[d]);
+  if (curvature <= 0.0F) return 0.0F;
+  return std::clamp(0.5F * (below - above) / curvature, -0.5F, 0.5F);
+}
+
+/// The smoothest surface that stays within half a pixel of whole disparities: a membrane, cut where
+/// neighbouring labels differ by more than one. What slanted surfaces lose to
+/// whole labels comes back without the noise that a parabola through a plain surface's costs would bring.
+Raster<float> surface_through(const Raster<int>& label_px, const Work& work);
+
+}  // namespace palpable::vision

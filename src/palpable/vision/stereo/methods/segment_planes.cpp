@@ -1,0 +1,320 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/methods/segment_planes.hpp"
+
+#include "palpable/vision/stereo/cost/cross_window.hpp"
+#include "palpable/vision/stereo/methods/scanline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc/detail/gcgraph.hpp>
+
+namespace palpable::vision {
+namespace {
+
+constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
+constexpr float kDataLimit = 60.0F;
+constexpr std::size_t kMostPlanes = 300;
+/// Smoothness for each pixel of a border between segments of different planes, in units of the matching cost.
+constexpr double kBorder = 36.0;
+constexpr double kBorderLevels = 12.0;
+
+struct Pixel {
+  int x, y;
+};
+using PixelLists = std::vector<std::vector<Pixel>>;
+
+double median_of(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels) {
+  std::vector<float> values;
+  values.reserve(pixels.size());
+  for (const Pixel p : pixels) values.push_back(disparity_px(p.x, p.y));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return static_cast<double>(*middle);
+}
+
+/// One reweighted least-squares step; pixels more than `reach_px` from the plane do not count.
+SegmentPlane refitted(const SegmentPlane& plane, const Raster<float>& disparity_px,
+                      const std::vector<Pixel>& pixels, double reach_px) {
+  cv::Matx33d normal = cv::Matx33d::zeros();
+  cv::Vec3d right{0.0, 0.0, 0.0};
+  SegmentPlane out = plane;
+  out.support = 0;
+  for (const Pixel p : pixels) {
+    const double residual = static_cast<double>(disparity_px(p.x, p.y)) - plane.at(p.x, p.y);
+    const double r = residual / reach_px;
+    if (std::abs(r) >= 1.0) continue;
+    const double weight = (1.0 - r * r) * (1.0 - r * r);  // Tukey's
+    const cv::Vec3d v{1.0, p.x - plane.x0, p.y - plane.y0};
+    normal += weight * v * v.t();
+    right += weight * residual * v;
+    if (std::abs(residual) <= 1.0) ++out.support;
+  }
+  // Ridge regression: neighbouring disparities share most of their windows, and so their errors of about half
+  // a pixel; some forty pixels of a window tell no more of a slope than one, and slopes beyond a tenth or two
+  // are rare: 40 (0.5 / 0.15)^2.
+  constexpr double kStiffness = 500.0;
+  normal(0, 0) += 1e-6;
+  normal(1, 1) += kStiffness;
+  normal(2, 2) += kStiffness;
+  right[1] -= kStiffness * plane.slope_x;
+  right[2] -= kStiffness * plane.slope_y;
+  const cv::Vec3d step = normal.solve(right, cv::DECOMP_CHOLESKY);
+  constexpr double kSteepest = 0.7;
+  out.at_middle += step[0];
+  out.slope_x = std::clamp(plane.slope_x + step[1], -kSteepest, kSteepest);
+  out.slope_y = std::clamp(plane.slope_y + step[2], -kSteepest, kSteepest);
+  return out;
+}
+
+SegmentPlane fit_plane(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels) {
+  SegmentPlane plane;
+  for (const Pixel p : pixels) {
+    plane.x0 += p.x / static_cast<double>(pixels.size());
+    plane.y0 += p.y / static_cast<double>(pixels.size());
+  }
+  plane.at_middle = median_of(disparity_px, pixels);
+  for (const double reach_px : {6.0, 4.0, 3.0, 2.0, 1.5, 1.5})
+    plane = refitted(plane, disparity_px, pixels, reach_px);
+  return plane;
+}
+
+/// Planes that a plane of more support says already are left out: those that differ by less than half a pixel
+/// at the middle and in its surroundings.
+std::vector<SegmentPlane> distinct(std::vector<SegmentPlane> planes) {
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const SegmentPlane& a, const SegmentPlane& b) { return a.support > b.support; });
+  std::vector<SegmentPlane> out;
+  for (const SegmentPlane& plane : planes) {
+    constexpr double kAround_px = 20.0;
+    const bool known = std::any_of(out.begin(), out.end(), [&](const SegmentPlane& other) {
+      const double there =
+          other.at_middle + other.slope_x * (plane.x0 - other.x0) + other.slope_y * (plane.y0 - other.y0);
+      return std::abs(there - plane.at_middle) + kAround_px * std::abs(other.slope_x - plane.slope_x) +
+                 kAround_px * std::abs(other.slope_y - plane.slope_y) <
+             0.5;
+    });
+    if (!known) out.push_back(plane);
+    if (out.size() == kMostPlanes) break;
+  }
+  return out;
+}
+
+/// The segments' pixels, and what borders on what.
+struct SegmentGraph {
+  struct Border {
+    std::size_t to;
+    /// Smoothness between the two.
+    double weight;
+  };
+  PixelLists all;
+  PixelLists trusted;
+  std::vector<std::vector<Border>> borders;
+  /// All that a segment's borders weigh.
+  std::vector<double> ties;
+};
+
+SegmentGraph make_graph(const MatchInput& input, const ColourSegments& segments,
+                        const Raster<std::uint8_t>& trusted) {
+  SegmentGraph graph;
+  const auto count = static_cast<std::size_t>(segments.count);
+  graph.all.resize(count);
+  graph.trusted.resize(count);
+  std::map<std::pair<int, int>, double> borders;
+  const auto border = [&](int x, int y, int u, int v) {
+    const int a = segments.of_pixel(x, y);
+    const int b = segments.of_pixel(u, v);
+    if (a == b) return;
+    const Rgb8 p = input.left(x, y);
+    const Rgb8 q = input.left(u, v);
+    const double levels = (std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b)) / 3.0;
+    borders[std::minmax(a, b)] += kBorder * (0.2 + 0.8 * std::exp(-levels / kBorderLevels));
+  };
+  for (int y = 0; y < input.left.height(); ++y) {
+    for (int x = 0; x < input.left.width(); ++x) {
+      const auto segment = static_cast<std::size_t>(segments.of_pixel(x, y));
+      graph.all[segment].push_back({x, y});
+      if (trusted(x, y) != 0) graph.trusted[segment].push_back({x, y});
+      if (input.left.contains(x + 1, y)) border(x, y, x + 1, y);
+      if (input.left.contains(x, y + 1)) border(x, y, x, y + 1);
+    }
+  }
+  graph.borders.resize(count);
+  graph.ties.resize(count);
+  for (const auto& [pair, weight] : borders) {
+    const auto a = static_cast<std::size_t>(pair.first);
+    const auto b = static_cast<std::size_t>(pair.second);
+    graph.borders[a].push_back({b, weight});
+    graph.borders[b].push_back({a, weight});
+    graph.ties[a] += weight;
+    graph.ties[b] += weight;
+  }
+  return graph;
+}
+
+/// The matching cost at a disparity between whole ones; beyond the volume's ends twice the limit.
+double cost_at(const std::uint8_t* costs, int disparities, double d) {
+  const int last = disparities - 1;
+  if (d < -0.5 || d > last + 0.5) return static_cast<double>(kDataLimit) * 2.0;
+  const double inside = std::clamp(d, 0.0, static_cast<double>(last));
+  const int below = std::min(static_cast<int>(inside), last - 1);
+  const double t = inside - below;
+  return (1.0 - t) * costs[below] + t * costs[below + 1];
+}
+
+/// costs[segment * planes + plane]: C(S, P) = sum of c over the segment's pixels times e^(1 - s/n), where s
+/// of its n trusted pixels lie within a pixel of the plane. A sum that exceeds the least so far by so much
+/// that the plane can never be chosen is left where it is.
+std::vector<double> plane_costs(const MatchInput& input, const std::vector<std::uint8_t>& volume,
+                                const SegmentGraph& graph, const Raster<float>& disparity_px,
+                                const std::vector<SegmentPlane>& planes, const Work& work) {
+  std::vector<double> out(graph.all.size() * planes.size());
+  const auto disparities = static_cast<std::size_t>(input.disparities);
+  const auto width = static_cast<std::size_t>(input.left.width());
+  const auto cost_of = [&](std::size_t s, const SegmentPlane& plane, double most) {
+    double sum = 0.0;
+    for (const Pixel p : graph.all[s]) {
+      const std::size_t at = static_cast<std::size_t>(p.y) * width + static_cast<std::size_t>(p.x);
+      sum += cost_at(volume.data() + at * disparities, input.disparities, plane.at(p.x, p.y));
+      if (sum >= most) return sum;
+    }
+    int support = 0;
+    for (const Pixel p : graph.trusted[s])
+      support += std::abs(static_cast<double>(disparity_px(p.x, p.y)) - plane.at(p.x, p.y)) < 1.0 ? 1 : 0;
+    const auto n = std::max<std::size_t>(1, graph.trusted[s].size());
+    return sum * std::exp(1.0 - support / static_cast<double>(n));
+  };
+  parallel_for(work, static_cast<int>(graph.all.size()), 8, [&](int begin, int end) {
+    for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end) && !work.cancelled();
+         ++s) {
+      double least = std::numeric_limits<double>::max();
+      for (std::size_t k = 0; k < planes.size(); ++k) {
+        const double cost = cost_of(s, planes[k], least + 2.0 * graph.ties[s]);
+        out[s * planes.size() + k] = cost;
+        least = std::min(least, cost);
+      }
+    }
+  });
+  return out;
+}
+
+/// One expansion move: the cut among the segments that may take the plane `alpha`. One whose own plane costs
+/// less by more than all its borders weigh keeps it, whatever its neighbours do. Whether any has taken it.
+bool expand_plane(const SegmentGraph& graph, const std::vector<double>& costs, std::size_t planes,
+                  std::size_t alpha, std::vector<std::size_t>& plane_of) {
+  std::vector<int> place(plane_of.size(), -1);
+  std::vector<std::size_t> open;
+  for (std::size_t s = 0; s < plane_of.size(); ++s) {
+    const double now = costs[s * planes + plane_of[s]];
+    if (plane_of[s] == alpha || costs[s * planes + alpha] >= now + graph.ties[s]) continue;
+    place[s] = static_cast<int>(open.size());
+    open.push_back(s);
+  }
+  if (open.empty()) return false;
+  const auto count = static_cast<int>(open.size());
+  cv::detail::GCGraph<double> cut(static_cast<unsigned>(count + 2), static_cast<unsigned>(count * 4));
+  for (int i = 0; i < count + 2; ++i) cut.addVtx();
+  cut.addEdges(count, count + 1, 0.0, 0.0);  // OpenCV's graph must have an edge
+  for (const std::size_t s : open) {
+    const int i = place[s];
+    // With the source, a segment keeps its plane; with the sink, it takes alpha.
+    cut.addTermWeights(i, costs[s * planes + alpha], costs[s * planes + plane_of[s]]);
+    for (const auto [t, weight] : graph.borders[s]) {
+      const int j = place[t];
+      const double as_it_is = plane_of[s] == plane_of[t] ? 0.0 : weight;
+      if (j < 0) {
+        cut.addTermWeights(i, plane_of[t] == alpha ? 0.0 : weight, as_it_is);
+      } else if (i < j) {
+        cut.addTermWeights(i, weight, as_it_is);
+        cut.addTermWeights(j, 0.0, weight);
+        cut.addEdges(i, j, 2.0 * weight - as_it_is, 0.0);
+      }
+    }
+  }
+  cut.maxFlow();
+  bool changed = false;
+  for (const std::size_t s : open) {
+    if (cut.inSourceSegment(place[s])) continue;
+    plane_of[s] = alpha;
+    changed = true;
+  }
+  return changed;
+}
+
+/// Expansion moves over the segments (Boykov, Veksler & Zabih 2001) with a Potts term.
+void expand_planes(const SegmentGraph& graph, const std::vector<double>& costs, std::size_t planes,
+                   std::vector<std::size_t>& plane_of, const Work& work) {
+  constexpr int kRounds = 3;
+  bool changed = true;
+  for (int round = 0; round < kRounds && changed; ++round) {
+    changed = false;
+    for (std::size_t alpha = 0; alpha < planes && !work.cancelled(); ++alpha)
+      changed = expand_plane(graph, costs, planes, alpha, plane_of) || changed;
+  }
+}
+
+std::vector<std::size_t> cheapest_planes(const std::vector<double>& costs, std::size_t segments,
+                                         std::size_t planes) {
+  std::vector<std::size_t> out(segments);
+  for (std::size_t s = 0; s < segments; ++s) {
+    const auto first = costs.begin() + static_cast<std::ptrdiff_t>(s * planes);
+    out[s] = static_cast<std::size_t>(std::min_element(first, first + static_cast<std::ptrdiff_t>(planes)) -
+                                      first);
+  }
+  return out;
+}
+
+/// Every plane fitted again to the trusted pixels of all segments that chose it: neighbours that share a
+/// surface settle it together.
+std::vector<SegmentPlane> regrouped(const SegmentGraph& graph, const Raster<float>& disparity_px,
+                                    const std::vector<SegmentPlane>& planes,
+                                    const std::vector<std::size_t>& plane_of) {
+  PixelLists members(planes.size());
+  for (std::size_t s = 0; s < plane_of.size(); ++s) {
+    auto& of_plane = members[plane_of[s]];
+    of_plane.insert(of_plane.end(), graph.trusted[s].begin(), graph.trusted[s].end());
+  }
+  std::vector<SegmentPlane> out = planes;
+  for (std::size_t k = 0; k < planes.size(); ++k)
+    if (members[k].size() >= 40)
+      for (int i = 0; i < 3; ++i) out[k] = refitted(out[k], disparity_px, members[k], 1.5);
+  return out;
+}
+
+}  // namespace
+
+Result<SegmentPlanes> find_segment_planes(const MatchInput& input, const Work& work) {
+  constexpr std::size_t kLeastTrusted = 20;
+  constexpr int kTimes = 2;
+  const ScanlineMap map = scanline_map(input, work);
+  if (work.cancelled()) return Work::interrupted();
+  Result<ColourSegments> segments = segment_by_colour(input.left, SegmentOptions{});
+  if (!segments) return segments.error();
+  const SegmentGraph graph = make_graph(input, *segments, map.trusted);
+  const std::vector<std::uint8_t> volume = aggregated_costs(input, kWindow, kDataLimit, work);
+
+  std::vector<SegmentPlane> planes;
+  for (const auto& pixels : graph.trusted)
+    if (pixels.size() >= kLeastTrusted) planes.push_back(fit_plane(map.disparity_px, pixels));
+  if (planes.empty()) planes.push_back({});  // nothing to go by: all lies at infinity
+  planes = distinct(std::move(planes));
+
+  std::vector<std::size_t> plane_of;
+  for (int time = 0; time < kTimes; ++time) {
+    if (work.cancelled()) return Work::interrupted();
+    const std::vector<double> costs = plane_costs(input, volume, graph, map.disparity_px, planes, work);
+    if (work.cancelled()) return Work::interrupted();
+    plane_of = cheapest_planes(costs, graph.all.size(), planes.size());
+    expand_planes(graph, costs, planes.size(), plane_of, work);
+    planes = regrouped(graph, map.disparity_px, planes, plane_of);
+  }
+  if (work.cancelled()) return Work::interrupted();
+  return SegmentPlanes{std::move(*segments), std::move(planes), std::move(plane_of)};
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,162 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/methods/segments.hpp"
+
+#include "palpable/vision/image/median.hpp"
+#include "palpable/vision/stereo/methods/segment_planes.hpp"
+#include "palpable/vision/stereo/occlusion/left_right.hpp"
+#include "palpable/vision/stereo/planes/plane_search.hpp"
+#include "palpable/vision/stereo/planes/plane_votes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+// Hong & Chen 2004 as Gomez 2012 describes it (segment_planes), for each of the two pictures; then borders
+// are settled pixel by pixel (docs/stereo.md).
+namespace palpable::vision {
+namespace {
+
+/// All that is known of one view; the right one is kept mirrored, so that both are matched alike.
+struct View {
+  MatchInput input;
+  MatchView picture;
+  CostVolume costs;
+  SegmentPlanes surfaces;
+  PlaneMap map;
+};
+
+MatchInput seen_in_mirror(const MatchInput& input) {
+  return {mirrored(input.right),     mirrored(input.left), mirrored(input.right_grey),
+          mirrored(input.left_grey), input.disparities,    0};
+}
+
+/// The two views' planes, one view a thread: half of the work runs on one.
+Result<void> find_planes(std::array<View, 2>& views, const Work& work) {
+  std::array<Result<void>, 2> done;
+  Work each = work;
+  each.threads = std::max(1U, work.thread_count() / 2);
+  each.progress = {};
+  parallel_for(work, 2, 1, [&](int begin, int end) {
+    for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
+      Result<SegmentPlanes> found = find_segment_planes(views[k].input, each);
+      if (found)
+        views[k].surfaces = std::move(*found);
+      else
+        done[k] = found.error();
+    }
+  });
+  return done[0] ? done[1] : done[0];
+}
+
+/// Each pixel on the plane of its segment.
+PlaneMap map_of(const SegmentPlanes& surfaces) {
+  PlaneMap map(surfaces.segments.of_pixel.width(), surfaces.segments.of_pixel.height());
+  for (int y = 0; y < map.disparity.height(); ++y)
+    for (int x = 0; x < map.disparity.width(); ++x) {
+      const SegmentPlane& plane = surfaces.at(x, y);
+      map.disparity(x, y) = static_cast<float>(plane.at(x, y));
+      map.slope_x(x, y) = static_cast<float>(plane.slope_x);
+      map.slope_y(x, y) = static_cast<float>(plane.slope_y);
+    }
+  return map;
+}
+
+/// The planes that the segments around a pixel have, its own first.
+void propose_planes(const SegmentPlanes& surfaces, PlaneCandidates& out, const Work& work) {
+  constexpr std::array<std::array<int, 2>, PlaneCandidates::kCount> kAround{{{0, 0},
+                                                                             {-3, 0},
+                                                                             {3, 0},
+                                                                             {0, -3},
+                                                                             {0, 3},
+                                                                             {-3, -3},
+                                                                             {3, 3},
+                                                                             {-3, 3},
+                                                                             {3, -3},
+                                                                             {-8, 0},
+                                                                             {8, 0},
+                                                                             {0, -8},
+                                                                             {0, 8},
+                                                                             {-16, 0},
+                                                                             {16, 0},
+                                                                             {0, 16}}};
+  parallel_for(work, out.height, 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < out.width; ++x) {
+        std::size_t k = out.at(x, y);
+        for (const auto [dx, dy] : kAround) {
+          const SegmentPlane& plane =
+              surfaces.at(std::clamp(x + dx, 0, out.width - 1), std::clamp(y + dy, 0, out.height - 1));
+          out.disparity[k] = static_cast<float>(plane.at(x, y));
+          out.slope_x[k] = static_cast<float>(plane.slope_x);
+          out.slope_y[k] = static_cast<float>(plane.slope_y);
+          ++k;
+        }
+      }
+  });
+}
+
+/// The other view's disparities in its own frame; what it does not show before column `first` hides all
+/// behind it.
+Raster<float> seen_from_other(const View& other, int first) {
+  Raster<float> out = mirrored(other.map.disparity);
+  hide_before(first, out);
+  return out;
+}
+
+/// Colour segments end where the colour does, surfaces often beside it: each pixel chooses once more among
+/// the planes of the segments around it, knowing what the other picture shows.
+void settle_borders(std::array<View, 2>& views, int right_first, const Work& work) {
+  constexpr int kRounds = 3;
+  /// What it costs to leave one's segment, in units of the matching cost.
+  constexpr float kLeave = 0.2F;
+  const MatchInput& input = views[0].input;
+  const int w = input.left.width();
+  const int h = input.left.height();
+  {
+    CostVolume scratch(w, h, input.disparities);
+    for (View& view : views) {
+      view.picture = match_view(view.input.left, view.input.left_grey, work);
+      view.costs = CostVolume(w, h, input.disparities);
+      MatchView there = match_view(view.input.right, view.input.right_grey, work);
+      there.first = view.input.right_first;
+      pixel_costs(view.picture, there, view.costs, work);
+      average_over_crosses(view.picture.colour, view.costs, scratch, work);
+      view.map = map_of(view.surfaces);
+    }
+  }
+  PlaneCandidates candidates(w, h);
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t k = 0; k < views.size() && !work.cancelled(); ++k) {
+      View& view = views[k];
+      const Raster<float> seen = seen_from_other(views[1 - k], k == 0 ? right_first : 0);
+      propose_planes(view.surfaces, candidates, work);
+      plane_costs(view.costs, {&seen, 0.0F}, candidates, work);
+      for (std::size_t own = 0; own < candidates.cost.size(); own += PlaneCandidates::kCount)
+        candidates.cost[own] -= kLeave;
+      choose_planes(view.picture.colour, candidates, view.map, work);
+    }
+}
+
+}  // namespace
+
+Result<MatchOutput> match_segments(const MatchInput& input, const StereoOptions&, const Work& work) {
+  std::array<View, 2> views;
+  views[0].input = input;
+  views[1].input = seen_in_mirror(input);
+  work.report(0.05, "cutting the pictures into segments");
+  if (const Result<void> found = find_planes(views, work); !found) return found.error();
+  work.report(0.5, "settling borders");
+  settle_borders(views, input.right_first, work);
+  if (work.cancelled()) return Work::interrupted();
+  View& left = views[0];
+  const Raster<float> seen_right = seen_from_other(views[1], input.right_first);
+  carry_behind(left.picture.colour, seen_right, left.map, work);
+  Raster<float> disparity_px = settled(left.picture.colour, seen_right, left.map, work);
+  if (work.cancelled()) return Work::interrupted();
+  const auto last = static_cast<float>(input.disparities - 1);
+  for (float& d : disparity_px.values()) d = std::clamp(d, 0.0F, last);
+  return MatchOutput{median_3x3(disparity_px, work), {}};
+}
+
+}  // namespace palpable::vision

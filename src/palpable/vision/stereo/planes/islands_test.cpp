@@ -1,0 +1,58 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/planes/islands.hpp"
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+constexpr int kWidth = 120;
+constexpr int kHeight = 60;
+constexpr float kGround_px = 4.0F;
+constexpr float kIsland_px = 12.0F;
+
+bool on_island(int x, int y) { return x >= 60 && x < 70 && y >= 20 && y < 25; }
+
+/// Everything matches at the ground's disparity, but the pixels that `hidden` says; the island at its own
+/// too.
+template <class Hidden>
+CostVolume costs(const Hidden& hidden, bool island_on_ground) {
+  CostVolume out(kWidth, kHeight, 20);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      for (int d = 0; d < 20; ++d) {
+        const bool ground = d == 4 && !hidden(x, y) && (island_on_ground || !on_island(x, y));
+        const bool island = d == 12 && on_island(x, y);
+        out.at(x, y)[d] = static_cast<std::uint16_t>(ground || island ? 0 : kCostUnit);
+      }
+  return out;
+}
+
+PlaneMap map_with_island() {
+  PlaneMap map(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) map.disparity(x, y) = on_island(x, y) ? kIsland_px : kGround_px;
+  return map;
+}
+
+TEST(Islands, ThatWouldHideWhatBothCamerasSeeAreTakenBack) {
+  PlaneMap map = map_with_island();
+  PlaneMap start = map;
+  remove_feigned_islands(costs([](int, int) { return false; }, true), map, start);
+  for (const float d : map.disparity.values()) ASSERT_EQ(d, kGround_px);
+  for (const float d : start.disparity.values()) ASSERT_EQ(d, kGround_px);
+}
+
+TEST(Islands, ThatHideTheGroundBehindThemStay) {
+  PlaneMap map = map_with_island();
+  PlaneMap start = map;
+  const Raster<float> before = map.disparity;
+  const auto hidden = [](int x, int y) { return !on_island(x, y) && on_island(x + 8, y); };
+  remove_feigned_islands(costs(hidden, false), map, start);
+  EXPECT_EQ(map.disparity, before);
+  EXPECT_EQ(start.disparity, before);
+}
+
+}  // namespace
+}  // namespace palpable::vision

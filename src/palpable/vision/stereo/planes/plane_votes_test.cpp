@@ -1,0 +1,80 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/planes/plane_votes.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+constexpr int kWidth = 90;
+constexpr int kHeight = 40;
+/// A wall that comes nearer to the right, before it a board from this column on in the left view.
+constexpr int kBoard = 60;
+constexpr float kBoard_px = 30.0F;
+float wall_px(int x) { return 5.0F + 0.1F * static_cast<float>(x); }
+
+/// What the right camera sees: the board where it stands, else the wall.
+Raster<float> seen_from_right() {
+  Raster<float> out(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool board = static_cast<float>(x) >= static_cast<float>(kBoard) - kBoard_px;
+      // x_left = x + d and d = 5 + x_left / 10 give d = (5 + x / 10) / 0.9.
+      out(x, y) = board ? kBoard_px : (5.0F + 0.1F * static_cast<float>(x)) / 0.9F;
+    }
+  return out;
+}
+
+bool is_hidden(int x) {
+  return x < kBoard && static_cast<float>(x) - wall_px(x) >= static_cast<float>(kBoard) - kBoard_px;
+}
+
+ColourPlanes grey() {
+  const Raster<std::uint8_t> even(kWidth, kHeight, std::uint8_t{90});
+  return {even, even, even};
+}
+
+/// The truth, but with `hidden_px(x)` where the board hides the wall.
+template <class Hidden>
+PlaneMap map_with(const Hidden& hidden_px) {
+  PlaneMap map(kWidth, kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool wall = x < kBoard && !is_hidden(x);
+      map.disparity(x, y) = x >= kBoard ? kBoard_px : wall ? wall_px(x) : hidden_px(x);
+      map.slope_x(x, y) = wall ? 0.1F : 0.0F;
+    }
+  return map;
+}
+
+TEST(PlaneVotes, CarryTheWallOnBehindTheBoardThatHidesIt) {
+  // As the search leaves it: a slope between the wall and the board.
+  PlaneMap map = map_with([](int x) { return 11.0F + 0.5F * static_cast<float>(x - kBoard + 18); });
+  carry_behind(grey(), seen_from_right(), map, {});
+  int hidden = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      hidden += is_hidden(x);
+      EXPECT_NEAR(map.disparity(x, y), x < kBoard ? wall_px(x) : kBoard_px, 0.01F) << x << ", " << y;
+    }
+  EXPECT_EQ(hidden, 21 * kHeight);
+}
+
+TEST(PlaneVotes, SettleWhatStandsBeforeWhatTheOtherViewSees) {
+  PlaneMap map = map_with(wall_px);
+  map.disparity(20, 20) = 14.0F;
+  EXPECT_NEAR(settled(grey(), seen_from_right(), map, {})(20, 20), wall_px(20), 0.01F);
+}
+
+TEST(PlaneVotes, LeaveAloneWhatIsHiddenOrAgreed) {
+  const PlaneMap map = map_with([](int x) { return wall_px(x) - 3.0F; });
+  const Raster<float> after = settled(grey(), seen_from_right(), map, {});
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 20; x < kWidth; ++x) EXPECT_EQ(after(x, y), map.disparity(x, y)) << x << ", " << y;
+}
+
+}  // namespace
+}  // namespace palpable::vision

@@ -1,0 +1,113 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/planes/planes.hpp"
+
+#include "palpable/core/vectorize.hpp"
+#include "palpable/vision/stereo/planes/surface_window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace palpable::vision {
+namespace {
+
+constexpr float kLeastWeight = 3.0F;
+/// Added to the variances, in square pixels: a slope needs a base to stand on.
+constexpr float kRidge_px2 = 0.05F;
+constexpr float kSteepest = 1.5F;
+/// A surface that falls off faster to the right is hidden from the other camera.
+constexpr float kSteepestRise = 0.9F;
+
+/// The weighted sums of the normal equations.
+using Sums = RowSums<9>;
+
+PALPABLE_VECTORIZE
+void add_to_sums(const float* __restrict weight, const float* __restrict rise, Offset offset, int count,
+                 float* __restrict w, float* __restrict x1, float* __restrict y1, float* __restrict xx,
+                 float* __restrict xy, float* __restrict yy, float* __restrict z1, float* __restrict xz,
+                 float* __restrict yz) {
+  const auto dx = static_cast<float>(offset.x);
+  const auto dy = static_cast<float>(offset.y);
+  for (int x = 0; x < count; ++x) {
+    const float v = weight[x];
+    const float vx = v * dx;
+    const float vy = v * dy;
+    const float vz = v * rise[x];
+    w[x] += v;
+    x1[x] += vx;
+    y1[x] += vy;
+    xx[x] += vx * dx;
+    xy[x] += vx * dy;
+    yy[x] += vy * dy;
+    z1[x] += vz;
+    xz[x] += vz * dx;
+    yz[x] += vz * dy;
+  }
+}
+
+void solve(const Sums& sums, const PlaneMap& map, int y, PlaneMap& out) {
+  for (int x = 0; x < map.disparity.width(); ++x) {
+    const auto i = static_cast<std::size_t>(x);
+    const float weight = sums.of[0][i];
+    out.disparity(x, y) = map.disparity(x, y);
+    out.slope_x(x, y) = map.slope_x(x, y);
+    out.slope_y(x, y) = map.slope_y(x, y);
+    if (weight <= kLeastWeight) continue;
+    const float mx = sums.of[1][i] / weight;
+    const float my = sums.of[2][i] / weight;
+    const float mz = sums.of[6][i] / weight;
+    const float xx = sums.of[3][i] / weight - mx * mx + kRidge_px2;
+    const float xy = sums.of[4][i] / weight - mx * my;
+    const float yy = sums.of[5][i] / weight - my * my + kRidge_px2;
+    const float xz = sums.of[7][i] / weight - mx * mz;
+    const float yz = sums.of[8][i] / weight - my * mz;
+    const float determinant = xx * yy - xy * xy;
+    if (!(determinant > 0.0F)) continue;
+    const float sx = std::clamp((yy * xz - xy * yz) / determinant, -kSteepest, kSteepestRise);
+    const float sy = std::clamp((xx * yz - xy * xz) / determinant, -kSteepest, kSteepest);
+    out.slope_x(x, y) = sx;
+    out.slope_y(x, y) = sy;
+    out.disparity(x, y) += mz - sx * mx - sy * my;
+  }
+}
+
+}  // namespace
+
+PlaneMap planes_across(const PlaneMap& map, const Work& work) {
+  const int w = map.disparity.width();
+  PlaneMap out(w, map.disparity.height());
+  std::fill(out.disparity.values().begin(), out.disparity.values().end(), NAN);
+  parallel_for(work, map.disparity.height(), 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < w; ++x) {
+        const float d = map.disparity(x, y);
+        const float place = static_cast<float>(w - 1 - x) + d;
+        const int there = static_cast<int>(std::floor(place + 0.5F));
+        if (there < 0 || there >= w || out.disparity(there, y) > d) continue;
+        // d as a function of its place: by d' / (1 - d') and mirrored along a row.
+        const float stretch = 1.0F / (1.0F - std::min(map.slope_x(x, y), kSteepestRise));
+        const float sx = std::clamp(-map.slope_x(x, y) * stretch, -kSteepest, kSteepestRise);
+        out.slope_x(there, y) = sx;
+        out.slope_y(there, y) = std::clamp(map.slope_y(x, y) * stretch, -kSteepest, kSteepest);
+        out.disparity(there, y) = d + sx * (static_cast<float>(there) - place);
+      }
+  });
+  return out;
+}
+
+PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
+                    FitWindow window, const Work& work) {
+  PlaneMap out(colour.width(), colour.height());
+  sum_over_surfaces<9>(
+      colour, map, weight, window, work,
+      [](Place first, Offset offset, int count, const float* weights, const float* rises, Sums& sums) {
+        const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
+        add_to_sums(weights, rises, offset, count, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6),
+                    sum(7), sum(8));
+      },
+      [&](const Sums& sums, int y) { solve(sums, map, y, out); });
+  return out;
+}
+
+}  // namespace palpable::vision

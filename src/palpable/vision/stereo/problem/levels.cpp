@@ -1,0 +1,138 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/problem/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::vision {
+namespace {
+
+constexpr std::size_t kLast = kQuantiles - 1;
+constexpr std::size_t kMiddle = kQuantiles / 2;
+/// A picture that has so many of its pixels at one end of its levels is clipped there.
+constexpr std::size_t kClipped = 3;
+
+/// How many of the quantiles, less the extreme one itself, lie at the brightest level; and at the darkest.
+std::size_t at_the_top(const Quantiles& q) {
+  return static_cast<std::size_t>(std::count(q.begin(), q.end(), q[kLast])) - 1;
+}
+std::size_t at_the_bottom(const Quantiles& q) {
+  return static_cast<std::size_t>(std::count(q.begin(), q.end(), q[0])) - 1;
+}
+
+/// The quantiles of `level(pixel)` over pixels strewn evenly: every pixel adds nothing to 256 quantiles.
+template <class Level>
+Quantiles quantiles_over(const Image& image, const Level& level) {
+  constexpr std::size_t kEnough = 8192;
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::size_t pixels = width * static_cast<std::size_t>(image.height);
+  std::size_t step = std::max<std::size_t>(1, pixels / kEnough);
+  // A step that shares no factor with the width meets every column.
+  while (std::gcd(step, width) != 1) ++step;
+  std::vector<float> values;
+  values.reserve(pixels / step + 1);
+  for (std::size_t i = 0; i < pixels; i += step) {
+    const float v = level(image.samples.data() + i * static_cast<std::size_t>(image.channels));
+    if (std::isfinite(v)) values.push_back(v);
+  }
+  Quantiles out{};
+  if (values.empty()) return out;
+  std::sort(values.begin(), values.end());
+  for (std::size_t q = 0; q < kQuantiles; ++q) out[q] = values[(values.size() - 1) * q / kLast];
+  return out;
+}
+
+Quantiles channel_quantiles(const Image& image, int channel) {
+  return quantiles_over(image, [channel](const float* pixel) { return pixel[channel]; });
+}
+
+/// The middle of the histograms only: their ends move with what only one of the cameras sees.
+constexpr std::size_t kInnerFirst = 26, kInnerLast = 230;
+
+double mean_difference(const Quantiles& left, const Quantiles& right) {
+  double sum = 0.0;
+  for (std::size_t q = kInnerFirst; q <= kInnerLast; ++q)
+    sum += static_cast<double>(std::abs(left[q] - right[q]));
+  return sum / static_cast<double>(kInnerLast - kInnerFirst + 1);
+}
+
+}  // namespace
+
+Quantiles luma_quantiles(const Image& image) {
+  const int g = image.channels >= 3 ? 1 : 0, b = image.channels >= 3 ? 2 : 0;
+  return quantiles_over(image, [g, b](const float* pixel) {
+    return 0.299F * pixel[0] + 0.587F * pixel[g] + 0.114F * pixel[b];
+  });
+}
+
+LevelCurve::LevelCurve(const Quantiles& from, const Quantiles& to) : identity_(false), from_(from), to_(to) {
+  if (at_the_top(from) >= kClipped + at_the_top(to)) most_ = to[kLast - at_the_top(from)];
+  if (at_the_bottom(from) >= kClipped + at_the_bottom(to)) least_ = to[at_the_bottom(from)];
+}
+
+float LevelCurve::operator()(float level) const {
+  if (identity_) return level;
+  // Beyond its ends the curve goes on in parallel.
+  if (level < from_.front()) return clip(to_.front() + (level - from_.front()));
+  if (level > from_.back()) return clip(to_.back() + (level - from_.back()));
+  const auto [first, past] = std::equal_range(from_.begin(), from_.end(), level);
+  const auto i = static_cast<std::size_t>(first - from_.begin()),
+             j = static_cast<std::size_t>(past - from_.begin());
+  // A level that many pixels share becomes the middle of theirs.
+  if (i < j) return clip(to_[(i + j - 1) / 2]);
+  const float t = (level - from_[i - 1]) / (from_[i] - from_[i - 1]);
+  return clip(to_[i - 1] + t * (to_[i] - to_[i - 1]));
+}
+
+Levelling levelling_of(const Image& left, const Image& right) {
+  constexpr double kDiffers = 0.08;
+  Levelling out;
+  const int colours = std::min(left.channels, right.channels) >= 3 ? 3 : 1;
+  std::array<Quantiles, 3> of_left{}, of_right{};
+  double difference = 0.0, used = 0.0, middle_left = 0.0, middle_right = 0.0;
+  for (int c = 0; c < colours; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    of_left[i] = channel_quantiles(left, c);
+    of_right[i] = channel_quantiles(right, c);
+    difference += mean_difference(of_left[i], of_right[i]);
+    used += static_cast<double>(std::max(of_left[i][kInnerLast] - of_left[i][kInnerFirst],
+                                         of_right[i][kInnerLast] - of_right[i][kInnerFirst]));
+    middle_left += static_cast<double>(of_left[i][kMiddle]);
+    middle_right += static_cast<double>(of_right[i][kMiddle]);
+    out.exposure.left_clipped =
+        std::max(out.exposure.left_clipped, static_cast<double>(at_the_top(of_left[i])) / kLast);
+    out.exposure.right_clipped =
+        std::max(out.exposure.right_clipped, static_cast<double>(at_the_top(of_right[i])) / kLast);
+  }
+  out.exposure.brightness_ratio = middle_left > 0.0 ? middle_right / middle_left : 1.0;
+  out.exposure.differs = difference > kDiffers * used;
+  if (!out.exposure.differs) return out;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::size_t i = std::min<std::size_t>(c, static_cast<std::size_t>(colours) - 1);
+    out.curves[c] = LevelCurve(of_right[i], of_left[i]);
+  }
+  return out;
+}
+
+std::string sentence_of(const Exposure& exposure) {
+  constexpr double kWorthSaying = 0.02;
+  const double clipped = std::max(exposure.left_clipped, exposure.right_clipped);
+  const std::string lost =
+      clipped < kWorthSaying
+          ? ""
+          : fmt::format(
+                " {:.0f} % of the {} one is burnt out, where no depth can be seen: expose both alike.",
+                100.0 * clipped, exposure.right_clipped >= exposure.left_clipped ? "right" : "left");
+  return fmt::format(
+      "The pictures were exposed differently: the right one is {:.2f} times as bright as the left one, and "
+      "its "
+      "levels were matched to the left one's.{}",
+      exposure.brightness_ratio, lost);
+}
+
+}  // namespace palpable::vision

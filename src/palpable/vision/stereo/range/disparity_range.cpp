@@ -1,0 +1,173 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/range/disparity_range.hpp"
+
+#include "palpable/core/vectorize.hpp"
+#include "palpable/vision/image/census.hpp"
+#include "palpable/vision/stereo/cost/least_cost.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace palpable::vision {
+namespace {
+
+constexpr int kCoarseWidth = 224;
+constexpr int kHalfX = kCensusHalfX;
+constexpr int kHalfY = kCensusHalfY;
+constexpr int kNoMatch = std::numeric_limits<int>::min();
+
+PALPABLE_VECTORIZE void distances(const std::uint64_t* __restrict right, std::uint64_t left, int count,
+                                  std::uint16_t* __restrict out) {
+  for (int i = 0; i < count; ++i) out[i] = static_cast<std::uint16_t>(std::popcount(left ^ right[i]));
+}
+
+/// For a row: the best column in the other row for each textured column, or -1 where it is not unique; and
+/// the best column here for each one there.
+struct RowMatches {
+  std::vector<int> forth;
+  std::vector<std::uint8_t> textured;  // columns here that can be found again at all
+  std::vector<std::uint16_t> back, back_cost, distance;
+
+  explicit RowMatches(int width)
+      : forth(static_cast<std::size_t>(width)),
+        textured(forth.size()),
+        back(forth.size()),
+        back_cost(forth.size()),
+        distance(forth.size()) {}
+};
+
+void match_row(const Raster<std::uint64_t>& left, const Raster<std::uint64_t>& right, int y,
+               RowMatches& row) {
+  // Of the 62 bits; the next best elsewhere must differ by so many more.
+  constexpr int kUnique = 3;
+  constexpr std::uint16_t kUnlike = 64;
+  constexpr std::uint16_t kNowhere = 65535;
+  const int count = left.width() - 2 * kHalfX;
+  std::fill(row.forth.begin(), row.forth.end(), -1);
+  std::fill(row.back.begin(), row.back.end(), kNowhere);
+  std::fill(row.back_cost.begin(), row.back_cost.end(), kUnlike);
+  for (int x = kHalfX; x < kHalfX + count; ++x) {
+    if (row.textured[static_cast<std::size_t>(x)] == 0) continue;
+    distances(right.row(y).data() + kHalfX, left(x, y), count, row.distance.data());
+    keep_least(row.distance.data(), static_cast<std::uint16_t>(x), count, row.back_cost.data() + kHalfX,
+               row.back.data() + kHalfX);
+    const LeastCost least = least_cost(row.distance.data(), count);
+    if (least.elsewhere >= least.cost + kUnique) row.forth[static_cast<std::size_t>(x)] = kHalfX + least.at;
+  }
+}
+
+/// The bins of the histogram (bin d + width holds coarse disparity d) that stand out from chance.
+struct Standing {
+  int low = 0;
+  int high = 0;
+  double matches = 0.0;
+};
+
+/// The range grows from the histogram's peak: over bins that follow closely on a small share of the matches,
+/// over a gap only to a larger share, and to disparities behind infinity (which real pairs rarely have, but
+/// repeated patterns feign) only on a large one.
+std::optional<Standing> standing_out(const std::vector<int>& histogram, int width) {
+  constexpr double kShareClose = 0.001;
+  constexpr double kShareApart = 0.003;
+  constexpr double kShareBehind = 0.03;
+  constexpr int kGap = 6;
+  const auto three = [&](int d) {
+    double sum = 0.0;
+    for (int k = std::max(-width, d - 1); k <= std::min(width, d + 1); ++k)
+      sum += histogram[static_cast<std::size_t>(k + width)];
+    return sum;
+  };
+  const double all = std::accumulate(histogram.begin(), histogram.end(), 0.0);
+  const int peak =
+      static_cast<int>(std::max_element(histogram.begin(), histogram.end()) - histogram.begin()) - width;
+  if (three(peak) < 10.0) return std::nullopt;
+  Standing found{peak, peak, 0.0};
+  const bool peak_in_front = peak >= 0;
+  const auto grow = [&](int& end, int direction) {
+    for (int d = peak; std::abs(d) <= 3 * width / 4; d += direction) {
+      const bool other_side = peak_in_front ? d < -1 : d > 1;
+      const double share = other_side ? kShareBehind : std::abs(d - end) > kGap ? kShareApart : kShareClose;
+      if (histogram[static_cast<std::size_t>(d + width)] > 0 && three(d) >= std::max(5.0, share * all))
+        end = d;
+    }
+  };
+  grow(found.low, -1);
+  grow(found.high, +1);
+  for (int d = found.low; d <= found.high; ++d)
+    found.matches += histogram[static_cast<std::size_t>(d + width)];
+  return found;
+}
+
+/// Keeps of a row's matches those that a neighbour along the row or in the rows beside it confirms within one
+/// pixel.
+bool confirmed(const Raster<int>& matches, int x, int y) {
+  const int d = matches(x, y);
+  int friends = 0;
+  for (int v = std::max(0, y - 1); v <= std::min(matches.height() - 1, y + 1); ++v)
+    for (int u = std::max(0, x - 2); u <= std::min(matches.width() - 1, x + 2); ++u)
+      if (matches(u, v) != kNoMatch && std::abs(matches(u, v) - d) <= 1) ++friends;
+  return friends >= 5;  // itself among them
+}
+
+}  // namespace
+
+DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
+                                    const Work& work) {
+  const int factor = std::max(1, (left.width() + kCoarseWidth / 2) / kCoarseWidth);
+  const Raster<std::uint8_t> small = shrunk(left, factor);
+  const Raster<std::uint64_t> l = census_9x7(small, work);
+  const Raster<std::uint64_t> r = census_9x7(shrunk(right, factor), work);
+  const int width = l.width();
+  const int height = l.height();
+  DisparityRange range{0, std::max(1, left.width() / 8), 0.0, 0.0};
+  if (width <= 2 * kHalfX + 2 || height <= 2 * kHalfY) return range;
+
+  // So many rows tell enough of a taller picture.
+  constexpr int kRows = 64;
+  const int step = std::max(1, (height - 2 * kHalfY) / kRows);
+  const int rows = (height - 2 * kHalfY + step - 1) / step;
+  Raster<int> matches(width, rows, kNoMatch);
+  std::vector<int> textured(static_cast<std::size_t>(rows));
+  parallel_for(work, rows, 8, [&](int begin, int end) {
+    RowMatches row(width);
+    for (int i = begin; i < end; ++i) {
+      if (work.cancelled()) return;
+      const int y = kHalfY + step * i;
+      for (int x = 0; x < width; ++x)
+        textured[static_cast<std::size_t>(i)] += row.textured[static_cast<std::size_t>(x)] =
+            has_texture(small, x, y) ? 1 : 0;
+      match_row(l, r, y, row);
+      for (int x = kHalfX; x < width - kHalfX; ++x) {
+        const int to = row.forth[static_cast<std::size_t>(x)];
+        if (to >= 0 && std::abs(row.back[static_cast<std::size_t>(to)] - x) <= 1) matches(x, i) = x - to;
+      }
+    }
+  });
+  std::vector<int> histogram(static_cast<std::size_t>(2 * width + 1));
+  const int all_textured = std::accumulate(textured.begin(), textured.end(), 0);
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < width; ++x)
+      if (matches(x, y) != kNoMatch && confirmed(matches, x, y))
+        ++histogram[static_cast<std::size_t>(matches(x, y) + width)];
+  range.textured = static_cast<double>(all_textured) / (static_cast<double>(width) * rows);
+  const std::optional<Standing> standing = standing_out(histogram, width);
+  if (!standing) return range;
+  range.agreement = standing->matches / std::max(1, all_textured);
+  // A margin for what the small copy could not resolve, and for surfaces too plain to be matched there.
+  const int spread = standing->high - standing->low;
+  const int low = (standing->low - 1) * factor - factor / 2 - spread * factor / 4;
+  const bool all_in_front = standing->low >= -1;
+  range.min_px = all_in_front ? std::max(0, low) : low;
+  range.max_px = (standing->high + 1) * factor + factor / 2 + spread * factor / 16;
+  range.max_px = std::clamp(range.max_px, range.min_px + 1, left.width() - 1);
+  range.min_px = std::max(range.min_px, 1 - left.width());
+  return range;
+}
+
+}  // namespace palpable::vision

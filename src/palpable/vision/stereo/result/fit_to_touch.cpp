@@ -1,0 +1,189 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/result/fit_to_touch.hpp"
+
+#include "palpable/core/check.hpp"
+#include "palpable/vision/image/census.hpp"
+#include "palpable/vision/image/colour_planes.hpp"
+#include "palpable/vision/stereo/occlusion/left_right.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
+#include "palpable/vision/stereo/range/pair_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::vision {
+namespace {
+
+bool textured_at(const Raster<std::uint8_t>& grey, int x, int y) {
+  const int last_x = std::max(kCensusHalfX, grey.width() - 1 - kCensusHalfX),
+            last_y = std::max(kCensusHalfY, grey.height() - 1 - kCensusHalfY);
+  return has_texture(grey, std::clamp(x, kCensusHalfX, last_x), std::clamp(y, kCensusHalfY, last_y));
+}
+
+/// The left picture, and a small copy: a plain spot between patterns is matched by them, a plain wall is not.
+struct Sizes {
+  static constexpr int kFactor = 4;
+  Raster<std::uint8_t> fine;
+  Raster<std::uint8_t> coarse;
+};
+
+/// Whether what looks like texture is one, or a camera's grain, which no two pictures share.
+enum class Texture { real, grain };
+
+Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confidence) {
+  // Where most is confirmed, fine texture is no grain.
+  constexpr double kMost = 0.6;
+  const auto sure =
+      std::count_if(confidence.values().begin(), confidence.values().end(), [](float c) { return c > 0.0F; });
+  const bool confirmed = static_cast<double>(sure) > kMost * static_cast<double>(confidence.count());
+  return !confirmed && contrast_beyond_grain(grey) < kOnlyGrain ? Texture::grain : Texture::real;
+}
+
+Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const StereoMatch& match) {
+  const float d = match.disparity.disparity_px(x, y);
+  const double there = x - static_cast<double>(d);
+  if (!std::isfinite(d) || there < -0.5 || there > grey.fine.width() - 0.5) return Trouble::out_of_view;
+  // Filled from its surroundings a plain surface is often right, but nothing says so.
+  const bool plain =
+      !textured_at(grey.fine, x, y) && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor);
+  if (plain || texture == Texture::grain) return Trouble::plain;
+  return match.confidence(x, y) > 0.0F ? Trouble::none : Trouble::contradicted;
+}
+
+double share_of(const Raster<std::uint8_t>& trouble, Trouble which) {
+  const auto n =
+      std::count(trouble.values().begin(), trouble.values().end(), static_cast<std::uint8_t>(which));
+  return static_cast<double>(n) / static_cast<double>(trouble.count());
+}
+
+/// Of one ninth of the picture, how much of it each trouble takes.
+struct Place {
+  std::string name;
+  std::array<double, 4> shares{};
+  double wrong() const { return 1.0 - shares[0]; }
+};
+
+Place place_in(const Raster<std::uint8_t>& trouble, int column, int row) {
+  static constexpr std::array<const char*, 9> kNames{
+      "at the upper left", "at the top",        "at the upper right", "on the left",       "in the middle",
+      "on the right",      "at the lower left", "at the bottom",      "at the lower right"};
+  Place place{kNames[static_cast<std::size_t>(3 * row + column)], {}};
+  const int x0 = trouble.width() * column / 3, x1 = trouble.width() * (column + 1) / 3;
+  const int y0 = trouble.height() * row / 3, y1 = trouble.height() * (row + 1) / 3;
+  const double each = 1.0 / (static_cast<double>(x1 - x0) * (y1 - y0));
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) place.shares[trouble(x, y)] += each;
+  return place;
+}
+
+Place worst_place(const Raster<std::uint8_t>& trouble) {
+  Place worst = place_in(trouble, 0, 0);
+  for (int i = 1; i < 9; ++i) {
+    Place here = place_in(trouble, i % 3, i / 3);
+    if (here.wrong() > worst.wrong()) worst = std::move(here);
+  }
+  return worst;
+}
+
+/// The trouble that takes most of a place, and what a person can do about it.
+struct Advice {
+  const char* why;
+  const char* what;
+};
+
+Advice advice_for(const Place& place, const FitToTouch& fit) {
+  constexpr double kDark = 0.2;
+  const auto most = std::max_element(place.shares.begin() + 1, place.shares.end()) - place.shares.begin();
+  switch (static_cast<Trouble>(most)) {
+    case Trouble::out_of_view:
+      return {"only one picture shows it",
+              "let the two pictures overlap more: move the cameras closer together, or step back"};
+    case Trouble::plain:
+      if (fit.brightness < kDark) return {"it is too dark to show any surface", "give it more light"};
+      return {"there is no texture to go by", "light it from the side, or lay something patterned there"};
+    default:
+      if (fit.brightness < kDark)
+        return {"the two pictures contradict each other in the dark", "give it more light"};
+      return {"the two pictures contradict each other",
+              "see that nothing moves or shines there, and that near things stay one arm's length away"};
+  }
+}
+
+/// As seen in a mirror.
+Image mirror_image(const Image& image) {
+  Image out = image;
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      std::copy_n(image.pixel(image.width - 1 - x, y), channels,
+                  out.samples.begin() + (image.pixel(x, y) - image.samples.data()));
+  return out;
+}
+
+}  // namespace
+
+Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
+                                    const Work& work) {
+  auto forth = match(pair, method, options, work);
+  if (!forth || method == StereoMethod::fast) return forth;
+  auto back = match({mirror_image(pair.right), mirror_image(pair.left), {}}, method, options, work);
+  if (!back) return back;
+  forth->confidence = agreement(forth->disparity.disparity_px, mirrored(back->disparity.disparity_px));
+  return forth;
+}
+
+FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work) {
+  PALPABLE_CHECK(!match.confidence.empty());
+  MatchInput input = prepare_pictures(pair, work);
+  Sizes sizes;
+  sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
+  const Texture texture = texture_of(input.left_grey, match.confidence);
+  sizes.fine = std::move(input.left_grey);
+  FitToTouch fit;
+  fit.trouble = Raster<std::uint8_t>(pair.left.width, pair.left.height);
+  for (int y = 0; y < fit.trouble.height(); ++y)
+    for (int x = 0; x < fit.trouble.width(); ++x)
+      fit.trouble(x, y) = static_cast<std::uint8_t>(trouble_at(x, y, sizes, texture, match));
+  const double good = share_of(fit.trouble, Trouble::none),
+               contradicted = share_of(fit.trouble, Trouble::contradicted);
+  fit.coverage = good;
+  fit.textured = 1.0 - share_of(fit.trouble, Trouble::plain);
+  fit.overlap = 1.0 - share_of(fit.trouble, Trouble::out_of_view);
+  fit.agreement = good + contradicted > 0.0 ? good / (good + contradicted) : 0.0;
+  const Raster<float>& d = match.disparity.disparity_px;
+  fit.depth_range_px = static_cast<double>(quantile_where(d, match.confidence, 0.95) -
+                                           quantile_where(d, match.confidence, 0.05));
+  Raster<float> luma = grey(pair.left);
+  const auto middle = luma.values().begin() + static_cast<std::ptrdiff_t>(luma.count() / 2);
+  std::nth_element(luma.values().begin(), middle, luma.values().end());
+  fit.brightness = static_cast<double>(*middle);
+  return fit;
+}
+
+std::string sentence_of(const FitToTouch& fit) {
+  constexpr double kFit = 0.75, kPerhaps = 0.5, kWrongPlace = 0.35, kFlat_px = 3.0;
+  const char* verdict = fit.agreement >= kFit && fit.coverage >= kPerhaps ? "This pair is fit to touch"
+                        : fit.agreement >= kPerhaps ? "This pair can be touched, with doubt"
+                                                    : "This pair is hardly fit to touch";
+  const std::string figures =
+      fmt::format("the pictures confirm each other on {:.0f} % of what both show, {:.0f} % of the whole",
+                  100.0 * fit.agreement, 100.0 * fit.coverage);
+  if (fit.depth_range_px < kFlat_px && fit.agreement >= kPerhaps)
+    return fmt::format(
+        "{}: {}; but near and far differ by only {:.1f} pixels, so it will feel flat: go nearer, or move the "
+        "cameras farther apart.",
+        verdict, figures, fit.depth_range_px);
+  const Place worst = worst_place(fit.trouble);
+  if (worst.wrong() < kWrongPlace) return fmt::format("{}: {}.", verdict, figures);
+  const Advice advice = advice_for(worst, fit);
+  return fmt::format("{}: {}; it will feel wrong {}, where {} ({:.0f} % of that place): {}.", verdict,
+                     figures, worst.name, advice.why, 100.0 * worst.wrong(), advice.what);
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,63 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/result/fit_to_touch.hpp"
+
+#include "palpable/vision/stereo/problem/synthetic_pair.hpp"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+using ::testing::HasSubstr;
+
+FitToTouch judged(const StereoPair& pair) {
+  const auto match = vision::match(pair, StereoMethod::fast, {}, Work{});
+  EXPECT_TRUE(match);
+  return fit_to_touch(pair, *match, Work{});
+}
+
+SyntheticScene scene() {
+  SyntheticScene out;
+  out.width = 240;
+  out.height = 180;
+  out.box_left = 90;
+  out.box_right = 150;
+  out.box_top = 60;
+  out.box_bottom = 120;
+  return out;
+}
+
+TEST(FitToTouch, SaysThatAGoodPairIsFit) {
+  const FitToTouch fit = judged(render(scene()));
+  EXPECT_GT(fit.agreement, 0.8);
+  EXPECT_GT(fit.coverage, 0.7);
+  EXPECT_THAT(sentence_of(fit), HasSubstr("is fit to touch"));
+}
+
+TEST(FitToTouch, SaysWhereThereIsNoTexture) {
+  StereoPair pair = render(scene());
+  for (Image* picture : {&pair.left, &pair.right})
+    for (int y = 120; y < picture->height; ++y)
+      for (int x = 0; x < picture->width; ++x)
+        for (int c = 0; c < picture->channels; ++c)
+          picture->samples[static_cast<std::size_t>((y * picture->width + x) * picture->channels + c)] = 0.5F;
+  const FitToTouch fit = judged(pair);
+  EXPECT_LT(fit.textured, 0.8);
+  EXPECT_THAT(sentence_of(fit), HasSubstr("no texture"));
+  EXPECT_THAT(sentence_of(fit), HasSubstr("at the bottom"));
+}
+
+TEST(FitToTouch, SaysThatUnrelatedPicturesAreNot) {
+  StereoPair pair = render(scene());
+  std::reverse(pair.right.samples.begin(), pair.right.samples.end());
+  const FitToTouch fit = judged(pair);
+  EXPECT_LT(fit.agreement, 0.5);
+  EXPECT_THAT(sentence_of(fit), HasSubstr("hardly fit"));
+}
+
+}  // namespace
+}  // namespace palpable::vision
