@@ -1,0 +1,9 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Figures for reading: how they are written, and how often they are renewed.
+
+/** Milliseconds between two updates of figures: ten a second can be read, and leave the machine to the servo. */
+export const figuresEvery = 100;
+
+/** Metres as millimetres with one digit after the point. */
+export const millimetreFigure = (metres: number) => (metres * 1000).toFixed(1).replace(/^-0\.0$/, '0.0');

@@ -1,0 +1,54 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { describe, expect, it } from 'vitest';
+import { coarseStep, fineStep, keyRows, press, type KeyTarget } from './keys';
+
+describe('keys', () => {
+  const calls: string[] = [];
+  const target: KeyTarget = {
+    move: ({ x, y, press: depth }) => calls.push(`move ${x} ${y} ${depth}`),
+    describe: () => calls.push('describe'),
+    where: () => calls.push('where'),
+    recentre: () => calls.push('recentre'),
+    walk: ({ ahead, left }) => calls.push(`walk ${ahead} ${left}`),
+    stance: () => calls.push('stance'),
+    choose: (probe) => calls.push(`choose ${probe}`),
+    take: () => calls.push('take'),
+    tellProbes: () => calls.push('tell probes'),
+    pause: () => calls.push('pause'),
+    mute: () => calls.push('mute'),
+    help: () => calls.push('help'),
+  };
+  const type = (key: string, shiftKey = false, ctrlKey = false) => press({ key, shiftKey, ctrlKey, altKey: false, metaKey: false }, target);
+  it('move by one millimetre, with Shift by five', () => {
+    calls.length = 0;
+    type('ArrowUp');
+    type('ArrowLeft', true);
+    expect(calls).toEqual([`move 0 ${fineStep} 0`, `move ${-coarseStep} 0 0`]);
+  });
+  it('walk and turn, farther with Shift', () => {
+    calls.length = 0;
+    type('w');
+    type('S', true);
+    type('a');
+    type('F', true);
+    type('e');
+    expect(calls).toEqual(['walk 0.005 0', 'walk -0.02 0', 'walk 0 15', 'walk 0 -45', 'stance']);
+  });
+  it('choose the probe of their number, the tenth by 0', () => {
+    calls.length = 0;
+    for (const key of ['1', '9', '0', 'Delete', 'n']) type(key);
+    expect(calls).toEqual(['choose 0', 'choose 8', 'choose 9', 'take', 'tell probes']);
+  });
+  it('leave the browser its own', () => {
+    calls.length = 0;
+    expect(type('d', false, true)).toBe(false);
+    expect(type('Tab')).toBe(false);
+    expect(type('D', true)).toBe(true);
+    expect(calls).toEqual(['describe']);
+  });
+  it('stand for one thing each', () => {
+    const all = keyRows.flatMap(({ keys }) => keys);
+    expect(new Set(all).size).toBe(all.length);
+  });
+});

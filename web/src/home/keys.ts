@@ -1,0 +1,111 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What each key does on the relief: the one table for the page and for its help.
+
+import { pace, turnBy } from '../probe/explorer';
+
+export interface Move {
+  /** Metres. */
+  x: number;
+  y: number;
+  /** Deeper (positive) or higher, metres. */
+  press: number;
+}
+
+export interface KeyTarget {
+  move(by: Move): void;
+  describe(): void;
+  where(): void;
+  recentre(): void;
+  /** Metres ahead, and degrees to the left. */
+  walk(by: { ahead: number; left: number }): void;
+  stance(): void;
+  /** Counted from 0. */
+  choose(probe: number): void;
+  take(): void;
+  tellProbes(): void;
+  pause(): void;
+  mute(): void;
+  help(): void;
+}
+
+export const fineStep = 0.001;
+export const coarseStep = 0.005;
+export const pressStep = 0.0005;
+
+const arrows: Record<string, [number, number]> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+interface KeyRow {
+  shown: string;
+  does: string;
+  keys: string[];
+  act(target: KeyTarget, event: Pick<KeyboardEvent, 'key' | 'shiftKey'>): void;
+}
+
+export const keyRows: KeyRow[] = [
+  {
+    shown: 'Arrow keys',
+    does: 'Move the probe by 1 millimetre; with Shift by 5',
+    keys: Object.keys(arrows),
+    act: (target, { key, shiftKey }) => {
+      const [x, y] = arrows[key] ?? [0, 0];
+      const step = shiftKey ? coarseStep : fineStep;
+      target.move({ x: x * step, y: y * step, press: 0 });
+    },
+  },
+  {
+    shown: 'Page Down, Page Up',
+    does: 'Press half a millimetre deeper; lift',
+    keys: ['PageDown', 'PageUp'],
+    act: (target, { key }) => target.move({ x: 0, y: 0, press: key === 'PageDown' ? pressStep : -pressStep }),
+  },
+  { shown: 'D', does: 'Describe what stands where', keys: ['d'], act: (target) => target.describe() },
+  { shown: 'P', does: 'Say position and height', keys: ['p'], act: (target) => target.where() },
+  { shown: 'Home', does: 'Back to the middle', keys: ['Home'], act: (target) => target.recentre() },
+  {
+    shown: 'W, S',
+    does: 'In the egocentric view: walk 5 millimetres ahead, back; with Shift 20',
+    keys: ['w', 's'],
+    act: (target, { key, shiftKey }) => target.walk({ ahead: (key.toLowerCase() === 'w' ? 1 : -1) * (shiftKey ? 4 : 1) * pace, left: 0 }),
+  },
+  {
+    shown: 'A, F',
+    does: 'In the egocentric view: turn left, right by 15 degrees; with Shift by 45',
+    keys: ['a', 'f'],
+    act: (target, { key, shiftKey }) => target.walk({ ahead: 0, left: (key.toLowerCase() === 'a' ? 1 : -1) * (shiftKey ? 3 : 1) * turnBy }),
+  },
+  { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.stance() },
+  {
+    shown: '1 to 9, 0',
+    does: 'Go on with the probe of that number (0 is the tenth); one that is not there is put down where the last one is',
+    keys: [...'1234567890'],
+    act: (target, { key }) => target.choose((Number(key) + 9) % 10),
+  },
+  { shown: 'Delete', does: 'Take this probe away; the first one stays', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
+  { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.tellProbes() },
+  { shown: 'Space', does: 'Pause, go on', keys: [' '], act: (target) => target.pause() },
+  { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
+  { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },
+];
+
+/** Carries out what the key stands for; false if it stands for nothing. */
+export function press(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>, target: KeyTarget): boolean {
+  if (event.ctrlKey || event.altKey || event.metaKey) return false;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const row = keyRows.find(({ keys }) => keys.includes(key));
+  row?.act(target, event);
+  return row !== undefined;
+}
+
+/** What a key together with Control or Command asks for. */
+export function undoKey(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>): 'undo' | 'redo' | null {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return null;
+  const key = event.key.toLowerCase();
+  if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
+  return key === 'y' ? 'redo' : null;
+}

@@ -1,0 +1,65 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The egocentric frame of reference: where the explorer stands in the scene, and what goes with them.
+import type { Place, Surface } from '../surface';
+
+export const pace = 0.005;
+export const turnBy = 15;
+
+/** Degrees: 0 faces up the scene, to the left is positive. */
+export interface Stance extends Place {
+  heading: number;
+}
+
+const turned = ({ x, y }: Place, degrees: number): Place => {
+  const angle = (degrees * Math.PI) / 180;
+  return { x: x * Math.cos(angle) - y * Math.sin(angle), y: x * Math.sin(angle) + y * Math.cos(angle) };
+};
+
+export class Explorer {
+  private now: Stance = { x: 0, y: 0, heading: 0 };
+
+  get stance(): Stance {
+    return this.now;
+  }
+
+  /** A way told to the right of the explorer and ahead, as it runs in the scene. */
+  inScene(way: Place): Place {
+    return turned(way, this.now.heading);
+  }
+
+  /** Walks ahead (metres; negative: back) as far as the scene reaches. False at its rim. */
+  walk(ahead: number, surface: Surface): boolean {
+    const way = this.inScene({ x: 0, y: ahead });
+    const wanted = { x: this.now.x + way.x, y: this.now.y + way.y };
+    const place = surface.clamp(wanted);
+    this.now = { ...this.now, ...place };
+    return Math.hypot(place.x - wanted.x, place.y - wanted.y) < 1e-9;
+  }
+
+  /** To the left by so many degrees; negative: to the right. */
+  turn(degrees: number): void {
+    const heading = this.now.heading + degrees;
+    this.now = { ...this.now, heading: heading - 360 * Math.ceil((heading - 180) / 360) };
+  }
+
+  reset(): void {
+    this.now = { x: 0, y: 0, heading: 0 };
+  }
+
+  /** Where a hand comes to lie that goes along, from where it lay when the explorer stood so. */
+  carried(hand: Place, before: Stance): Place {
+    const held = turned({ x: hand.x - before.x, y: hand.y - before.y }, -before.heading);
+    const way = this.inScene(held);
+    return { x: this.now.x + way.x, y: this.now.y + way.y };
+  }
+
+  /** An arrow from where they stand the way they face, to be drawn on the scene. */
+  arrow(): Place[] {
+    const shape: Place[] = [{ x: 0, y: 0 }, { x: 0, y: 0.008 }, { x: -0.0025, y: 0.005 }, { x: 0, y: 0.008 }, { x: 0.0025, y: 0.005 }];
+    return shape.map((corner) => {
+      const way = this.inScene(corner);
+      return { x: this.now.x + way.x, y: this.now.y + way.y };
+    });
+  }
+}

@@ -1,0 +1,51 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Mouse, pen and fingers on the stage: where each points, and which probe it moves.
+import type { Hands } from './hands';
+import type { Place, Surface } from '../surface';
+
+export interface PointersTarget {
+  surface(): Surface | null;
+  /** What a point of the stage (CSS pixels from its upper left corner) lies over. */
+  placeAt(left: number, top: number): Place | null;
+  /** The person did something: sound may begin. */
+  wake(): void;
+  came(probe: number): void;
+  left(probe: number): void;
+  /** There are as many probes as there can be. */
+  full(): void;
+}
+
+export function bindPointers(stage: HTMLElement, hands: Hands, target: PointersTarget): void {
+  const placeOf = (event: PointerEvent): Place | null => {
+    const box = stage.getBoundingClientRect();
+    return target.placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
+  };
+  const aim = (event: PointerEvent): void => {
+    const surface = target.surface();
+    const probe = hands.movedBy(event.pointerId);
+    const hand = probe === null ? undefined : hands.at(probe);
+    if (surface === null || hand === undefined) return;
+    const place = placeOf(event);
+    if (place) hand.aim(place, surface);
+    if (event.pointerType === 'pen' && event.pressure > 0) hand.penPressure(event.pressure);
+  };
+  const release = (event: PointerEvent): void => {
+    const gone = hands.release(event.pointerId);
+    if (gone !== null) target.left(gone);
+  };
+  stage.addEventListener('pointermove', aim);
+  stage.addEventListener('pointerdown', (event) => {
+    target.wake();
+    stage.setPointerCapture(event.pointerId);
+    const surface = target.surface();
+    const place = placeOf(event);
+    if (surface === null || place === null) return;
+    const pressed = hands.press(event.pointerId, surface.clamp(place));
+    if (pressed === null) return target.full();
+    if (pressed.isNew) target.came(pressed.probe);
+    aim(event);
+  });
+  stage.addEventListener('pointerup', release);
+  stage.addEventListener('pointercancel', release);
+}

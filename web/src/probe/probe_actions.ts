@@ -1,0 +1,92 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Probes come, are chosen and go: by key, by the panel, by fingers; and what is said of it.
+import { Importance, type Words } from '../sound/announcer';
+import { noScene } from '../sound/describe';
+import type { Felt } from '../felt';
+import type { FromPage } from '../generated/protocol';
+import type { Probes } from './probes';
+import { ProbesPanel, type ProbesTarget } from './probes_panel';
+import { figuresEvery } from '../figures';
+import type { Surface } from '../surface';
+
+export interface ProbesPage {
+  surface(): Surface | null;
+  say(words: Words | string, importance: Importance): void;
+  send(message: FromPage): void;
+  /** What the surface is like under the chosen probe. */
+  motionWords(): string;
+  labelOf(felt: Felt): string;
+  draw(): void;
+}
+
+export class ProbeActions implements ProbesTarget {
+  private readonly panel = new ProbesPanel(this);
+  private shownAt = -Infinity;
+
+  constructor(
+    private readonly probes: Probes,
+    private readonly page: ProbesPage,
+  ) {}
+
+  choose(probe: number): void {
+    const { hands } = this.probes;
+    const before = hands.numbers.length;
+    if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
+    if (!hands.choose(probe, this.probes.placeOf(hands.chosen))) return this.page.say('There can be no probe of that number.', Importance.answer);
+    const how = hands.numbers.length > before ? ' put down' : '';
+    this.page.say(() => `Probe ${probe + 1}${how}, ${this.page.motionWords()}.`, Importance.answer);
+    this.changed();
+  }
+  add(): void {
+    const probe = this.probes.hands.free();
+    if (probe !== null) this.choose(probe);
+  }
+  take(): void {
+    const probe = this.probes.hands.chosen;
+    if (!this.probes.hands.remove(probe)) return this.page.say('The first probe stays.', Importance.answer);
+    this.lift(probe);
+    this.page.say(`Probe ${probe + 1} taken away. The keys move probe 1.`, Importance.answer);
+  }
+  tellProbes(): void {
+    const surface = this.page.surface();
+    if (surface === null || this.probes.felt.length === 0) return this.page.say(noScene, Importance.answer);
+    this.page.say(this.probes.words(surface, (felt) => this.page.labelOf(felt)), Importance.answer);
+  }
+
+  /** A finger has put a probe down; has lifted it; or finds no further one. */
+  came(probe: number): void {
+    this.page.say(`Probe ${probe + 1} touches.`, Importance.motion);
+    this.changed();
+  }
+  left(probe: number): void {
+    this.page.say(`Probe ${probe + 1} lifted.`, Importance.motion);
+    this.lift(probe);
+  }
+  full(): void {
+    this.page.say(`More than ${this.probes.hands.numbers.length} probes cannot touch at once.`, Importance.news);
+  }
+
+  /** What the program has told of them: figures are for reading. */
+  show(): void {
+    const now = performance.now();
+    if (now - this.shownAt < figuresEvery) return;
+    this.shownAt = now;
+    this.panel.show(this.probes.felt);
+  }
+  /** Nothing is known any more. */
+  blank(): void {
+    this.probes.forget();
+    this.panel.show([]);
+  }
+  changed(): void {
+    const { hands } = this.probes;
+    this.panel.offer(hands.numbers, hands.chosen, hands.free() !== null);
+    this.page.draw();
+  }
+
+  private lift(probe: number): void {
+    this.page.send({ type: 'lift', probe });
+    this.changed();
+  }
+}

@@ -1,0 +1,60 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Several probes at once: which of them the keys move, and what each feels.
+import { element } from '../dom';
+import { newtons, type Felt } from '../felt';
+import { millimetreFigure } from '../figures';
+
+export interface ProbesTarget {
+  choose(probe: number): void;
+  add(): void;
+  take(): void;
+  tellProbes(): void;
+}
+
+export class ProbesPanel {
+  private readonly choice = element<HTMLSelectElement>('probe');
+  private readonly rows = element<HTMLTableSectionElement>('probe-rows');
+  private offered = '';
+
+  constructor(target: ProbesTarget) {
+    this.choice.addEventListener('change', () => target.choose(Number(this.choice.value)));
+    element('probe-add').addEventListener('click', () => target.add());
+    element('probe-take').addEventListener('click', () => target.take());
+    element('probe-all').addEventListener('click', () => target.tellProbes());
+  }
+
+  /** `numbers`: those that can be chosen here. */
+  offer(numbers: readonly number[], chosen: number, canAdd: boolean): void {
+    element<HTMLButtonElement>('probe-take').disabled = chosen === 0;
+    element<HTMLButtonElement>('probe-add').disabled = !canAdd;
+    if (this.offered !== numbers.join()) {
+      this.offered = numbers.join();
+      this.choice.replaceChildren(...numbers.map((probe) => new Option(probe === 0 ? '1, the hand' : String(probe + 1), String(probe))));
+    }
+    this.choice.value = String(chosen);
+  }
+
+  /** A row for each, once there are several. Cells are kept, so that a reading cursor stays where it is. */
+  show(felt: readonly Felt[]): void {
+    element('probe-table').hidden = felt.length < 2;
+    while (this.rows.rows.length > felt.length) this.rows.deleteRow(-1);
+    while (this.rows.rows.length < felt.length) this.rows.append(emptyRow());
+    felt.forEach((one, k) => {
+      const figures = [one.probe + 1, `${millimetreFigure(one.x_m)}, ${millimetreFigure(one.y_m)}`, millimetreFigure(one.surface_m), newtons(one).toFixed(2)];
+      figures.forEach((figure, column) => {
+        const cell = this.rows.rows[k]!.cells[column]!;
+        if (cell.textContent !== String(figure)) cell.textContent = String(figure);
+      });
+    });
+  }
+}
+
+function emptyRow(): HTMLTableRowElement {
+  const row = document.createElement('tr');
+  const head = document.createElement('th');
+  head.scope = 'row';
+  row.append(head);
+  for (let k = 0; k < 3; ++k) row.insertCell();
+  return row;
+}

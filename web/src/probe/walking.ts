@@ -1,0 +1,81 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Walking in the egocentric view: the explorer goes and turns, this page's probes go along, and where they stand is said,
+// sent and drawn.
+import { element } from '../dom';
+import { Explorer, type Stance } from './explorer';
+import type { FromPage } from '../generated/protocol';
+import type { Hands } from './hands';
+import type { Place, Surface } from '../surface';
+
+/** Metres ahead, degrees to the left. */
+export interface Walk {
+  ahead: number;
+  left: number;
+}
+
+export interface WalkingPage {
+  surface(): Surface | null;
+  say(words: string): void;
+  send(message: FromPage): void;
+  stands(stance: Stance): void;
+  arrow(points: Place[]): void;
+}
+
+export class Walking {
+  private readonly explorer = new Explorer();
+  private egocentric = false;
+
+  constructor(
+    private readonly hands: Hands,
+    private readonly page: WalkingPage,
+  ) {}
+
+  allow(egocentric: boolean): void {
+    this.egocentric = egocentric;
+    for (const id of ['walking', 'walk-keys', 'stance-row']) element(id).hidden = !egocentric;
+  }
+
+  /** A way told to the right of the explorer and ahead, as it runs in the scene. */
+  inScene(way: Place): Place {
+    return this.explorer.inScene(way);
+  }
+
+  walk({ ahead, left }: Walk): void {
+    const surface = this.page.surface();
+    if (surface === null) return;
+    if (!this.egocentric) return this.page.say('Walking is for the egocentric view: start with --view egocentric.');
+    const before = this.explorer.stance;
+    if (left !== 0) this.explorer.turn(left);
+    if (ahead !== 0 && !this.explorer.walk(ahead, surface)) this.page.say('The scene ends here.');
+    for (const probe of this.hands.numbers) {
+      const hand = this.hands.at(probe)!;
+      const place = this.explorer.carried(hand.place, before);
+      hand.step(place.x - hand.place.x, place.y - hand.place.y, 0, surface);
+    }
+    this.stand();
+  }
+
+  tell(): void {
+    if (!this.egocentric) return this.page.say('You look on from outside: this is the exocentric view.');
+    this.stand();
+  }
+
+  reset(): void {
+    this.explorer.reset();
+  }
+
+  /** Tells the program where the explorer stands, which says it in words. */
+  stand(): void {
+    if (!this.egocentric) return;
+    const { x, y, heading } = this.explorer.stance;
+    this.page.send({ type: 'stand', x_m: x, y_m: y, heading_deg: heading });
+    this.show();
+  }
+
+  show(): void {
+    if (!this.egocentric) return;
+    this.page.stands(this.explorer.stance);
+    this.page.arrow(this.explorer.arrow());
+  }
+}

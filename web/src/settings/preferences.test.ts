@@ -1,0 +1,17 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { describe, expect, it } from 'vitest';
+import { defaults, preferencesCookie, readPreferences } from './preferences';
+
+describe('preferences', () => {
+  const jar = (text: string) => `other=1; palpable_page=${encodeURIComponent(text)}; more=2`;
+  it('are the defaults when nothing is kept, or nonsense', () => {
+    for (const cookies of ['', jar('{'), jar('7'), jar('null'), 'palpable_page=%', jar('{"volume":1e9,"theme":"neon","sound":1,"__proto__":{"tilt":3}}')])
+      expect(readPreferences(cookies)).toEqual(defaults);
+  });
+  it('come back as they were kept', () => {
+    const mine = { ...defaults, volume: 20, theme: 'dark' as const, sound: false };
+    expect(readPreferences(preferencesCookie(mine).split('; ')[0]!)).toEqual(mine);
+  });
+  it('leave nothing behind when all is as at first', () => expect(preferencesCookie(defaults)).toContain('Max-Age=0'));
+});

@@ -1,0 +1,152 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Settings with their undo, and their exchange with the program: what is wished goes there, what holds comes back.
+import type { Settings, TouchWishes } from './controls';
+import type { Change, Edit, Materials, Settings as Told } from '../generated/protocol';
+import { History } from './history';
+import { materialsOf, sameMaterial, type Material } from './materials';
+import { defaults } from './preferences';
+
+/** How long to wait for the answer to a change before believing whatever is told (ms). */
+const answerTime = 3000;
+const names: Record<string, string> = {
+  exaggeration: 'depth',
+  law: 'force law',
+  damping_Ns_per_m: 'damping',
+  stiffness_N_per_m: 'stiffness',
+  neighbourhood_px: 'neighbourhood',
+  pitch_m: 'texture pitch',
+  height_m: 'texture height',
+  angle_deg: 'texture angle',
+};
+
+export class SettingsKeeper {
+  private readonly history: History<Settings>;
+  /** What held when the page came; null before it is known. */
+  private begun: TouchWishes | null = null;
+  /** What the program was last asked for, or said by itself. */
+  private asked: TouchWishes | null = null;
+  private begunMaterials: Material[] | null = null;
+  private askedMaterials: Material[] = [];
+  private askedAt = -Infinity;
+  private serial: number;
+
+  constructor(
+    initial: Settings,
+    private readonly send: (message: Change | Edit) => void,
+    private readonly now: () => number = () => performance.now(),
+    firstSerial = Math.floor(Math.random() * 2 ** 31),
+  ) {
+    this.history = new History(initial);
+    this.serial = firstSerial;
+  }
+
+  get settings(): Settings {
+    return this.history.now;
+  }
+  get canUndo(): boolean {
+    return this.history.canUndo;
+  }
+  get canRedo(): boolean {
+    return this.history.canRedo;
+  }
+  /** Whether the person has changed anything here. */
+  get wasUsed(): boolean {
+    return this.canUndo || this.canRedo;
+  }
+
+  change(settings: Settings, what: string): void {
+    this.history.change(settings, what, this.now());
+    this.ask();
+  }
+
+  reset(): void {
+    const materials = this.begunMaterials ?? this.settings.materials;
+    this.change({ touch: this.begun ?? this.settings.touch, page: { ...defaults }, materials }, 'reset');
+  }
+
+  /** In words what became different, or null if there was nothing to undo or redo. */
+  undoOrRedo(which: 'undo' | 'redo'): string | null {
+    const before = this.settings;
+    if (!this.history[which]()) return null;
+    this.ask();
+    return difference(before, this.settings);
+  }
+
+  /** A new connection: what was asked before was perhaps never heard. */
+  connected(): void {
+    this.asked = null;
+    this.askedAt = -Infinity;
+  }
+
+  /** What holds, by the program. False if it answers an earlier change than the last: a slider is still dragged. */
+  told({ answers, law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px }: Told): boolean {
+    if (this.waits(answers)) return false;
+    const touch = { law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px };
+    this.asked = touch;
+    const settings = { ...this.settings, touch };
+    if (this.begun === null) {
+      this.begun = touch;
+      this.history.restart(settings);
+    } else {
+      this.history.correct(settings);
+    }
+    return true;
+  }
+
+  /** The same for the materials; those of another scene begin anew. */
+  toldMaterials(message: Materials): boolean {
+    const materials = materialsOf(message);
+    const another = materials.length !== this.begunMaterials?.length;
+    if (!another && this.waits(message.answers)) return false;
+    this.askedMaterials = materials;
+    const settings = { ...this.settings, materials };
+    if (another) {
+      this.begunMaterials = materials;
+      this.history.restart(settings);
+    } else {
+      this.history.correct(settings);
+    }
+    return true;
+  }
+
+  private waits(answers: number): boolean {
+    return this.asked !== null && answers !== this.serial && this.now() - this.askedAt < answerTime;
+  }
+
+  private ask(): void {
+    const { touch, materials } = this.settings;
+    if (this.begun === null) return;
+    if (!sameTouch(touch, this.asked ?? this.begun)) {
+      this.asked = touch;
+      this.send({ type: 'change', serial: this.next(), ...touch });
+    }
+    materials.forEach((material, label) => {
+      const asked = this.askedMaterials[label];
+      if (asked === undefined || sameMaterial(material, asked)) return;
+      const { name: _, ...wish } = material;
+      this.send({ type: 'edit', serial: this.next(), label, ...wish });
+    });
+    this.askedMaterials = this.askedMaterials.map((asked, label) => materials[label] ?? asked);
+  }
+
+  private next(): number {
+    this.serial = (this.serial + 1) % 2 ** 32;
+    this.askedAt = this.now();
+    return this.serial;
+  }
+}
+
+function sameTouch(a: TouchWishes, b: TouchWishes): boolean {
+  return Object.keys(a).every((key) => a[key as keyof TouchWishes] === b[key as keyof TouchWishes]);
+}
+
+function difference(a: Settings, b: Settings): string {
+  const between = (before: object, after: object) =>
+    Object.entries(after).filter(([key, value]) => value !== (before as Record<string, unknown>)[key]).map(([key]) => names[key] ?? key);
+  const materials = b.materials.flatMap((material, label) => {
+    const before = a.materials[label];
+    return before === undefined ? [] : between(before, material).map((what) => `${what} of ${material.name}`);
+  });
+  return [...between(a.touch, b.touch), ...between(a.page, b.page), ...materials].join(', ');
+}

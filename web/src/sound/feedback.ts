@@ -1,0 +1,52 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Turns the probes' motion and the servo's states into sound and vibration.
+import type { Felt } from '../felt';
+import type { Preferences } from '../settings/preferences';
+import { EdgeDetector, panOf, pitchOf, RisingEdge } from './sonify';
+import { Sound } from './sound';
+import type { Place, Surface } from '../surface';
+import { pulse } from './vibration';
+
+export class Feedback {
+  readonly sound = new Sound();
+  private readonly probes = new Map<number, { edges: EdgeDetector; contact: RisingEdge }>();
+  private vibration = false;
+
+  set({ sound, volume, vibration }: Preferences): void {
+    this.sound.set(sound, volume);
+    this.vibration = vibration;
+  }
+
+  /** A probe has come to another place. */
+  moved(probe: number, place: Place, surface: Surface, exaggeration: number): void {
+    const { lowest, highest } = surface.range();
+    const height = surface.heightAt(place);
+    const pan = panOf(place.x, surface.width);
+    // Engraved scenes sound low where they are deep, as raised ones do.
+    const [from, to] = exaggeration < 0 ? [-highest, -lowest] : [lowest, highest];
+    this.sound.height(probe, pitchOf(exaggeration < 0 ? -height : height, from, to), pan);
+    const slope = surface.slopeAt(place);
+    if (!this.of(probe).edges.crossed(Math.hypot(slope.x, slope.y) * Math.abs(exaggeration))) return;
+    this.sound.edge(pan);
+    if (this.vibration) pulse(15, 0.4);
+  }
+
+  felt(felt: Felt, surface: Surface): void {
+    if (!this.of(felt.probe).contact.rises(felt.contact)) return;
+    this.sound.click(panOf(felt.x_m, surface.width));
+    if (this.vibration) pulse(25, 0.8);
+  }
+
+  /** Forgets the probes that are not there any more: the next one of that number begins anew. */
+  keep(numbers: readonly number[]): void {
+    for (const probe of this.probes.keys()) if (!numbers.includes(probe)) this.probes.delete(probe);
+    this.sound.keep(numbers);
+  }
+
+  private of(probe: number): { edges: EdgeDetector; contact: RisingEdge } {
+    const known = this.probes.get(probe) ?? { edges: new EdgeDetector(), contact: new RisingEdge() };
+    this.probes.set(probe, known);
+    return known;
+  }
+}

@@ -1,0 +1,48 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What a picture of the scene can do, in three dimensions (view3d.ts) or flat (view_flat.ts).
+import type { PictureFrame } from '../codec';
+import type { Preferences } from '../settings/preferences';
+import type { Place, Surface } from '../surface';
+
+export interface Probe extends Place {
+  z: number;
+  force: [number, number, number];
+  /** Counted from 1. */
+  number: number;
+  /** The one that the keys move. */
+  chosen: boolean;
+}
+
+export interface View {
+  readonly canvas: HTMLCanvasElement;
+  show(surface: Surface, picture: PictureFrame | null): void;
+  /** Height factor, and how the surface and the view are to look. */
+  set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
+  /** All that there are; their numbers are shown once there are several. */
+  probes(probes: readonly Probe[]): void;
+  /** A line drawn on the surface; empty for none. */
+  line(points: readonly Place[]): void;
+  /** The place on the surface under a point of the canvas in CSS pixels from its upper left corner; null if none. */
+  placeAt(left: number, top: number): Place | null;
+  resize(): void;
+  /** Draws if anything has changed. */
+  draw(): void;
+  dispose(): void;
+}
+
+/** Whether nobody would see a difference: a hundredth of a millimetre, a hundredth of a newton. */
+export function lookAlike(some: readonly Probe[], others: readonly Probe[]): boolean {
+  const near = (p: number, q: number, limit: number) => Math.abs(p - q) < limit;
+  const alike = (a: Probe, b: Probe) =>
+    a.number === b.number && a.chosen === b.chosen && near(a.x, b.x, 1e-5) && near(a.y, b.y, 1e-5) && near(a.z, b.z, 1e-5) &&
+    a.force.every((f, i) => near(f, b.force[i]!, 0.01));
+  return some.length === others.length && some.every((probe, k) => alike(probe, others[k]!));
+}
+
+/** The colours of the style sheet that pictures use. */
+export function themeColours(element: HTMLElement): { stage: string; clay: string; marble: string; force: string } {
+  const style = getComputedStyle(element);
+  const of = (name: string) => style.getPropertyValue(name).trim();
+  return { stage: of('--stage'), clay: of('--clay'), marble: of('--marble'), force: of('--force') };
+}
