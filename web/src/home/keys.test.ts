@@ -14,7 +14,7 @@ describe('keys', () => {
     stance: () => calls.push('stance'),
     choose: (probe) => calls.push(`choose ${probe}`),
     take: () => calls.push('take'),
-    tellProbes: () => calls.push('tell probes'),
+    describeProbes: () => calls.push('describe probes'),
     pause: () => calls.push('pause'),
     mute: () => calls.push('mute'),
     help: () => calls.push('help'),
@@ -38,7 +38,7 @@ describe('keys', () => {
   it('choose the probe of their number, the tenth by 0', () => {
     calls.length = 0;
     for (const key of ['1', '9', '0', 'Delete', 'n']) type(key);
-    expect(calls).toEqual(['choose 0', 'choose 8', 'choose 9', 'take', 'tell probes']);
+    expect(calls).toEqual(['choose 0', 'choose 8', 'choose 9', 'take', 'describe probes']);
   });
   it('leave the browser its own', () => {
     calls.length = 0;

@@ -23,7 +23,7 @@ export interface KeyTarget {
   /** Counted from 0. */
   choose(probe: number): void;
   take(): void;
-  tellProbes(): void;
+  describeProbes(): void;
   pause(): void;
   mute(): void;
   help(): void;
@@ -87,7 +87,7 @@ export const keyRows: KeyRow[] = [
     act: (target, { key }) => target.choose((Number(key) + 9) % 10),
   },
   { shown: 'Delete', does: 'Take this probe away; the first one stays', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
-  { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.tellProbes() },
+  { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.describeProbes() },
   { shown: 'Space', does: 'Pause, go on', keys: [' '], act: (target) => target.pause() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
   { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },

@@ -10,7 +10,7 @@ import { motionWords, noScene, positionWords, sceneWords } from '../sound/descri
 import { pace, turnBy } from '../probe/explorer';
 import { Feedback } from '../sound/feedback';
 import type { Felt } from '../felt';
-import { protocolVersion, type Hello, type Law, type Scene, type Settings as Told, type State, type ToPage } from '../generated/protocol';
+import { protocolVersion, type Hello, type Law, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
 import { fillHelp, showHelp } from './help';
 import { press, undoKey, type KeyTarget, type Move } from './keys';
 import { MaterialPanel } from '../settings/material_panel';
@@ -19,7 +19,7 @@ import { preferencesCookie, readPreferences } from '../settings/preferences';
 import { ProbeActions } from '../probe/probe_actions';
 import { Probes } from '../probe/probes';
 import { Readouts } from './readouts';
-import { SettingsKeeper } from '../settings/settings_keeper';
+import { SettingsStore } from '../settings/settings_store';
 import { Stage } from '../view/stage';
 import { Surface, type Place } from '../surface';
 import { TracePanel } from '../trace/trace_panel';
@@ -31,8 +31,8 @@ const initial: Settings = {
   page: readPreferences(document.cookie),
   materials: [],
 };
-/** Milliseconds between two tellings of where the probes are, at the least: many fingers on a fast screen are many messages. */
-const tellEvery = 12;
+/** Milliseconds between two messages about where the probes are, at the least: many fingers on a fast screen are many messages. */
+const sendEvery = 12;
 
 class TouchPage implements KeyTarget {
   private readonly connection = new Connection({
@@ -41,7 +41,7 @@ class TouchPage implements KeyTarget {
     raster: (frame) => this.receiveRaster(frame),
     closed: (sentence, final) => this.closed(sentence, final),
   });
-  private readonly keeper = new SettingsKeeper(initial, (change) => this.connection.send(change));
+  private readonly store = new SettingsStore(initial, (change) => this.connection.send(change));
   private readonly stage = new Stage(initial.page);
   private readonly controls = new Controls(initial, (settings, what) => this.change(settings, what));
   private readonly materials = new MaterialPanel(initial, (settings, what) => this.change(settings, what));
@@ -49,7 +49,7 @@ class TouchPage implements KeyTarget {
   private readonly feedback = new Feedback();
   private readonly readouts = new Readouts();
   private readonly probes = new Probes();
-  private readonly hands = this.probes.hands;
+  private readonly own = this.probes.own;
   private readonly actions = new ProbeActions(this.probes, {
     surface: () => this.surface,
     say: (words, importance) => this.voice.say(words, importance),
@@ -58,7 +58,7 @@ class TouchPage implements KeyTarget {
     labelOf: (felt) => this.labelOf(felt),
     draw: () => this.showProbes(),
   });
-  private readonly walking = new Walking(this.hands, {
+  private readonly walking = new Walking(this.own, {
     surface: () => this.surface,
     say: (words) => this.voice.say(words, Importance.answer),
     send: (message) => this.connection.send(message),
@@ -94,11 +94,11 @@ class TouchPage implements KeyTarget {
 
   move(by: Move): void {
     if (this.surface === null) return;
-    const { hand } = this.hands;
-    if (!this.hands.movable()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
+    const { current } = this.own;
+    if (!this.own.movable()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
     // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
     const way = this.walking.inScene(by);
-    const free = hand.step(way.x, way.y, by.press, this.surface);
+    const free = current.step(way.x, way.y, by.press, this.surface);
     this.voice.say(() => this.probes.named(by.press !== 0 ? this.pressWords() : `${free ? '' : 'Rim of the scene, '}${this.motionWords()}`), Importance.motion);
   }
   describe(): void {
@@ -111,9 +111,9 @@ class TouchPage implements KeyTarget {
     this.voice.say(this.probes.named(positionWords(this.probePlace(), height, slope, this.label(), this.surface)), Importance.answer);
   }
   recentre(): void {
-    this.hands.hand.recentre();
+    this.own.current.recentre();
     this.walking.reset();
-    if (this.hands.chosen === 0) this.connection.send({ type: 'recentre' });
+    if (this.own.chosen === 0) this.connection.send({ type: 'recentre' });
     this.walking.stand();
     this.voice.say(this.probes.named('In the middle.'), Importance.answer);
   }
@@ -121,7 +121,7 @@ class TouchPage implements KeyTarget {
     this.walking.walk(by);
   }
   stance(): void {
-    this.walking.tell();
+    this.walking.sayStance();
   }
   choose(probe: number): void {
     this.actions.choose(probe);
@@ -129,14 +129,14 @@ class TouchPage implements KeyTarget {
   take(): void {
     this.actions.take();
   }
-  tellProbes(): void {
-    this.actions.tellProbes();
+  describeProbes(): void {
+    this.actions.describeProbes();
   }
   pause(): void {
     this.connection.send({ type: 'pause', paused: !this.paused });
   }
   mute(): void {
-    const { settings } = this.keeper;
+    const { settings } = this.store;
     const sound = !settings.page.sound;
     this.change({ ...settings, page: { ...settings.page, sound } }, 'sound');
     this.voice.say(sound ? 'Sound on.' : 'Sound off.', Importance.answer);
@@ -148,46 +148,46 @@ class TouchPage implements KeyTarget {
   // Settings.
 
   private change(settings: Settings, what: string): void {
-    this.keeper.change(settings, what);
+    this.store.change(settings, what);
     this.apply();
     if (what === 'surface' && settings.page.surface === 'cells' && this.scene) this.voice.say(this.scene.cells, Importance.answer);
   }
 
   private apply(): void {
-    const { settings } = this.keeper;
+    const { settings } = this.store;
     this.controls.show(settings);
     this.materials.show(settings, this.controls.law());
     this.stage.set(settings.touch.exaggeration, settings.page);
     this.voice.set(settings.page.speech);
     this.feedback.set(settings.page);
-    element<HTMLButtonElement>('undo').disabled = !this.keeper.canUndo;
-    element<HTMLButtonElement>('redo').disabled = !this.keeper.canRedo;
-    if (this.keeper.wasUsed) document.cookie = preferencesCookie(settings.page);
+    element<HTMLButtonElement>('undo').disabled = !this.store.canUndo;
+    element<HTMLButtonElement>('redo').disabled = !this.store.canRedo;
+    if (this.store.wasUsed) document.cookie = preferencesCookie(settings.page);
     this.showProbes();
   }
 
   private undoOrRedo(which: 'undo' | 'redo'): void {
-    const changed = this.keeper.undoOrRedo(which);
+    const changed = this.store.undoOrRedo(which);
     if (changed === null) return this.voice.say(`Nothing to ${which}.`, Importance.answer);
     this.apply();
     this.voice.say(`${which === 'undo' ? 'Taken back' : 'Made again'}: ${changed}.`, Importance.answer);
   }
 
-  private told(settings: Told): void {
+  private receiveSettings(settings: ProgramSettings): void {
     if (settings.paused !== this.paused) this.voice.say(settings.paused ? 'Paused: no force.' : 'Going on.', Importance.news);
     this.paused = settings.paused;
     element('pause').textContent = this.paused ? 'Go on' : 'Pause';
     this.stage.element.toggleAttribute('data-paused', this.paused);
     this.readouts.status(this.paused ? 'paused' : 'running', this.paused ? 'Paused' : 'Touching');
-    if (this.keeper.told(settings)) this.apply();
+    if (this.store.receive(settings)) this.apply();
   }
 
   // The program.
 
   private opened(): void {
     this.laws = [];
-    this.tellAll();
-    this.keeper.connected();
+    this.resendPlaces();
+    this.store.connected();
     this.readouts.allWell();
     this.connection.send({ type: 'visible', visible: !document.hidden });
   }
@@ -206,7 +206,7 @@ class TouchPage implements KeyTarget {
       case 'law':
         this.laws = [...this.laws, message];
         this.controls.setLaws(this.laws);
-        return this.materials.show(this.keeper.settings, this.controls.law());
+        return this.materials.show(this.store.settings, this.controls.law());
       case 'scene':
         this.scene = message;
         element('scene-name').textContent = message.name;
@@ -215,9 +215,9 @@ class TouchPage implements KeyTarget {
         document.title = `${message.name} – Palpable`;
         return;
       case 'settings':
-        return this.told(message);
+        return this.receiveSettings(message);
       case 'materials':
-        if (this.keeper.toldMaterials(message)) this.apply();
+        if (this.store.receiveMaterials(message)) this.apply();
         return;
       case 'state':
         return this.ticked(message);
@@ -231,7 +231,7 @@ class TouchPage implements KeyTarget {
   private greeted(hello: Hello): void {
     this.hello = hello;
     this.readouts.setDevice(hello.device);
-    this.hands.set(hello.probes, hello.pointer_moves);
+    this.own.set(hello.probes, hello.pointer_moves);
     this.actions.changed();
     this.walking.allow(hello.egocentric);
     // A device's middle is to be where this page has the explorer stand.
@@ -247,7 +247,7 @@ class TouchPage implements KeyTarget {
       const { width_m, depth_m, name } = this.scene;
       this.surface = new Surface(frame.columns, frame.rows, frame.heights, width_m, depth_m);
       this.picture = this.cells = null;
-      this.tellAll();
+      this.resendPlaces();
       this.stage.element.setAttribute('aria-label', `Relief of ${name} to touch`);
       if (first) this.voice.say(`${name} is ready to be touched. D describes it, H is help.`, Importance.news);
     } else if (frame.kind === 'cells') {
@@ -263,7 +263,7 @@ class TouchPage implements KeyTarget {
   }
 
   private ticked(state: State): void {
-    this.probes.told(state);
+    this.probes.receive(state);
     const { felt, chosen } = this.probes;
     this.readouts.state(state, chosen ?? felt[0]!);
     this.actions.show();
@@ -271,17 +271,17 @@ class TouchPage implements KeyTarget {
     const { surface } = this;
     if (surface === null) return;
     for (const one of felt) this.feedback.felt(one, surface);
-    if (!this.hands.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.exaggeration());
+    if (!this.own.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.exaggeration());
     this.feedback.keep(this.probes.numbers);
   }
 
   // The probes.
 
   private exaggeration(): number {
-    return this.keeper.settings.touch.exaggeration;
+    return this.store.settings.touch.exaggeration;
   }
   private probePlace(): Place {
-    return this.probes.placeOf(this.hands.chosen);
+    return this.probes.placeOf(this.own.chosen);
   }
   private labelOf(felt: Felt | undefined): string {
     return (felt && this.scene?.labels[felt.label]) ?? '';
@@ -300,27 +300,27 @@ class TouchPage implements KeyTarget {
     return motionWords(height, slope, this.label());
   }
   private pressWords(): string {
-    const { press: pressed } = this.hands.hand;
+    const { press: pressed } = this.own.current;
     const depth = Math.abs(pressed * 1000).toFixed(1);
     return pressed >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
   }
 
-  private tellAll(): void {
-    for (const probe of this.hands.numbers) this.hands.at(probe)?.tell();
+  private resendPlaces(): void {
+    for (const probe of this.own.numbers) this.own.at(probe)?.resend();
   }
 
   private showProbes(): void {
     if (this.surface) this.stage.probes(this.probes.views(this.surface, this.exaggeration()));
   }
 
-  /** Moves the marbles on and tells where they are. */
+  /** Moves the marbles on and sends their places. */
   private advance(now: number, surface: Surface): void {
-    if (this.hands.several && now - this.lastFrame < tellEvery) return;
+    if (this.own.several && now - this.lastFrame < sendEvery) return;
     const seconds = Math.min(0.1, (now - this.lastFrame) / 1000);
     this.lastFrame = now;
-    const moved = this.hands.advance(seconds, surface, this.exaggeration());
+    const moved = this.own.advance(seconds, surface, this.exaggeration());
     for (const probe of moved) {
-      const { place, press: press_m } = this.hands.at(probe)!;
+      const { place, press: press_m } = this.own.at(probe)!;
       this.connection.send({ type: 'pointer', probe, x_m: place.x, y_m: place.y, press_m });
       this.feedback.moved(probe, place, surface, this.exaggeration());
     }
@@ -345,7 +345,7 @@ class TouchPage implements KeyTarget {
 
   private bindStage(): void {
     const { element: stage } = this.stage;
-    bindPointers(stage, this.hands, {
+    bindPointers(stage, this.own, {
       surface: () => this.surface,
       placeAt: (left, top) => this.stage.placeAt(left, top),
       wake: () => this.feedback.sound.wake(),
@@ -390,7 +390,7 @@ class TouchPage implements KeyTarget {
   }
 
   private reset(): void {
-    this.keeper.reset();
+    this.store.reset();
     this.apply();
     this.voice.say('All settings are as at the start.', Importance.answer);
   }

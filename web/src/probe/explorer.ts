@@ -23,7 +23,7 @@ export class Explorer {
     return this.now;
   }
 
-  /** A way told to the right of the explorer and ahead, as it runs in the scene. */
+  /** A displacement (x to the right of the explorer, y ahead) in the scene's frame. */
   inScene(way: Place): Place {
     return turned(way, this.now.heading);
   }

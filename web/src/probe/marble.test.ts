@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { Surface } from '../surface';
 import { follow, pointerGain } from './marble';
-import { ProbeHand } from './probe';
+import { PageProbe } from './page_probe';
 
 const slope = new Surface(11, 11, Float32Array.from({ length: 121 }, (_, k) => (k % 11) * 0.001), 0.11, 0.11);
 
@@ -18,12 +18,12 @@ describe('the marble', () => {
     expect(marble).toEqual({ x: 0.01, y: 0.01 });
   });
   it('is where a key puts it at once, within the scene', () => {
-    const hand = new ProbeHand();
-    expect(hand.step(0.001, 0, 0, slope)).toBe(true);
-    expect(hand.place).toEqual({ x: 0.001, y: 0 });
-    expect(hand.step(1, 0, 0, slope)).toBe(false);
-    expect(hand.place.x).toBe(0.055);
-    expect(hand.advance(0.016, slope, 1)).toBe(true);
-    expect(hand.advance(0.016, slope, 1)).toBe(false);
+    const probe = new PageProbe();
+    expect(probe.step(0.001, 0, 0, slope)).toBe(true);
+    expect(probe.place).toEqual({ x: 0.001, y: 0 });
+    expect(probe.step(1, 0, 0, slope)).toBe(false);
+    expect(probe.place.x).toBe(0.055);
+    expect(probe.advance(0.016, slope, 1)).toBe(true);
+    expect(probe.advance(0.016, slope, 1)).toBe(false);
   });
 });

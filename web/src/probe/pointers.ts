@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Mouse, pen and fingers on the stage: where each points, and which probe it moves.
-import type { Hands } from './hands';
+import type { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
 
 export interface PointersTarget {
@@ -16,22 +16,22 @@ export interface PointersTarget {
   full(): void;
 }
 
-export function bindPointers(stage: HTMLElement, hands: Hands, target: PointersTarget): void {
+export function bindPointers(stage: HTMLElement, probes: PageProbes, target: PointersTarget): void {
   const placeOf = (event: PointerEvent): Place | null => {
     const box = stage.getBoundingClientRect();
     return target.placeAt(event.clientX - box.left - stage.clientLeft, event.clientY - box.top - stage.clientTop);
   };
   const aim = (event: PointerEvent): void => {
     const surface = target.surface();
-    const probe = hands.movedBy(event.pointerId);
-    const hand = probe === null ? undefined : hands.at(probe);
-    if (surface === null || hand === undefined) return;
+    const probe = probes.movedBy(event.pointerId);
+    const moved = probe === null ? undefined : probes.at(probe);
+    if (surface === null || moved === undefined) return;
     const place = placeOf(event);
-    if (place) hand.aim(place, surface);
-    if (event.pointerType === 'pen' && event.pressure > 0) hand.penPressure(event.pressure);
+    if (place) moved.aim(place, surface);
+    if (event.pointerType === 'pen' && event.pressure > 0) moved.penPressure(event.pressure);
   };
   const release = (event: PointerEvent): void => {
-    const gone = hands.release(event.pointerId);
+    const gone = probes.release(event.pointerId);
     if (gone !== null) target.left(gone);
   };
   stage.addEventListener('pointermove', aim);
@@ -41,7 +41,7 @@ export function bindPointers(stage: HTMLElement, hands: Hands, target: PointersT
     const surface = target.surface();
     const place = placeOf(event);
     if (surface === null || place === null) return;
-    const pressed = hands.press(event.pointerId, surface.clamp(place));
+    const pressed = probes.press(event.pointerId, surface.clamp(place));
     if (pressed === null) return target.full();
     if (pressed.isNew) target.came(pressed.probe);
     aim(event);

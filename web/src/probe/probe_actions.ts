@@ -30,25 +30,25 @@ export class ProbeActions implements ProbesTarget {
   ) {}
 
   choose(probe: number): void {
-    const { hands } = this.probes;
-    const before = hands.numbers.length;
+    const { own } = this.probes;
+    const before = own.numbers.length;
     if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
-    if (!hands.choose(probe, this.probes.placeOf(hands.chosen))) return this.page.say('There can be no probe of that number.', Importance.answer);
-    const how = hands.numbers.length > before ? ' put down' : '';
+    if (!own.choose(probe, this.probes.placeOf(own.chosen))) return this.page.say('There can be no probe of that number.', Importance.answer);
+    const how = own.numbers.length > before ? ' put down' : '';
     this.page.say(() => `Probe ${probe + 1}${how}, ${this.page.motionWords()}.`, Importance.answer);
     this.changed();
   }
   add(): void {
-    const probe = this.probes.hands.free();
+    const probe = this.probes.own.free();
     if (probe !== null) this.choose(probe);
   }
   take(): void {
-    const probe = this.probes.hands.chosen;
-    if (!this.probes.hands.remove(probe)) return this.page.say('The first probe stays.', Importance.answer);
+    const probe = this.probes.own.chosen;
+    if (!this.probes.own.remove(probe)) return this.page.say('The first probe stays.', Importance.answer);
     this.lift(probe);
     this.page.say(`Probe ${probe + 1} taken away. The keys move probe 1.`, Importance.answer);
   }
-  tellProbes(): void {
+  describeProbes(): void {
     const surface = this.page.surface();
     if (surface === null || this.probes.felt.length === 0) return this.page.say(noScene, Importance.answer);
     this.page.say(this.probes.words(surface, (felt) => this.page.labelOf(felt)), Importance.answer);
@@ -64,10 +64,10 @@ export class ProbeActions implements ProbesTarget {
     this.lift(probe);
   }
   full(): void {
-    this.page.say(`More than ${this.probes.hands.numbers.length} probes cannot touch at once.`, Importance.news);
+    this.page.say(`More than ${this.probes.own.numbers.length} probes cannot touch at once.`, Importance.news);
   }
 
-  /** What the program has told of them: figures are for reading. */
+  /** Shows the newest figures, not more often than they can be read. */
   show(): void {
     const now = performance.now();
     if (now - this.shownAt < figuresEvery) return;
@@ -80,8 +80,8 @@ export class ProbeActions implements ProbesTarget {
     this.panel.show([]);
   }
   changed(): void {
-    const { hands } = this.probes;
-    this.panel.offer(hands.numbers, hands.chosen, hands.free() !== null);
+    const { own } = this.probes;
+    this.panel.offer(own.numbers, own.chosen, own.free() !== null);
     this.page.draw();
   }
 

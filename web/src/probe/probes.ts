@@ -1,19 +1,19 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // All probes as the page knows them: those that it moves itself, and what the program says that each feels.
-import { feltWords } from '../sound/describe';
+import { probeWords } from '../sound/describe';
 import { feltOf, newtons, type Felt } from '../felt';
 import type { State } from '../generated/protocol';
-import { Hands } from './hands';
+import { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
 import type { Probe } from '../view/view';
 
 export class Probes {
-  readonly hands = new Hands();
-  /** The hand's first; empty where nothing is known. */
+  readonly own = new PageProbes();
+  /** The first probe's first; empty where nothing is known. */
   felt: readonly Felt[] = [];
 
-  told(state: State): void {
+  receive(state: State): void {
     this.felt = feltOf(state);
   }
   forget(): void {
@@ -22,42 +22,42 @@ export class Probes {
 
   /** This page's and those that others move. */
   get numbers(): number[] {
-    return [...new Set([...this.hands.numbers, ...this.felt.map(({ probe }) => probe)])].sort((a, b) => a - b);
+    return [...new Set([...this.own.numbers, ...this.felt.map(({ probe }) => probe)])].sort((a, b) => a - b);
   }
-  feltBy(probe: number): Felt | undefined {
+  stateOf(probe: number): Felt | undefined {
     return this.felt.find((felt) => felt.probe === probe);
   }
   get chosen(): Felt | undefined {
-    return this.feltBy(this.hands.chosen);
+    return this.stateOf(this.own.chosen);
   }
 
   /** Of a probe that this page moves where it has it, else where the program has it. */
   placeOf(probe: number): Place {
-    const hand = this.hands.at(probe);
-    const felt = this.feltBy(probe);
-    if (felt && (hand === undefined || !this.hands.movable(probe))) return { x: felt.x_m, y: felt.y_m };
-    return hand?.place ?? { x: 0, y: 0 };
+    const own = this.own.at(probe);
+    const felt = this.stateOf(probe);
+    if (felt && (own === undefined || !this.own.movable(probe))) return { x: felt.x_m, y: felt.y_m };
+    return own?.place ?? { x: 0, y: 0 };
   }
 
   /** Says whose words these are once there are several. */
   named(words: string): string {
-    return this.hands.several ? `Probe ${this.hands.chosen + 1}: ${words}` : words;
+    return this.own.several ? `Probe ${this.own.chosen + 1}: ${words}` : words;
   }
 
   /** How many there are, where, and what each feels. */
   words(surface: Surface, labelOf: (felt: Felt) => string): string {
-    const each = this.felt.map((felt) => `Probe ${felt.probe + 1}: ${feltWords(this.placeOf(felt.probe), felt.surface_m, newtons(felt), labelOf(felt), surface)}.`);
-    const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${this.hands.chosen + 1}.`;
+    const each = this.felt.map((felt) => `Probe ${felt.probe + 1}: ${probeWords(this.placeOf(felt.probe), felt.surface_m, newtons(felt), labelOf(felt), surface)}.`);
+    const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${this.own.chosen + 1}.`;
     return `${count} ${each.join(' ')}`;
   }
 
   /** As they are drawn. */
   views(surface: Surface, exaggeration: number): Probe[] {
     return this.numbers.map((probe) => {
-      const [place, felt, hand] = [this.placeOf(probe), this.feltBy(probe), this.hands.at(probe)];
-      const isOurs = hand !== undefined && this.hands.movable(probe);
-      const z = isOurs ? surface.heightAt(place) * exaggeration + Math.max(0, -hand.press) : Math.max(felt?.z_m ?? 0, felt?.surface_m ?? 0);
-      return { ...place, z, force: felt?.force ?? [0, 0, 0], number: probe + 1, chosen: probe === this.hands.chosen };
+      const [place, felt, own] = [this.placeOf(probe), this.stateOf(probe), this.own.at(probe)];
+      const isOurs = own !== undefined && this.own.movable(probe);
+      const z = isOurs ? surface.heightAt(place) * exaggeration + Math.max(0, -own.press) : Math.max(felt?.z_m ?? 0, felt?.surface_m ?? 0);
+      return { ...place, z, force: felt?.force ?? [0, 0, 0], number: probe + 1, chosen: probe === this.own.chosen };
     });
   }
 }

@@ -9,7 +9,7 @@ export interface ProbesTarget {
   choose(probe: number): void;
   add(): void;
   take(): void;
-  tellProbes(): void;
+  describeProbes(): void;
 }
 
 export class ProbesPanel {
@@ -21,7 +21,7 @@ export class ProbesPanel {
     this.choice.addEventListener('change', () => target.choose(Number(this.choice.value)));
     element('probe-add').addEventListener('click', () => target.add());
     element('probe-take').addEventListener('click', () => target.take());
-    element('probe-all').addEventListener('click', () => target.tellProbes());
+    element('probe-all').addEventListener('click', () => target.describeProbes());
   }
 
   /** `numbers`: those that can be chosen here. */
@@ -30,7 +30,7 @@ export class ProbesPanel {
     element<HTMLButtonElement>('probe-add').disabled = !canAdd;
     if (this.offered !== numbers.join()) {
       this.offered = numbers.join();
-      this.choice.replaceChildren(...numbers.map((probe) => new Option(probe === 0 ? '1, the hand' : String(probe + 1), String(probe))));
+      this.choice.replaceChildren(...numbers.map((probe) => new Option(probe === 0 ? '1, the first' : String(probe + 1), String(probe))));
     }
     this.choice.value = String(chosen);
   }

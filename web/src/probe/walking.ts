@@ -5,7 +5,7 @@
 import { element } from '../dom';
 import { Explorer, type Stance } from './explorer';
 import type { FromPage } from '../generated/protocol';
-import type { Hands } from './hands';
+import type { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
 
 /** Metres ahead, degrees to the left. */
@@ -27,7 +27,7 @@ export class Walking {
   private egocentric = false;
 
   constructor(
-    private readonly hands: Hands,
+    private readonly probes: PageProbes,
     private readonly page: WalkingPage,
   ) {}
 
@@ -36,7 +36,7 @@ export class Walking {
     for (const id of ['walking', 'walk-keys', 'stance-row']) element(id).hidden = !egocentric;
   }
 
-  /** A way told to the right of the explorer and ahead, as it runs in the scene. */
+  /** A displacement (x to the right of the explorer, y ahead) in the scene's frame. */
   inScene(way: Place): Place {
     return this.explorer.inScene(way);
   }
@@ -48,15 +48,15 @@ export class Walking {
     const before = this.explorer.stance;
     if (left !== 0) this.explorer.turn(left);
     if (ahead !== 0 && !this.explorer.walk(ahead, surface)) this.page.say('The scene ends here.');
-    for (const probe of this.hands.numbers) {
-      const hand = this.hands.at(probe)!;
-      const place = this.explorer.carried(hand.place, before);
-      hand.step(place.x - hand.place.x, place.y - hand.place.y, 0, surface);
+    for (const probe of this.probes.numbers) {
+      const moved = this.probes.at(probe)!;
+      const place = this.explorer.carried(moved.place, before);
+      moved.step(place.x - moved.place.x, place.y - moved.place.y, 0, surface);
     }
     this.stand();
   }
 
-  tell(): void {
+  sayStance(): void {
     if (!this.egocentric) return this.page.say('You look on from outside: this is the exocentric view.');
     this.stand();
   }

@@ -7,7 +7,7 @@ import type { Material } from './materials';
 import type { Preferences } from './preferences';
 
 /** What the program keeps (protocol.json, "change"). */
-export interface TouchWishes {
+export interface TouchSettings {
   law: string;
   stiffness: number;
   damping_Ns_per_m: number;
@@ -17,7 +17,7 @@ export interface TouchWishes {
 }
 
 export interface Settings {
-  touch: TouchWishes;
+  touch: TouchSettings;
   page: Preferences;
   /** By label. */
   materials: Material[];
@@ -30,7 +30,7 @@ interface Slider {
   words(value: number, law: Law | undefined): string;
 }
 
-const touchSlider = (id: string, key: keyof TouchWishes, words: Slider['words']): Slider => ({
+const touchSlider = (id: string, key: keyof TouchSettings, words: Slider['words']): Slider => ({
   id,
   read: ({ touch }) => touch[key] as number,
   write: (settings, value) => ({ ...settings, touch: { ...settings.touch, [key]: value } }),

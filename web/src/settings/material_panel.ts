@@ -27,7 +27,7 @@ const sliders: Slider[] = [
   { id: 'texture-angle', key: 'angle_deg', scale: 1, unit: '°', texture: true },
 ];
 
-/** What the pitch alone does not tell of a texture from a picture. */
+/** The size of the picture that a texture was made from: more than its pitch says. */
 function sideOf({ texture, pitch_m }: Material, key: Numbers): string {
   return texture === 'picture' && key === 'pitch_m' ? `, picture ${shown(pitch_m * pictureForms * 1e3)} mm` : '';
 }

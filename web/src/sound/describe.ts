@@ -15,7 +15,7 @@ const millimetres = (metres: number, digits = 0) => {
   return `${clean} ${clean === '1' ? 'millimetre' : 'millimetres'}`;
 };
 
-/** What is said where there is nothing to be told of. */
+/** What is said where there is nothing to describe. */
 export const noScene = 'There is no scene yet.';
 
 /** "upper left", "centre", …: which ninth of the rectangle a place is in. */
@@ -179,7 +179,7 @@ export function motionWords(height: number, slope: Place, label: string): string
 }
 
 /** One probe's share of what N says. */
-export function feltWords(place: Place, height: number, force: number, label: string, surface: Surface): string {
+export function probeWords(place: Place, height: number, force: number, label: string, surface: Surface): string {
   const named = label === '' ? '' : `, ${label}`;
   return `${regionOf(place, surface.width, surface.depth)}, ${fromMiddle(place)}, height ${millimetres(height, 1)}, force ${force.toFixed(2)} newtons${named}`;
 }

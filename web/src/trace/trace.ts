@@ -13,7 +13,7 @@ export interface TracePoint extends Place {
 export const closeWithin = 0.002;
 /** … once it has come this many times that far. */
 const leastLoop = 10;
-/** Movements below this are a resting hand's (m). */
+/** Movements below this are those of a hand at rest (m). */
 const leastStep = 0.0002;
 
 /** Collects a trace from the cue on; the clock starts with the first movement, as in the paper's study. */

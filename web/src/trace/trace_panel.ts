@@ -7,7 +7,7 @@ import { gridOver, maskOf, scoreOf, Tracer, turnOf, type TracePoint } from './tr
 import { readLine, traceCsv, traceNrrd, traceSvg } from './trace_files';
 
 export interface TraceSetting {
-  /** Where the hand is. */
+  /** Where the chosen probe is. */
   place(): Place;
   say(words: string): void;
   /** Draws the trace on the scene itself, too. */

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Notices when drawing is too slow for the hand to be followed.
+// Notices when drawing is too slow to follow the probe.
 
 const slow = 45;
 const patience = 12;

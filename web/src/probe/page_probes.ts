@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Which probe a pointer or the keys move. Keys and a pointer that is alone move the chosen probe; each further pointer at
-// the same moment is a probe of its own, as long as it is down. Probe 0 is the hand and always there.
-import { ProbeHand } from './probe';
+// the same moment is a probe of its own, as long as it is down. Probe 0 is the first one and always there.
+import { PageProbe } from './page_probe';
 import type { Place, Surface } from '../surface';
 
 interface Held {
@@ -11,56 +11,56 @@ interface Held {
   own: boolean;
 }
 
-export class Hands {
-  private readonly hands = new Map<number, ProbeHand>([[0, new ProbeHand()]]);
+export class PageProbes {
+  private readonly probes = new Map<number, PageProbe>([[0, new PageProbe()]]);
   private readonly pointers = new Map<number, Held>();
   private chosenProbe = 0;
   private most = 1;
-  private handIsHere = true;
+  private movesFirst = true;
 
-  /** How many probes there can be, and whether this page moves the hand (else a device does). */
-  set(most: number, handIsHere: boolean): void {
+  /** How many probes there can be, and whether this page moves the first one (else a device does). */
+  set(most: number, movesFirst: boolean): void {
     this.most = most;
-    this.handIsHere = handIsHere;
+    this.movesFirst = movesFirst;
   }
 
   get chosen(): number {
     return this.chosenProbe;
   }
-  /** Of those that this page moves, and the hand. */
+  /** Of those that this page moves, and the first. */
   get numbers(): number[] {
-    return [...this.hands.keys()].sort((a, b) => a - b);
+    return [...this.probes.keys()].sort((a, b) => a - b);
   }
   get several(): boolean {
-    return this.hands.size > 1;
+    return this.probes.size > 1;
   }
-  at(probe: number): ProbeHand | undefined {
-    return this.hands.get(probe);
+  at(probe: number): PageProbe | undefined {
+    return this.probes.get(probe);
   }
-  get hand(): ProbeHand {
-    return this.hands.get(this.chosenProbe)!;
+  get current(): PageProbe {
+    return this.probes.get(this.chosenProbe)!;
   }
   movable(probe = this.chosenProbe): boolean {
-    return probe !== 0 || this.handIsHere;
+    return probe !== 0 || this.movesFirst;
   }
 
   /** Chooses a probe, which is put down at `place` where it is not there yet; false if there can be none of that number. */
   choose(probe: number, place: Place): boolean {
     if (probe >= this.most) return false;
-    if (!this.hands.has(probe)) this.hands.set(probe, new ProbeHand(place));
+    if (!this.probes.has(probe)) this.probes.set(probe, new PageProbe(place));
     this.chosenProbe = probe;
     return true;
   }
 
   /** The lowest number that is free; null if there is none. */
   free(): number | null {
-    for (let probe = 1; probe < this.most; ++probe) if (!this.hands.has(probe)) return probe;
+    for (let probe = 1; probe < this.most; ++probe) if (!this.probes.has(probe)) return probe;
     return null;
   }
 
-  /** False for the hand, which stays. */
+  /** False for the first one, which stays. */
   remove(probe: number): boolean {
-    if (probe === 0 || !this.hands.delete(probe)) return false;
+    if (probe === 0 || !this.probes.delete(probe)) return false;
     if (this.chosenProbe === probe) this.chosenProbe = 0;
     for (const [pointer, held] of this.pointers) if (held.probe === probe) this.pointers.delete(pointer);
     return true;
@@ -74,7 +74,7 @@ export class Hands {
     }
     const probe = this.free();
     if (probe === null) return null;
-    this.hands.set(probe, new ProbeHand(place));
+    this.probes.set(probe, new PageProbe(place));
     this.pointers.set(pointer, { probe, own: true });
     return { probe, isNew: true };
   }
@@ -93,9 +93,9 @@ export class Hands {
     return held?.own && this.remove(held.probe) ? held.probe : null;
   }
 
-  /** Moves all marbles on; the probes whose places have to be told. */
+  /** Moves all marbles on; the probes whose places have to be sent. */
   advance(seconds: number, surface: Surface, exaggeration: number): number[] {
-    return this.numbers.filter((probe) => this.movable(probe) && this.hands.get(probe)!.advance(seconds, surface, exaggeration));
+    return this.numbers.filter((probe) => this.movable(probe) && this.probes.get(probe)!.advance(seconds, surface, exaggeration));
   }
 
   private isHeld(probe: number): boolean {

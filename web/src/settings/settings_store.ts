@@ -1,13 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Settings with their undo, and their exchange with the program: what is wished goes there, what holds comes back.
-import type { Settings, TouchWishes } from './controls';
-import type { Change, Edit, Materials, Settings as Told } from '../generated/protocol';
+// Settings with their undo, and their exchange with the program: requests go there, the values in force come back.
+import type { Settings, TouchSettings } from './controls';
+import type { Change, Edit, Materials, Settings as ProgramSettings } from '../generated/protocol';
 import { History } from './history';
 import { materialsOf, sameMaterial, type Material } from './materials';
 import { defaults } from './preferences';
 
-/** How long to wait for the answer to a change before believing whatever is told (ms). */
+/** How long to wait for the answer to a change before taking whatever the program reports (ms). */
 const answerTime = 3000;
 const names: Record<string, string> = {
   exaggeration: 'depth',
@@ -20,12 +20,12 @@ const names: Record<string, string> = {
   angle_deg: 'texture angle',
 };
 
-export class SettingsKeeper {
+export class SettingsStore {
   private readonly history: History<Settings>;
   /** What held when the page came; null before it is known. */
-  private begun: TouchWishes | null = null;
+  private begun: TouchSettings | null = null;
   /** What the program was last asked for, or said by itself. */
-  private asked: TouchWishes | null = null;
+  private asked: TouchSettings | null = null;
   private begunMaterials: Material[] | null = null;
   private askedMaterials: Material[] = [];
   private askedAt = -Infinity;
@@ -79,8 +79,8 @@ export class SettingsKeeper {
     this.askedAt = -Infinity;
   }
 
-  /** What holds, by the program. False if it answers an earlier change than the last: a slider is still dragged. */
-  told({ answers, law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px }: Told): boolean {
+  /** The values in force, from the program. False if it answers an earlier change than the last: a slider is still dragged. */
+  receive({ answers, law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px }: ProgramSettings): boolean {
     if (this.waits(answers)) return false;
     const touch = { law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px };
     this.asked = touch;
@@ -95,7 +95,7 @@ export class SettingsKeeper {
   }
 
   /** The same for the materials; those of another scene begin anew. */
-  toldMaterials(message: Materials): boolean {
+  receiveMaterials(message: Materials): boolean {
     const materials = materialsOf(message);
     const another = materials.length !== this.begunMaterials?.length;
     if (!another && this.waits(message.answers)) return false;
@@ -137,8 +137,8 @@ export class SettingsKeeper {
   }
 }
 
-function sameTouch(a: TouchWishes, b: TouchWishes): boolean {
-  return Object.keys(a).every((key) => a[key as keyof TouchWishes] === b[key as keyof TouchWishes]);
+function sameTouch(a: TouchSettings, b: TouchSettings): boolean {
+  return Object.keys(a).every((key) => a[key as keyof TouchSettings] === b[key as keyof TouchSettings]);
 }
 
 function difference(a: Settings, b: Settings): string {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The hand on the page: where it wants to be, and the marble that follows it.
+// A probe that this page moves: its target, and the marble that follows it.
 import { follow } from './marble';
 import type { Place, Surface } from '../surface';
 
@@ -8,7 +8,7 @@ const usualPress = 0.0015;
 const deepest = 0.004;
 const highest = -0.02;
 
-export class ProbeHand {
+export class PageProbe {
   private target: Place;
   private marblePlace: Place;
   private pressDepth = usualPress;
@@ -53,19 +53,19 @@ export class ProbeHand {
     this.setPress(usualPress);
   }
 
-  /** It is to be told anew, wherever it is. */
-  tell(): void {
+  /** Its place is sent again, wherever it is. */
+  resend(): void {
     this.changed = true;
   }
 
-  /** Moves the marble on; true if its place has to be told. */
+  /** Moves the marble on; true if its place has to be sent. */
   advance(seconds: number, surface: Surface, exaggeration: number): boolean {
     const slope = surface.slopeAt(this.marblePlace);
     const before = this.marblePlace;
     this.marblePlace = follow(before, this.target, { x: slope.x * exaggeration, y: slope.y * exaggeration }, seconds);
-    const told = this.changed || before.x !== this.marblePlace.x || before.y !== this.marblePlace.y;
+    const moved = this.changed || before.x !== this.marblePlace.x || before.y !== this.marblePlace.y;
     this.changed = false;
-    return told;
+    return moved;
   }
 
   private setPress(depth: number): void {

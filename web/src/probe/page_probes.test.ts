@@ -1,0 +1,110 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { State } from '../generated/protocol';
+import { Probes } from './probes';
+import { Surface } from '../surface';
+
+const ramp = new Surface(11, 11, new Float32Array(121).map((_, k) => 0.001 * (k % 11)), 0.11, 0.11);
+const middle = { x: 0, y: 0 };
+const right = { x: 0.03, y: 0.01 };
+let probes: Probes;
+beforeEach(() => {
+  probes = new Probes();
+  probes.own.set(3, true);
+});
+
+describe('pointers and probes', () => {
+  it('a pointer that is alone moves the first probe and leaves it where it was', () => {
+    const { own } = probes;
+    expect(own.movedBy(7)).toBe(0);
+    expect(own.press(7, right)).toEqual({ probe: 0, isNew: false });
+    expect(own.release(7)).toBe(null);
+    expect(own.numbers).toEqual([0]);
+  });
+  it('each further finger is a probe of its own, where it touches, until it is lifted', () => {
+    const { own } = probes;
+    own.press(1, middle);
+    expect(own.press(2, right)).toEqual({ probe: 1, isNew: true });
+    expect(own.press(3, middle)).toEqual({ probe: 2, isNew: true });
+    expect(own.at(1)!.place).toEqual(right);
+    expect([1, 2, 3].map((pointer) => own.movedBy(pointer))).toEqual([0, 1, 2]);
+    expect(own.press(4, middle)).toBe(null);
+    expect(own.movedBy(4)).toBe(null);
+    expect(own.release(2)).toBe(1);
+    expect(own.release(2)).toBe(null);
+    expect(own.numbers).toEqual([0, 2]);
+    expect(own.press(4, middle)).toEqual({ probe: 1, isNew: true });
+  });
+  it('the first finger up leaves the first probe behind, and the next one takes it again', () => {
+    const { own } = probes;
+    own.press(1, middle);
+    own.press(2, right);
+    expect(own.release(1)).toBe(null);
+    expect(own.press(3, middle)).toEqual({ probe: 0, isNew: false });
+    expect(own.numbers).toEqual([0, 1]);
+  });
+  it('the probe of a device is not moved by a pointer, which has a probe of its own', () => {
+    const { own } = probes;
+    own.set(3, false);
+    expect(own.movedBy(7)).toBe(null);
+    expect(own.press(7, right)).toEqual({ probe: 1, isNew: true });
+    expect(own.advance(0.016, ramp, 1)).toEqual([1]);
+  });
+});
+
+describe('keys and probes', () => {
+  it('put a probe down, move it alone, and take it away', () => {
+    const { own } = probes;
+    own.advance(0.016, ramp, 1);
+    expect(own.choose(2, right)).toBe(true);
+    expect(own.free()).toBe(1);
+    expect(own.current.place).toEqual(right);
+    own.current.step(0.001, 0, 0, ramp);
+    expect(own.advance(0.016, ramp, 1)).toEqual([2]);
+    expect(own.at(0)!.place).toEqual(middle);
+    expect(own.remove(2)).toBe(true);
+    expect(own.chosen).toBe(0);
+    expect(own.remove(0)).toBe(false);
+  });
+  it('choose none beyond what the program holds', () => {
+    expect(probes.own.choose(3, right)).toBe(false);
+    expect(probes.own.numbers).toEqual([0]);
+  });
+  it('a probe that keys have put down stays when a pointer that moved it is up', () => {
+    const { own } = probes;
+    own.choose(1, right);
+    expect(own.press(5, middle)).toEqual({ probe: 1, isNew: false });
+    expect(own.release(5)).toBe(null);
+    expect(own.numbers).toEqual([0, 1]);
+  });
+});
+
+describe('what probes feel', () => {
+  const state: State = {
+    type: 'state', t_s: 1, x_m: 0, y_m: 0, z_m: 0.004, proxy_x_m: 0, proxy_y_m: 0, proxy_z_m: 0, surface_m: 0.005, fx_N: 0, fy_N: 0, fz_N: 0.5,
+    contact: true, label: 1, rate_hz: 1000, further: [2], further_x_m: [0.03], further_y_m: [0.01], further_z_m: [0.007], further_surface_m: [0.008],
+    further_fx_N: [0.3], further_fy_N: [0], further_fz_N: [0.4], further_contact: [1], further_label: [0],
+  };
+  it('is known of each, with its number, place, height, force and label', () => {
+    probes.receive(state);
+    expect(probes.stateOf(2)).toMatchObject({ x_m: 0.03, force: [0.3, 0, 0.4], contact: true });
+    expect(probes.words(ramp, ({ label }) => (label === 1 ? 'rock' : ''))).toBe(
+      '2 probes, the keys move probe 1. Probe 1: centre, at the middle, height 5.0 millimetres, force 0.50 newtons, rock. ' +
+        'Probe 3: middle right, 30 millimetres right, 10 millimetres up from the middle, height 8.0 millimetres, force 0.50 newtons.',
+    );
+  });
+  it('is shown where another page moves a probe, and a row each', () => {
+    probes.receive(state);
+    const views = probes.views(ramp, 1);
+    expect(views.map(({ number, chosen }) => [number, chosen])).toEqual([[1, true], [3, false]]);
+    expect(views[1]).toMatchObject({ x: 0.03, y: 0.01, z: 0.008, force: [0.3, 0, 0.4] });
+    probes.forget();
+    expect(probes.numbers).toEqual([0]);
+  });
+  it('is named only where there are several', () => {
+    expect(probes.named('level')).toBe('level');
+    probes.own.choose(1, right);
+    expect(probes.named('level')).toBe('Probe 2: level');
+  });
+});
