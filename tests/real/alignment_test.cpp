@@ -5,6 +5,7 @@
 #include "palpable/sources/depth/depth_file.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 #include "palpable/cli/score_json.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/draw/panels_view.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <chrono>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/session/make/make_scene.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <chrono>
 #include <filesystem>

@@ -4,6 +4,7 @@
 #include "palpable/cli/say_aloud.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/draw/marks_view.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 
 #include <filesystem>

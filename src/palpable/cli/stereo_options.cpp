@@ -5,6 +5,7 @@
 #include "palpable/cli/suggest.hpp"
 #include "palpable/session/make/make_scene.hpp"
 #include "palpable/sources/input/input.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <cmath>
 #include <utility>

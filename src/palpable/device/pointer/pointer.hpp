@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/device/device.hpp"
 #include "palpable/device/open_options.hpp"
 
 #include <memory>

@@ -6,6 +6,7 @@
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/depth/depth_file.hpp"
 #include "palpable/sources/solid/points_file.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 
 #include <cmath>

@@ -11,6 +11,7 @@
 #include "palpable/session/make/relief_scene.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/picture/picture.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 #include "palpable/vision/stereo/result/front_view.hpp"
 

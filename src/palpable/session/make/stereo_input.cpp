@@ -5,6 +5,7 @@
 #include "palpable/session/make/places.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/vision/rectification/alignment.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include "palpable/core/quantile.hpp"
 #include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>
 #include <cmath>

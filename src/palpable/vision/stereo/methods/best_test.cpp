@@ -3,6 +3,7 @@
 #include "palpable/vision/stereo/methods/best.hpp"
 
 #include "palpable/vision/stereo/methods/fast.hpp"
+#include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
 #include <algorithm>

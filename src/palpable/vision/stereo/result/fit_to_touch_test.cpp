@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 
+#include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
 #include <algorithm>
