@@ -36,7 +36,9 @@ std::vector<double> round_ticks(double low, double high, int most) {
 }
 
 std::string label_of(double value, double step) {
-  const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+  // A step of 0 or less, as a range of one value has, asks for no decimals.
+  const int decimals =
+      step > 0.0 ? std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12) : 0;
   std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
   const bool zero = text.find_first_not_of("0.") == std::string::npos;
   return value < 0.0 && !zero ? "\u2212" + text : text;

@@ -21,6 +21,7 @@ TEST(LabelOf, ShowsTheDecimalsThatTheStepNeeds) {
   EXPECT_EQ(label_of(20.0, 20.0), "20");
   EXPECT_EQ(label_of(-0.0001, 0.5), "0.0");
   EXPECT_EQ(label_of(-10.0, 10.0), "\u221210");
+  EXPECT_EQ(label_of(100.0, 0.0), "100");
 }
 
 TEST(Plot, PutsTheTopValueAtTheTop) {

@@ -23,11 +23,21 @@ double crossing_m(const Distance& field, double x_m, double y_m, double outside_
   return 0.5 * (outside_m + inside_m);
 }
 
-/// Down from the top of the grid by the distance itself, which no surface is nearer than.
+/// Whether a vertical line there passes through the grid. Beside the grid no distance may be trusted as a
+/// step: it is only an upper bound there.
+template <DistanceSurface Distance>
+bool passes_through(const Distance& field, double x_m, double y_m) {
+  const Vec3 size = field.size_m();
+  const double x = x_m - field.origin_m().x, y = y_m - field.origin_m().y;
+  return x >= 0.0 && y >= 0.0 && x <= size.x && y <= size.y;
+}
+
+/// Sphere tracing: down from the top of the grid in steps of the distance, since no surface is nearer. The
+/// top itself may lie a rounding error outside the grid, where sample() is as exact as inside.
 template <DistanceSurface Distance>
 double height_m(const Distance& field, double x_m, double y_m, double lowest_m) {
+  if (!passes_through(field, x_m, y_m)) return lowest_m;
   double outside_m = field.origin_m().z + field.size_m().z;
-  if (!field.contains({x_m, y_m, outside_m})) return lowest_m;
   constexpr double kShare = 0.95;
   const double shortest_m = 0.25 * field.cell_m();
   for (double z_m = outside_m; z_m > lowest_m;) {
