@@ -1,10 +1,9 @@
-# Every outside library, found once. Nothing is downloaded at build time; packages.txt names the Debian packages.
+# Every outside library, found once. Nothing is downloaded at build time; packages/*.txt name the Debian packages.
 find_package(PkgConfig REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d video videoio ximgproc)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d video)
 find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Ceres REQUIRED)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Boost REQUIRED)
@@ -37,4 +36,6 @@ if(PALPABLE_TESTS)
 endif()
 if(PALPABLE_BENCH)
   find_package(benchmark REQUIRED)
+  # The peer that stereo_bench runs beside ours.
+  find_package(OpenCV REQUIRED COMPONENTS ximgproc)
 endif()
