@@ -5,8 +5,8 @@
 #include "palpable/core/check.hpp"
 #include "palpable/vision/image/census.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
-#include "palpable/vision/stereo/occlusion/left_right.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
+#include "palpable/vision/stereo/occlusion/left_right.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 
