@@ -53,25 +53,25 @@ cv::Mat blurred(const cv::Mat& values, double sigma) {
 double share_of(const cv::Mat& values, double share) { return share * std::max(values.cols, values.rows); }
 
 /// The nearness less a share of its local mean: what is left of a level is 1 / compression of it.
-cv::Mat chiu(const cv::Mat& nearness, double compression) {
-  const cv::Mat mean = blurred(nearness, std::max(1.0, share_of(nearness, 0.03)));
+cv::Mat chiu(const cv::Mat& nearness, double compression, const ChiuOptions& options) {
+  const cv::Mat mean = blurred(nearness, std::max(1.0, share_of(nearness, options.mean_scale)));
   return nearness - mean * (1.0 - 1.0 / compression);
 }
 
-/// The level that a place is adapted to: its mean over the largest window, up to sixteen pixels, in which
-/// that mean differs little from the mean over twice the window.
-cv::Mat adapted_level(const cv::Mat& nearness) {
-  constexpr float kContrast = 0.02F;
+/// The level that a place is adapted to: its mean over the largest window in which that mean differs little
+/// from the mean over twice the window.
+cv::Mat adapted_level(const cv::Mat& nearness, const AshikhminOptions& options) {
+  const auto contrast = static_cast<float>(options.contrast);
   cv::Mat level = nearness.clone();
   cv::Mat settled = cv::Mat::zeros(nearness.size(), CV_8U);
-  for (double sigma = 1.0; sigma <= 16.0; sigma *= 1.6) {
+  for (double sigma = 1.0; sigma <= options.greatest_window_px; sigma *= options.window_factor) {
     const cv::Mat mean = blurred(nearness, sigma);
     const cv::Mat wider = blurred(nearness, 2.0 * sigma);
     for (int y = 0; y < nearness.rows; ++y)
       for (int x = 0; x < nearness.cols; ++x) {
         auto& done = settled.at<std::uint8_t>(y, x);
         if (done != 0) continue;
-        if (std::abs(mean.at<float>(y, x) - wider.at<float>(y, x)) > kContrast)
+        if (std::abs(mean.at<float>(y, x) - wider.at<float>(y, x)) > contrast)
           done = 1;
         else
           level.at<float>(y, x) = mean.at<float>(y, x);
@@ -80,41 +80,40 @@ cv::Mat adapted_level(const cv::Mat& nearness) {
   return level;
 }
 
-cv::Mat ashikhmin(const cv::Mat& nearness, double compression) {
-  const cv::Mat level = adapted_level(nearness);
+cv::Mat ashikhmin(const cv::Mat& nearness, double compression, const AshikhminOptions& options) {
+  const cv::Mat level = adapted_level(nearness, options);
   return level / compression + (nearness - level);
 }
 
-/// Durand & Dorsey's base under a curve that gives near things more room than far ones.
-cv::Mat bilateral(const cv::Mat& nearness, double compression) {
-  constexpr double kRange = 0.1;
+/// Durand & Dorsey's base under a curve that gives near parts more height than far ones.
+cv::Mat bilateral(const cv::Mat& nearness, double compression, const BilateralOptions& options) {
   cv::Mat base;
-  const double sigma = std::max(1.0, share_of(nearness, 0.01));
-  cv::bilateralFilter(nearness, base, static_cast<int>(std::ceil(3.0 * sigma)) | 1, kRange, sigma,
+  const double sigma = std::max(1.0, share_of(nearness, options.spatial_scale));
+  cv::bilateralFilter(nearness, base, static_cast<int>(std::ceil(3.0 * sigma)) | 1, options.range, sigma,
                       cv::BORDER_REPLICATE);
   const cv::Mat detail = nearness - base;
-  return curved(base, [compression](double b) { return std::pow(std::max(b, 0.0), 0.8) / compression; }) +
+  return curved(base,
+                [&](double b) { return std::pow(std::max(b, 0.0), options.base_exponent) / compression; }) +
          detail;
 }
 
-/// Each height's rank among all, with a linear share so that a level that fills half the picture does not
-/// open a gulf.
-cv::Mat histogram(const cv::Mat& nearness) {
-  constexpr std::size_t kBins = 4096;
-  constexpr double kLinearShare = 0.2;
-  std::vector<double> rank(kBins + 1, 0.0);
+/// Each height's rank among all, mixed with the height itself.
+cv::Mat histogram(const cv::Mat& nearness, const HistogramOptions& options) {
+  const auto bins = static_cast<std::size_t>(options.bins);
+  const double per_bin = options.bins;
+  std::vector<double> rank(bins + 1, 0.0);
   for (int y = 0; y < nearness.rows; ++y)
     for (int x = 0; x < nearness.cols; ++x) {
       const double v = std::clamp(double{nearness.at<float>(y, x)}, 0.0, 1.0);
-      rank[1 + std::min(kBins - 1, static_cast<std::size_t>(v * kBins))] += 1.0;
+      rank[1 + std::min(bins - 1, static_cast<std::size_t>(v * per_bin))] += 1.0;
     }
   const auto count = static_cast<double>(nearness.total());
-  for (std::size_t k = 1; k <= kBins; ++k) rank[k] = rank[k - 1] + rank[k] / count;
-  return curved(nearness.clone(), [&rank](double v) {
-    const double place = std::clamp(v, 0.0, 1.0) * kBins;
-    const auto k = std::min(kBins - 1, static_cast<std::size_t>(place));
+  for (std::size_t k = 1; k <= bins; ++k) rank[k] = rank[k - 1] + rank[k] / count;
+  return curved(nearness.clone(), [&](double v) {
+    const double place = std::clamp(v, 0.0, 1.0) * per_bin;
+    const auto k = std::min(bins - 1, static_cast<std::size_t>(place));
     const double equal = rank[k] + (place - static_cast<double>(k)) * (rank[k + 1] - rank[k]);
-    return (1.0 - kLinearShare) * equal + kLinearShare * v;
+    return (1.0 - options.linear_share) * equal + options.linear_share * v;
   });
 }
 
@@ -133,8 +132,9 @@ std::optional<DetailOperator> detail_operator_from(std::string_view name) {
 }
 
 Result<Raster<float>> map_detail(const Raster<float>& nearness, DetailOperator detail,
-                                 const DetailTarget& target, const Work& work) {
-  if (detail == DetailOperator::relief) return gradient_domain_relief(nearness, target, work);
+                                 const DetailTarget& target, const DetailOptions& options, const Work& work) {
+  if (const auto valid = check_ranges(options); !valid) return valid.error();
+  if (detail == DetailOperator::relief) return gradient_domain_relief(nearness, target, options.relief, work);
   if (work.cancelled()) return Work::interrupted();
   const cv::Mat n = as_mat(nearness);
   const double c = target.compression;
@@ -149,13 +149,13 @@ Result<Raster<float>> map_detail(const Raster<float>& nearness, DetailOperator d
       return finished(curved(n, [mean](double v) { return v / (v + mean); }));
     }
     case DetailOperator::chiu:
-      return finished(chiu(n, c));
+      return finished(chiu(n, c, options.chiu));
     case DetailOperator::ashikhmin:
-      return finished(ashikhmin(n, c));
+      return finished(ashikhmin(n, c, options.ashikhmin));
     case DetailOperator::bilateral:
-      return finished(bilateral(n, c));
+      return finished(bilateral(n, c, options.bilateral));
     case DetailOperator::histogram:
-      return finished(histogram(n));
+      return finished(histogram(n, options.histogram));
     case DetailOperator::linear:
     case DetailOperator::relief:
       break;

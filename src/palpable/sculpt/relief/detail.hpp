@@ -5,6 +5,7 @@
 #include "palpable/core/raster.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/sculpt/relief/detail_options.hpp"
 
 #include <array>
 #include <optional>
@@ -55,14 +56,13 @@ struct DetailTarget {
 };
 
 /// Heights in metres, 0 ... target.height_m, before the slope limit (only `relief` obeys it by itself).
-/// `nearness`: 0 (far)
-/// ... 1 (near), finite, at least 2 x 2. Long work for `relief`, `ashikhmin` and `bilateral`. Errors:
-/// interrupted.
+/// `nearness`: 0 (far) ... 1 (near), finite, at least 2 x 2. Long work for `relief`, `ashikhmin` and
+/// `bilateral`. Errors: usage for options out of range, interrupted.
 Result<Raster<float>> map_detail(const Raster<float>& nearness, DetailOperator detail,
-                                 const DetailTarget& target, const Work& work);
+                                 const DetailTarget& target, const DetailOptions& options, const Work& work);
 
 /// `relief` alone (detail_relief.cpp); as map_detail().
 Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, const DetailTarget& target,
-                                             const Work& work);
+                                             const GradientDomainOptions& options, const Work& work);
 
 }  // namespace palpable::sculpt

@@ -23,35 +23,8 @@ namespace {
 // equation by the discrete cosine transform). Between the first rounds the gain is corrected, until the
 // relief is as high as it may be.
 
-/// A silhouette's step: at least this, growing with the gain of the ground up to the greatest.
-constexpr double kLeastStep_m = 0.0006;
-constexpr double kGreatestStep_m = 0.0030;
-/// What is not to be had is shared out among silhouettes within these shares of their step.
-constexpr float kStepAtLeast = 0.3F;
-constexpr float kStepAtMost = 6.0F;
-/// Steps within so many pixels add up, as far as the ramps of the nearest ones reach.
-constexpr int kStepWindow_px = 5;
-constexpr int kStepReach_px = 6;
-/// A silhouette is steeper than this many times the slope limit.
-constexpr float kSilhouette = 2.0F;
-constexpr float kSilhouetteWeight = 0.05F;
-/// The large scale on which steepness decides the gain, and the one above which a form is no detail: shares
-/// of the longer side.
-constexpr double kGainScale = 0.08;
-constexpr double kDetailScale = 0.04;
-/// Detail keeps this much of its height, wherever the order of heights allows it.
-constexpr float kDetailGain = 0.30F;
-/// Where the scene is so level (the measures of touch count no slope below it), the relief may lean as much
-/// either way.
-constexpr float kFeltSlope = 0.02F;
-/// Each round goes this much of the way to its Poisson solution: over-relaxation, which needs fewer rounds.
-constexpr float kOnward = 1.6F;
-constexpr int kRounds = 28;
 constexpr double kLeastKnee = 0.005;
 constexpr double kGreatestKnee = 20.0;
-/// Until the first of these rounds the gain is corrected, whenever as many as the second have passed.
-constexpr int kCorrectedUntil = 20;
-constexpr int kCorrectedEvery = 4;
 
 /// Differences to the right and below; the last column (row) is 0.
 struct Differences {
@@ -168,21 +141,22 @@ Differences levels(const Differences& own, double silhouette, double steep) {
 
 /// How high the silhouettes' steps near each pixel are together: the steps of a short window, and round each
 /// as far as its ramp may reach.
-cv::Mat crowded_steps(const Ground& g) {
+cv::Mat crowded_steps(const Ground& g, const GradientDomainOptions& options) {
+  const int window_px = options.step_window_px, reach_px = options.step_reach_px;
   cv::Mat x;
   cv::Mat y;
-  cv::boxFilter(cv::abs(g.own.x).mul(1.0F - g.level.x), x, CV_32F, {kStepWindow_px, 1}, {-1, -1}, false);
-  cv::boxFilter(cv::abs(g.own.y).mul(1.0F - g.level.y), y, CV_32F, {1, kStepWindow_px}, {-1, -1}, false);
+  cv::boxFilter(cv::abs(g.own.x).mul(1.0F - g.level.x), x, CV_32F, {window_px, 1}, {-1, -1}, false);
+  cv::boxFilter(cv::abs(g.own.y).mul(1.0F - g.level.y), y, CV_32F, {1, window_px}, {-1, -1}, false);
   const cv::Mat here = cv::max(x, y);
   cv::Mat steps;
-  cv::dilate(here, steps, cv::Mat::ones(2 * kStepReach_px + 1, 2 * kStepReach_px + 1, CV_8U));
-  cv::GaussianBlur(steps, steps, {}, kStepReach_px, kStepReach_px, cv::BORDER_REPLICATE);
+  cv::dilate(here, steps, cv::Mat::ones(2 * reach_px + 1, 2 * reach_px + 1, CV_8U));
+  if (reach_px > 0) cv::GaussianBlur(steps, steps, {}, reach_px, reach_px, cv::BORDER_REPLICATE);
   return cv::max(steps, here);
 }
 
-/// kFeltSlope where the scene slopes less than that all round a pixel, 0 elsewhere.
-cv::Mat unfelt_lean(const cv::Mat& slope_m, double pixel_m) {
-  const auto felt = static_cast<float>(kFeltSlope * pixel_m);
+/// `felt_m` where neighbours all round a pixel differ by less than that, 0 elsewhere.
+cv::Mat unfelt_lean(const cv::Mat& slope_m, double felt_m) {
+  const auto felt = static_cast<float>(felt_m);
   cv::Mat steepest;
   cv::dilate(slope_m, steepest, cv::Mat::ones(3, 3, CV_8U));
   cv::Mat lean = cv::Mat::zeros(slope_m.size(), CV_32F);
@@ -190,17 +164,18 @@ cv::Mat unfelt_lean(const cv::Mat& slope_m, double pixel_m) {
   return lean;
 }
 
-Ground survey(const cv::Mat& scene, const DetailTarget& target) {
+Ground survey(const cv::Mat& scene, const DetailTarget& target, const GradientDomainOptions& options) {
   Ground g;
   g.own = differences(scene);
-  g.level = levels(g.own, kSilhouette * target.steepest_slope * target.pixel_m,
+  g.level = levels(g.own, options.silhouette_slope * target.steepest_slope * target.pixel_m,
                    target.steepest_slope * target.pixel_m);
-  g.base = {level_mean(g.own.x, g.level.x, kDetailScale), level_mean(g.own.y, g.level.y, kDetailScale)};
+  g.base = {level_mean(g.own.x, g.level.x, options.detail_scale),
+            level_mean(g.own.y, g.level.y, options.detail_scale)};
   cv::Mat slope;
   cv::magnitude(g.own.x, g.own.y, slope);
-  g.lean = unfelt_lean(slope, target.pixel_m);
-  g.large_slope = level_mean(slope / target.pixel_m, g.level.x.mul(g.level.y), kGainScale);
-  g.steps = crowded_steps(g);
+  g.lean = unfelt_lean(slope, options.unfelt_slope * target.pixel_m);
+  g.large_slope = level_mean(slope / target.pixel_m, g.level.x.mul(g.level.y), options.gain_scale);
+  g.steps = crowded_steps(g, options);
   return g;
 }
 
@@ -211,18 +186,23 @@ struct Strength {
   float step_m;
 };
 
-Strength strength_at(double knee) {
+Strength strength_at(double knee, const GradientDomainOptions& options) {
   return {static_cast<float>(knee),
-          static_cast<float>(std::min(kGreatestStep_m, kLeastStep_m * (1.0 + 4.0 * std::sqrt(knee))))};
+          static_cast<float>(
+              std::min(options.greatest_step_m, options.least_step_m * (1.0 + 4.0 * std::sqrt(knee))))};
 }
 
 /// One direction's part of the goal.
 void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, const Ground& g,
-              Strength strength, const DetailTarget& target, cv::Mat& wanted, cv::Mat& weight, cv::Mat& low,
-              cv::Mat& high) {
+              Strength strength, const DetailTarget& target, const GradientDomainOptions& options,
+              cv::Mat& wanted, cv::Mat& weight, cv::Mat& low, cv::Mat& high) {
   for (cv::Mat* m : {&wanted, &weight, &low, &high}) m->create(own.size(), CV_32F);
   const auto steepest = static_cast<float>(target.steepest_slope * target.pixel_m);
   const auto compression = static_cast<float>(target.compression);
+  const auto step_at_least = static_cast<float>(options.step_least_share),
+             step_at_most = static_cast<float>(options.step_greatest_share),
+             detail_gain = static_cast<float>(options.detail_gain),
+             silhouette_weight = static_cast<float>(options.silhouette_weight);
   for (int y = 0; y < own.rows; ++y)
     for (int x = 0; x < own.cols; ++x) {
       const float d = own.at<float>(y, x);
@@ -233,24 +213,25 @@ void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, con
       const float smooth = base.at<float>(y, x);
       const float step =
           size * std::min(1.0F / compression, strength.step_m / std::max(g.steps.at<float>(y, x), 1e-9F));
-      const float most = silhouette ? kStepAtMost * step : std::clamp(size, lean, steepest);
-      const float least = silhouette ? kStepAtLeast * step : -lean;
-      const float eased = gain * smooth + std::max(gain, kDetailGain) * (d - smooth);
+      const float most = silhouette ? step_at_most * step : std::clamp(size, lean, steepest);
+      const float least = silhouette ? step_at_least * step : -lean;
+      const float eased = gain * smooth + std::max(gain, detail_gain) * (d - smooth);
       const float sign = std::copysign(1.0F, d);
       wanted.at<float>(y, x) = sign * std::clamp(silhouette ? step : sign * eased, least, most);
-      weight.at<float>(y, x) = silhouette ? kSilhouetteWeight : 1.0F;
+      weight.at<float>(y, x) = silhouette ? silhouette_weight : 1.0F;
       low.at<float>(y, x) = d > 0.0F ? least : -most;
       high.at<float>(y, x) = d > 0.0F ? most : -least;
     }
 }
 
-Goal goal_for(const Ground& g, double knee, const DetailTarget& target) {
+Goal goal_for(const Ground& g, double knee, const DetailTarget& target,
+              const GradientDomainOptions& options) {
   Goal goal;
-  const Strength strength = strength_at(knee);
-  set_goal(g.own.x, g.level.x, g.base.x, g, strength, target, goal.wanted.x, goal.weight.x, goal.low.x,
-           goal.high.x);
-  set_goal(g.own.y, g.level.y, g.base.y, g, strength, target, goal.wanted.y, goal.weight.y, goal.low.y,
-           goal.high.y);
+  const Strength strength = strength_at(knee, options);
+  set_goal(g.own.x, g.level.x, g.base.x, g, strength, target, options, goal.wanted.x, goal.weight.x,
+           goal.low.x, goal.high.x);
+  set_goal(g.own.y, g.level.y, g.base.y, g, strength, target, options, goal.wanted.y, goal.weight.y,
+           goal.low.y, goal.high.y);
   return goal;
 }
 
@@ -263,7 +244,8 @@ double range_of(const cv::Mat& z) {
 
 /// The knee at which the relief is as high as it may be, found on a small picture without the rounds: its
 /// height grows with the knee.
-double knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
+double knee_for_height(const cv::Mat& scene, const DetailTarget& target,
+                       const GradientDomainOptions& options) {
   constexpr int kSmall = 160;
   const double scale = std::min(1.0, static_cast<double>(kSmall) / std::max(scene.cols, scene.rows));
   cv::Mat small;
@@ -272,12 +254,12 @@ double knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
   DetailTarget coarse = target;
   coarse.pixel_m = target.pixel_m * scene.cols / small.cols;
   const PoissonSolver poisson(small.size());
-  const Ground ground = survey(small, coarse);
+  const Ground ground = survey(small, coarse, options);
   double low = std::log(kLeastKnee);
   double high = std::log(kGreatestKnee);
   for (int k = 0; k < 12; ++k) {
     const double middle = 0.5 * (low + high);
-    const Goal goal = goal_for(ground, std::exp(middle), coarse);
+    const Goal goal = goal_for(ground, std::exp(middle), coarse, options);
     (range_of(poisson.solve(goal.wanted)) > target.height_m ? high : low) = middle;
   }
   return std::exp(0.5 * (low + high));
@@ -285,7 +267,7 @@ double knee_for_height(const cv::Mat& scene, const DetailTarget& target) {
 
 /// A round's new differences and multipliers, one direction.
 void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, const cv::Mat& low,
-             const cv::Mat& high, cv::Mat& chosen, cv::Mat& multiplier) {
+             const cv::Mat& high, float relaxation, cv::Mat& chosen, cv::Mat& multiplier) {
   for (int y = 0; y < own.rows; ++y) {
     const auto* o = own.ptr<float>(y);
     const auto* t = wanted.ptr<float>(y);
@@ -295,7 +277,7 @@ void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, c
     auto* c = chosen.ptr<float>(y);
     auto* m = multiplier.ptr<float>(y);
     for (int x = 0; x < own.cols; ++x) {
-      const float onward = kOnward * o[x] + (1.0F - kOnward) * c[x];
+      const float onward = relaxation * o[x] + (1.0F - relaxation) * c[x];
       const float free = (w[x] * t[x] + onward + m[x]) / (w[x] + 1.0F);
       c[x] = std::max(l[x], std::min(u[x], free));
       m[x] += onward - c[x];
@@ -306,7 +288,7 @@ void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, c
 }  // namespace
 
 Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, const DetailTarget& target,
-                                             const Work& work) {
+                                             const GradientDomainOptions& options, const Work& work) {
   Raster<float> result = nearness;
   const cv::Mat given(result.height(), result.width(), CV_32F, result.data());
   cv::Mat scene = given * (target.compression * target.height_m);
@@ -314,25 +296,26 @@ Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, cons
     std::fill(result.values().begin(), result.values().end(), 0.0F);
     return result;
   }
-  const Ground ground = survey(scene, target);
-  double knee = knee_for_height(scene, target);
-  Goal goal = goal_for(ground, knee, target);
+  const Ground ground = survey(scene, target, options);
+  double knee = knee_for_height(scene, target, options);
+  Goal goal = goal_for(ground, knee, target, options);
   const PoissonSolver poisson(scene.size());
   Differences chosen{goal.wanted.x.clone(), goal.wanted.y.clone()};
   Differences multiplier{cv::Mat::zeros(scene.size(), CV_32F), cv::Mat::zeros(scene.size(), CV_32F)};
+  const auto relaxation = static_cast<float>(options.relaxation);
   cv::Mat relief;
-  for (int round = 1; round <= kRounds; ++round) {
+  for (int round = 1; round <= options.rounds; ++round) {
     if (work.cancelled()) return Work::interrupted();
     relief = poisson.solve({chosen.x - multiplier.x, chosen.y - multiplier.y});
     const Differences own = differences(relief);
-    if (round <= kCorrectedUntil && round % kCorrectedEvery == 0) {
+    if (round <= options.last_corrected_round && round % options.correction_interval == 0) {
       const double lacking = target.height_m / std::max(range_of(relief), 1e-9);
       knee = std::clamp(knee * std::clamp(std::pow(lacking, 1.5), 0.5, 2.0), kLeastKnee, kGreatestKnee);
-      goal = goal_for(ground, knee, target);
+      goal = goal_for(ground, knee, target, options);
     }
-    project(own.x, goal.wanted.x, goal.weight.x, goal.low.x, goal.high.x, chosen.x, multiplier.x);
-    project(own.y, goal.wanted.y, goal.weight.y, goal.low.y, goal.high.y, chosen.y, multiplier.y);
-    work.report(static_cast<double>(round) / kRounds, "relief");
+    project(own.x, goal.wanted.x, goal.weight.x, goal.low.x, goal.high.x, relaxation, chosen.x, multiplier.x);
+    project(own.y, goal.wanted.y, goal.weight.y, goal.low.y, goal.high.y, relaxation, chosen.y, multiplier.y);
+    work.report(static_cast<double>(round) / options.rounds, "relief");
   }
   relief = poisson.solve(chosen);
   double low = 0.0;

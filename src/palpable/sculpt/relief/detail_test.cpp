@@ -33,7 +33,7 @@ DetailTarget target() {
 
 TEST(MapDetail, GivesEveryOperatorTheFullHeightAndFiniteValues) {
   for (const DetailOperator detail : kDetailOperators) {
-    const auto heights = map_detail(box_before_wall(), detail, target(), {});
+    const auto heights = map_detail(box_before_wall(), detail, target(), {}, {});
     ASSERT_TRUE(heights) << name_of(detail);
     const auto [low, high] = std::minmax_element(heights->values().begin(), heights->values().end());
     EXPECT_NEAR(*low, 0.0, 1e-7) << name_of(detail);
@@ -48,7 +48,7 @@ TEST(MapDetail, KeepsTheOrderOfHeightsWhereTheOperatorIsACurve) {
         DetailOperator::histogram}) {
     Raster<float> ramp(64, 2);
     for (int x = 0; x < 64; ++x) ramp(x, 0) = ramp(x, 1) = static_cast<float>(std::pow(x / 63.0, 3.0));
-    const auto heights = map_detail(ramp, detail, target(), {});
+    const auto heights = map_detail(ramp, detail, target(), {}, {});
     ASSERT_TRUE(heights);
     for (int x = 1; x < 64; ++x) EXPECT_GT((*heights)(x, 0), (*heights)(x - 1, 0)) << name_of(detail) << x;
   }
@@ -65,8 +65,8 @@ TEST(MapDetail, ReliefShowsDetailThatLinearMappingFlattens) {
       }
     return high - low;
   };
-  const auto linear = map_detail(box_before_wall(), DetailOperator::linear, target(), {});
-  const auto relief = map_detail(box_before_wall(), DetailOperator::relief, target(), {});
+  const auto linear = map_detail(box_before_wall(), DetailOperator::linear, target(), {}, {});
+  const auto relief = map_detail(box_before_wall(), DetailOperator::relief, target(), {}, {});
   ASSERT_TRUE(linear && relief);
   EXPECT_GT(wave_height(*relief), 3.0F * wave_height(*linear));
 }
@@ -81,7 +81,7 @@ TEST(MapDetail, ReliefKeepsTheOrderOfStepsInACrowd) {
       for (int b = 0; b < 12; ++b)
         for (int a = 0; a < 12; ++a) steps(x + a, y + b) = level;
     }
-  const auto relief = map_detail(steps, DetailOperator::relief, target(), {});
+  const auto relief = map_detail(steps, DetailOperator::relief, target(), {}, {});
   ASSERT_TRUE(relief);
   int edges = 0;
   int turned = 0;
@@ -99,7 +99,7 @@ TEST(MapDetail, ReliefKeepsTheOrderOfStepsInACrowd) {
 
 TEST(MapDetail, IsLevelForALevelPicture) {
   for (const DetailOperator detail : kDetailOperators) {
-    const auto heights = map_detail(Raster<float>(40, 30, 0.0F), detail, target(), {});
+    const auto heights = map_detail(Raster<float>(40, 30, 0.0F), detail, target(), {}, {});
     ASSERT_TRUE(heights);
     for (const float z : heights->values()) ASSERT_EQ(z, 0.0F) << name_of(detail);
   }
@@ -111,7 +111,7 @@ TEST(MapDetail, HandlesTheSmallestAndOddSizes) {
     for (int y = 0; y < h; ++y)
       for (int x = 0; x < w; ++x) n(x, y) = static_cast<float>(x + y) / static_cast<float>(w + h - 2);
     for (const DetailOperator detail : kDetailOperators) {
-      const auto heights = map_detail(n, detail, target(), {});
+      const auto heights = map_detail(n, detail, target(), {}, {});
       ASSERT_TRUE(heights);
       for (const float z : heights->values()) ASSERT_TRUE(std::isfinite(z)) << name_of(detail);
     }
@@ -122,6 +122,36 @@ TEST(DetailOperators, HaveNamesThatLeadBack) {
   for (const DetailOperator detail : kDetailOperators)
     EXPECT_EQ(detail_operator_from(name_of(detail)), detail);
   EXPECT_FALSE(detail_operator_from("no such operator"));
+}
+
+TEST(DetailOptions, ChangeWhatTheirOperatorMakes) {
+  const auto heights = [](DetailOperator detail, const DetailOptions& options) {
+    return map_detail(box_before_wall(), detail, target(), options, {});
+  };
+  const auto differ = [&](DetailOperator detail, const DetailOptions& changed) {
+    const auto a = heights(detail, {}), b = heights(detail, changed);
+    return a && b && !std::ranges::equal(a->values(), b->values());
+  };
+  DetailOptions changed;
+  changed.relief.gain_scale = 0.2;
+  changed.chiu.mean_scale = 0.1;
+  changed.ashikhmin.contrast = 0.2;
+  changed.bilateral.base_exponent = 0.4;
+  changed.histogram.linear_share = 0.9;
+  for (const DetailOperator detail : {DetailOperator::relief, DetailOperator::chiu, DetailOperator::ashikhmin,
+                                      DetailOperator::bilateral, DetailOperator::histogram})
+    EXPECT_TRUE(differ(detail, changed)) << name_of(detail);
+  EXPECT_FALSE(differ(DetailOperator::linear, changed));
+}
+
+TEST(DetailOptions, AreCheckedAndInRangeByDefault) {
+  EXPECT_TRUE(check_ranges(DetailOptions{}));
+  DetailOptions wrong;
+  wrong.bilateral.range = 0.0;
+  const auto heights = map_detail(box_before_wall(), DetailOperator::linear, target(), wrong, {});
+  ASSERT_FALSE(heights);
+  EXPECT_EQ(heights.error().code, ErrorCode::usage);
+  EXPECT_EQ(heights.error().place, "bilateral.range");
 }
 
 }  // namespace

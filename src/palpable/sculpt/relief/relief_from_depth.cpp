@@ -119,7 +119,7 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
   work.report(0.3, "mapping detail");
   auto heights =
       map_detail(nearness, options.detail, {pixel_m, height_m, options.steepest_slope, options.compression},
-                 Work{work.threads, work.seed, {}, work.cancel});
+                 options.detail_options, Work{work.threads, work.seed, {}, work.cancel});
   if (!heights) return heights.error();
   if (options.sense == Sense::engrave)
     for (float& z : heights->values()) z = -z;

@@ -34,6 +34,7 @@ struct ReliefOptions {
   double exaggerate = 1.0;
   Sense sense = Sense::raise;
   DetailOperator detail = DetailOperator::relief;
+  DetailOptions detail_options;
   /// How many times higher than the relief the scene would be in its own proportions (detail.hpp), 1.5 ...
   /// 100.
   double compression = 10.0;

@@ -88,7 +88,7 @@ void expect_top_at(const Shape& shape, double size_m, Sample sample) {
       << shape.name << " of " << size_m << " m";
 }
 
-TEST(HeightsFromAbove, ReachTheTopOfASolidOfEverySize) {
+TEST(FieldFromAbove, ReachTheTopOfASolidOfEverySize) {
   for (const double size_m : kSizes_m)
     expect_top_at(shapes_of(size_m).front(), size_m, [&](const DistanceSource& source) {
       FieldOptions options;
@@ -98,7 +98,7 @@ TEST(HeightsFromAbove, ReachTheTopOfASolidOfEverySize) {
     });
 }
 
-TEST(HeightsFromAbove, ReachTheTopOfDenselyKeptSolidsToo) {
+TEST(FieldFromAbove, ReachTheTopOfDenselyKeptSolidsToo) {
   for (const double size_m : kSizes_m)
     for (const Shape& shape : shapes_of(size_m))
       expect_top_at(shape, size_m, [](const DistanceSource& source) {

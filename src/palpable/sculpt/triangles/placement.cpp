@@ -1,0 +1,99 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/triangles/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace palpable::sculpt {
+namespace {
+
+/// What faces the person when that axis points up: +z as in glTF, and for z upwards -y as modellers' front
+/// views have it.
+AxisDirection front_of(AxisDirection up) {
+  switch (up) {
+    case AxisDirection::plus_z:
+      return AxisDirection::minus_y;
+    case AxisDirection::minus_z:
+      return AxisDirection::plus_y;
+    default:
+      return AxisDirection::plus_z;
+  }
+}
+
+bool along_one_axis(AxisDirection a, AxisDirection b) { return dot(unit_vector(a), unit_vector(b)) != 0.0; }
+
+Vec3 rotated(const std::array<double, 9>& r, Vec3 p) {
+  return {r[0] * p.x + r[1] * p.y + r[2] * p.z, r[3] * p.x + r[4] * p.y + r[5] * p.z,
+          r[6] * p.x + r[7] * p.y + r[8] * p.z};
+}
+
+Lay automatic_lay(Vec3 upright_size) {
+  constexpr double kFlat = 0.25;
+  return upright_size.y < kFlat * std::min(upright_size.x, upright_size.z) ? Lay::flat : Lay::upright;
+}
+
+}  // namespace
+
+std::array<double, 9> turn_towards_person(AxisDirection towards, AxisDirection up) {
+  const Vec3 z = unit_vector(towards);
+  const Vec3 y = along_one_axis(towards, up) ? -unit_vector(front_of(up)) : unit_vector(up);
+  const Vec3 x = cross(y, z);
+  return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+}
+
+Box turned(const Box& box, const std::array<double, 9>& rotation) {
+  const Vec3 a = rotated(rotation, box.least_m);
+  Box out{a, a};
+  out.grow(rotated(rotation, box.most_m));
+  return out;
+}
+
+Transform<SceneFrame, models::InputFrame> fitted(const Box& box, const std::array<double, 9>& rotation,
+                                                 Vec3 size_m) {
+  const Box lying = turned(box, rotation);
+  const Vec3 extent = lying.size_m();
+  double scale = std::numeric_limits<double>::max();
+  for (const auto& [have, want] :
+       {std::pair(extent.x, size_m.x), std::pair(extent.y, size_m.y), std::pair(extent.z, size_m.z)})
+    if (have > 0.0) scale = std::min(scale, want / have);
+  Transform<SceneFrame, models::InputFrame> transform;
+  transform.rotation = rotation;
+  transform.scale = scale;
+  const Vec3 middle = 0.5 * (lying.least_m + lying.most_m);
+  transform.translation_m = -scale * Vec3{middle.x, middle.y, lying.least_m.z};
+  return transform;
+}
+
+Result<void> check_size_m(Vec3 size_m) {
+  for (const double side : {size_m.x, size_m.y, size_m.z})
+    if (!(side >= 0.001 && side <= 1.0))
+      return Error{ErrorCode::usage, "the size's sides must be 1 to 1000 mm", {}};
+  return {};
+}
+
+Result<Placement> placement_of(const Box& box, AxisDirection up_by_convention,
+                               const PlacementOptions& options) {
+  const Vec3 extent = box.size_m();
+  const double longest_m = std::max({extent.x, extent.y, extent.z});
+  if (!is_finite(box.least_m) || !is_finite(box.most_m) || !(longest_m > 0.0))
+    return invalid_input("is a solid without a finite extent");
+  if (options.size_m)
+    if (const auto valid = check_size_m(*options.size_m); !valid) return valid.error();
+  Placement placement;
+  placement.up = options.up.value_or(up_by_convention);
+  const bool as_it_is = !options.size_m && !options.up && options.lay == Lay::automatic;
+  if (as_it_is && longest_m >= kLeastForAHand_m && longest_m <= kMostForAHand_m) return placement;
+  const AxisDirection front = front_of(placement.up);
+  const auto upright = turn_towards_person(front, placement.up);
+  placement.lay = options.lay == Lay::automatic ? automatic_lay(turned(box, upright).size_m()) : options.lay;
+  const auto rotation =
+      placement.lay == Lay::upright ? upright : turn_towards_person(placement.up, placement.up);
+  placement.fitted = true;
+  placement.scene_from_input = fitted(box, rotation, options.size_m.value_or(kWorkingVolume_m));
+  return placement;
+}
+
+}  // namespace palpable::sculpt

@@ -1,0 +1,91 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/triangles/placement.hpp"
+
+#include <gtest/gtest.h>
+
+namespace palpable::sculpt {
+namespace {
+
+using InputPoint = Point<models::InputFrame>;
+
+/// 8 m wide, 6 m high and 10 m long where y is up.
+constexpr Box kHouse{{-4.0, 0.0, -5.0}, {4.0, 6.0, 5.0}};
+
+Vec3 placed(const Placement& placement, Vec3 p) { return (placement.scene_from_input * InputPoint{p}).v; }
+
+void expect_near(Vec3 a, Vec3 b) { EXPECT_LT(norm(a - b), 1e-12) << a.x << ' ' << a.y << ' ' << a.z; }
+
+TEST(Placement, KeepsASolidThatAHandCanFeel) {
+  const auto placement = placement_of({{-0.03, 0.0, 0.0}, {0.03, 0.06, 0.06}}, AxisDirection::plus_z, {});
+  ASSERT_TRUE(placement);
+  EXPECT_FALSE(placement->fitted);
+  expect_near(placed(*placement, {0.01, 0.02, 0.03}), {0.01, 0.02, 0.03});
+}
+
+TEST(Placement, FitsWhatIsTooLargeOrTooSmallIntoTheWorkingVolume) {
+  for (const double scale : {1.0, 1e-6}) {
+    const auto placement =
+        placement_of({scale * kHouse.least_m, scale * kHouse.most_m}, AxisDirection::plus_y, {});
+    ASSERT_TRUE(placement);
+    EXPECT_TRUE(placement->fitted);
+    EXPECT_EQ(placement->lay, Lay::upright);
+    // Its depth of 10 fills the 50 mm.
+    expect_near(placed(*placement, scale * Vec3{4.0, 6.0, 5.0}), {0.02, 0.015, 0.05});
+    expect_near(placed(*placement, scale * Vec3{-4.0, 0.0, -5.0}), {-0.02, -0.015, 0.0});
+  }
+}
+
+TEST(Placement, StandsWhatHasZUpUprightWithItsFrontToThePerson) {
+  // Front at -y, up +z.
+  const auto placement = placement_of({{-4.0, -5.0, 0.0}, {4.0, 5.0, 6.0}}, AxisDirection::plus_z, {});
+  ASSERT_TRUE(placement);
+  EXPECT_EQ(placement->lay, Lay::upright);
+  expect_near(placed(*placement, {4.0, -5.0, 6.0}), {0.02, 0.015, 0.05});
+}
+
+TEST(Placement, LaysAMapFlatWithNorthUpwards) {
+  for (const auto& [up, south_east_top] : {std::pair(AxisDirection::plus_y, Vec3{50.0, 4.0, 50.0}),
+                                           std::pair(AxisDirection::plus_z, Vec3{50.0, -50.0, 4.0})}) {
+    const Vec3 top = unit_vector(up), p = south_east_top;
+    const Vec3 half = p - 4.0 * top;
+    const Vec3 size{std::abs(half.x), std::abs(half.y), std::abs(half.z)};
+    const auto placement = placement_of({-size, size + 4.0 * top}, up, {});
+    ASSERT_TRUE(placement);
+    EXPECT_EQ(placement->lay, Lay::flat);
+    expect_near(placed(*placement, p), {0.05, -0.05, 0.004});
+  }
+}
+
+TEST(Placement, DoesWhatIsAsked) {
+  PlacementOptions options;
+  options.up = AxisDirection::minus_x;
+  options.lay = Lay::flat;
+  options.size_m = Vec3{0.1, 0.1, 0.1};
+  const auto placement = placement_of(kHouse, AxisDirection::plus_y, options);
+  ASSERT_TRUE(placement);
+  EXPECT_EQ(placement->up, AxisDirection::minus_x);
+  EXPECT_NEAR(placed(*placement, {-4.0, 0.0, 0.0}).z, 0.08, 1e-12);
+  EXPECT_NEAR(placed(*placement, {4.0, 0.0, 0.0}).z, 0.0, 1e-12);
+}
+
+TEST(Placement, OnlyTurnsWithoutAMirror) {
+  for (const AxisDirection up : kAxisDirections)
+    for (const AxisDirection towards : kAxisDirections) {
+      const auto r = turn_towards_person(towards, up);
+      const Vec3 x{r[0], r[1], r[2]}, y{r[3], r[4], r[5]}, z{r[6], r[7], r[8]};
+      EXPECT_NEAR(dot(cross(x, y), z), 1.0, 1e-12);
+      expect_near(z, unit_vector(towards));
+    }
+}
+
+TEST(Placement, RefusesASizeOutOfRangeAndABoxWithoutExtent) {
+  PlacementOptions options;
+  options.size_m = Vec3{0.1, 0.1, 2.0};
+  EXPECT_EQ(placement_of(kHouse, AxisDirection::plus_y, options).error().code, ErrorCode::usage);
+  EXPECT_EQ(placement_of({{1, 1, 1}, {1, 1, 1}}, AxisDirection::plus_y, {}).error().code,
+            ErrorCode::invalid_input);
+}
+
+}  // namespace
+}  // namespace palpable::sculpt
