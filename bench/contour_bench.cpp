@@ -80,7 +80,7 @@ void BM_TracingTick(benchmark::State& state) {
     round[k].dt_s = 0.001;
   }
   std::size_t tick = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(law.feel(round[tick++ % round.size()], touch));
+  for (auto _ : state) benchmark::DoNotOptimize(law.evaluate(round[tick++ % round.size()], touch));
 }
 BENCHMARK(BM_TracingTick)->Unit(benchmark::kNanosecond);
 

@@ -9,20 +9,19 @@ namespace palpable::cli {
 namespace {
 
 using haptics::Law;
-using haptics::PenaltyDirection;
 
 // Loop rates: Shi & Pai 1997, Gomez 2012 and GHD 2006 state 500, 997 and 400 Hz; Park & Howard 2012 state how
 // long a force took, and no rate.
 constexpr std::array kPublished{
-    Published{"shi", Law::sobel, PenaltyDirection::gradient, 500.0, "scanline", "", "150x100x15", "",
+    Published{"shi", Law::sobel, 0.0, 500.0, "scanline", "", "150x100x15", "",
               "Their height is not stated: it is 15 mm."},
-    Published{"park", Law::grid, PenaltyDirection::normal, std::nullopt, "graph-cut", "", "", "",
+    Published{"park", Law::grid, 1.0, std::nullopt, "graph-cut", "", "", "",
               "The volume's points are ours in number: theirs are not stated.", session::MakeAs::grid},
-    Published{"gomez", Law::averaged, PenaltyDirection::normal, 997.0, "pyramid", "", "101.6x101.6x15",
-              "bicubic", "The weights of the average are corrected; the offset is 1 mm."},
-    Published{"ghd", Law::tracing, PenaltyDirection::gradient, 400.0, "", "paper", "140x100x15", "",
+    Published{"gomez", Law::averaged, 1.0, 997.0, "pyramid", "", "101.6x101.6x15", "bicubic",
+              "The weights of the average are corrected; the offset is 1 mm."},
+    Published{"ghd", Law::tracing, 0.0, 400.0, "", "paper", "140x100x15", "",
               "Eq. 8 is corrected so that it does not push a resting hand."},
-    Published{"moustakas", Law::penalty, PenaltyDirection::gradient, std::nullopt, "", "", "", "",
+    Published{"moustakas", Law::penalty, 0.0, std::nullopt, "", "", "", "",
               "The force's sign is corrected, and its field begins with the exact surface, not with one of "
               "superquadrics.",
               session::MakeAs::field, true}};

@@ -16,7 +16,8 @@ namespace palpable::cli {
 struct Published {
   std::string_view name;
   haptics::Law law;
-  haptics::PenaltyDirection penalty;
+  /// Of the law penalty: LawParameters::force_shading.
+  double force_shading = 0.0;
   /// Of the servo; not given where the paper states none.
   std::optional<double> rate_hz;
   /// How it made its scene: a stereo method or a contour method, empty where it had no other than ours.

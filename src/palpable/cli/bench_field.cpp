@@ -42,13 +42,14 @@ class TwoBalls final : public sculpt::DistanceSource {
 class Asking final : public haptics::Touchable {
  public:
   explicit Asking(const models::DistanceField& field) : field_(field) {}
-  haptics::Feel feel(const haptics::Hand& hand, haptics::TouchState& /*state*/) const noexcept override {
+  haptics::LawOutput evaluate(const haptics::Hand& hand,
+                              haptics::TouchState& /*state*/) const noexcept override {
     const models::FieldSample s = field_.sample(hand.position.v);
-    haptics::Feel feel;
-    feel.force_N.v = s.gradient;
-    feel.stored_J = s.distance_m;
-    feel.contact = s.distance_m < 0.0;
-    return feel;
+    haptics::LawOutput output;
+    output.force_N.v = s.gradient;
+    output.stored_J = s.distance_m;
+    output.contact = s.distance_m < 0.0;
+    return output;
   }
   std::uint64_t state_family() const noexcept override { return 0; }
   double damping_Ns_per_m() const noexcept override { return 0.0; }

@@ -62,6 +62,30 @@ Json laws_of(const models::Scene& scene) {
   return laws;
 }
 
+Json json_of(const haptics::LawDescription& law) {
+  Json json{{"name", law.name},
+            {"title", law.title},
+            {"degrees_of_freedom", law.degrees_of_freedom},
+            {"conservative", law.conservative},
+            {"parameters", Json::array()}};
+  for (const haptics::LawParameter& p : law.parameters)
+    json["parameters"].push_back({{"name", p.name},
+                                  {"title", p.title},
+                                  {"unit", p.unit},
+                                  {"option", "--" + std::string(p.option)},
+                                  {"min", p.min},
+                                  {"max", p.max},
+                                  {"default", p.preset ? Json(*p.preset) : Json(nullptr)}});
+  return json;
+}
+
+std::string sentence_of(const haptics::LawDescription& law) {
+  std::string options;
+  for (const haptics::LawParameter& p : law.parameters)
+    options += fmt::format("{}--{}", options.empty() ? "" : " ", p.option);
+  return fmt::format("  law {}: {} ({})\n", law.name, law.title, options);
+}
+
 void add_model(Answer& answer, const models::Relief& relief) {
   const auto& samples = relief.samples_m();
   answer.json["samples"] = {samples.width(), samples.height()};
@@ -173,11 +197,16 @@ Result<Answer> info(const std::string& path) {
       {"laws", laws_of(scene)}};
   for (const models::Material& material : scene.materials)
     answer.json["materials"].push_back(json_of(material));
+  answer.json["law_descriptions"] = Json::array();
+  for (const haptics::Law law : haptics::laws_for(scene))
+    answer.json["law_descriptions"].push_back(json_of(haptics::description_of(law)));
   answer.text = fmt::format("{}: {}, {:.1f} x {:.1f} x {:.1f} mm\n", path, kind, 1000.0 * size.x,
                             1000.0 * size.y, 1000.0 * size.z);
   std::visit([&](const auto& model) { add_model(answer, *model); }, scene.model);
   answer.text += fmt::format("  {:.1f} MB in memory, {:.1f} MB on disk\n", static_cast<double>(memory) / 1e6,
                              static_cast<double>(file->file_bytes) / 1e6);
+  for (const haptics::Law law : haptics::laws_for(scene))
+    answer.text += sentence_of(haptics::description_of(law));
   constexpr std::size_t kMostNamed = 3;
   if (scene.source.inputs.size() > kMostNamed)
     answer.text += fmt::format("  from {} files, {} the first ({})\n", scene.source.inputs.size(),

@@ -10,16 +10,94 @@
 
 namespace palpable::cli {
 
+namespace {
+
+using haptics::LawDescription;
+using haptics::LawParameter;
+
+/// The command line takes lengths in mm.
+double typed_per_si(const LawParameter& parameter) { return parameter.unit == "m" ? 1000.0 : 1.0; }
+std::string typed_unit(const LawParameter& parameter) {
+  return parameter.unit == "m" ? "mm" : std::string(parameter.unit);
+}
+
+/// What one option means to which laws.
+struct OptionUse {
+  std::string meaning;
+  std::vector<std::string_view> laws;
+};
+
+struct LawOption {
+  std::string name;
+  Range range;
+  std::vector<OptionUse> uses;
+};
+
+void add_use(LawOption& option, const LawDescription& law, const LawParameter& parameter) {
+  const double scale = typed_per_si(parameter);
+  option.range.least = std::min(option.range.least, scale * parameter.min);
+  option.range.most = std::max(option.range.most, scale * parameter.max);
+  std::string meaning(parameter.title);
+  if (const auto unit = typed_unit(parameter); !unit.empty()) meaning += ", " + unit;
+  const auto same = std::find_if(option.uses.begin(), option.uses.end(),
+                                 [&](const OptionUse& use) { return use.meaning == meaning; });
+  if (same != option.uses.end()) {
+    same->laws.push_back(law.name);
+  } else {
+    option.uses.push_back({meaning, {law.name}});
+  }
+}
+
+std::vector<LawOption> options_of_all_laws() {
+  std::vector<LawOption> options;
+  for (const LawDescription* law : haptics::all_laws())
+    for (const LawParameter& parameter : law->parameters) {
+      auto found = std::find_if(options.begin(), options.end(),
+                                [&](const LawOption& o) { return o.name == parameter.option; });
+      if (found == options.end()) {
+        const double scale = typed_per_si(parameter);
+        options.push_back(
+            {std::string(parameter.option), {scale * parameter.min, scale * parameter.max}, {}});
+        found = options.end() - 1;
+      }
+      add_use(*found, *law, parameter);
+    }
+  return options;
+}
+
+/// A number that the law does not take is kept for the law that a scene without this one falls back to.
+void set_number(haptics::LawParameters& parameters, const LawDescription& law, const LawNumber& number) {
+  const auto set_in = [&](const LawDescription& description) {
+    for (const LawParameter& parameter : description.parameters)
+      if (number.option == parameter.option) {
+        parameters.*parameter.value = *number.value / typed_per_si(parameter);
+        return true;
+      }
+    return false;
+  };
+  if (set_in(law)) return;
+  for (const LawDescription* other : haptics::all_laws())
+    if (set_in(*other)) return;
+}
+
+std::string help_of(const LawOption& option) {
+  std::string help;
+  for (const OptionUse& use : option.uses)
+    help += fmt::format("{}{} ({})", help.empty() ? "" : "; ", use.meaning, fmt::join(use.laws, ", "));
+  return help;
+}
+
+}  // namespace
+
 void add_law_options(Options& options, LawArguments& arguments) {
   options.under("How the surface answers");
   options.text("--law", arguments.law, "Force law (palpable info SCENE lists those of a scene)");
-  options.number("--stiffness", arguments.stiffness, {1e-9, 1e6},
-                 "N/m; for rolling and sobel k_g in newtons");
-  options.number("--damping", arguments.damping_Ns_per_m, {0.0, 1e4}, "N·s/m");
-  options.number("--friction", arguments.friction, {0.0, 10.0},
-                 "Coefficient of static friction; sliding takes 5/6 of it");
-  options.number("--radius", arguments.radius_mm, {0.0, 20.0},
-                 "Radius of the probing ball in mm; 0 = a point");
+  const auto all = options_of_all_laws();
+  arguments.numbers.resize(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    arguments.numbers[i].option = all[i].name;
+    options.number("--" + all[i].name, arguments.numbers[i].value, all[i].range, help_of(all[i]));
+  }
 }
 
 Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, haptics::Law otherwise) {
@@ -30,10 +108,15 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, hap
     if (!law) return Error{ErrorCode::usage, fmt::format("there is no law {}", arguments.law), "--law"};
     parameters.law = *law;
   }
-  parameters.stiffness_N_per_m = arguments.stiffness;
-  parameters.damping_Ns_per_m = arguments.damping_Ns_per_m;
-  parameters.static_friction = arguments.friction;
-  parameters.radius_m = arguments.radius_mm / 1000.0;
+  const LawDescription& description = haptics::description_of(parameters.law);
+  for (const LawNumber& number : arguments.numbers)
+    if (number.value) set_number(parameters, description, number);
+  if (description.is_contact && !find_parameter(description, &haptics::LawParameters::radius_m))
+    for (const LawNumber& number : arguments.numbers)
+      if (number.option == "radius" && number.value.value_or(0.0) > 0.0)
+        return Error{ErrorCode::usage,
+                     fmt::format("the law {} touches with a point: give no radius", description.name),
+                     "--radius"};
   return parameters;
 }
 
@@ -54,13 +137,14 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, con
 
 std::string bench_name(const haptics::LawParameters& parameters, const models::Scene& scene) {
   const double friction = parameters.static_friction.value_or(scene.materials.front().static_friction);
-  const bool slides = parameters.law == haptics::Law::proxy && friction > 0.0;
-  const bool textured = parameters.law == haptics::Law::proxy &&
-                        std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) {
-                          return m.texture.kind != models::TouchTexture::Kind::none;
-                        });
-  return std::string(haptics::name_of(parameters.law)) + (slides ? "-friction" : "") +
-         (textured ? "-texture" : "");
+  const haptics::LawDescription& law = haptics::description_of(parameters.law);
+  const bool slides =
+      find_parameter(law, &haptics::LawParameters::static_friction) != nullptr && friction > 0.0;
+  const bool textured =
+      law.renders_textures && std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) {
+        return m.texture.kind != models::TouchTexture::Kind::none;
+      });
+  return std::string(law.name) + (slides ? "-friction" : "") + (textured ? "-texture" : "");
 }
 
 }  // namespace palpable::cli

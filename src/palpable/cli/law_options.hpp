@@ -7,19 +7,25 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace palpable::cli {
+
+/// A number given for a law: `option` is LawParameter::option.
+struct LawNumber {
+  std::string option;
+  std::optional<double> value;
+};
 
 /// How the surface answers, as given on the command line. Without a law: the scene's own default.
 struct LawArguments {
   std::string law;
-  std::optional<double> stiffness;
-  std::optional<double> damping_Ns_per_m;
-  std::optional<double> friction;
-  double radius_mm = 0.0;
+  /// As typed: lengths in mm.
+  std::vector<LawNumber> numbers;
 };
 
-/// Adds --law, --stiffness, --damping, --friction and --radius. `arguments` must outlive the parsing.
+/// Adds --law and an option for every parameter of every law. `arguments` must outlive the parsing, in its
+/// place.
 void add_law_options(Options& options, LawArguments& arguments);
 
 /// What the library takes, the law by its name only (a scene that is not there yet may still refuse it);

@@ -53,28 +53,28 @@ haptics::ToolPose in_view(haptics::ToolPose pose, const Walk& walk) {
   return pose;
 }
 
-haptics::ToolFeel in_view(haptics::ToolFeel feel, double t_s, const Walk& walk) {
-  if (walk.empty()) return feel;
+haptics::ToolOutput in_view(haptics::ToolOutput output, double t_s, const Walk& walk) {
+  if (walk.empty()) return output;
   const auto explorer_from_scene = session::scene_from_explorer(session::stance_at(walk, t_s)).inverse();
-  feel.force_N.v = rotate_force(explorer_from_scene, feel.force_N).v;
-  feel.torque_Nm.v = rotate_force(explorer_from_scene, feel.torque_Nm).v;
-  feel.proxy.v = (explorer_from_scene * feel.proxy).v;
-  return feel;
+  output.force_N.v = rotate_force(explorer_from_scene, output.force_N).v;
+  output.torque_Nm.v = rotate_force(explorer_from_scene, output.torque_Nm).v;
+  output.proxy.v = (explorer_from_scene * output.proxy).v;
+  return output;
 }
 
 void append_row(std::string& csv, const ToolPath& path, const Arguments& arguments,
-                const haptics::ToolPose& pose, const haptics::ToolFeel& feel) {
-  const Vec3 p = pose.scene_from_tool.translation_m, f = feel.force_N.v, proxy = feel.proxy.v,
-             torque = feel.torque_Nm.v;
+                const haptics::ToolPose& pose, const haptics::ToolOutput& output) {
+  const Vec3 p = pose.scene_from_tool.translation_m, f = output.force_N.v, proxy = output.proxy.v,
+             torque = output.torque_Nm.v;
   append_number(csv, pose.t_s);
   append_fields(csv, {p.x, p.y, p.z, f.x, f.y, f.z});
-  csv += feel.contact ? ",1" : ",0";
-  if (feel.has_proxy) {
+  csv += output.contact ? ",1" : ",0";
+  if (output.has_proxy) {
     append_fields(csv, {proxy.x, proxy.y, proxy.z});
   } else {
     csv += ",,,";
   }
-  csv += fmt::format(",{}", feel.label);
+  csv += fmt::format(",{}", output.label);
   if (path.names_probes) csv += fmt::format(",{}", pose.probe);
   if (has_extent(arguments)) append_fields(csv, {torque.x, torque.y, torque.z});
   csv += '\n';
@@ -104,11 +104,11 @@ Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
   double strongest_N = 0.0, strongest_Nm = 0.0;
   std::set<int> probes;
   haptics::probe_tools(
-      **touchable, *tool, path->poses, [&](const haptics::ToolPose& pose, const haptics::ToolFeel& feel) {
-        append_row(csv, *path, arguments, in_view(pose, *walk), in_view(feel, pose.t_s, *walk));
-        contacts += feel.contact ? 1 : 0;
-        strongest_N = std::max(strongest_N, norm(feel.force_N));
-        strongest_Nm = std::max(strongest_Nm, norm(feel.torque_Nm));
+      **touchable, *tool, path->poses, [&](const haptics::ToolPose& pose, const haptics::ToolOutput& output) {
+        append_row(csv, *path, arguments, in_view(pose, *walk), in_view(output, pose.t_s, *walk));
+        contacts += output.contact ? 1 : 0;
+        strongest_N = std::max(strongest_N, norm(output.force_N));
+        strongest_Nm = std::max(strongest_Nm, norm(output.torque_Nm));
         probes.insert(pose.probe);
       });
   if (interrupted()) return Work::interrupted();

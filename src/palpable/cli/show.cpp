@@ -57,10 +57,10 @@ std::vector<draw::ForceArrow> forces_on(const models::Relief& relief, const hapt
       haptics::TouchState state;
       haptics::Hand hand;
       hand.position = {{x, y, relief.sample(x, y).z_m}};
-      touchable.feel(hand, state);
+      touchable.evaluate(hand, state);
       hand.position.v.z -= kPress_m;
-      const haptics::Feel feel = touchable.feel(hand, state);
-      arrows.push_back({x, y, feel.force_N.v.x, feel.force_N.v.y});
+      const haptics::LawOutput output = touchable.evaluate(hand, state);
+      arrows.push_back({x, y, output.force_N.v.x, output.force_N.v.y});
     }
   }
   return arrows;

@@ -43,9 +43,9 @@ Result<haptics::ToolPose> pose_from(std::span<const double> row, const ToolPath&
   pose.t_s = row[0];
   pose.scene_from_tool.translation_m = {row[1], row[2], row[3]};
   if (path.names_probes) {
-    if (row[4] != std::floor(row[4]) || !(row[4] >= 0.0 && row[4] < haptics::kMostProbes))
+    if (row[4] != std::floor(row[4]) || !(row[4] >= 0.0 && row[4] < haptics::kMaxProbes))
       return invalid_input(
-          fmt::format("has a probe that is no whole number from 0 to {}", haptics::kMostProbes - 1));
+          fmt::format("has a probe that is no whole number from 0 to {}", haptics::kMaxProbes - 1));
     pose.probe = static_cast<int>(row[4]);
   }
   if (!path.turns) return pose;

@@ -31,8 +31,6 @@
 namespace palpable::cli {
 namespace {
 
-constexpr double kDefaultRadius_mm = 1.0;
-
 struct Arguments {
   MakeArguments make;
   LawArguments law;
@@ -56,7 +54,8 @@ Result<session::TouchSettings> settings_of(const Arguments& arguments,
   if (!law) return law.error();
   session::TouchSettings settings;
   settings.law = *law;
-  if (published) settings.law.penalty = published->penalty;
+  if (!settings.law.radius_m) settings.law.radius_m = session::default_law().radius_m;
+  if (published) settings.law.force_shading = published->force_shading;
   return settings;
 }
 
@@ -237,7 +236,7 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
   auto scene = maker.first_scene(console.work());
   if (!scene) return scene.error();
   session::SessionOptions options = plan.options;
-  options.further_probes = haptics::kMostLiveProbes - 1;
+  options.further_probes = haptics::kMaxLiveProbes - 1;
   auto opened = session::TouchSession::open(std::move(*scene), plan.settings,
                                             arguments.device.empty() ? "pointer:" : arguments.device, options,
                                             plan.begin_ns);
@@ -299,7 +298,6 @@ Result<Answer> touch(Arguments arguments, Console& console) {
 
 void add_touch(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  arguments->law.radius_mm = kDefaultRadius_mm;
   Options options = add_command(
       program, "touch",
       "Touch a scene: with a device, or with the pointer in the browser; without INPUT the sample",

@@ -29,7 +29,8 @@ struct TouchSample {
   double energy_J = 0.0;
   std::uint32_t flags = 0;
   std::uint32_t buttons = 0;
-  std::uint32_t program = 0;
+  /// Which haptic scene was rendered (haptics/servo/servo_types.hpp).
+  std::uint32_t scene_id = 0;
   std::uint16_t label = 0;
   Status status = Status::ok;
   /// 0: the hand's own; others: of several probes at once (haptics/servo/servo_loop.hpp).

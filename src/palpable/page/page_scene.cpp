@@ -40,20 +40,6 @@ Raster<float> sampled(const models::Relief& relief) {
   return heights;
 }
 
-struct LawWords {
-  std::string_view name;
-  std::string_view title;
-  bool has_friction;
-  /// Laws that push by slope or boundary take their stiffness in newtons.
-  bool in_newtons;
-};
-constexpr LawWords kLawWords[] = {
-    {"proxy", "Surface with friction", true, false},      {"penalty", "Spring surface", false, false},
-    {"averaged", "Averaged surface", false, false},       {"rolling", "Rolling ball", false, true},
-    {"sobel", "Rolling ball, as published", false, true}, {"grid", "Grid of cells", false, false},
-    {"tracing", "Tracing contours", false, true},         {"groove", "Grooves", true, false},
-};
-
 }  // namespace
 
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
@@ -89,23 +75,21 @@ double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
 std::vector<protocol::Law> page_laws(const models::Scene& scene) {
   std::vector<protocol::Law> laws;
   for (const auto law : haptics::laws_for(scene)) {
-    const std::string_view name = haptics::name_of(law);
-    const auto* words = std::find_if(std::begin(kLawWords), std::end(kLawWords),
-                                     [&](const auto& w) { return w.name == name; });
-    const bool known = words != std::end(kLawWords);
-    const bool in_newtons = known && words->in_newtons;
-    protocol::Law told;
-    told.name = name;
-    told.title = known ? words->title : name;
-    told.stiffness_unit = in_newtons ? "N" : "N/m";
-    told.stiffness_min = in_newtons ? 0.1 : 20.0;
-    told.stiffness_max = in_newtons ? 5.0 : 2000.0;
-    told.stiffness_default = in_newtons ? 1.0 : scene.materials.front().stiffness_N_per_m;
-    told.has_friction = !known || words->has_friction;
-    told.has_materials = !in_newtons;
-    told.has_texture = law == haptics::Law::proxy || law == haptics::Law::groove;
-    told.has_neighbourhood = law == haptics::Law::tracing;
-    laws.push_back(std::move(told));
+    const haptics::LawDescription& description = haptics::description_of(law);
+    const haptics::LawParameter& strength = *haptics::find_parameter(description, description.strength);
+    const auto has = [&](auto value) { return haptics::find_parameter(description, value) != nullptr; };
+    protocol::Law message;
+    message.name = description.name;
+    message.title = description.title;
+    message.stiffness_unit = strength.unit;
+    message.stiffness_min = strength.slider_min;
+    message.stiffness_max = strength.slider_max;
+    message.stiffness_default = strength.preset.value_or(scene.materials.front().stiffness_N_per_m);
+    message.has_friction = has(&haptics::LawParameters::static_friction);
+    message.has_materials = description.is_contact;
+    message.has_texture = description.renders_textures;
+    message.has_neighbourhood = has(&haptics::LawParameters::neighbourhood_px);
+    laws.push_back(std::move(message));
   }
   return laws;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr auto kRatePeriod = std::chrono::seconds(1);
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kNeighbourhood_px = 3.0;
-static_assert(protocol::kMostProbes == haptics::kMostLiveProbes);
+static_assert(protocol::kMostProbes == haptics::kMaxLiveProbes);
 
 protocol::State state_of(const haptics::TouchSample& sample) {
   protocol::State state;
@@ -109,8 +109,8 @@ protocol::Settings TouchHost::settings() {
     now.answers = answered_;
   }
   now.law = haptics::name_of(touch.law.law);
-  now.stiffness = touch.law.stiffness_N_per_m.value_or(law != laws.end() ? law->stiffness_default
-                                                                         : material.stiffness_N_per_m);
+  now.stiffness = (touch.law.*haptics::description_of(touch.law.law).strength)
+                      .value_or(law != laws.end() ? law->stiffness_default : material.stiffness_N_per_m);
   now.damping_Ns_per_m = touch.law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
   now.friction = touch.law.static_friction.value_or(material.static_friction);
   now.exaggeration = touch.depth;
@@ -127,7 +127,7 @@ protocol::State TouchHost::state() {
   const auto surface_m = [&](double x_m, double y_m) { return depth * surface_height_m(*scene, x_m, y_m); };
   state.surface_m = surface_m(state.x_m, state.y_m);
   for (std::size_t probe = 1; probe < session_.probes(); ++probe)
-    if (const auto further = session_.latest(probe); haptics::is_there(further))
+    if (const auto further = session_.latest(probe); haptics::is_present(further))
       add_further(state, further, surface_m(further.position.v.x, further.position.v.y));
   if (const auto now = std::chrono::steady_clock::now(); now - rate_time_ > kRatePeriod) {
     rate_time_ = now;
@@ -162,7 +162,7 @@ void TouchHost::place(const protocol::Pointer& pointer) {
   const auto touch = session_.settings();
   // The probe is the middle of the ball that touches: at rest on the surface it is a radius above it.
   const double surface_m = touch.depth * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
-  const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + touch.law.radius_m - pointer.press_m};
+  const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + touch.law.radius_m.value_or(0.0) - pointer.press_m};
   session_.move_pointer({middle}, static_cast<std::size_t>(pointer.probe));
 }
 
@@ -335,7 +335,7 @@ Result<void> TouchHost::attempt(const protocol::Change& wishes) {
   }
   auto touch = session_.settings();
   touch.law.law = *law;
-  touch.law.stiffness_N_per_m = unless(wishes.stiffness, own_stiffness);
+  touch.law.*haptics::description_of(*law).strength = unless(wishes.stiffness, own_stiffness);
   touch.law.damping_Ns_per_m = wishes.damping_Ns_per_m;
   if (of_materials) touch.law.damping_Ns_per_m = unless(wishes.damping_Ns_per_m, material.damping_Ns_per_m);
   touch.law.static_friction = unless(wishes.friction, material.static_friction);

@@ -16,7 +16,7 @@
 namespace palpable::device {
 
 /// What was touched, and how, from a tick on. Text in JSON: scene hash, law, parameters, scene_from_device.
-struct RecordedProgram {
+struct RecordedScene {
   std::uint32_t id = 0;
   std::string json;
 };
@@ -24,7 +24,7 @@ struct RecordedProgram {
 struct Recording {
   /// What holds for the whole session, JSON: format, made_by, seed, rate_hz, device, as_published.
   std::string header_json;
-  std::vector<RecordedProgram> programs;
+  std::vector<RecordedScene> scenes;
   /// The hand's, probe 0.
   std::vector<TouchSample> ticks;
   /// Those of further probes, each after the hand's of the same time.
@@ -55,7 +55,7 @@ class RecordingWriter {
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
   /// Errors (failed): the disk is full, or the like. After an error the file ends with its last whole chunk.
-  Result<void> write(const RecordedProgram& program);
+  Result<void> write(const RecordedScene& scene);
   /// Of any probes; in the file the hand's ticks and those of further probes stand apart.
   Result<void> write(std::span<const TouchSample> ticks);
   /// Writes the end mark and flushes to the disk. At most once, as the last call.

@@ -50,7 +50,7 @@ TouchSample tick(ByteReader& in) {
   tick.energy_J = in.f64();
   tick.flags = in.u32();
   tick.buttons = in.u32();
-  tick.program = in.u32();
+  tick.scene_id = in.u32();
   tick.label = in.u16();
   const std::uint8_t status = in.u8();
   tick.status =
@@ -65,7 +65,7 @@ bool take(const Chunk& chunk, Recording& recording) {
   switch (chunk.kind) {
     case format::kProgram:
       if (chunk.payload.size() < 4 || chunk.payload.size() > format::kMostText_bytes) return false;
-      recording.programs.push_back({in.u32(), std::string(as_text(in.bytes(in.left())))});
+      recording.scenes.push_back({in.u32(), std::string(as_text(in.bytes(in.left())))});
       return true;
     case format::kTicks:
     case format::kMoreTicks: {

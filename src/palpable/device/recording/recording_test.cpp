@@ -32,7 +32,7 @@ TouchSample tick_number(std::uint64_t n) {
   tick.energy_J = -1e-6 * x;
   tick.flags = 5;
   tick.buttons = 2;
-  tick.program = 1;
+  tick.scene_id = 1;
   tick.label = 3;
   tick.status = Status::stale;
   return tick;
@@ -42,7 +42,7 @@ std::filesystem::path written(std::uint64_t ticks, std::string_view name) {
   const auto file = std::filesystem::path(testing::TempDir()) / name;
   auto writer = RecordingWriter::create(file, R"({"format":1,"seed":7})");
   EXPECT_TRUE(writer);
-  EXPECT_TRUE((*writer)->write(RecordedProgram{1, R"({"law":"proxy"})"}));
+  EXPECT_TRUE((*writer)->write(RecordedScene{1, R"({"law":"proxy"})"}));
   std::vector<TouchSample> all;
   for (std::uint64_t n = 0; n < ticks; ++n) all.push_back(tick_number(n));
   const auto half = static_cast<std::ptrdiff_t>(ticks / 2);
@@ -65,8 +65,8 @@ TEST(Recording, ComesBackToTheLastBit) {
   EXPECT_TRUE(recording->complete);
   EXPECT_EQ(recording->lost, 4U);
   EXPECT_EQ(recording->header_json, R"({"format":1,"seed":7})");
-  ASSERT_EQ(recording->programs.size(), 1U);
-  EXPECT_EQ(recording->programs[0].json, R"({"law":"proxy"})");
+  ASSERT_EQ(recording->scenes.size(), 1U);
+  EXPECT_EQ(recording->scenes[0].json, R"({"law":"proxy"})");
   ASSERT_EQ(recording->ticks.size(), 1001U);
   for (std::uint64_t n = 0; n < 1001; ++n) ASSERT_EQ(recording->ticks[n], tick_number(n));
 }

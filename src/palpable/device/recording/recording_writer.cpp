@@ -36,7 +36,7 @@ void put(ByteWriter& out, const TouchSample& tick) {
   out.f64(tick.energy_J);
   out.u32(tick.flags);
   out.u32(tick.buttons);
-  out.u32(tick.program);
+  out.u32(tick.scene_id);
   out.u16(tick.label);
   out.u8(static_cast<std::uint8_t>(tick.status));
   out.u8(tick.probe);
@@ -62,10 +62,10 @@ RecordingWriter::~RecordingWriter() {
   if (stream_ != nullptr) std::fclose(stream_);
 }
 
-Result<void> RecordingWriter::write(const RecordedProgram& program) {
+Result<void> RecordingWriter::write(const RecordedScene& scene) {
   ByteWriter payload;
-  payload.u32(program.id);
-  payload.text(program.json);
+  payload.u32(scene.id);
+  payload.text(scene.json);
   return write_chunk(format::kProgram, payload.bytes());
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/law/material_map.hpp"
-#include "palpable/haptics/law/penalty.hpp"
-#include "palpable/haptics/law/touchable.hpp"
+#include "palpable/haptics/law/contact_law.hpp"
 #include "palpable/models/grid/occupancy_grid.hpp"
 
 #include <memory>
@@ -12,35 +10,30 @@
 
 namespace palpable::haptics {
 
+extern const LawDescription kGridLaw;
+
 /// `grid`: f = max(0, K d - B v·n) n with depth d and normal n from an occupancy grid (Park & Howard 2012,
 /// eq. 6, corrected). The proxy is the place on the surface straight along the normal. Depth and normal are
 /// continuous, but the normal is not the depth's gradient: it makes energy, and has no potential to watch.
-class GridLaw {
+class GridLaw : public ContactLaw<models::OccupancyGrid> {
  public:
   struct State {};
 
-  GridLaw(std::shared_ptr<const models::OccupancyGrid> grid, MaterialMap materials)
-      : grid_(std::move(grid)), materials_(std::move(materials)) {}
+  using ContactLaw::ContactLaw;
 
-  Feel feel(const Hand& hand, State&) const noexcept {
-    const models::GridSample s = grid_->sample(hand.position.v);
-    Feel feel;
-    feel.label = materials_.label_at(hand.position.v.x, hand.position.v.y);
-    feel.contact = s.depth_m > 0.0;
-    if (!feel.contact) return feel;
-    feel.force_N.v = pressed(s.depth_m, s.normal, hand.velocity_m_per_s.v, materials_.contact(feel.label));
-    feel.has_proxy = true;
-    feel.proxy.v = hand.position.v + s.depth_m * s.normal;
-    return feel;
+  LawOutput evaluate(const Hand& hand, State&) const noexcept {
+    const models::GridSample s = surface().sample(hand.position.v);
+    LawOutput output;
+    output.label = materials().label_at(hand.position.v.x, hand.position.v.y);
+    output.contact = s.depth_m > 0.0;
+    if (!output.contact) return output;
+    const Contact& contact = materials().contact(output.label);
+    output.force_N.v =
+        damped_push(contact.stiffness_N_per_m * s.depth_m, s.normal, hand.velocity_m_per_s.v, contact);
+    output.has_proxy = true;
+    output.proxy.v = hand.position.v + s.depth_m * s.normal;
+    return output;
   }
-
-  const models::OccupancyGrid& surface() const noexcept { return *grid_; }
-  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
-  std::size_t memory_bytes() const noexcept { return grid_->memory_bytes() + materials_.memory_bytes(); }
-
- private:
-  std::shared_ptr<const models::OccupancyGrid> grid_;
-  MaterialMap materials_;
 };
 
 }  // namespace palpable::haptics

@@ -15,12 +15,12 @@ models::Scene plate() {
   return models::grid_scene({21, 21, 9}, 0.004F, [](int z) { return z <= 5; });
 }
 
-Feel felt(const Touchable& touchable, Vec3 place, Vec3 velocity = {}) {
+LawOutput felt(const Touchable& touchable, Vec3 place, Vec3 velocity = {}) {
   TouchState state;
   Hand hand;
   hand.position.v = place;
   hand.velocity_m_per_s.v = velocity;
-  return touchable.feel(hand, state);
+  return touchable.evaluate(hand, state);
 }
 
 TEST(GridLaw, PushesOutOfThePlateAsSpringAndDamper) {
@@ -31,7 +31,7 @@ TEST(GridLaw, PushesOutOfThePlateAsSpringAndDamper) {
   const auto touchable = make_touchable(plate(), parameters);
   ASSERT_TRUE(touchable.has_value());
   // The surface stands half a spacing above the last occupied points.
-  const Feel pressed = felt(**touchable, {0.0003, 0.0002, 0.0035});
+  const LawOutput pressed = felt(**touchable, {0.0003, 0.0002, 0.0035});
   EXPECT_TRUE(pressed.contact);
   EXPECT_NEAR(pressed.force_N.v.z, 1.0, 0.02);
   EXPECT_NEAR(pressed.force_N.v.x, 0.0, 0.02);

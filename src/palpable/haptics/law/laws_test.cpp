@@ -37,36 +37,36 @@ TEST(RollingLaw, IsTheWeightOfABallOnASlope) {
   for (const Law kind : {Law::rolling, Law::sobel}) {
     LawParameters p;
     p.law = kind;
-    p.stiffness_N_per_m = 2.0;
+    p.slope_force_N = 2.0;
     p.damping_Ns_per_m = 3.0;
     const auto law = made(scene_of(plane), p);
     TouchState state;
     Hand hand;
     hand.velocity_m_per_s = {{0.1, -0.2, 0.7}};
-    const Feel feel = law->feel(hand, state);
-    EXPECT_NEAR(feel.force_N.v.x, -2.0 * 0.5 - 3.0 * 0.1, 1e-4);
-    EXPECT_NEAR(feel.force_N.v.y, 3.0 * 0.2, 1e-4);
-    EXPECT_EQ(feel.force_N.v.z, 0.0);
-    EXPECT_TRUE(feel.contact);
-    EXPECT_FALSE(feel.has_proxy);
+    const LawOutput output = law->evaluate(hand, state);
+    EXPECT_NEAR(output.force_N.v.x, -2.0 * 0.5 - 3.0 * 0.1, 1e-4);
+    EXPECT_NEAR(output.force_N.v.y, 3.0 * 0.2, 1e-4);
+    EXPECT_EQ(output.force_N.v.z, 0.0);
+    EXPECT_TRUE(output.contact);
+    EXPECT_FALSE(output.has_proxy);
   }
 }
 
 TEST(PenaltyLaw, PushesFromFlatGroundAsASpringAndNeverPulls) {
   for (const Law kind : {Law::penalty, Law::averaged})
-    for (const auto direction : {PenaltyDirection::gradient, PenaltyDirection::normal}) {
+    for (const double shading : {0.0, 1.0}) {
       LawParameters p = frictionless();
       p.law = kind;
       p.damping_Ns_per_m = 2.0;
-      p.penalty = direction;
+      p.force_shading = shading;
       const auto law = made(flat_ground(), p);
       TouchState state;
-      EXPECT_NEAR(feel_at(*law, state, {0.001, 0, 0.003}).force_N.v.z, 1.0, 1e-6);
-      EXPECT_FALSE(feel_at(*law, state, {0.001, 0, 0.0051}).contact);
+      EXPECT_NEAR(output_at(*law, state, {0.001, 0, 0.003}).force_N.v.z, 1.0, 1e-6);
+      EXPECT_FALSE(output_at(*law, state, {0.001, 0, 0.0051}).contact);
       Hand hand;
       hand.position = {{0, 0, 0.004}};
       hand.velocity_m_per_s = {{0, 0, 1.0}};
-      EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
+      EXPECT_EQ(law->evaluate(hand, state).force_N.v.z, 0.0);
     }
 }
 
@@ -86,7 +86,7 @@ TEST(PenaltyLaw, IsTheExactGradientOfItsPotential) {
     const double x = 0.015 * std::sin(0.7 * k);
     const double y = 0.011 * std::sin(1.1 * k);
     const Vec3 at{x, y, relief.sample(x, y).z_m - 0.001};
-    const Vec3 f = feel_at(*law, state, at).force_N.v;
+    const Vec3 f = output_at(*law, state, at).force_N.v;
     // Far above the rounding of a look, 1e-10 m, and far below a pixel.
     const double e = 1e-7;
     ASSERT_NEAR(f.x, -(energy(at + Vec3{e, 0, 0}) - energy(at - Vec3{e, 0, 0})) / (2 * e), 1e-3);
@@ -99,15 +99,16 @@ TEST(AveragedLaw, WithAllWeightAtTheCentreIsTheShadedPenalty) {
   const models::Scene scene = scene_of(random_hills(200, 160, 31));
   LawParameters p = frictionless();
   p.law = Law::averaged;
-  p.averaging = {0.001, 0.0, 3.0};
+  p.neighbour_weight = 0.0;
+  p.centre_weight = 3.0;
   const auto averaged = made(scene, p);
   p.law = Law::penalty;
-  p.penalty = PenaltyDirection::normal;
+  p.force_shading = 1.0;
   const auto penalty = made(scene, p);
   TouchState state;
   for (int k = 0; k < 300; ++k) {
     const Vec3 at{0.015 * std::sin(0.7 * k), 0.011 * std::sin(1.1 * k), 0.0};
-    ASSERT_NEAR(norm(feel_at(*averaged, state, at).force_N - feel_at(*penalty, state, at).force_N), 0.0,
+    ASSERT_NEAR(norm(output_at(*averaged, state, at).force_N - output_at(*penalty, state, at).force_N), 0.0,
                 1e-12);
   }
 }
@@ -149,8 +150,8 @@ TEST(Laws, NeverAllocateInATick) {
     const AllocationScope scope;
     for (int k = 0; k < 20000; ++k)
       contacts +=
-          feel_at(*law, state,
-                  {0.013 * std::sin(0.003 * k), 0.01 * std::sin(0.005 * k), 0.002 * std::sin(0.02 * k)})
+          output_at(*law, state,
+                    {0.013 * std::sin(0.003 * k), 0.01 * std::sin(0.005 * k), 0.002 * std::sin(0.02 * k)})
                   .contact
               ? 1U
               : 0U;
@@ -160,8 +161,10 @@ TEST(Laws, NeverAllocateInATick) {
 }
 
 TEST(Laws, HaveNamesThatLeadBack) {
-  for (const Law law : {Law::rolling, Law::sobel, Law::proxy, Law::penalty, Law::averaged})
-    EXPECT_EQ(law_from(name_of(law)), law);
+  for (const LawDescription* law : all_laws()) {
+    EXPECT_EQ(law_from(law->name), law->law);
+    EXPECT_EQ(&description_of(law->law), law);
+  }
   EXPECT_FALSE(law_from("no such law"));
 }
 
@@ -174,9 +177,9 @@ TEST(ProbePath, GivesTheSameForcesEachTimeAndChecksItsInput) {
     path.push_back({0.001 * k, {{0.008 * std::sin(0.004 * k), 0.006 * std::sin(0.007 * k), 0.002}}});
   ASSERT_TRUE(check_path(path));
   std::vector<Vec3> first;
-  probe_path(*law, path, [&](const PathSample&, const Feel& f) { first.push_back(f.force_N.v); });
+  probe_path(*law, path, [&](const PathSample&, const LawOutput& f) { first.push_back(f.force_N.v); });
   std::size_t at = 0;
-  probe_path(*law, path, [&](const PathSample&, const Feel& f) { EXPECT_EQ(f.force_N.v, first[at++]); });
+  probe_path(*law, path, [&](const PathSample&, const LawOutput& f) { EXPECT_EQ(f.force_N.v, first[at++]); });
   EXPECT_EQ(at, path.size());
   const TickTimes times = time_path(*law, path);
   EXPECT_EQ(times.latency.count, path.size());

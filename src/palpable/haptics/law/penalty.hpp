@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/law/material_map.hpp"
-#include "palpable/haptics/law/touchable.hpp"
+#include "palpable/haptics/law/contact_law.hpp"
+#include "palpable/models/field/distance_surface.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <algorithm>
@@ -13,13 +13,7 @@
 
 namespace palpable::haptics {
 
-/// The force of a spring that is pressed `depth_m` deep along `outward` (unit), with a damper, never pulling:
-/// Park & Howard 2012, eq. 6, corrected.
-inline Vec3 pressed(double depth_m, Vec3 outward, Vec3 velocity_m_per_s, const Contact& contact) noexcept {
-  const double push =
-      contact.stiffness_N_per_m * depth_m - contact.damping_Ns_per_m * dot(velocity_m_per_s, outward);
-  return std::max(0.0, push) * outward;
-}
+extern const LawDescription kPenaltyLaw;
 
 /// `penalty`: spring and damper at the place straight below or above the hand, with the distance to the
 /// surface's tangent plane there, d = (h - z) / sqrt(1 + |grad h|^2), as depth. Plain, the force is the exact
@@ -28,104 +22,80 @@ inline Vec3 pressed(double depth_m, Vec3 outward, Vec3 velocity_m_per_s, const C
 /// curved. It forgets on which side of a wall the hand came in, and in concave places its force changes
 /// quickly from one wall's to the other's.
 template <models::CurvedHeightField Surface>
-class PenaltyLaw {
+class PenaltyLaw : public ContactLaw<Surface> {
  public:
   struct State {};
 
-  PenaltyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, bool shaded)
-      : surface_(std::move(surface)), materials_(std::move(materials)), shaded_(shaded) {}
+  PenaltyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double shading)
+      : ContactLaw<Surface>(std::move(surface), std::move(materials)), shading_(shading) {}
 
-  Feel feel(const Hand& hand, State&) const noexcept {
+  LawOutput evaluate(const Hand& hand, State&) const noexcept {
     const Vec3 p = hand.position.v;
-    const models::CurvedSample s = surface_->curved_sample(p.x, p.y);
-    Feel feel;
-    feel.label = materials_.label_at(p.x, p.y);
-    feel.contact = p.z < s.z_m;
-    if (!feel.contact) return feel;
+    const models::CurvedSample s = this->surface().curved_sample(p.x, p.y);
+    LawOutput output;
+    output.label = this->materials().label_at(p.x, p.y);
+    output.contact = p.z < s.z_m;
+    if (!output.contact) return output;
     const double length2 = 1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy;
     const double length = std::sqrt(length2);
     const double depth = (s.z_m - p.z) / length;
     const Vec3 normal = Vec3{-s.dzdx, -s.dzdy, 1.0} / length;
-    const Contact& contact = materials_.contact(feel.label);
-    feel.force_N.v = pressed(depth, normal, hand.velocity_m_per_s.v, contact);
-    if (!shaded_) {
+    const Contact& contact = this->materials().contact(output.label);
+    output.force_N.v =
+        damped_push(contact.stiffness_N_per_m * depth, normal, hand.velocity_m_per_s.v, contact);
+    if (shading_ < 1.0) {
       // -grad d is the normal and what the normal's own turning adds.
-      const double turning = depth / length2;
-      feel.force_N.v += contact.stiffness_N_per_m * depth * turning *
-                        Vec3{s.dzdx * s.dzdxx_per_m + s.dzdy * s.dzdxy_per_m,
-                             s.dzdx * s.dzdxy_per_m + s.dzdy * s.dzdyy_per_m, 0.0};
+      const double turning = (1.0 - shading_) * depth / length2;
+      output.force_N.v += contact.stiffness_N_per_m * depth * turning *
+                          Vec3{s.dzdx * s.dzdxx_per_m + s.dzdy * s.dzdxy_per_m,
+                               s.dzdx * s.dzdxy_per_m + s.dzdy * s.dzdyy_per_m, 0.0};
     }
-    return feel;
+    return output;
   }
 
-  const Surface& surface() const noexcept { return *surface_; }
-  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
-  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
-
  private:
-  std::shared_ptr<const Surface> surface_;
-  MaterialMap materials_;
-  bool shaded_;
+  double shading_;
 };
 
-/// How `averaged` weighs its five places.
-struct Averaging {
-  double offset_m = 0.001;
-  double neighbour_weight = 1.0;
-  double centre_weight = 1.0;
-};
-
-/// `averaged`: as the shaded penalty, but the hand is projected onto the weighted mean of the surface below
-/// it and below four neighbours at an offset, c = (w sum P_i + w_c C_1) / (4 w + w_c) (Gomez 2012, chapter
-/// 12, its weights corrected). One smoothing step: concave places vibrate less, ridges are blunted, and it is
-/// not conservative.
-template <models::HeightField Surface>
-class AveragedLaw {
+/// `penalty` on a solid: f = -k min(D, 0) grad D, the exact gradient of k D^2 / 2 (Moustakas et al. 2007,
+/// sign corrected), so without damping it makes no energy; and a damper along the normal that never pulls.
+/// Shaded, the gradient's length is left out (force shading): nearly the same on an exact field, and not
+/// conservative. It pushes to the nearest surface, so it pops through thin walls: `proxy` does not. A ball of
+/// radius r is a point in the field minus r.
+template <models::DistanceSurface Surface>
+class FieldPenaltyLaw : public ContactLaw<Surface> {
  public:
   struct State {};
 
-  AveragedLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, Averaging averaging)
-      : surface_(std::move(surface)), materials_(std::move(materials)), averaging_(averaging) {}
+  FieldPenaltyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double radius_m,
+                  double shading)
+      : ContactLaw<Surface>(std::move(surface), std::move(materials)),
+        radius_m_(radius_m),
+        shading_(shading) {}
 
-  Feel feel(const Hand& hand, State&) const noexcept {
+  LawOutput evaluate(const Hand& hand, State&) const noexcept {
     const Vec3 p = hand.position.v;
-    const models::HeightSample s = mean_at(p.x, p.y);
-    Feel feel;
-    feel.label = materials_.label_at(p.x, p.y);
-    feel.contact = p.z < s.z_m;
-    if (!feel.contact) return feel;
-    const double length = std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
-    feel.force_N.v = pressed((s.z_m - p.z) / length, Vec3{-s.dzdx, -s.dzdy, 1.0} / length,
-                             hand.velocity_m_per_s.v, materials_.contact(feel.label));
-    return feel;
+    const models::FieldSample s = this->surface().sample(p);
+    LawOutput output;
+    output.label = this->materials().label_at(p.x, p.y);
+    output.stored_J = 0.0;
+    const double depth = radius_m_ - s.distance_m;
+    output.contact = depth > 0.0;
+    if (!output.contact) return output;
+    const Contact& contact = this->materials().contact(output.label);
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * depth * depth;
+    const double length = norm(s.gradient);
+    if (!(length > 0.0)) return output;
+    const Vec3 outward = s.gradient / length;
+    output.spring_N.v = contact.stiffness_N_per_m * depth * outward;
+    const double spring_N = contact.stiffness_N_per_m * depth * (shading_ + (1.0 - shading_) * length);
+    output.force_N.v = damped_push(spring_N, outward, hand.velocity_m_per_s.v, contact);
+    return output;
   }
-
-  const Surface& surface() const noexcept { return *surface_; }
-  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
-  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
 
  private:
-  models::HeightSample mean_at(double x_m, double y_m) const noexcept {
-    const auto [offset, w, centre] = averaging_;
-    models::HeightSample mean;
-    const auto add = [&](double x, double y, double weight) {
-      const models::HeightSample s = surface_->sample(x, y);
-      mean.z_m += weight * s.z_m;
-      mean.dzdx += weight * s.dzdx;
-      mean.dzdy += weight * s.dzdy;
-    };
-    const double share = 1.0 / (4.0 * w + centre);
-    add(x_m, y_m, centre * share);
-    add(x_m + offset, y_m, w * share);
-    add(x_m - offset, y_m, w * share);
-    add(x_m, y_m + offset, w * share);
-    add(x_m, y_m - offset, w * share);
-    return mean;
-  }
-
-  std::shared_ptr<const Surface> surface_;
-  MaterialMap materials_;
-  Averaging averaging_;
+  double radius_m_;
+  double shading_;
 };
 
 }  // namespace palpable::haptics

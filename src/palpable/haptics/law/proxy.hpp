@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/law/material_map.hpp"
+#include "palpable/haptics/law/contact_law.hpp"
 #include "palpable/haptics/law/surface_proxy.hpp"
 #include "palpable/haptics/law/texture_touch.hpp"
-#include "palpable/haptics/law/touchable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +13,17 @@
 
 namespace palpable::haptics {
 
+extern const LawDescription kProxyLaw;
+/// The boundaries of a picture as grooves in a plate, rendered by `proxy`: passive, for exploring by touch
+/// alone.
+extern const LawDescription kGrooveLaw;
+
 /// `proxy`: a spring from the hand to a surface-bound proxy that slides under a friction cone with static and
 /// dynamic coefficient (the proxy is Hayward & Armstrong's w: it moves only when the cone is left, so nothing
 /// drifts), and a damper along the surface's normal. The force never pulls the hand into the surface. A ball
 /// of finite radius is a point on the relief dilated by it (relief_shaping.hpp).
 template <models::CurvedHeightField Surface>
-class ProxyLaw {
+class ProxyLaw : public ContactLaw<Surface> {
  public:
   struct State {
     SurfaceProxy proxy;
@@ -31,34 +35,32 @@ class ProxyLaw {
   };
 
   ProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, Textures textures = Textures({}))
-      : surface_(std::move(surface)), materials_(std::move(materials)), textures_(std::move(textures)) {}
+      : ContactLaw<Surface>(std::move(surface), std::move(materials)), textures_(std::move(textures)) {}
 
-  Feel feel(const Hand& hand, State& state) const noexcept {
+  LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     const Contact contact = contact_here(hand.dt_s, state);
-    const ProxyFollower<Surface> follower(*surface_, {contact.static_friction, contact.dynamic_friction});
+    const ProxyFollower<Surface> follower(this->surface(),
+                                          {contact.static_friction, contact.dynamic_friction});
     const Before before{state.proxy.place_m, state.proxy.phase == SurfaceProxy::Phase::touching};
     follower.follow(hand.position.v, state.proxy);
-    Feel feel;
-    feel.has_proxy = true;
-    feel.proxy.v = state.proxy.place_m;
-    feel.contact = state.proxy.holds_the_hand();
-    feel.label = state.label;
-    feel.stored_J = 0.0;
-    if (feel.contact) {
-      feel.force_N.v = force(hand, contact, state.proxy, before);
+    LawOutput output;
+    output.has_proxy = true;
+    output.proxy.v = state.proxy.place_m;
+    output.contact = state.proxy.holds_the_hand();
+    output.label = state.label;
+    output.stored_J = 0.0;
+    if (output.contact) {
+      output.force_N.v = force(hand, contact, state.proxy, before);
       const Vec3 stretched = state.proxy.place_m - hand.position.v;
-      feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
-      feel.spring_N.v = contact.stiffness_N_per_m * stretched;
-      if (textures_.any()) add_texture_to(feel, hand, contact, state);
+      output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
+      output.spring_N.v = contact.stiffness_N_per_m * stretched;
+      if (textures_.any()) add_texture_to(output, hand, contact, state);
     }
-    return feel;
+    return output;
   }
 
-  const Surface& surface() const noexcept { return *surface_; }
-  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
-  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
-
  private:
+  using ContactLaw<Surface>::materials;
   static constexpr double kMaterialEase_s = 0.010;
 
   /// The proxy as the last tick left it.
@@ -76,9 +78,9 @@ class ProxyLaw {
   };
 
   Contact contact_here(double dt_s, State& state) const noexcept {
-    if (!materials_.has_labels()) return materials_.contact(0);
-    state.label = materials_.label_at(state.proxy.place_m.x, state.proxy.place_m.y);
-    const Contact& here = materials_.contact(state.label);
+    if (!materials().has_labels()) return materials().contact(0);
+    state.label = materials().label_at(state.proxy.place_m.x, state.proxy.place_m.y);
+    const Contact& here = materials().contact(state.label);
     const double share = state.knows_contact && state.proxy.phase == SurfaceProxy::Phase::touching
                              ? dt_s / (dt_s + kMaterialEase_s)
                              : 1.0;
@@ -106,7 +108,8 @@ class ProxyLaw {
            grip(hand, contact, proxy, before, up, pressing_up);
   }
 
-  void add_texture_to(Feel& feel, const Hand& hand, const Contact& contact, State& state) const noexcept {
+  void add_texture_to(LawOutput& output, const Hand& hand, const Contact& contact,
+                      State& state) const noexcept {
     const SurfaceProxy& proxy = state.proxy;
     if (proxy.phase != SurfaceProxy::Phase::touching) {
       state.texture.share = 0.0;
@@ -117,7 +120,7 @@ class ProxyLaw {
     add_texture(
         hand, textures_.of(state.label),
         {proxy.place_m, normal, dot(proxy.place_m - hand.position.v, normal), contact.stiffness_N_per_m},
-        on_plan, state.texture, feel);
+        on_plan, state.texture, output);
   }
 
   /// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it
@@ -136,8 +139,6 @@ class ProxyLaw {
     return (-drag_N / speed) * along;
   }
 
-  std::shared_ptr<const Surface> surface_;
-  MaterialMap materials_;
   Textures textures_;
 };
 

@@ -14,14 +14,14 @@ TEST(ProxyLaw, PushesFromFlatGroundWithExactlyTheSpringsForce) {
   for (const double radius_m : {0.0, 0.001}) {
     const auto law = made(flat_ground(), frictionless(radius_m));
     TouchState state;
-    feel_at(*law, state, {0, 0, 0.02});
+    output_at(*law, state, {0, 0, 0.02});
     const Vec3 pressed{0.001, 0, 0.005 + radius_m - 0.002};
-    // 15 mm in one tick is farther than a tick looks: the proxy arrives in the next.
-    feel_at(*law, state, pressed);
-    const Feel feel = feel_at(*law, state, pressed);
-    EXPECT_TRUE(feel.contact);
-    EXPECT_NEAR(feel.force_N.v.z, 1.0, 0.005);
-    EXPECT_NEAR(feel.force_N.v.x, 0.0, 1e-6);
+    // 15 mm in one tick is farther than a tick evaluations: the proxy arrives in the next.
+    output_at(*law, state, pressed);
+    const LawOutput output = output_at(*law, state, pressed);
+    EXPECT_TRUE(output.contact);
+    EXPECT_NEAR(output.force_N.v.z, 1.0, 0.005);
+    EXPECT_NEAR(output.force_N.v.x, 0.0, 1e-6);
   }
 }
 
@@ -29,17 +29,17 @@ TEST(ProxyLaw, IsSilentAboveTheSurface) {
   const auto law = made(scene_of(random_hills(100, 80, 3)), frictionless());
   TouchState state;
   for (double x = -0.02; x < 0.02; x += 0.0003) {
-    const Feel feel = feel_at(*law, state, {x, 0.001, 0.02});
-    EXPECT_FALSE(feel.contact);
-    EXPECT_EQ(norm(feel.force_N), 0.0);
-    EXPECT_EQ(feel.proxy.v, (Vec3{x, 0.001, 0.02}));
+    const LawOutput output = output_at(*law, state, {x, 0.001, 0.02});
+    EXPECT_FALSE(output.contact);
+    EXPECT_EQ(norm(output.force_N), 0.0);
+    EXPECT_EQ(output.proxy.v, (Vec3{x, 0.001, 0.02}));
   }
 }
 
 TEST(ProxyLaw, FindsANewTouchUnderTheSurface) {
   const auto law = made(flat_ground(), frictionless());
   TouchState state;
-  EXPECT_TRUE(feel_at(*law, state, {0, 0, 0.004}).contact);
+  EXPECT_TRUE(output_at(*law, state, {0, 0, 0.004}).contact);
 }
 
 TEST(ProxyLaw, SticksInsideTheConeAndSlidesOutsideIt) {
@@ -48,18 +48,18 @@ TEST(ProxyLaw, SticksInsideTheConeAndSlidesOutsideIt) {
   p.dynamic_friction = 0.4;
   const auto law = made(flat_ground(), p);
   TouchState state;
-  feel_at(*law, state, {0, 0, 0.006});
-  feel_at(*law, state, {0, 0, 0.003});
-  Feel feel = feel_at(*law, state, {0.00099, 0, 0.003});
-  EXPECT_NEAR(feel.proxy.v.x, 0.0, 1e-9) << "2 mm deep, the cone is 1 mm wide";
-  feel = feel_at(*law, state, {0.0015, 0, 0.003});
-  EXPECT_NEAR(feel.proxy.v.x, 0.0015 - 0.4 * 0.002, 1e-6) << "now the dynamic coefficient holds";
-  EXPECT_NEAR(-feel.force_N.v.x / feel.force_N.v.z, 0.4, 1e-3);
-  const double rests = feel.proxy.v.x;
-  for (int k = 0; k < 1000; ++k) feel = feel_at(*law, state, {0.0015, 0, 0.003});
-  EXPECT_EQ(feel.proxy.v.x, rests) << "nothing drifts";
-  feel = feel_at(*law, state, {rests + 0.00098, 0, 0.003});
-  EXPECT_NEAR(feel.proxy.v.x, rests, 1e-9) << "at rest, the static coefficient holds again";
+  output_at(*law, state, {0, 0, 0.006});
+  output_at(*law, state, {0, 0, 0.003});
+  LawOutput output = output_at(*law, state, {0.00099, 0, 0.003});
+  EXPECT_NEAR(output.proxy.v.x, 0.0, 1e-9) << "2 mm deep, the cone is 1 mm wide";
+  output = output_at(*law, state, {0.0015, 0, 0.003});
+  EXPECT_NEAR(output.proxy.v.x, 0.0015 - 0.4 * 0.002, 1e-6) << "now the dynamic coefficient holds";
+  EXPECT_NEAR(-output.force_N.v.x / output.force_N.v.z, 0.4, 1e-3);
+  const double rests = output.proxy.v.x;
+  for (int k = 0; k < 1000; ++k) output = output_at(*law, state, {0.0015, 0, 0.003});
+  EXPECT_EQ(output.proxy.v.x, rests) << "nothing drifts";
+  output = output_at(*law, state, {rests + 0.00098, 0, 0.003});
+  EXPECT_NEAR(output.proxy.v.x, rests, 1e-9) << "at rest, the static coefficient holds again";
 }
 
 TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
@@ -74,12 +74,12 @@ TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
     const double t = 0.001 * k;
     const double x = 0.017 * std::sin(2.0 * t);
     const double y = 0.013 * std::sin(3.1 * t);
-    const Feel feel = feel_at(*law, state, {x, y, relief.sample(x, y).z_m - 0.0007});
-    if (!feel.contact) continue;
-    const auto s = relief.sample(feel.proxy.v.x, feel.proxy.v.y);
+    const LawOutput output = output_at(*law, state, {x, y, relief.sample(x, y).z_m - 0.0007});
+    if (!output.contact) continue;
+    const auto s = relief.sample(output.proxy.v.x, output.proxy.v.y);
     const Vec3 n = unit(Vec3{-s.dzdx, -s.dzdy, 1.0});
-    const double normal = dot(feel.force_N.v, n);
-    const double along = norm(feel.force_N.v - normal * n);
+    const double normal = dot(output.force_N.v, n);
+    const double along = norm(output.force_N.v - normal * n);
     ASSERT_GE(normal, -1e-9);
     ASSERT_LE(along, 0.6 * normal + 2e-3);
   }
@@ -100,8 +100,8 @@ TEST(ProxyLaw, FeelsTheSameWhenSceneAndProbeAreTurnedTogether) {
   for (int k = 0; k < 4000; ++k) {
     const double t = 0.001 * k;
     const Vec3 at{0.009 * std::sin(2 * t), 0.008 * std::sin(3 * t + 1), 0.003 + 0.002 * std::sin(5 * t)};
-    const Vec3 f = feel_at(*law, a, at).force_N.v;
-    const Vec3 g = feel_at(*law_turned, b, {-at.y, at.x, at.z}).force_N.v;
+    const Vec3 f = output_at(*law, a, at).force_N.v;
+    const Vec3 g = output_at(*law_turned, b, {-at.y, at.x, at.z}).force_N.v;
     ASSERT_NEAR(norm(Vec3{-f.y, f.x, f.z} - g), 0.0, 2e-4) << k;
   }
 }
@@ -127,11 +127,11 @@ TEST(ProxyLaw, DampsAlongTheNormalAndNeverPulls) {
   Hand hand;
   hand.position = {{0, 0, 0.004}};
   hand.velocity_m_per_s = {{0.3, 0, -0.1}};
-  const Feel pressing = law->feel(hand, state);
+  const LawOutput pressing = law->evaluate(hand, state);
   EXPECT_NEAR(pressing.force_N.v.z, 0.5 + 0.2, 1e-6);
   EXPECT_NEAR(pressing.force_N.v.x, 0.0, 1e-9);
   hand.velocity_m_per_s = {{0, 0, 1.0}};
-  EXPECT_EQ(law->feel(hand, state).force_N.v.z, 0.0);
+  EXPECT_EQ(law->evaluate(hand, state).force_N.v.z, 0.0);
 }
 
 TEST(ProxyLaw, TakesEachRegionsMaterial) {
@@ -147,18 +147,18 @@ TEST(ProxyLaw, TakesEachRegionsMaterial) {
     for (int i = 50; i < 100; ++i) scene.labels(i, j) = 1;
   const auto law = made(scene, {});
   TouchState state;
-  feel_at(*law, state, {-0.005, 0, 0.006});
-  Feel feel = feel_at(*law, state, {-0.005, 0, 0.004});
-  EXPECT_NEAR(feel.force_N.v.z, 0.1, 1e-6);
-  EXPECT_EQ(feel.label, 0);
-  double last = feel.force_N.v.z;
+  output_at(*law, state, {-0.005, 0, 0.006});
+  LawOutput output = output_at(*law, state, {-0.005, 0, 0.004});
+  EXPECT_NEAR(output.force_N.v.z, 0.1, 1e-6);
+  EXPECT_EQ(output.label, 0);
+  double last = output.force_N.v.z;
   for (int k = 0; k < 200; ++k) {
-    feel = feel_at(*law, state, {-0.005 + 0.00005 * k, 0, 0.004});
-    EXPECT_LT(std::abs(feel.force_N.v.z - last), 0.08) << "a border is no kick";
-    last = feel.force_N.v.z;
+    output = output_at(*law, state, {-0.005 + 0.00005 * k, 0, 0.004});
+    EXPECT_LT(std::abs(output.force_N.v.z - last), 0.08) << "a border is no kick";
+    last = output.force_N.v.z;
   }
-  EXPECT_EQ(feel.label, 1);
-  EXPECT_NEAR(feel.force_N.v.z, 0.8, 0.01);
+  EXPECT_EQ(output.label, 1);
+  EXPECT_NEAR(output.force_N.v.z, 0.8, 0.01);
 }
 
 }  // namespace

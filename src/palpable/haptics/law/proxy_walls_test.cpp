@@ -49,12 +49,12 @@ TEST(ProxyLaw, ClimbsOverAWallInsteadOfJumpingThroughIt) {
     Vec3 proxy{};
     for (int k = 0; k < 200; ++k) {
       hand.position = {{x, 0.0, 0.012 - 0.00005 * k}};
-      proxy = law->feel(hand, state).proxy.v;
+      proxy = law->evaluate(hand, state).proxy.v;
     }
     while (x < 0.003) {
       x += speed * kTick_s;
       hand.position = {{x, 0.0, 0.002}};
-      const Vec3 next = law->feel(hand, state).proxy.v;
+      const Vec3 next = law->evaluate(hand, state).proxy.v;
       for (double f = 0.0; f < 1.0; f += 0.1) {
         const double u = proxy.x + f * (next.x - proxy.x);
         highest = std::max(highest, relief.sample(u, proxy.y).z_m - (proxy.z + f * (next.z - proxy.z)));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/law/law.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 #include "palpable/models/relief/relief.hpp"
 
@@ -9,6 +10,8 @@
 #include <utility>
 
 namespace palpable::haptics {
+
+extern const LawDescription kRollingLaw;
 
 /// `rolling`: the weight of a ball on the slope under the hand, f = -k_g grad z - k_v v (Shi & Pai 1997, eq.
 /// 1), with the exact gradient, so that without damping it is the gradient of k_g z and does no work round a
@@ -18,19 +21,19 @@ class RollingLaw {
  public:
   struct State {};
 
-  RollingLaw(std::shared_ptr<const Surface> surface, double weight_N, double damping_Ns_per_m)
-      : surface_(std::move(surface)), weight_N_(weight_N), damping_Ns_per_m_(damping_Ns_per_m) {}
+  RollingLaw(std::shared_ptr<const Surface> surface, double slope_force_N, double damping_Ns_per_m)
+      : surface_(std::move(surface)), slope_force_N_(slope_force_N), damping_Ns_per_m_(damping_Ns_per_m) {}
 
-  Feel feel(const Hand& hand, State&) const noexcept {
+  LawOutput evaluate(const Hand& hand, State&) const noexcept {
     const models::HeightSample s = surface_->sample(hand.position.v.x, hand.position.v.y);
     const Vec3 v = hand.velocity_m_per_s.v;
-    Feel feel;
-    feel.contact = true;
-    feel.stored_J = weight_N_ * s.z_m;
-    feel.spring_N.v = {-weight_N_ * s.dzdx, -weight_N_ * s.dzdy, 0.0};
-    feel.force_N.v = {-weight_N_ * s.dzdx - damping_Ns_per_m_ * v.x,
-                      -weight_N_ * s.dzdy - damping_Ns_per_m_ * v.y, 0.0};
-    return feel;
+    LawOutput output;
+    output.contact = true;
+    output.stored_J = slope_force_N_ * s.z_m;
+    output.spring_N.v = {-slope_force_N_ * s.dzdx, -slope_force_N_ * s.dzdy, 0.0};
+    output.force_N.v = {-slope_force_N_ * s.dzdx - damping_Ns_per_m_ * v.x,
+                        -slope_force_N_ * s.dzdy - damping_Ns_per_m_ * v.y, 0.0};
+    return output;
   }
 
   const Surface& surface() const noexcept { return *surface_; }
@@ -39,7 +42,7 @@ class RollingLaw {
 
  private:
   std::shared_ptr<const Surface> surface_;
-  double weight_N_;
+  double slope_force_N_;
   double damping_Ns_per_m_;
 };
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/law/sobel.hpp"
 
+#include "palpable/haptics/law/law_making.hpp"
+#include "palpable/haptics/law/law_parameters.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -24,6 +27,15 @@ Raster<double> halved(const Raster<float>& heights) {
                            double{heights(2 * x, y1)} + double{heights(x1, y1)});
     }
   return half;
+}
+
+constexpr std::array kParameters{kSlopeForce, kPlaneDamping};
+
+MadeLaw make(const LawInput& in) {
+  const auto& relief = models::relief_of(in.scene);
+  const LawParameters& p = in.parameters;
+  return made_law(SobelLaw(*relief, value_or_preset(p, kSlopeForce), value_or_preset(p, kPlaneDamping)),
+                  mixed(static_cast<std::uint64_t>(p.law), content_hash(*relief)));
 }
 
 int nearest(double place, int count) noexcept {
@@ -61,14 +73,27 @@ ImageSlope SobelSlopes::at(double x_m, double y_m) const noexcept {
                  nearest(0.5 * slopes_.height() - y_m * pixels_per_m_y_, slopes_.height()));
 }
 
-Feel SobelLaw::feel(const Hand& hand, State&) const noexcept {
+LawOutput SobelLaw::evaluate(const Hand& hand, State&) const noexcept {
   const ImageSlope s = slopes_.at(hand.position.v.x, hand.position.v.y);
   const Vec3 v = hand.velocity_m_per_s.v;
-  Feel feel;
-  feel.contact = true;
-  feel.force_N.v = {-weight_N_ * double{s.dzdx} - damping_Ns_per_m_ * v.x,
-                    -weight_N_ * double{s.dzdy} - damping_Ns_per_m_ * v.y, 0.0};
-  return feel;
+  LawOutput output;
+  output.contact = true;
+  output.force_N.v = {-slope_force_N_ * double{s.dzdx} - damping_Ns_per_m_ * v.x,
+                      -slope_force_N_ * double{s.dzdy} - damping_Ns_per_m_ * v.y, 0.0};
+  return output;
+}
+
+constexpr LawDescription kSobelLaw{.law = Law::sobel,
+                                   .name = "sobel",
+                                   .title = "Rolling ball, as published",
+                                   .models = {.relief = true},
+                                   .parameters = kParameters,
+                                   .strength = &LawParameters::slope_force_N,
+                                   .degrees_of_freedom = 2,
+                                   .make = make};
+
+void read_pages(const SobelSlopes& slopes) noexcept {
+  read_pages(slopes.slopes().data(), slopes.slopes().count() * sizeof(ImageSlope));
 }
 
 }  // namespace palpable::haptics

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/law/law.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <cstddef>
 
 namespace palpable::haptics {
+
+extern const LawDescription kSobelLaw;
 
 /// A slope as a force image holds it.
 struct ImageSlope {
@@ -16,7 +19,7 @@ struct ImageSlope {
 };
 
 /// Shi & Pai's force image (1997, section 4): the heights at half size, their slopes by a 5 x 5 Sobel
-/// operator, looked up at the nearest pixel. Covers the relief's rectangle; a scene made with --size 150x100
+/// operator, read at the nearest pixel. Covers the relief's rectangle; a scene made with --size 150x100
 /// has the paper's 10 x 15 cm.
 class SobelSlopes {
  public:
@@ -38,18 +41,21 @@ class SobelLaw {
  public:
   struct State {};
 
-  SobelLaw(const models::Relief& relief, double weight_N, double damping_Ns_per_m)
-      : slopes_(relief), weight_N_(weight_N), damping_Ns_per_m_(damping_Ns_per_m) {}
+  SobelLaw(const models::Relief& relief, double slope_force_N, double damping_Ns_per_m)
+      : slopes_(relief), slope_force_N_(slope_force_N), damping_Ns_per_m_(damping_Ns_per_m) {}
 
-  Feel feel(const Hand& hand, State&) const noexcept;
+  LawOutput evaluate(const Hand& hand, State&) const noexcept;
   const SobelSlopes& surface() const noexcept { return slopes_; }
   double damping_Ns_per_m() const noexcept { return damping_Ns_per_m_; }
   std::size_t memory_bytes() const noexcept { return slopes_.memory_bytes(); }
 
  private:
   SobelSlopes slopes_;
-  double weight_N_;
+  double slope_force_N_;
   double damping_Ns_per_m_;
 };
+
+/// Reads every page of it once.
+void read_pages(const SobelSlopes& slopes) noexcept;
 
 }  // namespace palpable::haptics

@@ -32,8 +32,8 @@ struct SurfaceProxy {
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
   /// The share of the longest step that last brought the proxy nearer; 0 = all of it. Kept from tick to tick:
-  /// at a sharp kink a tick's few looks may not find a step that is short enough, and the proxy must not stay
-  /// there.
+  /// at a sharp kink a tick's few evaluations may not find a step that is short enough, and the proxy must
+  /// not stay there.
   double step_share = 0.0;
   /// The last tick moved the proxy against friction: the dynamic coefficient holds.
   bool slipping = false;
@@ -50,9 +50,9 @@ struct Friction {
 /// Moves a SurfaceProxy over one height field; the solid lies below the surface. Sliding, each step is at
 /// most a pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's own movement
 /// in the tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and never passes
-/// through it. A tick looks at the surface once or twice as a
-/// rule, and kMostLooks times at most, so that no tick is long: what is farther is reached in the next ticks,
-/// at three pixels a tick or one and a half times the hand's own speed.
+/// through it. A tick evaluations at the surface once or twice as a
+/// rule, and kMaxEvaluations times at most, so that no tick is long: what is farther is reached in the next
+/// ticks, at three pixels a tick or one and a half times the hand's own speed.
 template <models::CurvedHeightField Surface>
 class ProxyFollower {
  public:
@@ -64,12 +64,12 @@ class ProxyFollower {
     if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand_m, proxy);
     const double longest_m = std::max(surface_.pixel_m(), 0.5 * norm(hand_m - proxy.hand_m));
     proxy.hand_m = hand_m;
-    int looks = kMostLooks;
+    int evaluations = kMaxEvaluations;
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
-    while (looks > 0) {
-      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, looks)) return;
-      if (longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, looks)
-                                         : slide<Steps::pixels>(hand_m, longest_m, proxy, looks))
+    while (evaluations > 0) {
+      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, evaluations)) return;
+      if (longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
+                                         : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations))
         return;
       proxy.phase = SurfaceProxy::Phase::free;
       proxy.clearance_m = 0.0;
@@ -79,7 +79,7 @@ class ProxyFollower {
  private:
   /// A slow hand's steps are never longer than a pixel, and need not be watched: its tick is the shorter.
   enum class Steps : std::uint8_t { pixels, longer };
-  static constexpr int kMostLooks = 3;
+  static constexpr int kMaxEvaluations = 3;
   /// In steps: so far ahead the memory's answer is there when the look is.
   static constexpr double kAhead = 3.0;
   /// 1 + slope^2 above which a step is a pixel at most: half-way up a wall a longer one might pass over its
@@ -109,8 +109,8 @@ class ProxyFollower {
   }
 
   /// Straight towards the hand. True if the surface is in the way: then the proxy rests where it was met.
-  /// Otherwise it is at the hand, or as far on the way as `looks` reach.
-  bool fly(Vec3 hand_m, SurfaceProxy& proxy, int& looks) const noexcept {
+  /// Otherwise it is at the hand, or as far on the way as `evaluations` reach.
+  bool fly(Vec3 hand_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
     const Vec3 from = proxy.place_m;
     const Vec3 way = hand_m - from;
     const double across = std::hypot(way.x, way.y);
@@ -124,8 +124,8 @@ class ProxyFollower {
     // The surface hides nothing within a pixel.
     const double stretch = std::min(1.0, surface_.pixel_m() / std::max(across, 1e-12));
     double before = 0.0;
-    while (before < 1.0 && looks > 1) {
-      --looks;
+    while (before < 1.0 && evaluations > 1) {
+      --evaluations;
       const double safe = shrinks > 0.0 ? proxy.clearance_m / shrinks : 0.0;
       // A branch, not a maximum: the processor goes on to the next stretch before this one is known.
       const double next = std::min(1.0, safe > 2.0 * stretch ? before + safe : before + stretch);
@@ -143,7 +143,7 @@ class ProxyFollower {
             proxy.clearance_m > 0.0 ? proxy.clearance_m : std::max(0.0, rise * (next - before));
         const double met = before + (next - before) * clear / (clear - clearance);
         const Vec3 m = from + met * way;
-        --looks;
+        --evaluations;
         rest(proxy, m.x, m.y, surface_.curved_sample(m.x, m.y));
         proxy.slipping = false;
         return true;
@@ -159,7 +159,7 @@ class ProxyFollower {
   /// Along the surface towards the hand; false if the hand stands on the free side of the surface where it
   /// ends.
   template <Steps kSteps>
-  bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& looks) const noexcept {
+  bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
     // What one step waits for of the step before is kept short: the tick's length is this chain's.
     models::CurvedSample s = proxy.surface;
     Vec3 place = proxy.place_m;
@@ -171,7 +171,7 @@ class ProxyFollower {
       const Vec3 d = hand_m - place;
       const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
       leaves = lifted > 0.0;
-      if (leaves || looks <= 0) break;
+      if (leaves || evaluations <= 0) break;
       // Squares of the distance's parts along the normal and along the surface, both times `steep2`.
       const double whole2 = squared_norm(d);
       const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
@@ -185,7 +185,7 @@ class ProxyFollower {
           models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
       const double x = place.x + dx;
       const double y = place.y + dy;
-      --looks;
+      --evaluations;
       surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
       // A step of more than a pixel may not pass over a top: what it hides may be a wall.

@@ -60,10 +60,10 @@ inline LawParameters frictionless(double radius_m = 0.0) {
   return p;
 }
 
-inline Feel feel_at(const Touchable& t, TouchState& state, Vec3 p) {
+inline LawOutput output_at(const Touchable& t, TouchState& state, Vec3 p) {
   Hand hand;
   hand.position = {p};
-  return t.feel(hand, state);
+  return t.evaluate(hand, state);
 }
 
 /// What a hand's force does round a closed loop: its work, and how far that work swung on the way.
@@ -84,7 +84,7 @@ LoopWork work_round(const Touchable& touchable, int ticks, int settling, Place p
   Vec3 last_N{};
   for (int k = 0; k <= (settling + 1) * ticks; ++k) {
     const Vec3 at_m = place(2 * M_PI * k / ticks);
-    const Vec3 force_N = feel_at(touchable, state, at_m).force_N.v;
+    const Vec3 force_N = output_at(touchable, state, at_m).force_N.v;
     if (k > settling * ticks) {
       loop.net_J += dot(0.5 * (force_N + last_N), at_m - last_m);
       low_J = std::min(low_J, loop.net_J);

@@ -17,17 +17,17 @@ namespace palpable::haptics {
 inline constexpr double kTextureSpeed_m_per_s = 0.1;
 /// A form that passes in fewer ticks than this is no form any more; at half of it (Nyquist) it would be
 /// another.
-inline constexpr double kTicksAForm = 4.0;
+inline constexpr double kTicksPerForm = 4.0;
 
 /// The finest pitch that a loop can carry at kTextureSpeed_m_per_s and a sensor can resolve: four ticks and
 /// four of the sensor's steps a form.
-inline double finest_pitch_m(double rate_hz, double position_resolution_m) noexcept {
-  return std::max(kTicksAForm * kTextureSpeed_m_per_s / rate_hz, 4.0 * position_resolution_m);
+inline double min_pitch_m(double rate_hz, double position_resolution_m) noexcept {
+  return std::max(kTicksPerForm * kTextureSpeed_m_per_s / rate_hz, 4.0 * position_resolution_m);
 }
 
 /// A texture adds its own stiffness to the wall's, in proportion to the depth: k·depth·h''. To stay below
 /// half of the wall's at a depth of 1 mm, it may be this high at most.
-inline double most_height_m(double pitch_m) noexcept {
+inline double max_texture_height_m(double pitch_m) noexcept {
   constexpr double kDepth_m = 0.001;
   constexpr double kTurn = 6.283185307179586;
   return 0.5 * pitch_m * pitch_m / (kTurn * kTurn * kDepth_m);
@@ -36,12 +36,12 @@ inline double most_height_m(double pitch_m) noexcept {
 /// The textures of a scene's materials, ready for the tick. Immutable.
 class Textures {
  public:
-  /// One material a label, at most 256. A texture higher than most_height_m() is made that high.
+  /// One material a label, at most 256. A texture higher than max_texture_height_m() is made that high.
   explicit Textures(const std::vector<models::Material>& materials) {
     for (std::size_t k = 0; k < std::min(materials.size(), pattern_of_.size()); ++k) {
       models::TouchTexture texture = materials[k].texture;
       if (texture.kind == models::TouchTexture::Kind::none) continue;
-      texture.height_m = std::min(texture.height_m, most_height_m(texture.pitch_m));
+      texture.height_m = std::min(texture.height_m, max_texture_height_m(texture.pitch_m));
       patterns_.emplace_back(texture);
       pattern_of_[k] = static_cast<std::uint16_t>(patterns_.size());
     }
@@ -58,7 +58,7 @@ class Textures {
   /// a tick, nothing from half of one. Tick path.
   static double carried(Vec3 velocity_m_per_s, double dt_s, double pitch_m) noexcept {
     // Most strokes are slow: they wait for no root.
-    const double reach2_m2 = kTicksAForm * kTicksAForm * dt_s * dt_s * squared_norm(velocity_m_per_s);
+    const double reach2_m2 = kTicksPerForm * kTicksPerForm * dt_s * dt_s * squared_norm(velocity_m_per_s);
     if (reach2_m2 <= pitch_m * pitch_m) return 1.0;
     return std::max(0.0, 2.0 - std::sqrt(reach2_m2) / pitch_m);
   }

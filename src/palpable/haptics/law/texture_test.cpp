@@ -24,16 +24,16 @@ TEST(Texture, IsFeltAsASurfaceThatStandsSoMuchHigher) {
   const auto law = made(textured_ground(kRidges), frictionless());
   const models::TexturePattern pattern(kRidges);
   TouchState state;
-  feel_at(*law, state, {-0.005, 0.0, 0.006});
+  output_at(*law, state, {-0.005, 0.0, 0.006});
   const double depth = 0.001;
-  Feel feel;
-  for (int k = 0; k < 200; ++k) feel = feel_at(*law, state, {-0.005, 0.0, 0.005 - depth});
+  LawOutput output;
+  for (int k = 0; k < 200; ++k) output = output_at(*law, state, {-0.005, 0.0, 0.005 - depth});
   for (double x = -0.005; x < 0.005; x += 1e-5) {
-    feel = feel_at(*law, state, {x, 0.0, 0.005 - depth});
+    output = output_at(*law, state, {x, 0.0, 0.005 - depth});
     const auto h = pattern.sample(x, 0.0);
-    ASSERT_NEAR(feel.force_N.v.z, 500.0 * (depth + h.z_m), 1e-3);
-    ASSERT_NEAR(feel.force_N.v.x, -500.0 * depth * h.dzdx, 1e-3);
-    ASSERT_NEAR(feel.stored_J, 500.0 * (0.5 * depth * depth + depth * h.z_m), 1e-9);
+    ASSERT_NEAR(output.force_N.v.z, 500.0 * (depth + h.z_m), 1e-3);
+    ASSERT_NEAR(output.force_N.v.x, -500.0 * depth * h.dzdx, 1e-3);
+    ASSERT_NEAR(output.stored_J, 500.0 * (0.5 * depth * depth + depth * h.z_m), 1e-9);
   }
 }
 
@@ -57,10 +57,10 @@ TEST(Texture, FadesBeforeTheHandIsTooFastForTheLoop) {
     const int ticks = static_cast<int>(0.016 / (speed_m_per_s * hand.dt_s));
     for (int k = 0; k < ticks; ++k) {
       hand.position = {{-0.008 + k * speed_m_per_s * hand.dt_s, 0.0, 0.004}};
-      const Feel feel = law->feel(hand, state);
+      const LawOutput output = law->evaluate(hand, state);
       if (k < ticks / 2) continue;
-      low = std::min(low, feel.force_N.v.z);
-      high = std::max(high, feel.force_N.v.z);
+      low = std::min(low, output.force_N.v.z);
+      high = std::max(high, output.force_N.v.z);
     }
     return high - low;
   };
@@ -77,8 +77,8 @@ TEST(Texture, IsNoHigherThanTheWallCanCarry) {
   TouchState state;
   double most = 0.0;
   for (int k = 0; k < 2000; ++k)
-    most = std::max(most, feel_at(*law, state, {-0.005 + 5e-6 * k, 0.0, 0.004}).force_N.v.z);
-  EXPECT_NEAR(most, 500.0 * (0.001 + most_height_m(0.002)), 2e-3);
+    most = std::max(most, output_at(*law, state, {-0.005 + 5e-6 * k, 0.0, 0.004}).force_N.v.z);
+  EXPECT_NEAR(most, 500.0 * (0.001 + max_texture_height_m(0.002)), 2e-3);
 }
 
 }  // namespace

@@ -70,26 +70,26 @@ inline TextureRise on_solid(const models::TexturePattern& pattern, const Texture
 /// on_plan or on_solid; a null pattern is none. Tick path.
 template <class Laid>
 void add_texture(const Hand& hand, const models::TexturePattern* pattern, const TexturedPlace& at,
-                 Laid&& laid, TextureTouch& state, Feel& feel) noexcept {
+                 Laid&& laid, TextureTouch& state, LawOutput& output) noexcept {
   constexpr double kEase_s = 0.010;
   constexpr double kWhole = 1.0 - 1e-6;
   if (pattern == nullptr) {
     state.share = 0.0;
     return;
   }
-  if (state.label != feel.label) state.share = 0.0;
-  state.label = feel.label;
+  if (state.label != output.label) state.share = 0.0;
+  state.label = output.label;
   if (state.share < kWhole) state.share += hand.dt_s / (hand.dt_s + kEase_s) * (1.0 - state.share);
   if (!(at.depth_m > 0.0)) return;
   const double share =
       state.share * Textures::carried(hand.velocity_m_per_s.v, hand.dt_s, pattern->pitch_m());
   const TextureRise rise = laid(*pattern, at);
   const double k = share * at.stiffness_N_per_m;
-  const double higher_N = std::max(k * rise.height_m, -dot(feel.force_N.v, at.normal));
+  const double higher_N = std::max(k * rise.height_m, -dot(output.force_N.v, at.normal));
   const Vec3 pushed_N = higher_N * at.normal - (k * at.depth_m) * rise.slope;
-  feel.force_N.v += pushed_N;
-  feel.spring_N.v += pushed_N;
-  feel.stored_J += k * at.depth_m * rise.height_m;
+  output.force_N.v += pushed_N;
+  output.spring_N.v += pushed_N;
+  output.stored_J += k * at.depth_m * rise.height_m;
 }
 
 }  // namespace palpable::haptics

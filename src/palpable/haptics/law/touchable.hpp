@@ -22,7 +22,7 @@ struct Hand {
 };
 
 /// What the hand feels at one tick, before caps, ramps and passivity.
-struct Feel {
+struct LawOutput {
   Vector<SceneFrame> force_N;
   /// Where the law keeps a proxy on the surface: its place. Meaningful only if has_proxy.
   Point<SceneFrame> proxy;
@@ -63,7 +63,7 @@ class Touchable {
   virtual ~Touchable() = default;
 
   /// Tick path: no allocation, lock, exception or output. `hand` is finite.
-  virtual Feel feel(const Hand& hand, TouchState& state) const noexcept = 0;
+  virtual LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept = 0;
   /// Touchables of the same family continue each other's TouchState (same law on the same surface, other
   /// parameters); others begin with a new one.
   virtual std::uint64_t state_family() const noexcept = 0;

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/law/tracing.hpp"
 
+#include "palpable/haptics/law/law_making.hpp"
+#include "palpable/haptics/law/law_parameters.hpp"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palpable::haptics {
@@ -13,6 +17,61 @@ constexpr double kSpeedWindow_s = 0.04;
 /// Cosine of the turn from one tick to the next that is a hand going back: where the lines of a square corner
 /// meet, the tangent jumps by a right angle, and that is none.
 constexpr double kTurnedRound = -0.5;
+
+constexpr LawParameter kForce{&LawParameters::tracing_force_N,
+                              "tracing_force_N",
+                              "Force along a boundary",
+                              "N",
+                              "stiffness",
+                              1e-6,
+                              5.0,
+                              0.1,
+                              5.0,
+                              TracingParameters{}.force_N};
+constexpr LawParameter kDamping{&LawParameters::damping_Ns_per_m,
+                                "damping_Ns_per_m",
+                                "Damping of all motion",
+                                "N·s/m",
+                                "damping",
+                                0.0,
+                                1e4,
+                                0.0,
+                                20.0,
+                                TracingParameters{}.damping_Ns_per_m};
+/// Where none is given, as the scene was made.
+constexpr LawParameter kNeighbourhood{&LawParameters::neighbourhood_px,
+                                      "neighbourhood_px",
+                                      "Neighbourhood",
+                                      "px",
+                                      "neighbourhood",
+                                      1.0,
+                                      32.0,
+                                      1.0,
+                                      32.0,
+                                      std::nullopt};
+constexpr std::array kParameters{kForce, kDamping, kNeighbourhood};
+
+/// The map as made, or averaged anew over another neighbourhood.
+Result<std::shared_ptr<const models::BoundaryMap>> boundaries_for(
+    const std::shared_ptr<const models::Contours>& contours, const std::optional<double>& radius_px) {
+  const models::BoundaryMap& map = contours->boundaries;
+  if (!radius_px || *radius_px == map.radius_px())
+    return std::shared_ptr<const models::BoundaryMap>(contours, &map);
+  auto again = models::BoundaryMap::from_edges(map.edges(), map.pixel_m(), *radius_px, map.origin(), Work{});
+  if (!again) return again.error();
+  return std::make_shared<const models::BoundaryMap>(std::move(*again));
+}
+
+MadeLaw make(const LawInput& in) {
+  const auto& contours = std::get<std::shared_ptr<const models::Contours>>(in.scene.model);
+  auto map = boundaries_for(contours, in.parameters.neighbourhood_px);
+  if (!map) return {map.error()};
+  TracingParameters tracing;
+  tracing.force_N = value_or_preset(in.parameters, kForce);
+  tracing.damping_Ns_per_m = value_or_preset(in.parameters, kDamping);
+  return made_law(TracingLaw(*std::move(map), tracing),
+                  mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*contours->grooves)));
+}
 
 /// 0 at rest, 1/2 at the knee, 1 beyond; so flat at rest that a sensor's last digit moves no hand.
 double moving(double speed) {
@@ -29,7 +88,7 @@ double below_cap(double speed) {
 
 }  // namespace
 
-Feel TracingLaw::feel(const Hand& hand, State& s) const noexcept {
+LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   const double x = hand.position.v.x;
   const double y = hand.position.v.y;
   if (!s.begun) {
@@ -75,17 +134,26 @@ Feel TracingLaw::feel(const Hand& hand, State& s) const noexcept {
   const double most = (kTank_J - s.spent_J) / (kFastest_m_per_s * hand.dt_s);
   const double push = std::clamp(wanted, -most, most);
 
-  Feel feel;
+  LawOutput output;
   s.last_fx_N = push * b.tangent_x;
   s.last_fy_N = push * b.tangent_y;
   s.last_x_m = x;
   s.last_y_m = y;
   const Vec3 v = hand.velocity_m_per_s.v;
   const double depth = std::max(0.0, -hand.position.v.z);
-  feel.force_N.v = {s.last_fx_N - p_.damping_Ns_per_m * v.x, s.last_fy_N - p_.damping_Ns_per_m * v.y,
-                    p_.wall_N_per_m * depth};
-  feel.contact = b.strength > 0.0 || depth > 0.0;
-  return feel;
+  output.force_N.v = {s.last_fx_N - p_.damping_Ns_per_m * v.x, s.last_fy_N - p_.damping_Ns_per_m * v.y,
+                      p_.wall_N_per_m * depth};
+  output.contact = b.strength > 0.0 || depth > 0.0;
+  return output;
 }
+
+constexpr LawDescription kTracingLaw{.law = Law::tracing,
+                                     .name = "tracing",
+                                     .title = "Tracing contours",
+                                     .models = {.contours = true},
+                                     .parameters = kParameters,
+                                     .strength = &LawParameters::tracing_force_N,
+                                     .degrees_of_freedom = 2,
+                                     .make = make};
 
 }  // namespace palpable::haptics

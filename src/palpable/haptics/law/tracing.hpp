@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/law/law.hpp"
 #include "palpable/haptics/law/touchable.hpp"
 #include "palpable/models/contours/boundary_map.hpp"
 
 #include <memory>
 
 namespace palpable::haptics {
+
+extern const LawDescription kTracingLaw;
 
 struct TracingParameters {
   /// F_m of eq. 8: the force on a boundary of full strength, moving along it. 0 … 5 N.
@@ -59,7 +62,7 @@ class TracingLaw {
   TracingLaw(std::shared_ptr<const models::BoundaryMap> map, const TracingParameters& parameters)
       : map_(std::move(map)), p_(parameters) {}
 
-  Feel feel(const Hand& hand, State& state) const noexcept;
+  LawOutput evaluate(const Hand& hand, State& state) const noexcept;
 
   const models::BoundaryMap& surface() const noexcept { return *map_; }
   double damping_Ns_per_m() const noexcept { return p_.damping_Ns_per_m; }

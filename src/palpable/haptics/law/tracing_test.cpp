@@ -28,11 +28,12 @@ std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0,
 }
 
 /// Moves the hand in steps and returns the feel of every tick.
-std::vector<Feel> traced(const TracingLaw& law, TracingLaw::State& state, const std::vector<Vec3>& path) {
-  std::vector<Feel> felt;
+std::vector<LawOutput> traced(const TracingLaw& law, TracingLaw::State& state,
+                              const std::vector<Vec3>& path) {
+  std::vector<LawOutput> felt;
   Vec3 before = path.front();
   for (const Vec3 p : path) {
-    felt.push_back(law.feel({{p}, {(p - before) / kTick_s}, kTick_s}, state));
+    felt.push_back(law.evaluate({{p}, {(p - before) / kTick_s}, kTick_s}, state));
     before = p;
   }
   return felt;
@@ -54,7 +55,7 @@ TEST(Tracing, HelpsAlongTheBoundaryBothWays) {
   const TracingLaw law(straight_boundary(), undamped());
   for (const double way : {1.0, -1.0}) {
     TracingLaw::State state{};
-    const Feel last = traced(law, state, straight_path({}, {0.05 * way, 0, 0}, 200)).back();
+    const LawOutput last = traced(law, state, straight_path({}, {0.05 * way, 0, 0}, 200)).back();
     EXPECT_NEAR(last.force_N.v.x * way, 0.8, 0.01);
     EXPECT_NEAR(last.force_N.v.y, 0.0, 1e-9);
   }
@@ -63,7 +64,7 @@ TEST(Tracing, HelpsAlongTheBoundaryBothWays) {
 TEST(Tracing, DoesNothingToAHandThatCrossesAtARightAngle) {
   const TracingLaw law(straight_boundary(), undamped());
   TracingLaw::State state{};
-  for (const Feel& f : traced(law, state, straight_path({0.001, -0.02, 0}, {0, 0.05, 0}, 800)))
+  for (const LawOutput& f : traced(law, state, straight_path({0.001, -0.02, 0}, {0, 0.05, 0}, 800)))
     EXPECT_LT(norm(f.force_N), 1e-9);
 }
 
@@ -109,7 +110,7 @@ TEST(Tracing, NeverGivesMoreThanItsTank) {
     if (std::abs(p.x + v * kTick_s) > 0.45) v = -v;
     p.x += v * kTick_s;
     given_J += dot(force, p - before);
-    force = law.feel({{p}, {(p - before) / kTick_s}, kTick_s}, state).force_N.v;
+    force = law.evaluate({{p}, {(p - before) / kTick_s}, kTick_s}, state).force_N.v;
     before = p;
     ASSERT_GE(TracingLaw::kTank_J - state.spent_J, 0.0);
     ASSERT_LE(given_J, TracingLaw::kTank_J + TracingLaw::kRefill_W * k * kTick_s + 1e-9);
@@ -123,7 +124,7 @@ double speed_left(const TracingLaw& law, double mass_kg, double hertz, double da
   TracingLaw::State state{};
   double x = at_m, v = 0.0;
   for (int k = 0; k < 15000; ++k) {
-    const double push_N = law.feel({{{x, 0, 0}}, {{v, 0, 0}}, kTick_s}, state).force_N.v.x;
+    const double push_N = law.evaluate({{{x, 0, 0}}, {{v, 0, 0}}, kTick_s}, state).force_N.v.x;
     v += kTick_s * (push_N / mass_kg - 2.0 * damping_ratio * omega * v - omega * omega * x);
     x += kTick_s * v;
   }
@@ -155,8 +156,8 @@ TEST(Tracing, PushesAgainSoonAfterTheHandTurnedRound) {
 TEST(Tracing, HoldsAHandOfThreeAxesInFrontOfThePicture) {
   const TracingLaw law(straight_boundary(), undamped());
   TracingLaw::State state{};
-  EXPECT_NEAR(law.feel({{{0, 0, -0.002}}, {}, kTick_s}, state).force_N.v.z, 0.3, 1e-12);
-  EXPECT_EQ(law.feel({{{0, 0, 0.002}}, {}, kTick_s}, state).force_N.v.z, 0.0);
+  EXPECT_NEAR(law.evaluate({{{0, 0, -0.002}}, {}, kTick_s}, state).force_N.v.z, 0.3, 1e-12);
+  EXPECT_EQ(law.evaluate({{{0, 0, 0.002}}, {}, kTick_s}, state).force_N.v.z, 0.0);
 }
 
 models::Scene contours_scene() {
@@ -183,15 +184,15 @@ TEST(Tracing, TakesItsForceAndNeighbourhoodLive) {
   const auto pushed = [](double force_N) {
     LawParameters p;
     p.law = Law::tracing;
-    p.stiffness_N_per_m = force_N;
+    p.tracing_force_N = force_N;
     p.damping_Ns_per_m = 0.0;
     p.neighbourhood_px = 5.0;
     const auto touchable = make_touchable(contours_scene(), p);
     TouchState state;
-    Feel feel;
+    LawOutput output;
     for (int k = 0; k < 200; ++k)
-      feel = (*touchable)->feel({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
-    return feel.force_N.v.x;
+      output = (*touchable)->feel({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
+    return output.force_N.v.x;
   };
   EXPECT_NEAR(pushed(2.0), 2.0 * pushed(1.0), 1e-9);
   LawParameters wide;
@@ -205,7 +206,7 @@ TEST(Tracing, AllocatesNothingInATick) {
   TracingLaw::State state{};
   ASSERT_TRUE(allocations_are_counted());
   const AllocationScope scope;
-  for (int k = 0; k < 1000; ++k) law.feel({{{0.00001 * k, 0.0001, 0}}, {{0.01, 0, 0}}, kTick_s}, state);
+  for (int k = 0; k < 1000; ++k) law.evaluate({{{0.00001 * k, 0.0001, 0}}, {{0.01, 0, 0}}, kTick_s}, state);
   EXPECT_EQ(scope.count(), 0U);
 }
 

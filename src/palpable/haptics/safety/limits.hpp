@@ -2,33 +2,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/vec3.hpp"
+#include "palpable/core/frame.hpp"
 
 #include <algorithm>
 
 namespace palpable::haptics {
 
 /// A force after a limit, and whether the limit changed it.
+template <class Frame>
 struct Limited {
-  Vec3 force_N;
+  Vector<Frame> force_N;
   bool limited = false;
 };
 
 /// At most `max_N` long, direction kept. Tick path.
-inline Limited cap_force(Vec3 force_N, double max_N) noexcept {
+template <class Frame>
+Limited<Frame> cap_force(Vector<Frame> force_N, double max_N) noexcept {
   const double size = norm(force_N);
-  return size > max_N ? Limited{(max_N / size) * force_N, true} : Limited{force_N, false};
+  return size > max_N ? Limited<Frame>{(max_N / size) * force_N, true} : Limited<Frame>{force_N, false};
 }
 
 /// Lets a force grow by at most `max_rise_N` from one tick to the next. Release is never delayed: the part of
 /// `before_N` that the new force no longer asks for is gone at once, and only what is new is limited, also
 /// when the direction turns at constant size. Tick path.
-inline Limited cap_rise(Vec3 force_N, Vec3 before_N, double max_rise_N) noexcept {
+template <class Frame>
+Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double max_rise_N) noexcept {
   const double size = norm(before_N);
-  const Vec3 along = size > 0.0 ? before_N / size : Vec3{};
-  const Vec3 kept = std::clamp(dot(force_N, along), 0.0, size) * along;
-  const Limited risen = cap_force(force_N - kept, max_rise_N);
-  return risen.limited ? Limited{kept + risen.force_N, true} : Limited{force_N, false};
+  const Vector<Frame> along = size > 0.0 ? (1.0 / size) * before_N : Vector<Frame>{};
+  const Vector<Frame> kept = std::clamp(dot(force_N, along), 0.0, size) * along;
+  const Limited<Frame> risen = cap_force(force_N - kept, max_rise_N);
+  return risen.limited ? Limited<Frame>{kept + risen.force_N, true} : Limited<Frame>{force_N, false};
 }
 
 /// A factor 0…1 that moves towards its goal in a straight line: the force's way to zero and back.

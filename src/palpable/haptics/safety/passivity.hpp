@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/vec3.hpp"
+#include "palpable/core/frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +28,12 @@ class PassivityObserver {
   /// How long the virtual damper's work counts.
   static constexpr double kReserve_s = 0.1;
 
-  struct Tick {
+  struct Step {
     /// The force that the motors held since the tick before, N, and the movement under it, m.
-    Vec3 held_force_N;
-    Vec3 moved_m;
+    Vector<DeviceFrame> held_force_N;
+    Vector<DeviceFrame> moved_m;
     double dt_s = 0.001;
-    /// In the device's frame (Feel::stored_J / scene_from_device.scale), at the new position.
+    /// In the device's frame (LawOutput::stored_J / scene_from_device.scale), at the new position.
     double stored_J = 0.0;
     /// The law's promise while in contact, N·s/m; 0 out of contact.
     double damping_Ns_per_m = 0.0;
@@ -41,24 +41,24 @@ class PassivityObserver {
     bool shortened = false;
   };
 
-  /// Another program, or a new touch: what is stored now is where counting goes on from.
+  /// Another scene, or a new touch: what is stored now is where counting goes on from.
   void begin(double stored_J) noexcept {
     balance_J_ = std::min(balance_J_, 0.0);
     made_J_ = 0.0;
     stored_J_ = std::isfinite(stored_J) ? stored_J : 0.0;
   }
 
-  /// The balance W after this tick.
-  double see(const Tick& tick) noexcept {
-    const double along = norm(tick.held_force_N);
+  /// The balance W after this step.
+  double update(const Step& step) noexcept {
+    const double along = norm(step.held_force_N);
     const double speed =
-        along > 0.0 && tick.dt_s > 0.0 ? dot(tick.held_force_N, tick.moved_m) / (along * tick.dt_s) : 0.0;
-    reserve_J_ += tick.damping_Ns_per_m * speed * speed * tick.dt_s -
-                  reserve_J_ * std::min(1.0, tick.dt_s / kReserve_s);
-    const double received_J = dot(tick.held_force_N, tick.moved_m);
-    const double made_J = received_J + tick.stored_J - stored_J_;
-    balance_J_ = std::max(balance_J_ + (tick.shortened ? std::min(made_J, 0.0) : made_J), -reserve_J_);
-    stored_J_ = tick.stored_J;
+        along > 0.0 && step.dt_s > 0.0 ? dot(step.held_force_N, step.moved_m) / (along * step.dt_s) : 0.0;
+    reserve_J_ += step.damping_Ns_per_m * speed * speed * step.dt_s -
+                  reserve_J_ * std::min(1.0, step.dt_s / kReserve_s);
+    const double received_J = dot(step.held_force_N, step.moved_m);
+    const double made_J = received_J + step.stored_J - stored_J_;
+    balance_J_ = std::max(balance_J_ + (step.shortened ? std::min(made_J, 0.0) : made_J), -reserve_J_);
+    stored_J_ = step.stored_J;
     made_J_ = received_J > 0.0 ? std::max(balance_J_, 0.0) : 0.0;
     made_max_J_ = std::max(made_max_J_, made_J_);
     return balance_J_;
@@ -82,16 +82,17 @@ class PassivityObserver {
 /// it. A speed that is known D ticks late obeys v(n+1) = v(n) - a·v(n-D) with a = damping·T/m; it dies away
 /// without changing sign while a <= D^D / (D+1)^(D+1). D is the device's delay and one tick for the backward
 /// difference.
-inline double most_damping_Ns_per_m(double mass_kg, double dt_s, int delay_samples) noexcept {
+inline double max_passive_damping_Ns_per_m(double mass_kg, double dt_s, int delay_samples) noexcept {
   const double late = static_cast<double>(delay_samples) + 1.0;
   return mass_kg / dt_s * std::pow(late / (late + 1.0), late) / (late + 1.0);
 }
 
 /// Takes the energy made, `made_J`, out again as damping: f - alpha·v with alpha = made / (T·|v|²), but never
 /// more than `max_damping_Ns_per_m`. Unchanged where nothing was made. Tick path.
-inline Vec3 control_passivity(Vec3 force_N, Vec3 velocity_m_per_s, double made_J, double dt_s,
-                              double max_damping_Ns_per_m) noexcept {
-  const double speed2 = squared_norm(velocity_m_per_s);
+inline Vector<DeviceFrame> control_passivity(Vector<DeviceFrame> force_N,
+                                             Vector<DeviceFrame> velocity_m_per_s, double made_J, double dt_s,
+                                             double max_damping_Ns_per_m) noexcept {
+  const double speed2 = dot(velocity_m_per_s, velocity_m_per_s);
   if (made_J <= 0.0 || speed2 <= 0.0) return force_N;
   return force_N - std::min(made_J / (dt_s * speed2), max_damping_Ns_per_m) * velocity_m_per_s;
 }

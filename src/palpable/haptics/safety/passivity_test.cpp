@@ -24,13 +24,13 @@ double press_once(PassivityObserver& observer, double damping, double seconds) {
     const double before = x;
     const double angle = 2.0 * std::numbers::pi * n / ticks;
     x = -0.0025 * (1.0 - std::cos(angle));
-    PassivityObserver::Tick tick;
+    PassivityObserver::Step tick;
     tick.held_force_N = held;
     tick.moved_m = {0.0, 0.0, x - before};
     tick.dt_s = kT_s;
     tick.stored_J = 0.5 * kStiffness * x * x;
     tick.damping_Ns_per_m = damping;
-    observer.see(tick);
+    observer.update(tick);
     held = {0.0, 0.0, -kStiffness * x - damping * (x - before) / kT_s};
   }
   return observer.made_max_J();
@@ -62,24 +62,24 @@ TEST(PassivityObserver, FindsNothingMadeWhereTheDamperTakesMoreThanTheHeldSpring
 
 TEST(PassivityObserver, DoesNotPayWithWhatFrictionTookLongAgo) {
   PassivityObserver observer;
-  PassivityObserver::Tick braking;
+  PassivityObserver::Step braking;
   braking.held_force_N = {-1.0, 0.0, 0.0};
   braking.moved_m = {1e-4, 0.0, 0.0};
   braking.dt_s = kT_s;
-  for (int n = 0; n < 1000; ++n) observer.see(braking);
+  for (int n = 0; n < 1000; ++n) observer.update(braking);
   PassivityObserver fresh;
   EXPECT_NEAR(press_once(observer, 0.0, 0.1), press_once(fresh, 0.0, 0.1), 1e-9);
 }
 
 TEST(PassivityObserver, DoesNotBlameTheLawForWhatALimitKeptBack) {
   PassivityObserver observer;
-  PassivityObserver::Tick tick;
+  PassivityObserver::Step tick;
   tick.held_force_N = {0.0, 0.0, 1.0};
   tick.moved_m = {0.0, 0.0, -0.001};
   tick.stored_J = 0.01;
   tick.dt_s = kT_s;
   tick.shortened = true;
-  observer.see(tick);
+  observer.update(tick);
   EXPECT_EQ(observer.made_max_J(), 0.0);
 }
 
@@ -92,7 +92,7 @@ TEST(PassivityController, TakesOutExactlyWhatWasMadeWhereItMay) {
 TEST(PassivityController, NeverTurnsTheHandRound) {
   // A free 50 g hand under the greatest braking that is ever allowed, its speed known late.
   for (const int delay : {0, 1, 2, 8}) {
-    const double damping = most_damping_Ns_per_m(0.05, kT_s, delay);
+    const double damping = max_passive_damping_Ns_per_m(0.05, kT_s, delay);
     std::array<double, 10> speeds{};
     speeds.fill(1.0);
     for (int n = 0; n < 1000; ++n) {

@@ -45,9 +45,9 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
                 Candidate{kMargin * by_quantisation, StiffnessBound::quantisation}},
                [](const Candidate& a, const Candidate& b) { return a.most < b.most; });
   safe.damping_Ns_per_m = damping / scale;
-  safe.most_stiffness_N_per_m = least.most / scale;
-  if (stiffness_N_per_m <= safe.most_stiffness_N_per_m) return safe;
-  safe.stiffness_N_per_m = safe.most_stiffness_N_per_m;
+  safe.max_stiffness_N_per_m = least.most / scale;
+  if (stiffness_N_per_m <= safe.max_stiffness_N_per_m) return safe;
+  safe.stiffness_N_per_m = safe.max_stiffness_N_per_m;
   safe.bound = least.bound;
   return safe;
 }

@@ -28,7 +28,7 @@ struct SafeContact {
   /// For the stiffness; none if it is the one asked for.
   StiffnessBound bound = StiffnessBound::none;
   /// The greatest stiffness at this damping; infinite where nothing bounds it.
-  double most_stiffness_N_per_m = 0.0;
+  double max_stiffness_N_per_m = 0.0;
 
   bool operator==(const SafeContact&) const = default;
 };

@@ -82,12 +82,12 @@ TEST(SafeContact, ComesToRestInEveryHandThatWeTried) {
     device::SimulatedHand simulated(hand);
     const auto safe = safe_contact(simulated.traits(), hand.rate_hz, 1.0, hands.uniform(100.0, 5000.0),
                                    hands.uniform(0.0, 2.0));
-    Program program;
+    HapticScene program;
     program.touchable = std::make_shared<SpringSurface>(flat, safe.stiffness_N_per_m, safe.damping_Ns_per_m);
     TickOptions options;
     options.passivity = Passivity::observe;
     Ring<TouchEvent> events(1024);
-    Tick tick(simulated, program, options, events);
+    TickPipeline tick(simulated, program, options, events);
     simulated.place({0.0, 0.0, 0.002});
     simulated.set_goal({0.0, 0.0, -0.006});
     double least_m = 1.0;

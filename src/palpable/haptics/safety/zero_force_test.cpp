@@ -63,7 +63,7 @@ struct Wall {
     device = owned.get();
     ServoOptions options;
     options.memory = Memory::leave;
-    Program program{std::make_shared<SpringSurface>(flat, 500.0, 0.5), {}, 1};
+    HapticScene program{std::make_shared<SpringSurface>(flat, 500.0, 0.5), {}, 1};
     loop = *ServoLoop::start(std::move(owned), std::move(program), options);
   }
   /// The force rises in a quarter of a second.

@@ -39,7 +39,7 @@ struct ClosedLoop {
   }
 
   device::SimulatedHand hand;
-  Program program;
+  HapticScene program;
   Ring<TouchEvent> events{1024};
   std::unique_ptr<Tick> tick;
   const TouchSample* sample = nullptr;

@@ -21,12 +21,12 @@ double made_by(const device::HandOptions& options, double times_the_limit, doubl
   LawParameters parameters;
   parameters.stiffness_N_per_m = times_the_limit * safe.stiffness_N_per_m;
   parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
-  Program program;
+  HapticScene program;
   program.touchable = made(scene, parameters);
   TickOptions observed;
   observed.passivity = Passivity::observe;
   Ring<TouchEvent> events(1024);
-  Tick tick(hand, program, observed, events);
+  TickPipeline tick(hand, program, observed, events);
   constexpr int kTicks = 5000;
   for (int n = 0; n < kTicks; ++n) {
     tick.step(0.001 * n, 0.001);

@@ -37,9 +37,9 @@ Result<void> check_path(std::span<const PathSample> path) {
 }
 
 void probe_path(const Touchable& touchable, std::span<const PathSample> path,
-                const std::function<void(const PathSample&, const Feel&)>& each) {
+                const std::function<void(const PathSample&, const LawOutput&)>& each) {
   TouchState state;
-  for (std::size_t i = 0; i < path.size(); ++i) each(path[i], touchable.feel(hand_at(path, i), state));
+  for (std::size_t i = 0; i < path.size(); ++i) each(path[i], touchable.evaluate(hand_at(path, i), state));
 }
 
 TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path) {
@@ -52,11 +52,11 @@ TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path
     for (std::size_t i = 0; i < path.size(); ++i) {
       const Hand hand = hand_at(path, i);
       const std::uint64_t start = TickClock::now();
-      const Feel feel = touchable.feel(hand, state);
+      const LawOutput output = touchable.evaluate(hand, state);
       const std::uint64_t stop = TickClock::now();
       if (!warm) continue;
       recorder.record_ns(clock.nanoseconds(start, stop));
-      contacts += feel.contact ? 1U : 0U;
+      contacts += output.contact ? 1U : 0U;
     }
   }
   TickTimes times;

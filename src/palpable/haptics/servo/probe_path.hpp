@@ -22,7 +22,7 @@ struct PathSample {
 /// rest; the velocity is the backward difference. Deterministic. Samples must be finite and rise strictly in
 /// time (see check_path). Calls `each` for every sample in order.
 void probe_path(const Touchable& touchable, std::span<const PathSample> path,
-                const std::function<void(const PathSample&, const Feel&)>& each);
+                const std::function<void(const PathSample&, const LawOutput&)>& each);
 
 /// The first fault of a path, as a sentence for the person with the sample's number; nothing if it is sound.
 Result<void> check_path(std::span<const PathSample> path);

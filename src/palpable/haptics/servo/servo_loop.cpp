@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kEvents = 1024;
 constexpr std::size_t kTimings = 8192;
 constexpr std::size_t kRetired = 16;
-constexpr auto kHousekeeping = std::chrono::milliseconds(50);
+constexpr auto kMaintenancePeriod = std::chrono::milliseconds(50);
 
 /// How long one tick took and how far it stands from the one before.
 struct Timing {
@@ -65,37 +65,37 @@ Result<void> check(const ServoOptions& options) {
 
 /// One of several probes besides the hand.
 struct FurtherProbe {
-  FurtherProbe(std::unique_ptr<device::Device> opened, const Program& first, const TickOptions& options,
+  FurtherProbe(std::unique_ptr<device::Device> opened, const HapticScene& first, const TickOptions& options,
                Ring<TouchEvent>& events, std::uint8_t number)
       : device(std::move(opened)), tick(*device, first, options, events, number) {}
 
   std::unique_ptr<device::Device> device;
-  Tick tick;
+  TickPipeline tick;
   LatestValue<TouchSample> latest;
 };
 
-/// Three threads meet here: the servo, the housekeeper (ordinary priority: frees, sums up), and the callers.
-struct ServoLoop::Inside {
-  Inside(std::unique_ptr<device::Device> opened, Program first, const ServoOptions& wanted,
-         std::vector<std::unique_ptr<device::Device>> more)
+/// Three threads meet here: the servo, the maintenance thread (ordinary priority: frees, sums up), and the
+/// callers.
+struct ServoLoop::Impl {
+  Impl(std::unique_ptr<device::Device> opened, HapticScene first, const ServoOptions& wanted,
+       std::vector<std::unique_ptr<device::Device>> more)
       : options(wanted),
         device(std::move(opened)),
         recorded(wanted.recording_capacity),
         tick(*device, own(std::move(first)), options.tick, events) {
     for (auto& next : more)
-      further.push_back(std::make_unique<FurtherProbe>(std::move(next), *programs.front(), options.tick,
-                                                       events,
+      further.push_back(std::make_unique<FurtherProbe>(std::move(next), *scenes.front(), options.tick, events,
                                                        static_cast<std::uint8_t>(further.size() + 1)));
   }
 
-  const Program& own(Program program);
+  const HapticScene& own(HapticScene scene);
 
   void serve();
   void tick_once(const Pacer::Wake& wake, double dt_s);
   void tick_further(double dt_s);
   void note_missed(const Pacer::Wake& wake);
-  void swap_programs();
-  void keep_house();
+  void swap_scenes();
+  void run_maintenance();
   void sweep();
 
   const ServoOptions options;
@@ -108,36 +108,36 @@ struct ServoLoop::Inside {
   Ring<MissedDeadline> missed{kEvents};
   Ring<TouchSample> recorded;
   Ring<Timing> timings{kTimings};
-  Ring<const Program*> retired{kRetired};
+  Ring<const HapticScene*> retired{kRetired};
 
   // From others to the servo.
-  std::atomic<const Program*> waiting{nullptr};
+  std::atomic<const HapticScene*> waiting{nullptr};
   std::atomic<bool> ending{false};
   std::atomic<bool> paused{false};
   std::atomic<bool> recording{false};
 
-  // The housekeeper's and the callers', under the mutex.
+  // The maintenance thread's and the callers', under the mutex.
   mutable std::mutex mutex;
-  /// Every program that the servo may still use.
-  std::vector<std::unique_ptr<const Program>> programs;
-  std::condition_variable house_rest;
-  bool house_ending = false;
+  /// Every scene that the servo may still use.
+  std::vector<std::unique_ptr<const HapticScene>> scenes;
+  std::condition_variable maintenance_wake;
+  bool maintenance_ending = false;
   LatencyRecorder periods;
   LatencyRecorder computes;
   LoopCounts seen;
   RealTimeOutcome real_time;
 
   // The servo's own.
-  Tick tick;
+  TickPipeline tick;
   std::vector<std::unique_ptr<FurtherProbe>> further;
   LoopCounts counts;
   std::int64_t begin_ns = 0;
 
   std::thread servo;
-  std::thread housekeeper;
+  std::thread maintenance;
 };
 
-void ServoLoop::Inside::serve() {
+void ServoLoop::Impl::serve() {
   const RunningServo self(*device);
   {
     std::string priority = request_priority(options.realtime_priority);
@@ -157,7 +157,7 @@ void ServoLoop::Inside::serve() {
     const std::int64_t period_ns = wake.now_ns - before_ns;
     before_ns = wake.now_ns;
     if (wake.periods > 1) note_missed(wake);
-    swap_programs();
+    swap_scenes();
     tick_once(wake, 1e-9 * static_cast<double>(period_ns));
     counts.allocations += allocations.count();
     counts_out.put(counts);
@@ -167,7 +167,7 @@ void ServoLoop::Inside::serve() {
   device->stop();
 }
 
-void ServoLoop::Inside::tick_once(const Pacer::Wake& wake, double dt_s) {
+void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   // A wake that came late and the one after it may be almost nothing apart: no law is made for that.
   const double shortest_s = 0.1 / options.rate_hz;
   tick.set_paused(paused.load(std::memory_order_relaxed));
@@ -178,52 +178,52 @@ void ServoLoop::Inside::tick_once(const Pacer::Wake& wake, double dt_s) {
   if (recording.load(std::memory_order_relaxed)) recorded.put(sample);
   tick_further(std::max(dt_s, shortest_s));
   // Not before: until here the further probes may have been at it.
-  if (const Program* old = tick.take_retired()) retired.put(old);
+  if (const HapticScene* old = tick.take_retired()) retired.put(old);
 }
 
-void ServoLoop::Inside::tick_further(double dt_s) {
+void ServoLoop::Impl::tick_further(double dt_s) {
   for (const auto& probe : further) {
     probe->tick.set_paused(paused.load(std::memory_order_relaxed));
     const TouchSample& sample = probe->tick.step(counts.ran_s, dt_s);
-    // All probes fade in step with the hand, who hands the old program back.
+    // All probes fade in step with the hand, who hands the old scene back.
     probe->tick.take_retired();
     probe->latest.put(sample);
-    if (is_there(sample) && recording.load(std::memory_order_relaxed)) recorded.put(sample);
+    if (is_present(sample) && recording.load(std::memory_order_relaxed)) recorded.put(sample);
   }
 }
 
-void ServoLoop::Inside::note_missed(const Pacer::Wake& wake) {
+void ServoLoop::Impl::note_missed(const Pacer::Wake& wake) {
   counts.missed += wake.periods - 1;
   counts.missed_by_cause[static_cast<std::size_t>(wake.cause)] += wake.periods - 1;
   missed.put({counts.touch.ticks, wake.periods - 1, wake.late_us, wake.cause});
 }
 
-void ServoLoop::Inside::swap_programs() {
+void ServoLoop::Impl::swap_scenes() {
   // Room for the old one is made sure of first: the servo must never be left holding what it may not free.
   if (tick.fading() || !retired.has_room()) return;
   if (waiting.load(std::memory_order_relaxed) == nullptr) return;
-  const Program* next = waiting.exchange(nullptr, std::memory_order_acq_rel);
+  const HapticScene* next = waiting.exchange(nullptr, std::memory_order_acq_rel);
   if (next == nullptr) return;
   tick.change(*next);
   for (const auto& probe : further) probe->tick.change(*next);
 }
 
-void ServoLoop::Inside::keep_house() {
+void ServoLoop::Impl::run_maintenance() {
   std::unique_lock lock(mutex);
-  while (!house_ending) {
+  while (!maintenance_ending) {
     sweep();
-    house_rest.wait_for(lock, kHousekeeping);
+    maintenance_wake.wait_for(lock, kMaintenancePeriod);
   }
 }
 
-const Program& ServoLoop::Inside::own(Program program) {
-  programs.push_back(std::make_unique<const Program>(std::move(program)));
-  return *programs.back();
+const HapticScene& ServoLoop::Impl::own(HapticScene scene) {
+  scenes.push_back(std::make_unique<const HapticScene>(std::move(scene)));
+  return *scenes.back();
 }
 
-void ServoLoop::Inside::sweep() {
+void ServoLoop::Impl::sweep() {
   while (const auto old = retired.take())
-    std::erase_if(programs, [&](const auto& p) { return p.get() == *old; });
+    std::erase_if(scenes, [&](const auto& p) { return p.get() == *old; });
   while (const auto timing = timings.take()) {
     periods.record_ns(static_cast<double>(timing->period_ns));
     computes.record_ns(static_cast<double>(timing->compute_ns));
@@ -231,64 +231,64 @@ void ServoLoop::Inside::sweep() {
   counts_out.take(seen);
 }
 
-ServoLoop::ServoLoop(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+ServoLoop::ServoLoop(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ServoLoop::~ServoLoop() { stop(); }
 
-Result<std::unique_ptr<ServoLoop>> ServoLoop::start(std::unique_ptr<device::Device> device, Program program,
+Result<std::unique_ptr<ServoLoop>> ServoLoop::start(std::unique_ptr<device::Device> device, HapticScene scene,
                                                     const ServoOptions& options,
                                                     std::vector<std::unique_ptr<device::Device>> further) {
-  PALPABLE_CHECK(device != nullptr && program.touchable != nullptr);
-  PALPABLE_CHECK(further.size() < kMostLiveProbes);
+  PALPABLE_CHECK(device != nullptr && scene.touchable != nullptr);
+  PALPABLE_CHECK(further.size() < kMaxLiveProbes);
   for (const auto& probe : further) PALPABLE_CHECK(probe != nullptr && !probe->traits().pushes_back);
-  if (auto sound = check(options); !sound) return std::move(sound).error();
-  program.touchable->touch_pages();
-  auto inside = std::make_unique<Inside>(std::move(device), std::move(program), options, std::move(further));
-  inside->real_time.memory = options.memory == Memory::lock ? lock_memory() : "not locked (not asked for)";
-  inside->servo = std::thread([&it = *inside] { it.serve(); });
-  inside->housekeeper = std::thread([&it = *inside] { it.keep_house(); });
-  return std::unique_ptr<ServoLoop>(new ServoLoop(std::move(inside)));
+  if (auto valid = check(options); !valid) return std::move(valid).error();
+  scene.touchable->touch_pages();
+  auto impl = std::make_unique<Impl>(std::move(device), std::move(scene), options, std::move(further));
+  impl->real_time.memory = options.memory == Memory::lock ? lock_memory() : "not locked (not asked for)";
+  impl->servo = std::thread([&it = *impl] { it.serve(); });
+  impl->maintenance = std::thread([&it = *impl] { it.run_maintenance(); });
+  return std::unique_ptr<ServoLoop>(new ServoLoop(std::move(impl)));
 }
 
-void ServoLoop::change(Program program) {
-  PALPABLE_CHECK(program.touchable != nullptr);
-  program.touchable->touch_pages();
-  auto& it = *inside_;
+void ServoLoop::change(HapticScene scene) {
+  PALPABLE_CHECK(scene.touchable != nullptr);
+  scene.touchable->touch_pages();
+  auto& it = *impl_;
   const std::lock_guard lock(it.mutex);
-  const Program* unused = it.waiting.exchange(&it.own(std::move(program)), std::memory_order_acq_rel);
-  std::erase_if(it.programs, [&](const auto& p) { return unused != nullptr && p.get() == unused; });
+  const HapticScene* unused = it.waiting.exchange(&it.own(std::move(scene)), std::memory_order_acq_rel);
+  std::erase_if(it.scenes, [&](const auto& p) { return unused != nullptr && p.get() == unused; });
 }
 
-void ServoLoop::pause() { inside_->paused = true; }
-void ServoLoop::resume() { inside_->paused = false; }
+void ServoLoop::pause() { impl_->paused = true; }
+void ServoLoop::resume() { impl_->paused = false; }
 
 void ServoLoop::stop() {
-  auto& it = *inside_;
+  auto& it = *impl_;
   it.ending = true;
   if (it.servo.joinable()) it.servo.join();
   {
     const std::lock_guard lock(it.mutex);
-    it.house_ending = true;
+    it.maintenance_ending = true;
   }
-  it.house_rest.notify_all();
-  if (it.housekeeper.joinable()) it.housekeeper.join();
+  it.maintenance_wake.notify_all();
+  if (it.maintenance.joinable()) it.maintenance.join();
   const std::lock_guard lock(it.mutex);
   it.sweep();
 }
 
 std::optional<TouchSample> ServoLoop::take_latest(std::size_t probe) {
-  if (probe > inside_->further.size()) return std::nullopt;
+  if (probe > impl_->further.size()) return std::nullopt;
   TouchSample sample;
-  auto& latest = probe == 0 ? inside_->latest : inside_->further[probe - 1]->latest;
+  auto& latest = probe == 0 ? impl_->latest : impl_->further[probe - 1]->latest;
   return latest.take(sample) ? std::optional(sample) : std::nullopt;
 }
-std::optional<TouchEvent> ServoLoop::take_event() { return inside_->events.take(); }
-std::optional<MissedDeadline> ServoLoop::take_missed() { return inside_->missed.take(); }
-void ServoLoop::record(Recording recording) { inside_->recording = recording == Recording::on; }
-std::optional<TouchSample> ServoLoop::take_recorded() { return inside_->recorded.take(); }
-std::uint64_t ServoLoop::recording_lost() const { return inside_->recorded.refused(); }
+std::optional<TouchEvent> ServoLoop::take_event() { return impl_->events.take(); }
+std::optional<MissedDeadline> ServoLoop::take_missed() { return impl_->missed.take(); }
+void ServoLoop::record(Recording recording) { impl_->recording = recording == Recording::on; }
+std::optional<TouchSample> ServoLoop::take_recorded() { return impl_->recorded.take(); }
+std::uint64_t ServoLoop::recording_lost() const { return impl_->recorded.refused(); }
 
 ServoStatistics ServoLoop::statistics() const {
-  auto& it = *inside_;
+  auto& it = *impl_;
   const std::lock_guard lock(it.mutex);
   it.sweep();
   const LoopCounts& seen = it.seen;
@@ -305,10 +305,10 @@ ServoStatistics ServoLoop::statistics() const {
 }
 
 RealTimeOutcome ServoLoop::real_time() const {
-  const std::lock_guard lock(inside_->mutex);
-  return inside_->real_time;
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->real_time;
 }
-const device::Traits& ServoLoop::device_traits() const { return inside_->device->traits(); }
-std::string ServoLoop::device_fault() const { return inside_->device->fault(); }
+const device::Traits& ServoLoop::device_traits() const { return impl_->device->traits(); }
+std::string ServoLoop::device_fault() const { return impl_->device->fault(); }
 
 }  // namespace palpable::haptics

@@ -34,29 +34,29 @@ struct ServoOptions {
 };
 
 /// At most so many probes at once in a loop: the hand's and nine more, a person's fingers.
-inline constexpr std::size_t kMostLiveProbes = 10;
+inline constexpr std::size_t kMaxLiveProbes = 10;
 
 /// Runs the tick of docs/real-time.md on its own thread at a steady rate. Owns the device from begin to end:
 /// every way out, the destructor included, writes zero force. Probe 0 is the hand at the device; further
-/// probes, which have no motors, touch the same program in the same tick, each with a Tick of its own (its
-/// own state, proxy and ramp). One thread at a time calls a method that is not const; samples, events and
-/// recordings are each taken by one thread.
+/// probes, which have no motors, touch the same scene in the same tick, each with a TickPipeline of its own
+/// (its own state, proxy and ramp). One thread at a time calls a method that is not const; samples, events
+/// and recordings are each taken by one thread.
 class ServoLoop {
  public:
-  /// Starts the thread; the force rises from zero. `device` and program.touchable must not be null; `further`
-  /// are where probes 1, 2 ... come from, kMostLiveProbes - 1 at most, none of which pushes back. Errors
+  /// Starts the thread; the force rises from zero. `device` and scene.touchable must not be null; `further`
+  /// are where probes 1, 2 ... come from, kMaxLiveProbes - 1 at most, none of which pushes back. Errors
   /// (usage): a rate, cap or time outside its range.
-  static Result<std::unique_ptr<ServoLoop>> start(std::unique_ptr<device::Device> device, Program program,
+  static Result<std::unique_ptr<ServoLoop>> start(std::unique_ptr<device::Device> device, HapticScene scene,
                                                   const ServoOptions& options,
                                                   std::vector<std::unique_ptr<device::Device>> further = {});
   ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 
-  /// Hands over a new program; the servo fades to it as soon as it is not fading already, and a program
-  /// handed over before that replaces one that still waits. Reads the model's pages first. Old programs are
+  /// Hands over a new scene; the servo fades to it as soon as it is not fading already, and a scene
+  /// handed over before that replaces one that still waits. Reads the model's pages first. Old scenes are
   /// freed by later calls of this and by the destructor, never by the servo.
-  void change(Program program);
+  void change(HapticScene scene);
   /// Force to zero and held there, or back.
   void pause();
   void resume();
@@ -83,9 +83,9 @@ class ServoLoop {
   std::string device_fault() const;
 
  private:
-  struct Inside;
-  explicit ServoLoop(std::unique_ptr<Inside> inside);
-  std::unique_ptr<Inside> inside_;
+  struct Impl;
+  explicit ServoLoop(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpable::haptics

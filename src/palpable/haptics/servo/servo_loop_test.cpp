@@ -54,11 +54,11 @@ class CountedTouchable final : public Touchable {
  public:
   CountedTouchable(std::atomic<int>& alive, double force_N) : alive_(alive), force_N_(force_N) { ++alive_; }
   ~CountedTouchable() override { --alive_; }
-  Feel feel(const Hand&, TouchState&) const noexcept override {
-    Feel feel;
-    feel.force_N.v.z = force_N_;
-    feel.contact = true;
-    return feel;
+  LawOutput evaluate(const Hand&, TouchState&) const noexcept override {
+    LawOutput output;
+    output.force_N.v.z = force_N_;
+    output.contact = true;
+    return output;
   }
   std::uint64_t state_family() const noexcept override { return 5; }
   double damping_Ns_per_m() const noexcept override { return 0.0; }
@@ -69,8 +69,8 @@ class CountedTouchable final : public Touchable {
   double force_N_;
 };
 
-Program counted(std::atomic<int>& alive, double force_N, std::uint32_t id = 0) {
-  Program program;
+HapticScene counted(std::atomic<int>& alive, double force_N, std::uint32_t id = 0) {
+  HapticScene program;
   program.touchable = std::make_shared<CountedTouchable>(alive, force_N);
   program.id = id;
   return program;
@@ -163,13 +163,13 @@ TEST(ServoLoop, SwapsProgramsLiveAndFreesTheOldOnesElsewhere) {
     // Each is waited for until the servo has really taken it in: swaps that happened, not swaps asked for.
     for (bool arrived = false; !arrived;) {
       while (const auto event = (*loop)->take_event())
-        arrived = arrived || (event->kind == TouchEvent::Kind::program_changed && event->value == id);
+        arrived = arrived || (event->kind == TouchEvent::Kind::scene_changed && event->value == id);
       std::this_thread::yield();
     }
     ++faded;
   }
   EXPECT_EQ(faded, kChanges);
-  // The housekeeper frees within its rhythm; the loop's end frees the rest.
+  // The maintenance frees within its rhythm; the loop's end frees the rest.
   while (alive > 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   (*loop)->stop();
   EXPECT_EQ((*loop)->statistics().allocations_in_ticks, 0U);
@@ -188,7 +188,7 @@ TEST(ServoLoop, KeepsOnlyTheNewestOfProgramsThatCameTooFast) {
   std::uint32_t last = 0;
   while (last != 1000) {
     while (const auto event = (*loop)->take_event())
-      if (event->kind == TouchEvent::Kind::program_changed) last = event->value;
+      if (event->kind == TouchEvent::Kind::scene_changed) last = event->value;
     std::this_thread::yield();
   }
   loop->reset();
@@ -200,14 +200,14 @@ TEST(ServoLoop, ShowsTheLatestSampleToAnotherThread) {
   std::atomic<int> alive{0};
   auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), quiet());
   ASSERT_TRUE(loop);
-  int looks = 0;
+  int evaluations = 0;
   std::uint64_t before = 0;
   bool forwards = true;
-  while (looks < 200) {
+  while (evaluations < 200) {
     if (const auto sample = (*loop)->take_latest()) {
-      forwards = forwards && (looks == 0 || sample->tick > before);
+      forwards = forwards && (evaluations == 0 || sample->tick > before);
       before = sample->tick;
-      ++looks;
+      ++evaluations;
     }
     std::this_thread::yield();
   }
@@ -247,7 +247,7 @@ std::optional<TouchSample> wait_for(ServoLoop& loop, std::size_t probe, device::
 
 TEST(ServoLoop, FurtherProbesTouchTheSameSceneEachForItself) {
   Log log;
-  Program program;
+  HapticScene program;
   program.touchable = std::make_shared<SpringSurface>(flat, 500.0, 0.0);
   const std::vector feeds{std::make_shared<device::PointerFeed>(), std::make_shared<device::PointerFeed>()};
   std::vector<std::unique_ptr<device::Device>> further;
@@ -266,7 +266,7 @@ TEST(ServoLoop, FurtherProbesTouchTheSameSceneEachForItself) {
   ASSERT_TRUE(second);
   EXPECT_EQ(second->probe, 2);
   EXPECT_EQ(second->label, 0);
-  const auto gone = wait_for(**loop, 2, *feeds[1], {}, [](const TouchSample& s) { return !is_there(s); });
+  const auto gone = wait_for(**loop, 2, *feeds[1], {}, [](const TouchSample& s) { return !is_present(s); });
   ASSERT_TRUE(gone);
   EXPECT_EQ(gone->written_force_N.v.z, 0.0);
   EXPECT_FALSE((*loop)->take_latest(3));
@@ -297,7 +297,7 @@ TEST(ServoLoop, ChangesTheSceneOfProbesThatAreAwayToo) {
     const bool comes = id % 2 == 0;
     const auto place = comes ? std::optional(Point<DeviceFrame>{{0.0, 0.0, -0.001}}) : std::nullopt;
     const auto there = wait_for(**loop, 1, *feed, place, [&](const TouchSample& s) {
-      return s.program == id && is_there(s) == comes &&
+      return s.scene_id == id && is_present(s) == comes &&
              (!comes || std::abs(s.written_force_N.v.z - 0.1 * id) < 1e-6);
     });
     ASSERT_TRUE(there) << id;

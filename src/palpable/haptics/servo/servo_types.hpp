@@ -15,12 +15,12 @@
 namespace palpable::haptics {
 
 /// What the servo loop renders: swapped as a whole, without a jump in the force.
-struct Program {
+struct HapticScene {
   /// Never null in a running loop.
   std::shared_ptr<const Touchable> touchable;
   /// Places (and scales) the device's workspace in the scene.
   Transform<SceneFrame, DeviceFrame> scene_from_device;
-  /// Chosen by the caller; every sample says under which program it was made.
+  /// Chosen by the caller; every sample says in which scene it was made.
   std::uint32_t id = 0;
 };
 
@@ -34,7 +34,7 @@ inline constexpr std::uint32_t kForceCapped = 1U << 2;
 inline constexpr std::uint32_t kRateCapped = 1U << 3;
 /// The passivity controller took energy out.
 inline constexpr std::uint32_t kPassivityActed = 1U << 4;
-/// Between two programs.
+/// Between two scenes.
 inline constexpr std::uint32_t kFading = 1U << 5;
 /// The force is on its way to zero or back: pause, fault, stale source, start.
 inline constexpr std::uint32_t kRamping = 1U << 6;
@@ -51,11 +51,11 @@ inline constexpr std::uint32_t kNewTouch = 1U << 10;
 using TouchSample = device::TouchSample;
 
 /// Whether a probe is there, or still on its way out.
-inline bool is_there(const TouchSample& sample) {
+inline bool is_present(const TouchSample& sample) {
   return sample.status == device::Status::ok || sample.written_force_N.v != Vec3{};
 }
 
-/// What must not be lost between two looks at the latest sample.
+/// What must not be lost between two evaluations at the latest sample.
 struct TouchEvent {
   enum class Kind : std::uint8_t {
     contact_made,
@@ -68,8 +68,8 @@ struct TouchEvent {
     recovered,
     /// The law gave a force that is not finite.
     not_finite,
-    /// `value` is the id of the program that is now fully faded in.
-    program_changed,
+    /// `value` is the id of the scene that is now fully faded in.
+    scene_changed,
     button_down,
     button_up
   };
@@ -116,7 +116,7 @@ struct TickCounts {
   std::uint64_t rate_capped_ticks = 0;
   std::uint64_t passivity_ticks = 0;
   std::uint64_t contact_ticks = 0;
-  /// Ticks without a sound reading or force.
+  /// Ticks without a valid reading or force.
   std::uint64_t fault_ticks = 0;
   /// Greatest energy made beyond the virtual damper's reserve (passivity.hpp), as the hand received it, and
   /// had the controller not been there.

@@ -32,22 +32,22 @@ class SpringSurface final : public Touchable {
   SpringSurface(Shape shape, double stiffness_N_per_m, double damping_Ns_per_m, std::uint64_t family = 1)
       : shape_(shape), stiffness_(stiffness_N_per_m), damping_(damping_Ns_per_m), family_(family) {}
 
-  Feel feel(const Hand& hand, TouchState& state) const noexcept override {
+  LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
     ++state_as<std::uint64_t>(state);
     const Vec3 p = hand.position.v;
     const Height h = shape_(p.x, p.y);
     const Vec3 normal = unit({-h.dzdx, -h.dzdy, 1.0});
     const double depth_m = (h.z_m - p.z) * normal.z;
-    Feel feel;
-    feel.stored_J = 0.0;
-    if (depth_m <= 0.0) return feel;
-    feel.contact = true;
-    feel.stored_J = 0.5 * stiffness_ * depth_m * depth_m;
-    feel.spring_N = {stiffness_ * depth_m * normal};
+    LawOutput output;
+    output.stored_J = 0.0;
+    if (depth_m <= 0.0) return output;
+    output.contact = true;
+    output.stored_J = 0.5 * stiffness_ * depth_m * depth_m;
+    output.spring_N = {stiffness_ * depth_m * normal};
     const double push_N = stiffness_ * depth_m - damping_ * dot(hand.velocity_m_per_s.v, normal);
-    feel.force_N = {std::max(0.0, push_N) * normal};
-    feel.label = p.x > 0.0 ? 1 : 0;
-    return feel;
+    output.force_N = {std::max(0.0, push_N) * normal};
+    output.label = p.x > 0.0 ? 1 : 0;
+    return output;
   }
   std::uint64_t state_family() const noexcept override { return family_; }
   double damping_Ns_per_m() const noexcept override { return damping_; }

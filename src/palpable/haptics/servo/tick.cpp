@@ -21,8 +21,8 @@ double known_or(double value, double otherwise) { return std::isfinite(value) ? 
 
 }  // namespace
 
-Tick::Tick(device::Device& device, const Program& program, const TickOptions& options,
-           Ring<TouchEvent>& events, std::uint8_t probe)
+TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
+                           Ring<TouchEvent>& events, std::uint8_t probe)
     : device_(device),
       events_(events),
       options_(options),
@@ -32,93 +32,92 @@ Tick::Tick(device::Device& device, const Program& program, const TickOptions& op
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
       ramp_(options.ramp_down_s, options.ramp_up_s),
-      delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMostDelay))) {
-  now_.program = &program;
+      delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))) {
+  now_.begin(scene);
   sample_.probe = probe;
 }
 
-const TouchSample& Tick::step(double t_s, double dt_s) noexcept {
+const TouchSample& TickPipeline::step(double t_s, double dt_s) noexcept {
   const TouchSample before = sample_;
   flags_ = 0;
   const device::Reading reading = device_.read();
   const bool good = accept(reading, dt_s);
   if (fading()) fade(dt_s);
-  const bool sound = good && feel(dt_s);
+  const bool valid = good && evaluate_laws(dt_s);
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
-  make_force(dt_s, sound && !paused_);
-  device_.write({written_N_});
+  make_force(dt_s, valid && !paused_);
+  device_.write(written_N_);
 
   sample_.t_s = t_s;
   sample_.dt_s = dt_s;
   describe(reading);
-  if (good && !sound) emit(TouchEvent::Kind::not_finite, 0);
-  tell_well(sound, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
-  tell(before);
+  if (good && !valid) emit(TouchEvent::Kind::not_finite, 0);
+  report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
+  report_changes(before);
   count();
   return sample_;
 }
 
-bool Tick::accept(const device::Reading& reading, double dt_s) noexcept {
-  moved_m_ = {};
+bool TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
+  moved_ = {};
   since_good_s_ += dt_s;
   if (reading.status != device::Status::ok) return false;
-  const Vec3 place = reading.position.v;
+  const Point<DeviceFrame> place = reading.position;
   const bool first = !std::isfinite(since_good_s_);
   const double reach = kWorkspaces * norm(device_.traits().workspace_m);
-  if (!is_finite(place) || norm(place) > reach ||
-      (!first && norm(place - position_m_) > options_.max_speed_m_per_s * since_good_s_)) {
+  if (!is_finite(place) || norm(place.v) > reach ||
+      (!first && norm(place - position_) > options_.max_speed_m_per_s * since_good_s_)) {
     flags_ |= flag::kImplausible;
     return false;
   }
-  position_m_ = place;
+  position_ = place;
   const double passed_s = first ? dt_s : since_good_s_;
-  velocity_m_per_s_ = velocity_.see(place, passed_s);
-  const Vec3 before = fine_.place_m();
-  const Vec3 now = fine_.see(place, velocity_m_per_s_, passed_s);
-  if (!first) moved_m_ = now - before;
+  velocity_m_per_s_ = velocity_.update(place, passed_s);
+  const Point<DeviceFrame> before = fine_.place();
+  const Point<DeviceFrame> now = fine_.update(place, velocity_m_per_s_, passed_s);
+  if (!first) moved_ = now - before;
   since_good_s_ = 0.0;
   return true;
 }
 
-bool Tick::ask_law(Side& side, double dt_s) noexcept {
-  const auto& scene_from_device = side.program->scene_from_device;
-  const Hand hand{scene_from_device * Point<DeviceFrame>{position_m_},
-                  scene_from_device * Vector<DeviceFrame>{velocity_m_per_s_}, dt_s};
-  const Feel felt = side.program->touchable->feel(hand, side.state);
-  if (!is_finite(felt.force_N)) return false;
-  side.feel = felt;
+bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
+  const auto& scene_from_device = side.scene->scene_from_device;
+  const Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
+  const LawOutput output = side.scene->touchable->evaluate(hand, side.state);
+  if (!is_finite(output.force_N)) return false;
+  side.output = output;
   return true;
 }
 
-Vec3 Tick::device_force_N(const Side& side, Vec3 f) const noexcept {
-  // The rotation's transpose: a force keeps its size when the scene is shown larger or smaller.
-  const auto& r = side.program->scene_from_device.rotation;
-  return {r[0] * f.x + r[3] * f.y + r[6] * f.z, r[1] * f.x + r[4] * f.y + r[7] * f.z,
-          planar_ ? 0.0 : r[2] * f.x + r[5] * f.y + r[8] * f.z};
+Vector<DeviceFrame> TickPipeline::device_force_N(const Side& side,
+                                                 Vector<SceneFrame> force_N) const noexcept {
+  Vector<DeviceFrame> turned = rotate_force(side.device_from_scene, force_N);
+  if (planar_) turned.v.z = 0.0;
+  return turned;
 }
 
-double Tick::device_stored_J() const noexcept {
+double TickPipeline::device_stored_J() const noexcept {
   // The law knows the reading; within the sensor's step the hand is elsewhere, and the spring is the slope
   // between. (A damper is none: its jumps with the sensor's steps would look like energy.)
-  return now_.feel.stored_J / now_.program->scene_from_device.scale -
-         dot(device_force_N(now_, now_.feel.spring_N.v), fine_.place_m() - position_m_);
+  return now_.output.stored_J / now_.scene->scene_from_device.scale -
+         dot(device_force_N(now_, now_.output.spring_N), fine_.place() - position_);
 }
 
-bool Tick::feel(double dt_s) noexcept {
-  if (ramp_.value() <= 0.0 && !well_) begin_touch();
+bool TickPipeline::evaluate_laws(double dt_s) noexcept {
+  if (ramp_.value() <= 0.0 && !healthy_) begin_touch();
   if (counts_.ticks == 0) flags_ |= flag::kNewTouch;
-  const bool finite = ask_law(now_, dt_s) && (!fading() || ask_law(coming_, dt_s));
+  const bool finite = evaluate_law(now_, dt_s) && (!fading() || evaluate_law(coming_, dt_s));
   if (!finite) {
     flags_ |= flag::kNotFinite;
     return false;
   }
-  law_force_N_ = device_force_N(now_, now_.feel.force_N.v);
-  if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.feel.force_N.v) - law_force_N_);
+  law_force_N_ = device_force_N(now_, now_.output.force_N);
+  if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.output.force_N) - law_force_N_);
   return true;
 }
 
-void Tick::begin_touch() noexcept {
+void TickPipeline::begin_touch() noexcept {
   // The force has been zero for a while and the hand may be anywhere: what the law remembers is of no use.
   now_.state = {};
   coming_.state = {};
@@ -127,66 +126,65 @@ void Tick::begin_touch() noexcept {
   flags_ |= flag::kNewTouch;
 }
 
-void Tick::fade(double dt_s) noexcept {
+void TickPipeline::fade(double dt_s) noexcept {
   flags_ |= flag::kFading;
   faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
 }
 
-void Tick::end_fade() noexcept {
-  retired_ = now_.program;
+void TickPipeline::end_fade() noexcept {
+  retired_ = now_.scene;
   now_ = coming_;
   coming_ = {};
-  emit(TouchEvent::Kind::program_changed, now_.program->id);
+  emit(TouchEvent::Kind::scene_changed, now_.scene->id);
 }
 
-void Tick::change(const Program& program) noexcept {
-  const auto family = [](const Program& p) { return p.touchable->state_family(); };
-  coming_ = {};
-  coming_.program = &program;
-  if (family(program) == family(*now_.program)) coming_.state = now_.state;
+void TickPipeline::change(const HapticScene& scene) noexcept {
+  coming_.begin(scene);
+  if (scene.touchable->state_family() == now_.scene->touchable->state_family()) coming_.state = now_.state;
   faded_ = 0.0;
 }
 
-const Program* Tick::take_retired() noexcept { return std::exchange(retired_, nullptr); }
+const HapticScene* TickPipeline::take_retired() noexcept { return std::exchange(retired_, nullptr); }
 
-void Tick::observe(double dt_s) noexcept {
-  const bool contact = now_.feel.contact;
+void TickPipeline::observe(double dt_s) noexcept {
+  const bool contact = now_.output.contact;
   // What the motors held since the last reading was written a tick ago, or as much longer as the device is
   // late.
   const Sent& held = sent_[(newest_ + sent_.size() - delay_) % sent_.size()];
-  PassivityObserver::Tick seen;
-  seen.held_force_N = held.written_N;
-  seen.moved_m = moved_m_;
-  seen.dt_s = dt_s;
-  seen.stored_J = device_stored_J();
-  seen.damping_Ns_per_m = contact ? now_.program->touchable->damping_Ns_per_m() : 0.0;
-  seen.shortened = shortened_;
+  PassivityObserver::Step step;
+  step.held_force_N = held.written_N;
+  step.moved_m = moved_;
+  step.dt_s = dt_s;
+  step.stored_J = device_stored_J();
+  step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
+  step.shortened = shortened_;
   // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
-  if ((flags_ & flag::kFading) != 0) counts_.scene_change_J += dot(seen.held_force_N, seen.moved_m);
+  if ((flags_ & flag::kFading) != 0) counts_.scene_change_J += dot(step.held_force_N, step.moved_m);
   const bool new_account = (flags_ & (flag::kFading | flag::kNewTouch)) != 0;
-  if (new_account || !std::isfinite(seen.stored_J)) {
-    observer_.begin(seen.stored_J);
-    without_controller_.begin(seen.stored_J);
+  if (new_account || !std::isfinite(step.stored_J)) {
+    observer_.begin(step.stored_J);
+    without_controller_.begin(step.stored_J);
     return;
   }
-  observer_.see(seen);
-  seen.held_force_N = held.uncontrolled_N;
-  without_controller_.see(seen);
+  observer_.update(step);
+  step.held_force_N = held.uncontrolled_N;
+  without_controller_.update(step);
 }
 
-void Tick::make_force(double dt_s, bool wanted) noexcept {
-  const Limited capped = cap_force(law_force_N_, max_force_N_);
+void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
+  const auto capped = cap_force(law_force_N_, max_force_N_);
   const double gain = ramp_.step(wanted, dt_s);
-  const Limited risen =
-      cap_rise(gain * capped.force_N, uncontrolled_N_, options_.max_force_rate_N_per_s * dt_s);
+  const auto risen = cap_rise(gain * capped.force_N, uncontrolled_N_, options_.max_force_rate_N_per_s * dt_s);
   uncontrolled_N_ = risen.force_N;
   written_N_ = risen.force_N;
   const double made_J = observer_.made_J();
   if (options_.passivity == Passivity::control && made_J > 0.0 && gain > 0.0) {
-    const Vec3 braked = control_passivity(written_N_, velocity_m_per_s_, made_J, dt_s,
-                                          most_damping_Ns_per_m(mass_kg_, dt_s, static_cast<int>(delay_)));
-    if (braked != written_N_) flags_ |= flag::kPassivityActed;
-    written_N_ = cap_force(planar_ ? Vec3{braked.x, braked.y, 0.0} : braked, max_force_N_).force_N;
+    Vector<DeviceFrame> braked =
+        control_passivity(written_N_, velocity_m_per_s_, made_J, dt_s,
+                          max_passive_damping_Ns_per_m(mass_kg_, dt_s, static_cast<int>(delay_)));
+    if (!(braked == written_N_)) flags_ |= flag::kPassivityActed;
+    if (planar_) braked.v.z = 0.0;
+    written_N_ = cap_force(braked, max_force_N_).force_N;
   }
   newest_ = (newest_ + 1) % sent_.size();
   sent_[newest_] = {written_N_, uncontrolled_N_};
@@ -197,25 +195,25 @@ void Tick::make_force(double dt_s, bool wanted) noexcept {
   shortened_ = capped.limited || gain < 1.0 || fading();
 }
 
-void Tick::describe(const device::Reading& reading) noexcept {
-  const auto& program = *now_.program;
+void TickPipeline::describe(const device::Reading& reading) noexcept {
+  const auto& scene_from_device = now_.scene->scene_from_device;
   sample_.tick = counts_.ticks;
   sample_.device_position = reading.position;
-  sample_.position = program.scene_from_device * Point<DeviceFrame>{position_m_};
-  sample_.velocity_m_per_s = program.scene_from_device * Vector<DeviceFrame>{velocity_m_per_s_};
-  sample_.proxy = now_.feel.proxy;
-  sample_.raw_force_N = now_.feel.force_N;
-  sample_.written_force_N = rotate_force(program.scene_from_device, Vector<DeviceFrame>{written_N_});
+  sample_.position = scene_from_device * position_;
+  sample_.velocity_m_per_s = scene_from_device * velocity_m_per_s_;
+  sample_.proxy = now_.output.proxy;
+  sample_.raw_force_N = now_.output.force_N;
+  sample_.written_force_N = rotate_force(scene_from_device, written_N_);
   sample_.energy_J = observer_.balance_J();
-  sample_.label = now_.feel.label;
+  sample_.label = now_.output.label;
   sample_.buttons = reading.buttons;
-  sample_.program = program.id;
+  sample_.scene_id = now_.scene->id;
   sample_.status = reading.status;
   sample_.flags =
-      flags_ | (now_.feel.contact ? flag::kContact : 0U) | (now_.feel.has_proxy ? flag::kHasProxy : 0U);
+      flags_ | (now_.output.contact ? flag::kContact : 0U) | (now_.output.has_proxy ? flag::kHasProxy : 0U);
 }
 
-void Tick::tell(const TouchSample& before) noexcept {
+void TickPipeline::report_changes(const TouchSample& before) noexcept {
   using Kind = TouchEvent::Kind;
   const bool contact = sample_.has(flag::kContact);
   const bool was_contact = before.has(flag::kContact);
@@ -229,23 +227,23 @@ void Tick::tell(const TouchSample& before) noexcept {
   }
 }
 
-void Tick::tell_well(bool well, std::uint32_t status) noexcept {
-  if (well != well_) emit(well ? TouchEvent::Kind::recovered : TouchEvent::Kind::fault, status);
-  well_ = well;
+void TickPipeline::report_status(bool healthy, std::uint32_t status) noexcept {
+  if (healthy != healthy_) emit(healthy ? TouchEvent::Kind::recovered : TouchEvent::Kind::fault, status);
+  healthy_ = healthy;
 }
 
-void Tick::emit(TouchEvent::Kind kind, std::uint32_t value) noexcept {
+void TickPipeline::emit(TouchEvent::Kind kind, std::uint32_t value) noexcept {
   events_.put({counts_.ticks, kind, value, sample_.probe});
 }
 
-void Tick::count() noexcept {
+void TickPipeline::count() noexcept {
   const double written = norm(written_N_);
   counts_.max_force_N = std::max(counts_.max_force_N, written);
   counts_.clamped_ticks += sample_.has(flag::kForceCapped) ? 1 : 0;
   counts_.rate_capped_ticks += sample_.has(flag::kRateCapped) ? 1 : 0;
   counts_.passivity_ticks += sample_.has(flag::kPassivityActed) ? 1 : 0;
   counts_.contact_ticks += sample_.has(flag::kContact) ? 1 : 0;
-  counts_.fault_ticks += well_ ? 0 : 1;
+  counts_.fault_ticks += healthy_ ? 0 : 1;
   counts_.made_max_J = observer_.made_max_J();
   counts_.made_max_without_controller_J = without_controller_.made_max_J();
   if (std::isnan(counts_.first_force_t_s) && written >= kFelt_N) counts_.first_force_t_s = sample_.t_s;

@@ -24,7 +24,7 @@ struct TickOptions {
   /// Growth only; release is never delayed. The default lets a wall of 500 N/m met at 0.6 m/s through.
   double max_force_rate_N_per_s = 300.0;
   Passivity passivity = Passivity::control;
-  /// One program gives way to the next in this time.
+  /// One scene gives way to the next in this time.
   double fade_s = 0.15;
   /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
   double ramp_down_s = 0.02;
@@ -38,45 +38,51 @@ struct TickOptions {
 /// energy out and cap again; write. What was written is observed at the next reading. The servo loop calls it
 /// in time, tests call it as fast as they like: given the same readings it does the same. One thread; step()
 /// never allocates, locks, throws or prints.
-class Tick {
+class TickPipeline {
  public:
-  /// `device`, `events` and `program` (with its touchable) outlive the Tick or, for the program, the next
+  /// `device`, `events` and `scene` (with its touchable) outlive this or, for the scene, the next
   /// change. Samples and events carry the number of the probe.
-  Tick(device::Device& device, const Program& program, const TickOptions& options, Ring<TouchEvent>& events,
-       std::uint8_t probe = 0);
+  TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
+               Ring<TouchEvent>& events, std::uint8_t probe = 0);
 
   /// `dt_s` > 0 since the step before, `t_s` since the first.
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
-  bool fading() const noexcept { return coming_.program != nullptr; }
-  /// Begins to fade to `program`; only while not fading(). Takes fade_s, whatever the device does meanwhile.
-  void change(const Program& program) noexcept;
-  /// The program that the last step() stopped using, once; else null.
-  const Program* take_retired() noexcept;
+  bool fading() const noexcept { return coming_.scene != nullptr; }
+  /// Begins to fade to `scene`; only while not fading(). Takes fade_s, whatever the device does meanwhile.
+  void change(const HapticScene& scene) noexcept;
+  /// The scene that the last step() stopped using, once; else null.
+  const HapticScene* take_retired() noexcept;
   void set_paused(bool paused) noexcept { paused_ = paused; }
 
   const TickCounts& counts() const noexcept { return counts_; }
 
  private:
-  /// One program's side of a touch.
+  /// What a touch has of one scene; two while one gives way to the other.
   struct Side {
-    const Program* program = nullptr;
+    void begin(const HapticScene& next) noexcept {
+      *this = {};
+      scene = &next;
+      device_from_scene = next.scene_from_device.inverse();
+    }
+    const HapticScene* scene = nullptr;
+    Transform<DeviceFrame, SceneFrame> device_from_scene;
     TouchState state;
-    Feel feel;
+    LawOutput output;
   };
   bool accept(const device::Reading& reading, double dt_s) noexcept;
-  bool ask_law(Side& side, double dt_s) noexcept;
-  Vec3 device_force_N(const Side& side, Vec3 force_N) const noexcept;
+  bool evaluate_law(Side& side, double dt_s) noexcept;
+  Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   double device_stored_J() const noexcept;
-  bool feel(double dt_s) noexcept;
+  bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
   void end_fade() noexcept;
   void observe(double dt_s) noexcept;
   void make_force(double dt_s, bool wanted) noexcept;
   void begin_touch() noexcept;
   void describe(const device::Reading& reading) noexcept;
-  void tell(const TouchSample& before) noexcept;
-  void tell_well(bool well, std::uint32_t status) noexcept;
+  void report_changes(const TouchSample& before) noexcept;
+  void report_status(bool healthy, std::uint32_t status) noexcept;
   void emit(TouchEvent::Kind kind, std::uint32_t value) noexcept;
   void count() noexcept;
 
@@ -88,37 +94,38 @@ class Tick {
   bool planar_;
 
   Side now_;
-  /// Its program is null when nothing is fading in.
+  /// Its scene is null when nothing is fading in.
   Side coming_;
   double faded_ = 0.0;
-  const Program* retired_ = nullptr;
+  const HapticScene* retired_ = nullptr;
 
   VelocityEstimator velocity_;
   FinePosition fine_;
-  Vec3 velocity_m_per_s_;
-  Vec3 position_m_;
-  Vec3 moved_m_;
+  Vector<DeviceFrame> velocity_m_per_s_;
+  Point<DeviceFrame> position_;
+  /// Since the tick before.
+  Vector<DeviceFrame> moved_;
   /// Since the last good reading; infinite before the first.
   double since_good_s_ = std::numeric_limits<double>::infinity();
 
   Ramp ramp_;
-  /// All in the device's frame: the law's (the last finite one), after the caps and ramp, and as written.
-  Vec3 law_force_N_;
-  Vec3 uncontrolled_N_;
-  Vec3 written_N_;
+  /// The law's (the last finite one), after the caps and ramp, and as written.
+  Vector<DeviceFrame> law_force_N_;
+  Vector<DeviceFrame> uncontrolled_N_;
+  Vector<DeviceFrame> written_N_;
   /// The last forces, for a device whose motors get them some ticks late; newest at newest_.
   struct Sent {
-    Vec3 written_N;
-    Vec3 uncontrolled_N;
+    Vector<DeviceFrame> written_N;
+    Vector<DeviceFrame> uncontrolled_N;
   };
-  static constexpr int kMostDelay = 15;
-  std::array<Sent, kMostDelay + 1> sent_{};
+  static constexpr int kMaxDelay = 15;
+  std::array<Sent, kMaxDelay + 1> sent_{};
   std::size_t newest_ = 0;
   std::size_t delay_;
   /// The held force was shortened by the cap, a ramp or a fade.
   bool shortened_ = true;
   bool paused_ = false;
-  bool well_ = true;
+  bool healthy_ = true;
   std::uint32_t flags_ = 0;
   PassivityObserver observer_;
   PassivityObserver without_controller_;

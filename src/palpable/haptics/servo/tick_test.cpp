@@ -18,10 +18,10 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class NotFinite final : public Touchable {
  public:
-  Feel feel(const Hand& hand, TouchState&) const noexcept override {
-    Feel feel;
-    feel.force_N.v.z = hand.position.v.z < 0.0 ? kNaN : 1.0;
-    return feel;
+  LawOutput evaluate(const Hand& hand, TouchState&) const noexcept override {
+    LawOutput output;
+    output.force_N.v.z = hand.position.v.z < 0.0 ? kNaN : 1.0;
+    return output;
   }
   std::uint64_t state_family() const noexcept override { return 9; }
   double damping_Ns_per_m() const noexcept override { return 0.0; }
@@ -45,7 +45,7 @@ struct Loop {
   }
 
   ScriptedDevice device;
-  Program program;
+  HapticScene program;
   Ring<TouchEvent> events{1024};
   std::unique_ptr<Tick> tick;
   const TouchSample* sample = nullptr;
@@ -164,7 +164,7 @@ TEST(Tick, FadesFromOneSceneToTheNextWithoutAStep) {
   Loop loop(plane(500.0));
   loop.device.reading.position.v = {0.0, 0.0, -0.002};
   loop.run(400);
-  Program stiffer;
+  HapticScene stiffer;
   stiffer.touchable = plane(1000.0, 2);
   stiffer.id = 7;
   loop.tick->change(stiffer);
@@ -179,15 +179,15 @@ TEST(Tick, FadesFromOneSceneToTheNextWithoutAStep) {
   EXPECT_LE(greatest_step, 1.0 * kT_s / 0.15 + 1e-9);
   EXPECT_EQ(loop.tick->take_retired(), &loop.program);
   EXPECT_EQ(loop.tick->take_retired(), nullptr);
-  EXPECT_EQ(loop.count(TouchEvent::Kind::program_changed), 1);
-  EXPECT_EQ(loop.sample->program, 7U);
+  EXPECT_EQ(loop.count(TouchEvent::Kind::scene_changed), 1);
+  EXPECT_EQ(loop.sample->scene_id, 7U);
 }
 
 TEST(Tick, DoesNotBlameALawForTheWorkOfAChangeOfScene) {
   Loop loop(plane(500.0));
   loop.device.reading.position.v = {0.0, 0.0, -0.002};
   loop.run(400);
-  Program other;
+  HapticScene other;
   other.touchable = plane(1500.0, 2);
   loop.tick->change(other);
   for (int i = 0; i < 300; ++i) {
@@ -203,10 +203,10 @@ TEST(Tick, DoesNotBlameALawForTheWorkOfAChangeOfScene) {
 TEST(Tick, ContinuesAStateWithinAFamilyAndBeginsAnewOutside) {
   Loop loop(plane(500.0, 3));
   loop.run(100);
-  Program same;
+  HapticScene same;
   same.touchable = plane(600.0, 3);
   loop.tick->change(same);
-  Program other;
+  HapticScene other;
   other.touchable = plane(600.0, 4);
   loop.run(200);
   EXPECT_EQ(loop.tick->take_retired(), &loop.program);
@@ -270,7 +270,7 @@ TEST(Tick, TellsContactLabelsAndButtonsOnce) {
 TEST(Tick, EndsAFadeInItsTimeThoughTheDeviceIsAway) {
   Loop loop(plane());
   loop.run(400);
-  Program other;
+  HapticScene other;
   other.touchable = plane(700.0, 2);
   loop.tick->change(other);
   loop.device.reading.status = device::Status::not_ready;
@@ -287,7 +287,7 @@ TEST(Tick, EndsAFadeInItsTimeThoughTheDeviceIsAway) {
 TEST(Tick, NeverAllocates) {
   ASSERT_TRUE(allocations_are_counted());
   Loop loop(plane());
-  Program other;
+  HapticScene other;
   other.touchable = plane(700.0, 2);
   const AllocationScope scope;
   for (int i = 0; i < 2000; ++i) {

@@ -18,8 +18,8 @@ struct Probe {
   std::vector<Point<SceneFrame>> places;
 };
 
-ToolFeel feel(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
-              Probe& probe) {
+ToolOutput output(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
+                  Probe& probe) {
   // What a first sample, which has none before it, counts as its tick's length.
   constexpr double kFirstTick_s = 0.001;
   const bool first = !probe.last_s;
@@ -27,7 +27,7 @@ ToolFeel feel(const Touchable& touchable, std::span<const ToolPlace> tool, const
     probe.states.resize(tool.size());
     probe.places.resize(tool.size());
   }
-  ToolFeel sum;
+  ToolOutput sum;
   Hand hand;
   hand.dt_s = first ? kFirstTick_s : pose.t_s - *probe.last_s;
   for (std::size_t i = 0; i < tool.size(); ++i) {
@@ -35,7 +35,7 @@ ToolFeel feel(const Touchable& touchable, std::span<const ToolPlace> tool, const
     hand.velocity_m_per_s =
         first ? Vector<SceneFrame>{} : (1.0 / hand.dt_s) * (hand.position - probe.places[i]);
     probe.places[i] = hand.position;
-    const Feel place = touchable.feel(hand, probe.states[i]);
+    const LawOutput place = touchable.evaluate(hand, probe.states[i]);
     const Vector<SceneFrame> force = tool[i].share * place.force_N;
     sum.force_N += force;
     sum.torque_Nm += cross(hand.position - Point<SceneFrame>{pose.scene_from_tool.translation_m}, force);
@@ -51,15 +51,15 @@ ToolFeel feel(const Touchable& touchable, std::span<const ToolPlace> tool, const
 }  // namespace
 
 void probe_tools(const Touchable& touchable, std::span<const ToolPlace> tool, std::span<const ToolPose> poses,
-                 const std::function<void(const ToolPose&, const ToolFeel&)>& each) {
-  std::vector<Probe> probes(kMostProbes);
+                 const std::function<void(const ToolPose&, const ToolOutput&)>& each) {
+  std::vector<Probe> probes(kMaxProbes);
   for (const ToolPose& pose : poses)
     each(pose, feel(touchable, tool, pose, probes[static_cast<std::size_t>(pose.probe)]));
 }
 
 Result<void> check_poses(std::span<const ToolPose> poses) {
   if (poses.empty()) return invalid_input("the path has no samples");
-  std::vector<std::optional<double>> last_s(kMostProbes);
+  std::vector<std::optional<double>> last_s(kMaxProbes);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const ToolPose& pose = poses[i];
     const auto& r = pose.scene_from_tool.rotation;
@@ -67,8 +67,8 @@ Result<void> check_poses(std::span<const ToolPose> poses) {
     if (!std::isfinite(pose.t_s) || !is_finite(pose.scene_from_tool.translation_m) ||
         !std::all_of(r.begin(), r.end(), [](double v) { return std::isfinite(v); }))
       return invalid_input(sample + " is not finite");
-    if (pose.probe < 0 || pose.probe >= kMostProbes)
-      return invalid_input(sample + " is of a probe that is none of 0 to " + std::to_string(kMostProbes - 1));
+    if (pose.probe < 0 || pose.probe >= kMaxProbes)
+      return invalid_input(sample + " is of a probe that is none of 0 to " + std::to_string(kMaxProbes - 1));
     auto& last = last_s[static_cast<std::size_t>(pose.probe)];
     if (last && !(pose.t_s > *last))
       return invalid_input(sample + " is not later than the one before of the same probe");
@@ -78,8 +78,8 @@ Result<void> check_poses(std::span<const ToolPose> poses) {
 }
 
 Result<void> check_tool(std::span<const ToolPlace> tool) {
-  if (tool.empty() || tool.size() > kMostToolPlaces)
-    return invalid_input("a tool has 1 to " + std::to_string(kMostToolPlaces) + " places");
+  if (tool.empty() || tool.size() > kMaxToolPlaces)
+    return invalid_input("a tool has 1 to " + std::to_string(kMaxToolPlaces) + " places");
   for (std::size_t i = 0; i < tool.size(); ++i)
     if (!(norm(tool[i].place.v) <= 1.0) || !(tool[i].share > 0.0 && tool[i].share <= 1000.0))
       return invalid_input("place " + std::to_string(i + 1) +

@@ -56,7 +56,7 @@ TEST(ToolPath, GivesTheWrenchOfThePenaltyLaw) {
   const auto pad = cap_places(0.008, 1.0, 24);
   const std::array poses{pose_at(0.0, {0.001, 0.002, 0.0075}), pose_at(0.01, {0.001, 0.002, 0.006}, 0, 0.4)};
   std::size_t at = 0;
-  probe_tools(*floor_with(Law::penalty), pad, poses, [&](const ToolPose& pose, const ToolFeel& felt) {
+  probe_tools(*floor_with(Law::penalty), pad, poses, [&](const ToolPose& pose, const ToolOutput& felt) {
     const Wrench wrench = tool_wrench(field_of_floor(scene), pad, pose.scene_from_tool, 500.0);
     EXPECT_TRUE(felt.contact);
     EXPECT_NEAR(norm(felt.force_N - wrench.force_N), 0.0, 1e-12);
@@ -71,9 +71,9 @@ TEST(ToolPath, TurnsATiltedStickBackToTheFloor) {
   const std::array<ToolPlace, 2> stick{{{{{-0.01, 0.0, 0.0}}, 0.5}, {{{0.01, 0.0, 0.0}}, 0.5}}};
   std::vector<ToolPose> poses{pose_at(0.0, {0.0, 0.0, 0.001})};
   for (int i = 1; i < 20; ++i) poses.push_back(pose_at(0.001 * i, {}, 0, 0.2));
-  ToolFeel last;
+  ToolOutput last;
   probe_tools(*floor_with(Law::proxy), stick, poses,
-              [&](const ToolPose&, const ToolFeel& felt) { last = felt; });
+              [&](const ToolPose&, const ToolOutput& felt) { last = felt; });
   const double depth_m = 0.01 * std::sin(0.2), force_N = 0.5 * 500.0 * depth_m;
   EXPECT_NEAR(last.force_N.v.z, force_N, 1e-4 * force_N);
   EXPECT_NEAR(last.torque_Nm.v.y, -0.01 * std::cos(0.2) * force_N, 1e-3 * 0.01 * force_N);
@@ -94,16 +94,16 @@ TEST(ToolPath, KeepsEachProbesTouchApart) {
       poses.push_back(pose_at(0.001 * i, place(i, finger), finger));
       alone[static_cast<std::size_t>(finger)].push_back({0.001 * i, {place(i, finger)}});
     }
-  std::array<std::vector<Feel>, 2> expected;
+  std::array<std::vector<LawOutput>, 2> expected;
   for (std::size_t finger = 0; finger < 2; ++finger)
     probe_path(*touchable, alone[finger],
-               [&](const PathSample&, const Feel& feel) { expected[finger].push_back(feel); });
+               [&](const PathSample&, const LawOutput& output) { expected[finger].push_back(output); });
   std::array<std::size_t, 2> next{};
-  probe_tools(*touchable, point, poses, [&](const ToolPose& pose, const ToolFeel& felt) {
+  probe_tools(*touchable, point, poses, [&](const ToolPose& pose, const ToolOutput& felt) {
     const auto finger = static_cast<std::size_t>(pose.probe);
-    const Feel& feel = expected[finger][next[finger]++];
-    EXPECT_EQ(felt.force_N.v, feel.force_N.v);
-    EXPECT_EQ(felt.proxy.v, feel.proxy.v);
+    const LawOutput& output = expected[finger][next[finger]++];
+    EXPECT_EQ(felt.force_N.v, output.force_N.v);
+    EXPECT_EQ(felt.proxy.v, output.proxy.v);
     EXPECT_TRUE(felt.has_proxy);
     EXPECT_EQ(felt.torque_Nm.v, Vec3{});
   });
@@ -116,7 +116,7 @@ TEST(ToolPath, RefusesPosesAndToolsThatMakeNoSense) {
   EXPECT_TRUE(check_poses(good));
   EXPECT_FALSE(check_poses({}));
   EXPECT_FALSE(check_poses(std::array{pose_at(0.0, {}), pose_at(0.0, {})}));
-  EXPECT_FALSE(check_poses(std::array{pose_at(0.0, {}, kMostProbes)}));
+  EXPECT_FALSE(check_poses(std::array{pose_at(0.0, {}, kMaxProbes)}));
   EXPECT_FALSE(check_poses(std::array{pose_at(0.0, {NAN, 0.0, 0.0})}));
   EXPECT_FALSE(check_tool({}));
   EXPECT_FALSE(check_tool(std::array{ToolPlace{{{0.0, 0.0, 0.0}}, 0.0}}));

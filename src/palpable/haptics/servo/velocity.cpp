@@ -7,15 +7,15 @@
 
 namespace palpable::haptics {
 
-Vec3 VelocityEstimator::see(Vec3 position_m, double dt_s) noexcept {
+Vector<DeviceFrame> VelocityEstimator::update(Point<DeviceFrame> position, double dt_s) noexcept {
   // Times count from the newest sample backwards, so that they never grow large.
   for (int age = 0; age < count_; ++age) times_s_[at(age)] -= dt_s;
   newest_ = (newest_ + 1) % kSamples;
-  positions_m_[at(0)] = position_m;
+  positions_m_[at(0)] = position.v;
   times_s_[at(0)] = 0.0;
   count_ = std::min(count_ + 1, kSamples);
   if (count_ < 2) return {};
-  return {slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)};
+  return {{slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)}};
 }
 
 double VelocityEstimator::slope(double Vec3::*axis) const noexcept {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/vec3.hpp"
+#include "palpable/core/frame.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,14 +18,14 @@ class VelocityEstimator {
  public:
   static constexpr int kSamples = 16;
 
-  /// `resolution_m` >= 0, in the units of the positions given to see().
+  /// `resolution_m` >= 0, in metres.
   explicit VelocityEstimator(double resolution_m) : resolution_m_(resolution_m) {}
 
   /// Forgets the past: the next velocity is 0.
   void begin() noexcept { count_ = 0; }
 
-  /// The velocity at `position`, reached `dt_s` > 0 after the one before.
-  Vec3 see(Vec3 position_m, double dt_s) noexcept;
+  /// The velocity in m/s at `position`, reached `dt_s` > 0 after the one before.
+  Vector<DeviceFrame> update(Point<DeviceFrame> position, double dt_s) noexcept;
 
  private:
   double slope(double Vec3::*axis) const noexcept;
@@ -48,20 +48,21 @@ class FinePosition {
  public:
   explicit FinePosition(double resolution_m) : half_m_(0.5 * resolution_m) {}
 
-  /// The place after `dt_s`, never more than half a step from `reading_m` on each axis.
-  Vec3 see(Vec3 reading_m, Vec3 velocity_m_per_s, double dt_s) noexcept {
-    const Vec3 expected = place_m_ + dt_s * velocity_m_per_s;
+  /// The place after `dt_s`, never more than half a step from `reading` on each axis.
+  Point<DeviceFrame> update(Point<DeviceFrame> reading, Vector<DeviceFrame> velocity_m_per_s,
+                            double dt_s) noexcept {
+    const Vec3 expected = (place_ + dt_s * velocity_m_per_s).v;
     const auto within = [&](double value, double centre) {
       return std::clamp(value, centre - half_m_, centre + half_m_);
     };
-    return place_m_ = {within(expected.x, reading_m.x), within(expected.y, reading_m.y),
-                       within(expected.z, reading_m.z)};
+    const Vec3 r = reading.v;
+    return place_ = {{within(expected.x, r.x), within(expected.y, r.y), within(expected.z, r.z)}};
   }
-  Vec3 place_m() const noexcept { return place_m_; }
+  Point<DeviceFrame> place() const noexcept { return place_; }
 
  private:
   double half_m_;
-  Vec3 place_m_;
+  Point<DeviceFrame> place_;
 };
 
 }  // namespace palpable::haptics

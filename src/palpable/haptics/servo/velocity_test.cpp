@@ -14,8 +14,8 @@ constexpr double kT_s = 0.001;
 
 TEST(VelocityEstimator, IsTheBackwardDifferenceWithoutQuantisation) {
   VelocityEstimator velocity(0.0);
-  EXPECT_EQ(velocity.see({1.0, 2.0, 3.0}, kT_s), Vec3{});
-  const Vec3 v = velocity.see({1.001, 2.0, 2.998}, kT_s);
+  EXPECT_EQ(velocity.update({{1.0, 2.0, 3.0}}, kT_s).v, Vec3{});
+  const Vec3 v = velocity.update({{1.001, 2.0, 2.998}}, kT_s).v;
   EXPECT_NEAR(v.x, 1.0, 1e-9);
   EXPECT_NEAR(v.y, 0.0, 1e-9);
   EXPECT_NEAR(v.z, -2.0, 1e-9);
@@ -23,8 +23,8 @@ TEST(VelocityEstimator, IsTheBackwardDifferenceWithoutQuantisation) {
 
 TEST(VelocityEstimator, UsesTheTimeThatReallyPassed) {
   VelocityEstimator velocity(0.0);
-  velocity.see({0.0, 0.0, 0.0}, kT_s);
-  EXPECT_NEAR(velocity.see({0.003, 0.0, 0.0}, 3.0 * kT_s).x, 1.0, 1e-9);
+  velocity.update({{0.0, 0.0, 0.0}}, kT_s);
+  EXPECT_NEAR(velocity.update({{0.003, 0.0, 0.0}}, 3.0 * kT_s).v.x, 1.0, 1e-9);
 }
 
 TEST(VelocityEstimator, SmoothsTheStepsOfASensorThatTheBackwardDifferenceShows) {
@@ -34,7 +34,7 @@ TEST(VelocityEstimator, SmoothsTheStepsOfASensorThatTheBackwardDifferenceShows) 
   double worst = 0.0;
   for (int n = 0; n < 1000; ++n) {
     const double x = kStep_m * std::round(0.003 * n * kT_s / kStep_m);
-    const double v = velocity.see({x, 0.0, 0.0}, kT_s).x;
+    const double v = velocity.update({{x, 0.0, 0.0}}, kT_s).v.x;
     if (n > 50) worst = std::max(worst, std::abs(v - 0.003));
   }
   EXPECT_LT(worst, 0.0015);
@@ -44,9 +44,9 @@ TEST(VelocityEstimator, FollowsAFastStopWithinTwoTicks) {
   constexpr double kStep_m = 10e-6;
   VelocityEstimator velocity(kStep_m);
   double x = 0.0;
-  for (int n = 0; n < 100; ++n) velocity.see({x += 0.5 * kT_s, 0.0, 0.0}, kT_s);
-  velocity.see({x, 0.0, 0.0}, kT_s);
-  EXPECT_LT(std::abs(velocity.see({x, 0.0, 0.0}, kT_s).x), 1e-9);
+  for (int n = 0; n < 100; ++n) velocity.update({{x += 0.5 * kT_s, 0.0, 0.0}}, kT_s);
+  velocity.update({{x, 0.0, 0.0}}, kT_s);
+  EXPECT_LT(std::abs(velocity.update({{x, 0.0, 0.0}}, kT_s).v.x), 1e-9);
 }
 
 }  // namespace

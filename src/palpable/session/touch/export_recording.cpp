@@ -41,7 +41,7 @@ constexpr NumberColumn kNumbers[] = {
     {"energy_J", [](const TouchSample& t) { return t.energy_J; }},
     {"flags", [](const TouchSample& t) { return static_cast<double>(t.flags); }},
     {"buttons", [](const TouchSample& t) { return static_cast<double>(t.buttons); }},
-    {"program", [](const TouchSample& t) { return static_cast<double>(t.program); }},
+    {"program", [](const TouchSample& t) { return static_cast<double>(t.scene_id); }},
     {"label", [](const TouchSample& t) { return static_cast<double>(t.label); }},
     {"status", [](const TouchSample& t) { return static_cast<double>(t.status); }},
     {"probe", [](const TouchSample& t) { return static_cast<double>(t.probe); }},

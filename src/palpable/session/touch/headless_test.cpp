@@ -5,7 +5,7 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/haptics/servo/tick.hpp"
-#include "palpable/session/touch/program.hpp"
+#include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
 
 #include <cmath>
@@ -56,11 +56,11 @@ TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
   const auto recording = device::read_recording(options.recording);
   ASSERT_TRUE(recording) << recording.error().sentence();
   EXPECT_TRUE(recording->complete);
-  EXPECT_EQ(recording->programs.size(), 2U);
+  EXPECT_EQ(recording->scenes.size(), 2U);
   // The ticks before the recording began are not in it.
   EXPECT_GT(recording->ticks.size(), 0U);
   EXPECT_LE(recording->ticks.size() + recording->lost, touch.ticks);
-  EXPECT_EQ(recording->ticks.back().program, 2U);
+  EXPECT_EQ(recording->ticks.back().scene_id, 2U);
   const auto json = nlohmann::json::parse(to_json(*statistics));
   EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
   EXPECT_EQ(json["allocations_in_ticks"], 0);
@@ -74,8 +74,8 @@ TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {
   ASSERT_TRUE(statistics) << statistics.error().sentence();
   const auto recording = device::read_recording(options.recording);
   ASSERT_TRUE(recording) << recording.error().sentence();
-  ASSERT_GE(recording->programs.size(), 2U);
-  const auto place = nlohmann::json::parse(recording->programs.back().json)["scene_from_device"];
+  ASSERT_GE(recording->scenes.size(), 2U);
+  const auto place = nlohmann::json::parse(recording->scenes.back().json)["scene_from_device"];
   EXPECT_NEAR(place["rotation"][1].get<double>(), -1.0, 1e-9);  // what is ahead lies to the left
   EXPECT_NEAR(place["translation_m"][0].get<double>(), 0.02, 1e-9);
   EXPECT_NEAR(place["translation_m"][1].get<double>(), 0.01, 1e-9);
@@ -87,10 +87,10 @@ TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
   ASSERT_TRUE(device);
   const auto& traits = (*device)->traits();
   KeptSurfaces kept;
-  const auto prepared = prepare_program(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits), kept);
+  const auto prepared = prepare_scene(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits), kept);
   ASSERT_TRUE(prepared) << prepared.error().sentence();
   Ring<haptics::TouchEvent> events(4096);
-  haptics::Tick tick(**device, prepared->program, {}, events);
+  haptics::TickPipeline tick(**device, prepared->scene, {}, events);
   std::vector<device::TouchSample> ticks;
   for (int n = 0; n < 3000; ++n) ticks.push_back(tick.step(0.001 * n, 0.001));
   const auto file = std::filesystem::path(testing::TempDir()) / "again.rec";
@@ -105,9 +105,9 @@ TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
   int in_contact = 0;
   for (const auto& recorded : recording->ticks) {
     const haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
-    const auto feel = prepared->program.touchable->feel(hand, state);
-    ASSERT_EQ(feel.force_N, recorded.raw_force_N) << "tick " << recorded.tick;
-    in_contact += feel.contact ? 1 : 0;
+    const auto output = prepared->scene.touchable->evaluate(hand, state);
+    ASSERT_EQ(output.force_N, recorded.raw_force_N) << "tick " << recorded.tick;
+    in_contact += output.contact ? 1 : 0;
   }
   EXPECT_GT(in_contact, 1000);
 }

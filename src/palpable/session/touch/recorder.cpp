@@ -26,7 +26,7 @@ struct Recorder::Inside {
   std::mutex mutex;
   std::condition_variable rest;
   bool ending = false;
-  std::vector<device::RecordedProgram> programs;
+  std::vector<device::RecordedScene> scenes;
   // The thread's own.
   std::vector<device::TouchSample> ticks;
   Result<void> outcome;
@@ -45,14 +45,14 @@ void Recorder::Inside::run() {
 }
 
 void Recorder::Inside::write_what_came() {
-  std::vector<device::RecordedProgram> noted;
+  std::vector<device::RecordedScene> noted;
   {
     const std::lock_guard lock(mutex);
-    noted.swap(programs);
+    noted.swap(scenes);
   }
-  // Programs first: a tick may already be the new program's.
-  for (const auto& program : noted)
-    if (outcome) outcome = writer->write(program);
+  // Scenes first: a tick may already be in the new scene.
+  for (const auto& scene : noted)
+    if (outcome) outcome = writer->write(scene);
   ticks.clear();
   while (const auto sample = loop->take_recorded()) ticks.push_back(*sample);
   if (outcome && !ticks.empty()) outcome = writer->write(ticks);
@@ -62,13 +62,13 @@ Recorder::Recorder(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) 
 
 Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                   const std::string& header_json,
-                                                  const device::RecordedProgram& program) {
+                                                  const device::RecordedScene& scene) {
   auto writer = device::RecordingWriter::create(file, header_json);
   if (!writer) return std::move(writer).error();
   auto inside = std::make_unique<Inside>();
   inside->loop = &loop;
   inside->writer = std::move(*writer);
-  inside->programs.push_back(program);
+  inside->scenes.push_back(scene);
   inside->lost_before = loop.recording_lost();
   // What an earlier recording left behind is not this one's.
   while (loop.take_recorded()) {
@@ -80,9 +80,9 @@ Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, cons
 
 Recorder::~Recorder() { static_cast<void>(finish()); }
 
-void Recorder::note(const device::RecordedProgram& program) {
+void Recorder::note(const device::RecordedScene& scene) {
   const std::lock_guard lock(inside_->mutex);
-  inside_->programs.push_back(program);
+  inside_->scenes.push_back(scene);
 }
 
 Result<void> Recorder::finish() {

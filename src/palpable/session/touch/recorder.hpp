@@ -19,14 +19,14 @@ class Recorder {
   /// Switches the loop's recording on. Errors (failed): the file cannot be created.
   static Result<std::unique_ptr<Recorder>> start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                  const std::string& header_json,
-                                                 const device::RecordedProgram& program);
+                                                 const device::RecordedScene& scene);
   /// Ends the file as finish() does, its error lost.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   /// What is touched from now on. Any thread.
-  void note(const device::RecordedProgram& program);
+  void note(const device::RecordedScene& scene);
   /// Writes what is left and ends the file. Errors met at any time come here.
   Result<void> finish();
 

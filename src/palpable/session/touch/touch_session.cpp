@@ -6,7 +6,7 @@
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/models/material/material_check.hpp"
-#include "palpable/session/touch/program.hpp"
+#include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
 #include "palpable/session/touch/scene_hash.hpp"
 
@@ -24,12 +24,10 @@ using Json = nlohmann::ordered_json;
 
 Json law_json(const haptics::LawParameters& law) {
   const auto given = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
-  return {{"law", haptics::name_of(law.law)},
-          {"stiffness", given(law.stiffness_N_per_m)},
-          {"damping_Ns_per_m", given(law.damping_Ns_per_m)},
-          {"static_friction", given(law.static_friction)},
-          {"dynamic_friction", given(law.dynamic_friction)},
-          {"radius_m", law.radius_m}};
+  Json json{{"law", haptics::name_of(law.law)}};
+  for (const haptics::LawParameter& parameter : haptics::description_of(law.law).parameters)
+    json[std::string(parameter.name)] = given(law.*parameter.value);
+  return json;
 }
 
 Json texture_json(const models::TouchTexture& texture) {
@@ -46,8 +44,8 @@ Json texture_json(const models::TouchTexture& texture) {
 struct TouchSession::Inside {
   Result<void> change(std::shared_ptr<const models::Scene> to_scene, const TouchSettings& to_settings,
                       const Transform<SceneFrame, DeviceFrame>& to_place);
-  device::RecordedProgram described(const PreparedProgram& prepared, const models::Scene& touched,
-                                    double depth) const;
+  device::RecordedScene described(const PreparedScene& prepared, const models::Scene& touched,
+                                  double depth) const;
 
   SessionOptions options;
   std::int64_t begin_ns = 0;
@@ -66,18 +64,18 @@ struct TouchSession::Inside {
   /// Of an explorer in the scene, under `changing`; nullopt in the exocentric frame.
   std::optional<Stance> stance;
   std::vector<std::string> notices;
-  device::RecordedProgram described_now;
+  device::RecordedScene described_now;
   std::uint32_t programs = 0;
   bool paused = false;
   /// Of each probe.
-  std::array<haptics::TouchSample, haptics::kMostLiveProbes> latest;
+  std::array<haptics::TouchSample, haptics::kMaxLiveProbes> latest;
   std::unique_ptr<Recorder> recorder;
 };
 
-device::RecordedProgram TouchSession::Inside::described(const PreparedProgram& prepared,
-                                                        const models::Scene& touched, double depth) const {
+device::RecordedScene TouchSession::Inside::described(const PreparedScene& prepared,
+                                                      const models::Scene& touched, double depth) const {
   Json json = law_json(prepared.law);
-  const auto& place = prepared.program.scene_from_device;
+  const auto& place = prepared.scene.scene_from_device;
   json["depth"] = depth;
   json["materials"] = Json::array();
   for (const auto& material : prepared.materials)
@@ -94,24 +92,24 @@ device::RecordedProgram TouchSession::Inside::described(const PreparedProgram& p
       {"rotation", place.rotation},
       {"translation_m", {place.translation_m.x, place.translation_m.y, place.translation_m.z}},
       {"scale", place.scale}};
-  return {prepared.program.id, json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  return {prepared.scene.id, json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
 Result<void> TouchSession::Inside::change(std::shared_ptr<const models::Scene> to_scene,
                                           const TouchSettings& to_settings,
                                           const Transform<SceneFrame, DeviceFrame>& to_place) {
   auto prepared =
-      prepare_program(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
+      prepare_scene(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
   if (!prepared) return std::move(prepared).error();
   const std::lock_guard lock(state);
-  prepared->program.id = ++programs;
+  prepared->scene.id = ++programs;
   described_now = described(*prepared, *to_scene, to_settings.depth);
   if (recorder) recorder->note(described_now);
   scene = std::move(to_scene);
   settings = to_settings;
   scene_from_device = to_place;
   notices = std::move(prepared->notices);
-  loop->change(std::move(prepared->program));
+  loop->change(std::move(prepared->scene));
   return {};
 }
 
@@ -123,7 +121,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
                                                          const std::string& device_url,
                                                          const SessionOptions& options,
                                                          std::int64_t begin_ns) {
-  PALPABLE_CHECK(scene != nullptr && options.further_probes < haptics::kMostLiveProbes);
+  PALPABLE_CHECK(scene != nullptr && options.further_probes < haptics::kMaxLiveProbes);
   auto inside = std::make_unique<Inside>();
   inside->options = options;
   inside->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
@@ -135,9 +133,9 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   if (!device) return std::move(device).error();
   const auto place = fit_workspace(*scene, (*device)->traits());
   auto prepared =
-      prepare_program(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, inside->kept);
+      prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, inside->kept);
   if (!prepared) return std::move(prepared).error();
-  prepared->program.id = ++inside->programs;
+  prepared->scene.id = ++inside->programs;
   inside->described_now = inside->described(*prepared, *scene, settings.depth);
   inside->scene = std::move(scene);
   inside->settings = settings;
@@ -147,7 +145,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   for (std::size_t probe = 1; probe < inside->pointers.size(); ++probe)
     further.push_back(
         std::make_unique<device::PointerDevice>(inside->pointers[probe], options.servo.rate_hz));
-  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->program), options.servo,
+  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->scene), options.servo,
                                         std::move(further));
   if (!loop) return std::move(loop).error();
   inside->servo_begin_ns = haptics::monotonic_ns();

@@ -26,7 +26,7 @@ struct SessionOptions {
   std::uint64_t seed = 1;
   /// Written into recordings: "shi", "park", … when a paper's parameters were chosen.
   std::string as_published;
-  /// Probes beside the hand, moved by move_pointer(); at most haptics::kMostLiveProbes - 1.
+  /// Probes beside the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
   std::size_t further_probes = 0;
 };
 

@@ -42,7 +42,7 @@ struct Span {
   double width() const { return most - least; }
 };
 
-GrooveResult rest_in(const haptics::Program& program, const GrooveStudyOptions& options) {
+GrooveResult rest_in(const haptics::HapticScene& scene, const GrooveStudyOptions& options) {
   device::HandOptions described = options.hand;
   described.rate_hz = options.rate_hz;
   described.explorer.script = device::ExplorerOptions::Script::hold;
@@ -51,7 +51,7 @@ GrooveResult rest_in(const haptics::Program& program, const GrooveStudyOptions& 
   free.passivity = haptics::Passivity::observe;
   free.max_force_rate_N_per_s = 1e9;
   Ring<haptics::TouchEvent> events(64);
-  haptics::Tick tick(hand, program, free, events);
+  haptics::TickPipeline tick(hand, scene, free, events);
   hand.place({options.beside_m, 0.0, options.slope * options.beside_m + 0.001});
   hand.set_goal({options.beside_m, 0.0, -options.deep_m});
 
@@ -101,7 +101,7 @@ Result<std::vector<GrooveResult>> study_groove(const GrooveStudyOptions& options
       parameters.damping_Ns_per_m = options.damping_Ns_per_m;
       parameters.static_friction = options.friction;
       // As the papers' naive laws point: along the surface's normal.
-      parameters.penalty = haptics::PenaltyDirection::normal;
+      parameters.force_shading = 1.0;
       const auto touchable = haptics::make_touchable(*scene, parameters);
       if (!touchable) return touchable.error();
       results.push_back(rest_in({*touchable, {}, 1}, options));

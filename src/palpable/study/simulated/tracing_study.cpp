@@ -56,7 +56,7 @@ class Desk {
     last_m_ = felt.position.v;
     force_N_ = {};
     if (assists_) {
-      force_N_ = law_.feel(felt, state_).force_N.v;
+      force_N_ = law_.evaluate(felt, state_).force_N.v;
       outcome.tank_least_J = std::min(outcome.tank_least_J, haptics::TracingLaw::kTank_J - state_.spent_J);
       if (state_.last_fx_N != 0.0 || state_.last_fy_N != 0.0)
         outcome.fastest_pushed_m_per_s = std::max(outcome.fastest_pushed_m_per_s, speed());

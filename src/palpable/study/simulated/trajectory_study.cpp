@@ -114,20 +114,20 @@ bool runs_through(const models::Relief& surface, Vec3 from, Vec3 to) {
 
 struct Moment {
   Vec3 hand_m;
-  haptics::Feel feel;
+  haptics::LawOutput output;
 };
 
 /// The rule of the force's steps.
 void judge_step(const Moment& before, const Moment& now, const TrajectoryStudyOptions& options,
                 LargeStep step, Vec3& written_N, TrajectoryFindings& findings) {
   step.hand_moved_m = norm(now.hand_m - before.hand_m);
-  step.proxy_moved_m = norm(now.feel.proxy.v - before.feel.proxy.v);
-  step.force_step_N = norm(now.feel.force_N - before.feel.force_N);
+  step.proxy_moved_m = norm(now.output.proxy.v - before.output.proxy.v);
+  step.force_step_N = norm(now.output.force_N - before.output.force_N);
   const double k = 1.05 * options.stiffness_N_per_m;
   const bool beyond = step.force_step_N > k * step.hand_moved_m + kTolerance_N;
   const Vec3 last_N = std::exchange(
       written_N,
-      haptics::cap_rise(now.feel.force_N.v, written_N, options.max_force_rate_N_per_s * kTick_s).force_N);
+      haptics::cap_rise(now.output.force_N.v, written_N, options.max_force_rate_N_per_s * kTick_s).force_N);
   if (step.proxy_moved_m <= 2.0 * step.hand_moved_m) {
     findings.beyond_the_hand += beyond ? 1 : 0;
     findings.kicked +=
@@ -199,7 +199,7 @@ Result<Variant> variant_of(int ground, const TrajectoryStudyOptions& options, st
   haptics::DilatedRelief dilated;
   auto touchable = haptics::make_touchable(scene, p, &dilated);
   if (!touchable) return touchable.error();
-  if (p.radius_m > 0.0) return Variant{dilated.surface, *touchable};
+  if (*p.radius_m > 0.0) return Variant{dilated.surface, *touchable};
   return Variant{*relief, *touchable};
 }
 
@@ -245,16 +245,16 @@ TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const 
     now.position = {hand.place()};
     now.velocity_m_per_s = {hand.velocity()};
     now.dt_s = kTick_s;
-    const Moment tick{hand.place(), touchable.feel(now, state)};
-    const Vec3 proxy = tick.feel.proxy.v;
+    const Moment tick{hand.place(), touchable.evaluate(now, state)};
+    const Vec3 proxy = tick.output.proxy.v;
     const bool under = tick.hand_m.z < surface.sample(tick.hand_m.x, tick.hand_m.y).z_m;
     findings.under += under ? 1 : 0;
-    findings.let_through += under && !(tick.feel.contact && norm(tick.feel.force_N) > 0.0) ? 1 : 0;
-    findings.not_finite += is_finite(tick.feel.force_N) && is_finite(tick.feel.proxy) ? 0 : 1;
+    findings.let_through += under && !(tick.output.contact && norm(tick.output.force_N) > 0.0) ? 1 : 0;
+    findings.not_finite += is_finite(tick.output.force_N) && is_finite(tick.output.proxy) ? 0 : 1;
     findings.sunk += proxy.z - surface.sample(proxy.x, proxy.y).z_m < -1e-9 ? 1 : 0;
-    findings.pulled += dot(proxy - tick.hand_m, tick.feel.force_N.v) < -1e-9 ? 1 : 0;
+    findings.pulled += dot(proxy - tick.hand_m, tick.output.force_N.v) < -1e-9 ? 1 : 0;
     if (k > 0) {
-      findings.jumped_through += runs_through(surface, before.feel.proxy.v, proxy) ? 1 : 0;
+      findings.jumped_through += runs_through(surface, before.output.proxy.v, proxy) ? 1 : 0;
       judge_step(before, tick, options, {0, k, tick.hand_m, 0.0, 0.0, 0.0}, written_N, findings);
     }
     before = tick;

@@ -56,14 +56,14 @@ TEST(TrajectoryStudy, IsTheSameOnAnyNumberOfThreads) {
 class FallsThroughWalls final : public haptics::Touchable {
  public:
   explicit FallsThroughWalls(std::shared_ptr<const models::Relief> relief) : relief_(std::move(relief)) {}
-  haptics::Feel feel(const haptics::Hand& hand, haptics::TouchState&) const noexcept override {
-    haptics::Feel feel;
-    feel.has_proxy = true;
+  haptics::LawOutput evaluate(const haptics::Hand& hand, haptics::TouchState&) const noexcept override {
+    haptics::LawOutput output;
+    output.has_proxy = true;
     const Vec3 p = hand.position.v;
-    feel.proxy = {{p.x, p.y, std::max(p.z, relief_->sample(p.x, p.y).z_m)}};
-    feel.contact = feel.proxy.v.z > p.z && feel.proxy.v.z - p.z < 0.002;
-    if (feel.contact) feel.force_N = {500.0 * (feel.proxy.v - p)};
-    return feel;
+    output.proxy = {{p.x, p.y, std::max(p.z, relief_->sample(p.x, p.y).z_m)}};
+    output.contact = output.proxy.v.z > p.z && output.proxy.v.z - p.z < 0.002;
+    if (output.contact) output.force_N = {500.0 * (output.proxy.v - p)};
+    return output;
   }
   std::uint64_t state_family() const noexcept override { return 1; }
   double damping_Ns_per_m() const noexcept override { return 0.0; }

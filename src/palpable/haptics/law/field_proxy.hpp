@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/haptics/law/material_map.hpp"
-#include "palpable/haptics/law/penalty.hpp"
+#include "palpable/haptics/law/contact_law.hpp"
 #include "palpable/haptics/law/surface_proxy.hpp"
 #include "palpable/haptics/law/texture_touch.hpp"
-#include "palpable/haptics/law/touchable.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 
 #include <algorithm>
@@ -16,54 +14,6 @@
 #include <utility>
 
 namespace palpable::haptics {
-
-/// `penalty` on a solid: f = -k min(D, 0) grad D, the exact gradient of k D^2 / 2 (Moustakas et al. 2007,
-/// sign corrected), so without damping it makes no energy; and a damper along the normal that never pulls.
-/// Shaded, the gradient's length is left out (force shading): nearly the same on an exact field, and not
-/// conservative. It pushes to the nearest surface, so it pops through thin walls: `proxy` does not. A ball of
-/// radius r is a point in the field minus r.
-template <models::DistanceSurface Surface>
-class FieldPenaltyLaw {
- public:
-  struct State {};
-
-  FieldPenaltyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double radius_m, bool shaded)
-      : surface_(std::move(surface)),
-        materials_(std::move(materials)),
-        radius_m_(radius_m),
-        shaded_(shaded) {}
-
-  Feel feel(const Hand& hand, State&) const noexcept {
-    const Vec3 p = hand.position.v;
-    const models::FieldSample s = surface_->sample(p);
-    Feel feel;
-    feel.label = materials_.label_at(p.x, p.y);
-    feel.stored_J = 0.0;
-    const double depth = radius_m_ - s.distance_m;
-    feel.contact = depth > 0.0;
-    if (!feel.contact) return feel;
-    const Contact& contact = materials_.contact(feel.label);
-    feel.stored_J = 0.5 * contact.stiffness_N_per_m * depth * depth;
-    const double length = norm(s.gradient);
-    if (!(length > 0.0)) return feel;
-    const Vec3 outward = s.gradient / length;
-    feel.spring_N.v = contact.stiffness_N_per_m * depth * outward;
-    const double spring = contact.stiffness_N_per_m * depth * (shaded_ ? 1.0 : length);
-    const double damper = contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, outward);
-    feel.force_N.v = std::max(0.0, spring - damper) * outward;
-    return feel;
-  }
-
-  const Surface& surface() const noexcept { return *surface_; }
-  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
-  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
-
- private:
-  std::shared_ptr<const Surface> surface_;
-  MaterialMap materials_;
-  double radius_m_;
-  bool shaded_;
-};
 
 /// A point that follows the hand and never enters a solid. All zero = a new touch.
 struct FieldProxy {
@@ -85,7 +35,7 @@ struct FieldProxy {
 /// the hand's own way, and each must bring it nearer to the hand; free, it walks by the distance itself: it
 /// never jumps to the far side of a thin wall.
 template <models::DistanceSurface Surface>
-class FieldProxyLaw {
+class FieldProxyLaw : public ContactLaw<Surface> {
  public:
   struct State {
     FieldProxy proxy;
@@ -94,63 +44,59 @@ class FieldProxyLaw {
 
   FieldProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double radius_m,
                 Textures textures = Textures({}))
-      : surface_(std::move(surface)),
-        materials_(std::move(materials)),
+      : ContactLaw<Surface>(std::move(surface), std::move(materials)),
         radius_m_(radius_m),
         textures_(std::move(textures)) {}
 
-  Feel feel(const Hand& hand, State& state) const noexcept {
+  LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     FieldProxy& proxy = state.proxy;
     // What is felt is what the proxy touches, wherever the hand has gone under the surface.
     const Vec3 from = proxy.phase == FieldProxy::Phase::fresh ? hand.position.v : proxy.place_m;
-    const Contact& under = materials_.contact(materials_.label_at(from.x, from.y));
+    const Contact& under = materials().contact(materials().label_at(from.x, from.y));
     follow(hand.position.v, {under.static_friction, under.dynamic_friction}, proxy);
-    Feel feel;
-    feel.has_proxy = true;
-    feel.proxy.v = proxy.place_m;
-    feel.label = materials_.label_at(proxy.place_m.x, proxy.place_m.y);
-    feel.contact = proxy.phase == FieldProxy::Phase::touching;
-    feel.stored_J = 0.0;
-    if (!feel.contact) {
+    LawOutput output;
+    output.has_proxy = true;
+    output.proxy.v = proxy.place_m;
+    output.label = materials().label_at(proxy.place_m.x, proxy.place_m.y);
+    output.contact = proxy.phase == FieldProxy::Phase::touching;
+    output.stored_J = 0.0;
+    if (!output.contact) {
       state.texture.share = 0.0;
-      return feel;
+      return output;
     }
-    const Contact& contact = materials_.contact(feel.label);
+    const Contact& contact = materials().contact(output.label);
     const Vec3 stretch = proxy.place_m - hand.position.v;
-    feel.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
-    feel.spring_N.v = contact.stiffness_N_per_m * stretch;
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
+    output.spring_N.v = contact.stiffness_N_per_m * stretch;
     const double damper = contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, proxy.normal);
     const double spring = contact.stiffness_N_per_m * dot(stretch, proxy.normal);
     // The damper may take all of the push along the normal, and never pulls.
-    feel.force_N.v =
+    output.force_N.v =
         contact.stiffness_N_per_m * stretch - std::min(damper, std::max(spring, 0.0)) * proxy.normal;
     if (textures_.any())
-      add_texture(hand, textures_.of(feel.label),
+      add_texture(hand, textures_.of(output.label),
                   {proxy.place_m, proxy.normal, dot(stretch, proxy.normal), contact.stiffness_N_per_m},
-                  on_solid, state.texture, feel);
-    return feel;
+                  on_solid, state.texture, output);
+    return output;
   }
 
-  const Surface& surface() const noexcept { return *surface_; }
-  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
-  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
-
  private:
-  static constexpr int kMostLooks = 3;
+  using ContactLaw<Surface>::materials;
+  static constexpr int kMaxEvaluations = 3;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
-  models::FieldSample look(Vec3 place_m) const noexcept {
-    models::FieldSample s = surface_->sample(place_m);
+  models::FieldSample sample(Vec3 place_m) const noexcept {
+    models::FieldSample s = this->surface().sample(place_m);
     s.distance_m -= radius_m_;
     return s;
   }
 
   /// From a place near the surface onto it, along the gradient (Newton's method).
-  bool settle(Vec3& place_m, Vec3& normal, int& looks) const noexcept {
-    while (looks > 0) {
-      --looks;
-      const models::FieldSample s = look(place_m);
+  bool settle(Vec3& place_m, Vec3& normal, int& evaluations) const noexcept {
+    while (evaluations > 0) {
+      --evaluations;
+      const models::FieldSample s = sample(place_m);
       const double length2 = squared_norm(s.gradient);
       if (!(length2 > 0.01)) return false;
       place_m -= (s.distance_m / length2) * s.gradient;
@@ -165,30 +111,30 @@ class FieldProxyLaw {
       // A hand that begins inside is taken to the nearest surface, once.
       proxy.place_m = hand_m;
       proxy.hand_m = hand_m;
-      const models::FieldSample s = look(hand_m);
+      const models::FieldSample s = sample(hand_m);
       proxy.phase = FieldProxy::Phase::free;
       if (s.distance_m < 0.0) {
-        int looks = 4 * kMostLooks;
-        if (settle(proxy.place_m, proxy.normal, looks)) proxy.phase = FieldProxy::Phase::touching;
+        int evaluations = 4 * kMaxEvaluations;
+        if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
       }
     }
-    const double longest_m = std::max(surface_->cell_m(), 0.5 * norm(hand_m - proxy.hand_m));
+    const double longest_m = std::max(this->surface().cell_m(), 0.5 * norm(hand_m - proxy.hand_m));
     proxy.hand_m = hand_m;
-    int looks = kMostLooks;
-    while (looks > 0) {
-      if (proxy.phase == FieldProxy::Phase::free && !fly(hand_m, proxy, looks)) return;
-      if (looks <= 0 || slide(hand_m, longest_m, friction, proxy, looks)) return;
+    int evaluations = kMaxEvaluations;
+    while (evaluations > 0) {
+      if (proxy.phase == FieldProxy::Phase::free && !fly(hand_m, proxy, evaluations)) return;
+      if (evaluations <= 0 || slide(hand_m, longest_m, friction, proxy, evaluations)) return;
       proxy.phase = FieldProxy::Phase::free;
     }
   }
 
   /// Walks to the hand by the distance to the surface; true if it meets the surface.
-  bool fly(Vec3 hand_m, FieldProxy& proxy, int& looks) const noexcept {
-    while (looks > 0) {
-      --looks;
+  bool fly(Vec3 hand_m, FieldProxy& proxy, int& evaluations) const noexcept {
+    while (evaluations > 0) {
+      --evaluations;
       const Vec3 way = hand_m - proxy.place_m;
       const double left_m = norm(way);
-      const models::FieldSample s = look(proxy.place_m);
+      const models::FieldSample s = sample(proxy.place_m);
       if (left_m <= s.distance_m) {
         proxy.place_m = hand_m;
         return false;
@@ -200,8 +146,8 @@ class FieldProxyLaw {
       }
       if (dot(s.gradient, way) >= 0.0 && s.distance_m >= -kTolerance_m) {
         // Off the surface: a short step on the free side, where the distance will say how far more.
-        proxy.place_m += std::min(1.0, 0.25 * surface_->cell_m() / left_m) * way;
-        if (look(proxy.place_m).distance_m >= 0.0) continue;
+        proxy.place_m += std::min(1.0, 0.25 * this->surface().cell_m() / left_m) * way;
+        if (sample(proxy.place_m).distance_m >= 0.0) continue;
       }
       proxy.normal = unit(s.gradient);
       proxy.place_m -= s.distance_m * proxy.normal;
@@ -213,11 +159,12 @@ class FieldProxyLaw {
   }
 
   /// Along the surface towards the hand; false if the hand stands on the free side.
-  bool slide(Vec3 hand_m, double longest_m, Friction friction, FieldProxy& proxy, int& looks) const noexcept {
+  bool slide(Vec3 hand_m, double longest_m, Friction friction, FieldProxy& proxy,
+             int& evaluations) const noexcept {
     double share = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     bool moved = false;
     const double coefficient = proxy.slipping ? friction.sliding : friction.at_rest;
-    while (looks > 0) {
+    while (evaluations > 0) {
       const Vec3 d = hand_m - proxy.place_m;
       const double lifted = dot(d, proxy.normal);
       if (lifted > 0.0) return false;
@@ -228,10 +175,10 @@ class FieldProxyLaw {
       const double step_m = std::min(share * (along_m - held_m), share * longest_m);
       Vec3 next = proxy.place_m + (step_m / along_m) * along;
       Vec3 normal = proxy.normal;
-      int one = std::min(looks, 3);
-      looks -= one;
+      int one = std::min(evaluations, 3);
+      evaluations -= one;
       const bool settled = settle(next, normal, one);
-      looks += one;
+      evaluations += one;
       if (!settled || squared_norm(hand_m - next) >= squared_norm(d)) {
         share *= 0.25;
         if (step_m < kTolerance_m) {
@@ -250,8 +197,6 @@ class FieldProxyLaw {
     return true;
   }
 
-  std::shared_ptr<const Surface> surface_;
-  MaterialMap materials_;
   double radius_m_;
   Textures textures_;
 };

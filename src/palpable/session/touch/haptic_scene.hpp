@@ -15,8 +15,8 @@
 namespace palpable::session {
 
 /// What the servo renders, and how it came to differ from what was asked for.
-struct PreparedProgram {
-  haptics::Program program;
+struct PreparedScene {
+  haptics::HapticScene scene;
   /// The law that is really in use. Its stiffness and damping are in the materials below.
   haptics::LawParameters law;
   /// As the law feels them: what was asked for, lowered to what the device can render.
@@ -44,9 +44,9 @@ struct KeptSurfaces {
 /// Law on scene for a device, its walls no stiffer than the device can render at that rate
 /// (haptics/safety/stability.hpp). A change of parameters alone finds its surface in `kept`. Errors: as
 /// make_touchable() and with_depth().
-Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
-                                        const device::Traits& device, double rate_hz,
-                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device,
-                                        KeptSurfaces& kept);
+Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSettings& settings,
+                                    const device::Traits& device, double rate_hz,
+                                    const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                    KeptSurfaces& kept);
 
 }  // namespace palpable::session

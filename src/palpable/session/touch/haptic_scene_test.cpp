@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/touch/program.hpp"
+#include "palpable/session/touch/haptic_scene.hpp"
 
 #include "palpable/device/drivers/open.hpp"
 
@@ -27,31 +27,30 @@ models::Scene wave() {
   return scene;
 }
 
-class Program : public testing::Test {
+class PreparingAScene : public testing::Test {
  protected:
   void SetUp() override {
     auto device = device::open_device("sim:", {});
     ASSERT_TRUE(device);
     traits_ = (*device)->traits();
   }
-  PreparedProgram prepare(const TouchSettings& settings, KeptSurfaces& kept) const {
-    auto prepared =
-        prepare_program(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept);
+  PreparedScene prepare(const TouchSettings& settings, KeptSurfaces& kept) const {
+    auto prepared = prepare_scene(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept);
     EXPECT_TRUE(prepared);
-    return prepared ? std::move(*prepared) : PreparedProgram{};
+    return prepared ? std::move(*prepared) : PreparedScene{};
   }
-  Vec3 force(const PreparedProgram& prepared, Vec3 at_m) const {
+  Vec3 force(const PreparedScene& prepared, Vec3 at_m) const {
     haptics::TouchState state;
     haptics::Hand hand;
     hand.position.v = at_m;
-    return prepared.program.touchable->feel(hand, state).force_N.v;
+    return prepared.scene.touchable->evaluate(hand, state).force_N.v;
   }
 
   models::Scene scene_ = wave();
   device::Traits traits_;
 };
 
-TEST_F(Program, MakesItsSurfaceOnceWhileOnlyParametersChange) {
+TEST_F(PreparingAScene, MakesItsSurfaceOnceWhileOnlyParametersChange) {
   KeptSurfaces kept;
   TouchSettings settings;
   settings.law.radius_m = 0.002;
@@ -64,10 +63,10 @@ TEST_F(Program, MakesItsSurfaceOnceWhileOnlyParametersChange) {
   const auto softer = prepare(settings, kept);
   EXPECT_EQ(kept.deep, deep);
   EXPECT_EQ(kept.dilated.surface, dilated);
-  EXPECT_EQ(softer.program.touchable->state_family(), first.program.touchable->state_family());
+  EXPECT_EQ(softer.scene.touchable->state_family(), first.scene.touchable->state_family());
 }
 
-TEST_F(Program, NeverAnswersWithASurfaceKeptOfSomethingElse) {
+TEST_F(PreparingAScene, NeverAnswersWithASurfaceKeptOfSomethingElse) {
   KeptSurfaces kept;
   const Vec3 under{0.0073, 0.0041, 0.002};
   for (const double radius_m : {0.001, 0.003})
@@ -87,7 +86,7 @@ TEST_F(Program, NeverAnswersWithASurfaceKeptOfSomethingElse) {
   EXPECT_EQ(kept.of, models::relief_of(scene_));
 }
 
-TEST_F(Program, GivesADeviceThatMovesInThePlaneTheRollingLawAndSaysSo) {
+TEST_F(PreparingAScene, GivesADeviceThatMovesInThePlaneTheRollingLawAndSaysSo) {
   traits_.degrees_of_freedom = 2;
   KeptSurfaces kept;
   const auto prepared = prepare({}, kept);
@@ -96,7 +95,7 @@ TEST_F(Program, GivesADeviceThatMovesInThePlaneTheRollingLawAndSaysSo) {
   EXPECT_NE(prepared.notices.front().find("rolling"), std::string::npos);
 }
 
-TEST_F(Program, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {
+TEST_F(PreparingAScene, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {
   TouchSettings settings;
   settings.law.stiffness_N_per_m = 1e5;
   KeptSurfaces kept;
@@ -106,11 +105,11 @@ TEST_F(Program, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {
   EXPECT_NE(prepared.notices.front().find("lowered"), std::string::npos);
 }
 
-TEST_F(Program, RefusesADepthThatIsNone) {
+TEST_F(PreparingAScene, RefusesADepthThatIsNone) {
   TouchSettings settings;
   settings.depth = std::nan("");
   KeptSurfaces kept;
-  EXPECT_FALSE(prepare_program(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept));
+  EXPECT_FALSE(prepare_scene(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept));
 }
 
 }  // namespace

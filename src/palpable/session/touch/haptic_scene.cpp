@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/touch/program.hpp"
+#include "palpable/session/touch/haptic_scene.hpp"
 
 #include "palpable/haptics/law/texture.hpp"
 #include "palpable/haptics/safety/stability.hpp"
@@ -45,23 +45,17 @@ Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
 
 namespace {
 
-/// Whether the law is a spring against the materials of a surface.
-bool is_wall(haptics::Law law) {
-  return law == haptics::Law::proxy || law == haptics::Law::penalty || law == haptics::Law::averaged ||
-         law == haptics::Law::groove;
-}
-
 /// Leaves out textures that this loop and device cannot carry, and says so of those and of lowered ones.
 void make_carried(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
-                  PreparedProgram& prepared) {
-  if (prepared.law.law != haptics::Law::proxy && prepared.law.law != haptics::Law::groove) return;
+                  PreparedScene& prepared) {
+  if (!haptics::description_of(prepared.law.law).renders_textures) return;
   const double step_m =
       std::isfinite(device.position_resolution_m) ? device.position_resolution_m * scale : 0.0;
-  const double finest_m = haptics::finest_pitch_m(rate_hz, step_m);
+  const double finest_m = haptics::min_pitch_m(rate_hz, step_m);
   for (auto& material : scene.materials) {
     auto& texture = material.texture;
     if (texture.kind == models::TouchTexture::Kind::none) continue;
-    const double most_m = haptics::most_height_m(texture.pitch_m);
+    const double most_m = haptics::max_texture_height_m(texture.pitch_m);
     if (texture.pitch_m < finest_m) {
       prepared.notices.push_back(fmt::format(
           "The texture of {} was left out: its forms stand {:.2g} mm apart, and this loop and device "
@@ -80,9 +74,9 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
 
 /// Lowers what the person or the materials ask for to what the device can render without making energy.
 void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
-               PreparedProgram& prepared) {
+               PreparedScene& prepared) {
   auto& law = prepared.law;
-  if (!is_wall(law.law)) return;
+  if (!haptics::description_of(law.law).is_contact) return;
   std::string lowered;
   for (auto& material : scene.materials) {
     const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
@@ -99,6 +93,21 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
   law.stiffness_N_per_m.reset();
   law.damping_Ns_per_m.reset();
   if (!lowered.empty()) prepared.notices.push_back(std::move(lowered));
+}
+
+/// The damping that was set for one law is not meant for another.
+void replace_law(haptics::LawParameters& parameters, haptics::Law law) {
+  parameters.law = law;
+  parameters.damping_Ns_per_m.reset();
+}
+
+/// Of the scene's laws the one that is passive and needs two axes only.
+haptics::Law passive_planar_law(const std::vector<haptics::Law>& laws) {
+  const auto found = std::find_if(laws.begin(), laws.end(), [](haptics::Law law) {
+    const auto& description = haptics::description_of(law);
+    return description.degrees_of_freedom == 2 && description.conservative;
+  });
+  return found != laws.end() ? *found : laws.front();
 }
 
 Result<models::Scene> with_kept_depth(const models::Scene& scene, double depth, KeptSurfaces& kept) {
@@ -118,30 +127,25 @@ Result<models::Scene> with_kept_depth(const models::Scene& scene, double depth, 
 
 }  // namespace
 
-Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchSettings& settings,
-                                        const device::Traits& device, double rate_hz,
-                                        const Transform<SceneFrame, DeviceFrame>& scene_from_device,
-                                        KeptSurfaces& kept) {
-  PreparedProgram prepared;
+Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSettings& settings,
+                                    const device::Traits& device, double rate_hz,
+                                    const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                    KeptSurfaces& kept) {
+  PreparedScene prepared;
   prepared.law = settings.law;
   const auto laws = haptics::laws_for(scene);
   if (std::find(laws.begin(), laws.end(), prepared.law.law) == laws.end()) {
     prepared.notices.push_back("There is no law " + std::string(haptics::name_of(prepared.law.law)) +
                                " for " + models::kind_of(scene.model) + ", so the law is " +
                                std::string(haptics::name_of(laws.front())) + ".");
-    prepared.law.law = laws.front();
-    // A stiffness in N/m means nothing to a law that takes newtons.
-    prepared.law.stiffness_N_per_m.reset();
-    prepared.law.damping_Ns_per_m.reset();
+    replace_law(prepared.law, laws.front());
   }
-  if (device.degrees_of_freedom < 3 && prepared.law.law != haptics::Law::tracing &&
-      prepared.law.law != haptics::Law::rolling && prepared.law.law != haptics::Law::sobel) {
-    prepared.notices.push_back("The device moves in the plane only, so the law is rolling instead of " +
+  if (device.degrees_of_freedom < haptics::description_of(prepared.law.law).degrees_of_freedom) {
+    const haptics::Law planar = passive_planar_law(laws);
+    prepared.notices.push_back("The device moves in the plane only, so the law is " +
+                               std::string(haptics::name_of(planar)) + " instead of " +
                                std::string(haptics::name_of(prepared.law.law)) + ".");
-    prepared.law.law = haptics::Law::rolling;
-    // A contact stiffness in N/m means nothing to a weight on a slope.
-    prepared.law.stiffness_N_per_m.reset();
-    prepared.law.damping_Ns_per_m.reset();
+    replace_law(prepared.law, planar);
   }
   auto deep = with_kept_depth(scene, settings.depth, kept);
   if (!deep) return std::move(deep).error();
@@ -150,8 +154,8 @@ Result<PreparedProgram> prepare_program(const models::Scene& scene, const TouchS
   prepared.materials = deep->materials;
   auto touchable = haptics::make_touchable(*deep, prepared.law, &kept.dilated);
   if (!touchable) return std::move(touchable).error();
-  prepared.program.touchable = std::move(*touchable);
-  prepared.program.scene_from_device = scene_from_device;
+  prepared.scene.touchable = std::move(*touchable);
+  prepared.scene.scene_from_device = scene_from_device;
   return prepared;
 }
 

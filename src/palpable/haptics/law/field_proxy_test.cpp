@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/law/field_laws.hpp"
+#include "palpable/haptics/law/field_proxy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +41,12 @@ Hand hand_at(Vec3 p) { return {{p}, {}, 0.001}; }
 TEST(FieldProxyLaw, NeverPopsThroughAThinWall) {
   const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0);
   FieldProxyLaw<Wall>::State state;
-  Feel feel;
-  for (int i = 0; i <= 1000; ++i) feel = law.feel(hand_at({0.0, 0.0, 0.005 - i * 2e-5}), state);
+  LawOutput output;
+  for (int i = 0; i <= 1000; ++i) output = law.evaluate(hand_at({0.0, 0.0, 0.005 - i * 2e-5}), state);
   // The hand is 14 mm beyond the wall's far side, and still pushed back where it came from.
-  EXPECT_TRUE(feel.contact);
-  EXPECT_NEAR(feel.proxy.v.z, 0.001, 1e-6);
-  EXPECT_NEAR(feel.force_N.v.z, 16.0, 0.01);
+  EXPECT_TRUE(output.contact);
+  EXPECT_NEAR(output.proxy.v.z, 0.001, 1e-6);
+  EXPECT_NEAR(output.force_N.v.z, 16.0, 0.01);
 }
 
 TEST(FieldProxyLaw, FeelsTheMaterialUnderTheProxyNotUnderTheHand) {
@@ -58,62 +58,62 @@ TEST(FieldProxyLaw, FeelsTheMaterialUnderTheProxyNotUnderTheHand) {
   const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), MaterialMap(contacts, halves, 0.04, 0.04),
                                 0.0);
   FieldProxyLaw<Wall>::State state;
-  law.feel(hand_at({-0.0005, 0.0, 0.003}), state);
-  law.feel(hand_at({-0.0005, 0.0, 0.0005}), state);
+  law.evaluate(hand_at({-0.0005, 0.0, 0.003}), state);
+  law.evaluate(hand_at({-0.0005, 0.0, 0.0005}), state);
   // The left half sticks: the hand slips over the border inside the wall, the proxy stays.
-  const Feel feel = law.feel(hand_at({0.0005, 0.0, 0.0005}), state);
-  EXPECT_EQ(feel.label, 0);
-  EXPECT_NEAR(feel.proxy.v.x, -0.0005, 1e-6);
-  EXPECT_NEAR(feel.force_N.v.x, -1.0, 1e-3);
+  const LawOutput output = law.evaluate(hand_at({0.0005, 0.0, 0.0005}), state);
+  EXPECT_EQ(output.label, 0);
+  EXPECT_NEAR(output.proxy.v.x, -0.0005, 1e-6);
+  EXPECT_NEAR(output.force_N.v.x, -1.0, 1e-3);
 }
 
 TEST(FieldProxyLaw, KeepsAFastHandOnItsSide) {
   const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0);
   FieldProxyLaw<Wall>::State state;
-  law.feel(hand_at({0.0, 0.0, 0.003}), state);
-  Feel feel;
-  for (int i = 0; i < 4; ++i) feel = law.feel(hand_at({0.0, 0.0, -0.002}), state);
-  EXPECT_TRUE(feel.contact);
-  EXPECT_GT(feel.force_N.v.z, 2.9);
+  law.evaluate(hand_at({0.0, 0.0, 0.003}), state);
+  LawOutput output;
+  for (int i = 0; i < 4; ++i) output = law.evaluate(hand_at({0.0, 0.0, -0.002}), state);
+  EXPECT_TRUE(output.contact);
+  EXPECT_GT(output.force_N.v.z, 2.9);
 }
 
 TEST(FieldProxyLaw, SlidesRoundABallWithoutFriction) {
   const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.0);
   FieldProxyLaw<Ball>::State state;
-  Feel feel;
+  LawOutput output;
   Vec3 hand;
-  law.feel(hand_at({0.0, 0.0, 0.021}), state);
+  law.evaluate(hand_at({0.0, 0.0, 0.021}), state);
   for (int i = 0; i <= 2000; ++i) {
     const double angle = std::numbers::pi / 2000.0 * i;
     hand = 0.0195 * Vec3{std::sin(angle), 0.0, std::cos(angle)};
-    feel = law.feel(hand_at(hand), state);
-    ASSERT_TRUE(feel.contact);
-    ASSERT_NEAR(norm(feel.force_N), 0.5, 0.01);
+    output = law.evaluate(hand_at(hand), state);
+    ASSERT_TRUE(output.contact);
+    ASSERT_NEAR(norm(output.force_N), 0.5, 0.01);
   }
-  EXPECT_GT(dot(unit(feel.force_N.v), unit(hand)), 0.999);
+  EXPECT_GT(dot(unit(output.force_N.v), unit(hand)), 0.999);
 }
 
 TEST(FieldProxyLaw, SticksWithinTheFrictionCone) {
   const FieldProxyLaw<Wall> law(std::make_shared<const Wall>(), material(0.5), 0.0);
   FieldProxyLaw<Wall>::State state;
-  law.feel(hand_at({0.0, 0.0, 0.0015}), state);
-  law.feel(hand_at({0.0, 0.0, 0.0}), state);
-  const Feel held = law.feel(hand_at({0.0004, 0.0, 0.0}), state);
+  law.evaluate(hand_at({0.0, 0.0, 0.0015}), state);
+  law.evaluate(hand_at({0.0, 0.0, 0.0}), state);
+  const LawOutput held = law.evaluate(hand_at({0.0004, 0.0, 0.0}), state);
   EXPECT_NEAR(held.proxy.v.x, 0.0, 1e-6);
   EXPECT_NEAR(held.force_N.v.x, -0.4, 1e-3);
-  Feel slid;
-  for (int i = 0; i < 200; ++i) slid = law.feel(hand_at({0.004, 0.0, 0.0}), state);
+  LawOutput slid;
+  for (int i = 0; i < 200; ++i) slid = law.evaluate(hand_at({0.004, 0.0, 0.0}), state);
   EXPECT_NEAR(slid.force_N.v.x, -0.5, 0.01);
 }
 
 TEST(FieldProxyLaw, LetsGoOfAHandThatLeaves) {
   const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.3), 0.0);
   FieldProxyLaw<Ball>::State state;
-  for (const double z : {0.022, 0.0195, 0.019, 0.0201, 0.021}) law.feel(hand_at({0.0, 0.0, z}), state);
-  const Feel feel = law.feel(hand_at({0.0, 0.0, 0.0215}), state);
-  EXPECT_FALSE(feel.contact);
-  EXPECT_EQ(feel.force_N.v, Vec3{});
-  EXPECT_NEAR(feel.proxy.v.z, 0.0215, 1e-9);
+  for (const double z : {0.022, 0.0195, 0.019, 0.0201, 0.021}) law.evaluate(hand_at({0.0, 0.0, z}), state);
+  const LawOutput output = law.evaluate(hand_at({0.0, 0.0, 0.0215}), state);
+  EXPECT_FALSE(output.contact);
+  EXPECT_EQ(output.force_N.v, Vec3{});
+  EXPECT_NEAR(output.proxy.v.z, 0.0215, 1e-9);
 }
 
 TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
@@ -125,9 +125,9 @@ TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
   for (int i = 1; i <= kSteps; ++i) {
     const double t = 2.0 * std::numbers::pi * i / kSteps;
     const Vec3 p{0.001 * std::sin(t), 0.0005 * std::sin(2.0 * t), 0.0009 * std::cos(t)};
-    const Feel feel = law.feel(hand_at(0.5 * (p + last)), state);
-    work_J += dot(feel.force_N.v, p - last);
-    swing_J = std::max(swing_J, feel.stored_J);
+    const LawOutput output = law.evaluate(hand_at(0.5 * (p + last)), state);
+    work_J += dot(output.force_N.v, p - last);
+    swing_J = std::max(swing_J, output.stored_J);
     last = p;
   }
   EXPECT_GT(swing_J, 1e-4);
@@ -137,8 +137,8 @@ TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
 TEST(FieldPenaltyLaw, FeelsABallOfItsRadiusEarlier) {
   const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.001, false);
   FieldPenaltyLaw<Ball>::State state;
-  EXPECT_FALSE(law.feel(hand_at({0.0211, 0.0, 0.0}), state).contact);
-  EXPECT_NEAR(law.feel(hand_at({0.0206, 0.0, 0.0}), state).force_N.v.x, 0.4, 1e-9);
+  EXPECT_FALSE(law.evaluate(hand_at({0.0211, 0.0, 0.0}), state).contact);
+  EXPECT_NEAR(law.evaluate(hand_at({0.0206, 0.0, 0.0}), state).force_N.v.x, 0.4, 1e-9);
 }
 
 TEST(FieldPenaltyLaw, NeverPulls) {
@@ -146,7 +146,7 @@ TEST(FieldPenaltyLaw, NeverPulls) {
   FieldPenaltyLaw<Ball>::State state;
   Hand leaving = hand_at({0.0199, 0.0, 0.0});
   leaving.velocity_m_per_s = {{1.0, 0.0, 0.0}};
-  EXPECT_EQ(law.feel(leaving, state).force_N.v, Vec3{});
+  EXPECT_EQ(law.evaluate(leaving, state).force_N.v, Vec3{});
 }
 
 Textures ridges_all_over() {
@@ -160,13 +160,13 @@ TEST(FieldProxyLaw, FeelsATextureOnAFaceAsAReliefDoes) {
   const models::TexturePattern pattern({models::TouchTexture::Kind::ridges, 0.002, 50e-6, 0.0});
   FieldProxyLaw<Wall>::State state{};
   const double depth = 0.0005;
-  law.feel(hand_at({0.0, 0.0, 0.002}), state);
-  for (int k = 0; k < 200; ++k) law.feel(hand_at({0.0, 0.0, 0.001 - depth}), state);
+  law.evaluate(hand_at({0.0, 0.0, 0.002}), state);
+  for (int k = 0; k < 200; ++k) law.evaluate(hand_at({0.0, 0.0, 0.001 - depth}), state);
   for (double x = 0.0; x < 0.004; x += 1e-5) {
-    const Feel feel = law.feel(hand_at({x, 0.0, 0.001 - depth}), state);
+    const LawOutput output = law.evaluate(hand_at({x, 0.0, 0.001 - depth}), state);
     const auto h = pattern.sample(x, 0.0);
-    ASSERT_NEAR(feel.force_N.v.z, 1000.0 * (depth + h.z_m), 2e-3);
-    ASSERT_NEAR(feel.force_N.v.x, -1000.0 * depth * h.dzdx, 2e-3);
+    ASSERT_NEAR(output.force_N.v.z, 1000.0 * (depth + h.z_m), 2e-3);
+    ASSERT_NEAR(output.force_N.v.x, -1000.0 * depth * h.dzdx, 2e-3);
   }
 }
 
@@ -176,15 +176,15 @@ TEST(FieldProxyLaw, FeelsATextureOnEverySideOfASolid) {
     // Across the ridges of each side: their pattern's x runs along y, z and x on the sides of x, y and z.
     const Vec3 along = unit(Vec3{side.z, side.x, side.y} - dot(Vec3{side.z, side.x, side.y}, side) * side);
     FieldProxyLaw<Ball>::State state{};
-    law.feel(hand_at(0.021 * side), state);
+    law.evaluate(hand_at(0.021 * side), state);
     double least = 1e9, most = 0.0;
     for (int k = 0; k < 1200; ++k) {
       const double angle = k * 5e-4;
       const Vec3 at = 0.0195 * (std::cos(angle) * side + std::sin(angle) * along);
-      const Feel feel = law.feel(hand_at(at), state);
+      const LawOutput output = law.evaluate(hand_at(at), state);
       if (k < 200) continue;
-      least = std::min(least, norm(feel.force_N.v));
-      most = std::max(most, norm(feel.force_N.v));
+      least = std::min(least, norm(output.force_N.v));
+      most = std::max(most, norm(output.force_N.v));
     }
     // 0.5 N from the depth, and up to 50 micrometres to both sides of it.
     EXPECT_GE(most - least, 0.03);

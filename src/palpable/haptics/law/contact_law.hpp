@@ -1,0 +1,41 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/law/law.hpp"
+#include "palpable/haptics/law/material_map.hpp"
+#include "palpable/haptics/law/touchable.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <utility>
+
+namespace palpable::haptics {
+
+/// What every law has that is a spring against a surface with materials. Immutable.
+template <class SurfaceType>
+class ContactLaw {
+ public:
+  using Surface = SurfaceType;
+  ContactLaw(std::shared_ptr<const Surface> surface, MaterialMap materials)
+      : surface_(std::move(surface)), materials_(std::move(materials)) {}
+
+  const Surface& surface() const noexcept { return *surface_; }
+  const MaterialMap& materials() const noexcept { return materials_; }
+  double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
+  std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
+
+ private:
+  std::shared_ptr<const Surface> surface_;
+  MaterialMap materials_;
+};
+
+/// The force of a spring that pushes with `spring_N` along `outward` (unit), with a damper, never pulling:
+/// Park & Howard 2012, eq. 6, corrected.
+inline Vec3 damped_push(double spring_N, Vec3 outward, Vec3 velocity_m_per_s,
+                        const Contact& contact) noexcept {
+  return std::max(0.0, spring_N - contact.damping_Ns_per_m * dot(velocity_m_per_s, outward)) * outward;
+}
+
+}  // namespace palpable::haptics

@@ -1,0 +1,114 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/law/laws.hpp"
+#include "palpable/haptics/law/material_map.hpp"
+#include "palpable/models/field/dense_field.hpp"
+#include "palpable/models/field/distance_field.hpp"
+#include "palpable/models/grid/occupancy_grid.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+// What the laws share when they are made, outside the tick.
+
+namespace palpable::haptics {
+
+/// What a law is made of. `scene` is of a kind that it renders; `parameters` are in their ranges.
+struct LawInput {
+  const models::Scene& scene;
+  const LawParameters& parameters;
+  /// Null: nothing is kept.
+  DilatedRelief* kept = nullptr;
+};
+
+struct MadeLaw {
+  Result<std::shared_ptr<const Touchable>> touchable;
+};
+
+Error usage_error(std::string message);
+
+/// Numbers that are equal for equal content: families of states are told apart by them.
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value);
+inline std::uint64_t mixed(std::uint64_t hash, double value) {
+  return mixed(hash, std::bit_cast<std::uint64_t>(value));
+}
+std::uint64_t content_hash(const models::Relief& relief);
+std::uint64_t content_hash(const models::DenseField& field);
+std::uint64_t content_hash(const models::DistanceField& field);
+
+/// The materials with the law's own parameters in place of theirs where given. `relief` is what the scene is
+/// seen from above.
+MaterialMap materials_of(const models::Scene& scene, const models::Relief& relief,
+                         const LawParameters& parameters);
+
+/// The relief itself for a point; dilated for a ball. The relief's slopes bound the dilated one's.
+Result<std::shared_ptr<const models::Relief>> dilated_surface(
+    const std::shared_ptr<const models::Relief>& relief, double radius_m, DilatedRelief* kept);
+
+/// Reads every page of a model once.
+void read_pages(const void* data, std::size_t bytes) noexcept;
+void read_pages(const models::Relief& relief) noexcept;
+void read_pages(const models::BoundaryMap& map) noexcept;
+void read_pages(const models::DistanceField& field) noexcept;
+void read_pages(const models::DenseField& field) noexcept;
+void read_pages(const models::OccupancyGrid& grid) noexcept;
+
+/// Gives one law the interface of a Touchable. A law has a State, evaluate(), surface(), damping_Ns_per_m(),
+/// memory_bytes(); read_pages() exists for its surface.
+template <class L>
+class LawTouchable final : public Touchable {
+ public:
+  LawTouchable(L law, std::uint64_t family) : law_(std::move(law)), family_(family) {}
+  LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
+    return law_.evaluate(hand, state_as<typename L::State>(state));
+  }
+  std::uint64_t state_family() const noexcept override { return family_; }
+  double damping_Ns_per_m() const noexcept override { return law_.damping_Ns_per_m(); }
+  void touch_pages() const noexcept override { read_pages(law_.surface()); }
+  std::size_t memory_bytes() const noexcept override { return law_.memory_bytes(); }
+
+ private:
+  L law_;
+  std::uint64_t family_;
+};
+
+template <class L>
+MadeLaw made_law(L law, std::uint64_t family) {
+  return {std::shared_ptr<const Touchable>(std::make_shared<LawTouchable<L>>(std::move(law), family))};
+}
+
+/// `make(surface, materials, family)` on the scene's field, whichever kind it is.
+template <class Make>
+MadeLaw make_on_field(const LawInput& in, Make&& make) {
+  const auto on = [&](const auto& field) {
+    using Distance = std::remove_cvref_t<decltype(field->distance)>;
+    const std::shared_ptr<const Distance> surface(field, &field->distance);
+    const std::uint64_t family =
+        mixed(mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*surface)),
+              in.parameters.radius_m.value_or(0.0));
+    return make(surface, materials_of(in.scene, *field->from_above, in.parameters), family);
+  };
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&in.scene.model))
+    return on(*field);
+  return on(std::get<std::shared_ptr<const models::FieldOnLattice>>(in.scene.model));
+}
+
+/// `make(surface, materials, family)` on the scene seen from above, dilated by the ball.
+template <class Make>
+MadeLaw make_on_relief(const LawInput& in, Make&& make) {
+  const std::shared_ptr<const models::Relief>& relief = models::relief_of(in.scene);
+  const double radius_m = in.parameters.radius_m.value_or(0.0);
+  auto surface = dilated_surface(relief, radius_m, in.kept);
+  if (!surface) return {surface.error()};
+  const std::uint64_t family =
+      mixed(mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*relief)), radius_m);
+  return make(*std::move(surface), materials_of(in.scene, *relief, in.parameters), family);
+}
+
+}  // namespace palpable::haptics
