@@ -52,19 +52,19 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     FieldProxy& proxy = state.proxy;
     // What is felt is what the proxy touches, wherever the hand has gone under the surface.
     const Vec3 from = proxy.phase == FieldProxy::Phase::fresh ? hand.position.v : proxy.place_m;
-    const Contact& under = materials().contact(materials().label_at(from.x, from.y));
+    const Contact& under = this->materials().contact(this->materials().label_at(from.x, from.y));
     follow(hand.position.v, {under.static_friction, under.dynamic_friction}, proxy);
     LawOutput output;
     output.has_proxy = true;
     output.proxy.v = proxy.place_m;
-    output.label = materials().label_at(proxy.place_m.x, proxy.place_m.y);
+    output.label = this->materials().label_at(proxy.place_m.x, proxy.place_m.y);
     output.contact = proxy.phase == FieldProxy::Phase::touching;
     output.stored_J = 0.0;
     if (!output.contact) {
       state.texture.share = 0.0;
       return output;
     }
-    const Contact& contact = materials().contact(output.label);
+    const Contact& contact = this->materials().contact(output.label);
     const Vec3 stretch = proxy.place_m - hand.position.v;
     output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
     output.spring_N.v = contact.stiffness_N_per_m * stretch;
@@ -81,7 +81,6 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
-  using ContactLaw<Surface>::materials;
   static constexpr int kMaxEvaluations = 3;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/law/field_proxy.hpp"
 
+#include "palpable/haptics/law/penalty.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -117,7 +119,7 @@ TEST(FieldProxyLaw, LetsGoOfAHandThatLeaves) {
 }
 
 TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
-  const FieldPenaltyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, false);
+  const FieldPenaltyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, 0.0);
   FieldPenaltyLaw<Wall>::State state;
   double work_J = 0.0, swing_J = 0.0;
   Vec3 last{0.0, 0.0, 0.0009};
@@ -135,14 +137,14 @@ TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
 }
 
 TEST(FieldPenaltyLaw, FeelsABallOfItsRadiusEarlier) {
-  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.001, false);
+  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.001, 0.0);
   FieldPenaltyLaw<Ball>::State state;
   EXPECT_FALSE(law.evaluate(hand_at({0.0211, 0.0, 0.0}), state).contact);
   EXPECT_NEAR(law.evaluate(hand_at({0.0206, 0.0, 0.0}), state).force_N.v.x, 0.4, 1e-9);
 }
 
 TEST(FieldPenaltyLaw, NeverPulls) {
-  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0, 50.0), 0.0, false);
+  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0, 50.0), 0.0, 0.0);
   FieldPenaltyLaw<Ball>::State state;
   Hand leaving = hand_at({0.0199, 0.0, 0.0});
   leaving.velocity_m_per_s = {{1.0, 0.0, 0.0}};

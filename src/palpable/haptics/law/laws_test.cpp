@@ -137,6 +137,40 @@ TEST(Laws, RefuseParametersOutOfTheirRange) {
   EXPECT_FALSE(make_touchable(flat_ground(), p));
 }
 
+TEST(Laws, RefuseEachOfTheirParametersOutsideTheRangeThatTheyDescribe) {
+  const models::Scene scene = flat_ground();
+  for (const Law law : laws_for(scene))
+    for (const LawParameter& parameter : description_of(law).parameters) {
+      LawParameters p;
+      p.law = law;
+      for (const double valid : {parameter.min, parameter.max, parameter.slider_min, parameter.slider_max}) {
+        p.*parameter.value = valid;
+        EXPECT_TRUE(make_touchable(scene, p)) << name_of(law) << " " << parameter.name << " " << valid;
+      }
+      for (const double bad : {parameter.min - 1.0, 1.1 * parameter.max, std::nan("")}) {
+        p.*parameter.value = bad;
+        const auto refused = make_touchable(scene, p);
+        ASSERT_FALSE(refused) << name_of(law) << " " << parameter.name << " " << bad;
+        EXPECT_NE(refused.error().message.find(parameter.name), std::string::npos);
+      }
+    }
+}
+
+TEST(Laws, AreDescribedCompletely) {
+  for (const LawDescription* law : all_laws()) {
+    EXPECT_FALSE(law->name.empty() || law->title.empty());
+    ASSERT_NE(find_parameter(*law, law->strength), nullptr) << law->name;
+    EXPECT_EQ(law->is_contact, find_parameter(*law, &LawParameters::stiffness_N_per_m) != nullptr)
+        << law->name;
+    for (const LawParameter& parameter : law->parameters) {
+      EXPECT_FALSE(parameter.name.empty() || parameter.title.empty() || parameter.option.empty())
+          << law->name;
+      EXPECT_LE(parameter.min, parameter.slider_min);
+      EXPECT_LE(parameter.slider_max, parameter.max);
+    }
+  }
+}
+
 TEST(Laws, NeverAllocateInATick) {
   ASSERT_TRUE(allocations_are_counted());
   const models::Scene scene = scene_of(random_hills(100, 80, 23));

@@ -60,7 +60,6 @@ class ProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
-  using ContactLaw<Surface>::materials;
   static constexpr double kMaterialEase_s = 0.010;
 
   /// The proxy as the last tick left it.
@@ -78,9 +77,9 @@ class ProxyLaw : public ContactLaw<Surface> {
   };
 
   Contact contact_here(double dt_s, State& state) const noexcept {
-    if (!materials().has_labels()) return materials().contact(0);
-    state.label = materials().label_at(state.proxy.place_m.x, state.proxy.place_m.y);
-    const Contact& here = materials().contact(state.label);
+    if (!this->materials().has_labels()) return this->materials().contact(0);
+    state.label = this->materials().label_at(state.proxy.place_m.x, state.proxy.place_m.y);
+    const Contact& here = this->materials().contact(state.label);
     const double share = state.knows_contact && state.proxy.phase == SurfaceProxy::Phase::touching
                              ? dt_s / (dt_s + kMaterialEase_s)
                              : 1.0;

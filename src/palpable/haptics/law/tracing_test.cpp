@@ -27,7 +27,7 @@ std::shared_ptr<const models::BoundaryMap> straight_boundary(double angle = 0.0,
       *models::BoundaryMap::from_edges(std::move(pixels), pixel_m, 1.0, {}, Work{}));
 }
 
-/// Moves the hand in steps and returns the feel of every tick.
+/// Moves the hand in steps and returns the output of every tick.
 std::vector<LawOutput> traced(const TracingLaw& law, TracingLaw::State& state,
                               const std::vector<Vec3>& path) {
   std::vector<LawOutput> felt;
@@ -191,7 +191,7 @@ TEST(Tracing, TakesItsForceAndNeighbourhoodLive) {
     TouchState state;
     LawOutput output;
     for (int k = 0; k < 200; ++k)
-      output = (*touchable)->feel({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
+      output = (*touchable)->evaluate({{{0.05 * k * kTick_s, 0, 0}}, {{0.05, 0, 0}}, kTick_s}, state);
     return output.force_N.v.x;
   };
   EXPECT_NEAR(pushed(2.0), 2.0 * pushed(1.0), 1e-9);

@@ -7,33 +7,35 @@
 namespace palpable::haptics {
 namespace {
 
+using Force = Vector<DeviceFrame>;
+
 TEST(ForceCap, ShortensAlongTheForceAndSaysSo) {
-  const Limited capped = cap_force({3.0, 0.0, 4.0}, 2.5);
+  const auto capped = cap_force(Force{{3.0, 0.0, 4.0}}, 2.5);
   EXPECT_TRUE(capped.limited);
-  EXPECT_NEAR(capped.force_N.x, 1.5, 1e-12);
-  EXPECT_NEAR(capped.force_N.z, 2.0, 1e-12);
-  EXPECT_FALSE(cap_force({3.0, 0.0, 4.0}, 5.0).limited);
+  EXPECT_NEAR(capped.force_N.v.x, 1.5, 1e-12);
+  EXPECT_NEAR(capped.force_N.v.z, 2.0, 1e-12);
+  EXPECT_FALSE(cap_force(Force{{3.0, 0.0, 4.0}}, 5.0).limited);
 }
 
 TEST(RiseCap, NeverDelaysARelease) {
-  const Limited released = cap_rise({0.0, 0.0, 0.1}, {0.0, 0.0, 3.0}, 0.3);
+  const auto released = cap_rise(Force{{0.0, 0.0, 0.1}}, Force{{0.0, 0.0, 3.0}}, 0.3);
   EXPECT_FALSE(released.limited);
-  EXPECT_EQ(released.force_N, (Vec3{0.0, 0.0, 0.1}));
+  EXPECT_EQ(released.force_N, (Force{{0.0, 0.0, 0.1}}));
 }
 
 TEST(RiseCap, LetsTheForceGrowByNoMoreThanAllowed) {
-  const Limited risen = cap_rise({0.0, 0.0, 3.0}, {0.0, 0.0, 1.0}, 0.3);
+  const auto risen = cap_rise(Force{{0.0, 0.0, 3.0}}, Force{{0.0, 0.0, 1.0}}, 0.3);
   EXPECT_TRUE(risen.limited);
-  EXPECT_NEAR(risen.force_N.z, 1.3, 1e-12);
+  EXPECT_NEAR(risen.force_N.v.z, 1.3, 1e-12);
 }
 
 TEST(RiseCap, LimitsATurnAtConstantSizeAndALeapToTheOtherSide) {
-  const Limited turned = cap_rise({1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.3);
+  const auto turned = cap_rise(Force{{1.0, 0.0, 0.0}}, Force{{0.0, 0.0, 1.0}}, 0.3);
   EXPECT_TRUE(turned.limited);
   EXPECT_NEAR(norm(turned.force_N), 0.3, 1e-12);
-  const Limited flipped = cap_rise({0.0, 0.0, -2.0}, {0.0, 0.0, 2.0}, 0.3);
+  const auto flipped = cap_rise(Force{{0.0, 0.0, -2.0}}, Force{{0.0, 0.0, 2.0}}, 0.3);
   EXPECT_TRUE(flipped.limited);
-  EXPECT_NEAR(flipped.force_N.z, -0.3, 1e-12);
+  EXPECT_NEAR(flipped.force_N.v.z, -0.3, 1e-12);
 }
 
 TEST(Ramp, FallsAndRisesInItsTimesAndStopsAtItsEnds) {

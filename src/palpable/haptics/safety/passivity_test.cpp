@@ -19,19 +19,19 @@ constexpr double kStiffness = 1000.0;
 double press_once(PassivityObserver& observer, double damping, double seconds) {
   const int ticks = static_cast<int>(seconds / kT_s);
   double x = 0.0;
-  Vec3 held;
+  Vector<DeviceFrame> held;
   for (int n = 1; n <= ticks; ++n) {
     const double before = x;
     const double angle = 2.0 * std::numbers::pi * n / ticks;
     x = -0.0025 * (1.0 - std::cos(angle));
     PassivityObserver::Step tick;
     tick.held_force_N = held;
-    tick.moved_m = {0.0, 0.0, x - before};
+    tick.moved_m = {{0.0, 0.0, x - before}};
     tick.dt_s = kT_s;
     tick.stored_J = 0.5 * kStiffness * x * x;
     tick.damping_Ns_per_m = damping;
     observer.update(tick);
-    held = {0.0, 0.0, -kStiffness * x - damping * (x - before) / kT_s};
+    held = {{0.0, 0.0, -kStiffness * x - damping * (x - before) / kT_s}};
   }
   return observer.made_max_J();
 }
@@ -63,8 +63,8 @@ TEST(PassivityObserver, FindsNothingMadeWhereTheDamperTakesMoreThanTheHeldSpring
 TEST(PassivityObserver, DoesNotPayWithWhatFrictionTookLongAgo) {
   PassivityObserver observer;
   PassivityObserver::Step braking;
-  braking.held_force_N = {-1.0, 0.0, 0.0};
-  braking.moved_m = {1e-4, 0.0, 0.0};
+  braking.held_force_N = {{-1.0, 0.0, 0.0}};
+  braking.moved_m = {{1e-4, 0.0, 0.0}};
   braking.dt_s = kT_s;
   for (int n = 0; n < 1000; ++n) observer.update(braking);
   PassivityObserver fresh;
@@ -74,8 +74,8 @@ TEST(PassivityObserver, DoesNotPayWithWhatFrictionTookLongAgo) {
 TEST(PassivityObserver, DoesNotBlameTheLawForWhatALimitKeptBack) {
   PassivityObserver observer;
   PassivityObserver::Step tick;
-  tick.held_force_N = {0.0, 0.0, 1.0};
-  tick.moved_m = {0.0, 0.0, -0.001};
+  tick.held_force_N = {{0.0, 0.0, 1.0}};
+  tick.moved_m = {{0.0, 0.0, -0.001}};
   tick.stored_J = 0.01;
   tick.dt_s = kT_s;
   tick.shortened = true;
@@ -84,9 +84,9 @@ TEST(PassivityObserver, DoesNotBlameTheLawForWhatALimitKeptBack) {
 }
 
 TEST(PassivityController, TakesOutExactlyWhatWasMadeWhereItMay) {
-  const Vec3 velocity{0.1, 0.0, 0.0};
-  const Vec3 braked = control_passivity({1.0, 0.0, 0.0}, velocity, 1e-6, kT_s, 50.0);
-  EXPECT_NEAR(dot(braked - Vec3{1.0, 0.0, 0.0}, velocity) * kT_s, -1e-6, 1e-15);
+  const Vector<DeviceFrame> velocity{{0.1, 0.0, 0.0}};
+  const auto braked = control_passivity({{1.0, 0.0, 0.0}}, velocity, 1e-6, kT_s, 50.0);
+  EXPECT_NEAR(dot(braked - Vector<DeviceFrame>{{1.0, 0.0, 0.0}}, velocity) * kT_s, -1e-6, 1e-15);
 }
 
 TEST(PassivityController, NeverTurnsTheHandRound) {
@@ -97,8 +97,8 @@ TEST(PassivityController, NeverTurnsTheHandRound) {
     speeds.fill(1.0);
     for (int n = 0; n < 1000; ++n) {
       const auto at = [&](int tick) { return static_cast<std::size_t>((tick + 100) % 10); };
-      const Vec3 braked = control_passivity({}, {speeds[at(n - delay - 1)], 0.0, 0.0}, 1.0, kT_s, damping);
-      speeds[at(n + 1)] = speeds[at(n)] + braked.x * kT_s / 0.05;
+      const auto braked = control_passivity({}, {{speeds[at(n - delay - 1)], 0.0, 0.0}}, 1.0, kT_s, damping);
+      speeds[at(n + 1)] = speeds[at(n)] + braked.v.x * kT_s / 0.05;
       ASSERT_GE(speeds[at(n + 1)], 0.0) << "delay " << delay;
     }
     EXPECT_LT(speeds[0], 1e-6);
@@ -106,8 +106,9 @@ TEST(PassivityController, NeverTurnsTheHandRound) {
 }
 
 TEST(PassivityController, OnlyTakesEnergyOut) {
-  EXPECT_EQ(control_passivity({1.0, 2.0, 3.0}, {0.1, 0.0, 0.0}, -1.0, kT_s, 50.0), (Vec3{1.0, 2.0, 3.0}));
-  EXPECT_EQ(control_passivity({1.0, 2.0, 3.0}, {}, 1.0, kT_s, 50.0), (Vec3{1.0, 2.0, 3.0}));
+  EXPECT_EQ(control_passivity({{1.0, 2.0, 3.0}}, {{0.1, 0.0, 0.0}}, -1.0, kT_s, 50.0).v,
+            (Vec3{1.0, 2.0, 3.0}));
+  EXPECT_EQ(control_passivity({{1.0, 2.0, 3.0}}, {}, 1.0, kT_s, 50.0).v, (Vec3{1.0, 2.0, 3.0}));
 }
 
 }  // namespace

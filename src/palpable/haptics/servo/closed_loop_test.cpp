@@ -20,7 +20,7 @@ struct ClosedLoop {
              const TickOptions& limits = {})
       : hand(options) {
     program.touchable = std::make_shared<SpringSurface>(shape, stiffness, damping);
-    tick = std::make_unique<Tick>(hand, program, limits, events);
+    tick = std::make_unique<TickPipeline>(hand, program, limits, events);
   }
   const TouchSample& run(int ticks) {
     for (int i = 0; i < ticks; ++i) sample = &tick->step(kT_s * static_cast<double>(n++), kT_s);
@@ -41,7 +41,7 @@ struct ClosedLoop {
   device::SimulatedHand hand;
   HapticScene program;
   Ring<TouchEvent> events{1024};
-  std::unique_ptr<Tick> tick;
+  std::unique_ptr<TickPipeline> tick;
   const TouchSample* sample = nullptr;
   std::int64_t n = 0;
 };

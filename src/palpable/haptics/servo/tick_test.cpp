@@ -31,7 +31,7 @@ class NotFinite final : public Touchable {
 struct Loop {
   explicit Loop(std::shared_ptr<const Touchable> touchable, const TickOptions& options = {}) {
     program.touchable = std::move(touchable);
-    tick = std::make_unique<Tick>(device, program, options, events);
+    tick = std::make_unique<TickPipeline>(device, program, options, events);
   }
   const TouchSample& run(int ticks) {
     for (int i = 0; i < ticks; ++i) sample = &tick->step(kT_s * static_cast<double>(n++), kT_s);
@@ -47,7 +47,7 @@ struct Loop {
   ScriptedDevice device;
   HapticScene program;
   Ring<TouchEvent> events{1024};
-  std::unique_ptr<Tick> tick;
+  std::unique_ptr<TickPipeline> tick;
   const TouchSample* sample = nullptr;
   std::int64_t n = 0;
 };
@@ -220,6 +220,7 @@ TEST(Tick, TurnsForcesBackIntoTheDevicesFrameAndKeepsTheirSize) {
   // The scene's z is the device's y, shown at twice the size.
   loop.program.scene_from_device.rotation = {1, 0, 0, 0, 0, -1, 0, 1, 0};
   loop.program.scene_from_device.scale = 2.0;
+  loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);
   loop.device.reading.position.v = {0.0, -0.001, 0.0};
   const auto& sample = loop.run(400);
   EXPECT_NEAR(sample.position.v.z, -0.002, 1e-12);
@@ -231,7 +232,7 @@ TEST(Tick, TurnsForcesBackIntoTheDevicesFrameAndKeepsTheirSize) {
 TEST(Tick, PushesAPlanarDeviceInItsPlaneOnly) {
   Loop loop(std::make_shared<SpringSurface>(groove, 500.0, 0.0));
   loop.device.mutable_traits().degrees_of_freedom = 2;
-  loop.tick = std::make_unique<Tick>(loop.device, loop.program, TickOptions{}, loop.events);
+  loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);
   loop.device.reading.position.v = {0.002, 0.0, 0.0};
   loop.run(400);
   EXPECT_LT(loop.written().x, -0.4);

@@ -18,8 +18,8 @@ struct Probe {
   std::vector<Point<SceneFrame>> places;
 };
 
-ToolOutput output(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
-                  Probe& probe) {
+ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
+                    Probe& probe) {
   // What a first sample, which has none before it, counts as its tick's length.
   constexpr double kFirstTick_s = 0.001;
   const bool first = !probe.last_s;
@@ -54,7 +54,7 @@ void probe_tools(const Touchable& touchable, std::span<const ToolPlace> tool, st
                  const std::function<void(const ToolPose&, const ToolOutput&)>& each) {
   std::vector<Probe> probes(kMaxProbes);
   for (const ToolPose& pose : poses)
-    each(pose, feel(touchable, tool, pose, probes[static_cast<std::size_t>(pose.probe)]));
+    each(pose, evaluate(touchable, tool, pose, probes[static_cast<std::size_t>(pose.probe)]));
 }
 
 Result<void> check_poses(std::span<const ToolPose> poses) {

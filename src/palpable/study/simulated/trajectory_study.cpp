@@ -125,9 +125,10 @@ void judge_step(const Moment& before, const Moment& now, const TrajectoryStudyOp
   step.force_step_N = norm(now.output.force_N - before.output.force_N);
   const double k = 1.05 * options.stiffness_N_per_m;
   const bool beyond = step.force_step_N > k * step.hand_moved_m + kTolerance_N;
-  const Vec3 last_N = std::exchange(
-      written_N,
-      haptics::cap_rise(now.output.force_N.v, written_N, options.max_force_rate_N_per_s * kTick_s).force_N);
+  const Vec3 last_N =
+      std::exchange(written_N, haptics::cap_rise(now.output.force_N, Vector<SceneFrame>{written_N},
+                                                 options.max_force_rate_N_per_s * kTick_s)
+                                   .force_N.v);
   if (step.proxy_moved_m <= 2.0 * step.hand_moved_m) {
     findings.beyond_the_hand += beyond ? 1 : 0;
     findings.kicked +=
