@@ -69,20 +69,21 @@ Json json_of(const haptics::LawDescription& law) {
             {"conservative", law.conservative},
             {"parameters", Json::array()}};
   for (const haptics::LawParameter& p : law.parameters)
-    json["parameters"].push_back({{"name", p.name},
-                                  {"title", p.title},
-                                  {"unit", p.unit},
-                                  {"option", "--" + std::string(p.option)},
-                                  {"min", p.min},
-                                  {"max", p.max},
-                                  {"default", p.preset ? Json(*p.preset) : Json(nullptr)}});
+    json["parameters"].push_back(
+        {{"name", p.name},
+         {"title", p.title},
+         {"unit", p.unit},
+         {"option", p.option.empty() ? Json(nullptr) : Json("--" + std::string(p.option))},
+         {"min", p.min},
+         {"max", p.max},
+         {"default", p.preset ? Json(*p.preset) : Json(nullptr)}});
   return json;
 }
 
 std::string sentence_of(const haptics::LawDescription& law) {
   std::string options;
   for (const haptics::LawParameter& p : law.parameters)
-    options += fmt::format("{}--{}", options.empty() ? "" : " ", p.option);
+    if (!p.option.empty()) options += fmt::format("{}--{}", options.empty() ? "" : " ", p.option);
   return fmt::format("  law {}: {} ({})\n", law.name, law.title, options);
 }
 

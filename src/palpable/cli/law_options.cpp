@@ -52,6 +52,7 @@ std::vector<LawOption> options_of_all_laws() {
   std::vector<LawOption> options;
   for (const LawDescription* law : haptics::all_laws())
     for (const LawParameter& parameter : law->parameters) {
+      if (parameter.option.empty()) continue;
       auto found = std::find_if(options.begin(), options.end(),
                                 [&](const LawOption& o) { return o.name == parameter.option; });
       if (found == options.end()) {

@@ -41,7 +41,7 @@ class AveragedLaw : public ContactLaw<Surface> {
     if (!output.contact) return output;
     const double length = std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
     const Contact& contact = this->materials().contact(output.label);
-    output.force_N.v = damped_push(contact.stiffness_N_per_m * (s.z_m - p.z) / length,
+    output.force_N.v = damped_push(contact.stiffness_N_per_m * ((s.z_m - p.z) / length),
                                    Vec3{-s.dzdx, -s.dzdy, 1.0} / length, hand.velocity_m_per_s.v, contact);
     return output;
   }

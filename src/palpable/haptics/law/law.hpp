@@ -49,8 +49,8 @@ struct LawParameter {
   std::string_view title;
   /// SI; empty for a ratio.
   std::string_view unit;
-  /// The command line's option without its dashes (lengths in mm there). Parameters of different laws may
-  /// share one.
+  /// The command line's option without its dashes (lengths in mm there); empty: none. Parameters of different
+  /// laws may share one.
   std::string_view option;
   /// What is accepted, both ends included.
   double min = 0.0;

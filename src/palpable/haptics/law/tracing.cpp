@@ -38,12 +38,12 @@ constexpr LawParameter kDamping{&LawParameters::damping_Ns_per_m,
                                 0.0,
                                 20.0,
                                 TracingParameters{}.damping_Ns_per_m};
-/// Where none is given, as the scene was made.
+/// Where none is given, as the scene was made: the command line has it as an option of making.
 constexpr LawParameter kNeighbourhood{&LawParameters::neighbourhood_px,
                                       "neighbourhood_px",
                                       "Neighbourhood",
                                       "px",
-                                      "neighbourhood",
+                                      "",
                                       1.0,
                                       32.0,
                                       1.0,
