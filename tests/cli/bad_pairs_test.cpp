@@ -144,7 +144,8 @@ TEST_F(BadPairs, WhoseRowsRollAreEvenedOut) {
       return std::pair(1.0 * x, y + roll(down ? y / 240.0 : x / 320.0));
     });
     const Outcome rolling = depth(pair_.left, right);
-    EXPECT_THAT(rolling.err, AllOf(HasSubstr("roll against each other by up to"), HasSubstr("were aligned")));
+    EXPECT_THAT(rolling.err,
+                AllOf(HasSubstr("are displaced vertically by up to"), HasSubstr("were rectified")));
     EXPECT_LT(bad_percent(pair_.disparity_px, "2"), still + 4.0) << (down ? "down" : "across");
   }
 }

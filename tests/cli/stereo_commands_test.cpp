@@ -65,41 +65,41 @@ Raster<Rgb8> lowered(const Raster<Rgb8>& picture, int rows) {
   return out;
 }
 
-TEST_F(StereoCommands, APairOnDifferentScanlinesIsAlignedAndTheFiguresAreSaid) {
+TEST_F(StereoCommands, APairOffItsRowsIsRectifiedAndTheFiguresAreSaid) {
   const Pair pair = textured_pair(320, 240);
   ASSERT_TRUE(formats::write_png(path("left.png"), pair.left));
   ASSERT_TRUE(formats::write_png(path("low.png"), lowered(pair.right, 9)));
   ASSERT_TRUE(formats::write_pfm(path("truth.pfm"), pair.disparity_px));
   const Outcome depth = palpable({"depth", path("left.png"), path("low.png"), "-o", path("d.pfm"),
-                                  "--aligned", path("al"), "--method", "fast", "--json"});
+                                  "--rectified", path("al"), "--method", "fast", "--json"});
   ASSERT_EQ(depth.exit_code, 0) << depth.err;
-  const auto alignment = depth.json()["alignment"];
-  EXPECT_EQ(alignment["by"], "features");
-  EXPECT_NEAR(alignment["residual_before_px"], 9.0, 1.0);
-  EXPECT_LE(alignment["residual_px"], 0.5);
-  EXPECT_THAT(depth.err, HasSubstr("were aligned"));
+  const auto rectification = depth.json()["rectification"];
+  EXPECT_EQ(rectification["by"], "features");
+  EXPECT_NEAR(rectification["residual_before_px"], 9.0, 1.0);
+  EXPECT_LE(rectification["residual_px"], 0.5);
+  EXPECT_THAT(depth.err, HasSubstr("were rectified"));
   EXPECT_TRUE(std::filesystem::exists(path("al_left.png")) && std::filesystem::exists(path("al_right.png")));
   const auto bad_percent = [&] {
     return palpable({"score", "disparity", path("d.pfm"), path("truth.pfm"), "--json"})
         .json()["bad"]["2"]
         .get<double>();
   };
-  const double aligned_percent = bad_percent();
+  const double rectified_percent = bad_percent();
   ASSERT_TRUE(formats::write_png(path("right.png"), pair.right));
   ASSERT_EQ(palpable({"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"), "--method", "fast"})
                 .exit_code,
             0);
-  EXPECT_LT(aligned_percent, bad_percent() + 5.0);
-  const Outcome raw = palpable({"depth", path("left.png"), path("low.png"), "-o", path("d.pfm"), "--align",
+  EXPECT_LT(rectified_percent, bad_percent() + 5.0);
+  const Outcome raw = palpable({"depth", path("left.png"), path("low.png"), "-o", path("d.pfm"), "--rectify",
                                 "off", "--method", "fast", "--json"});
-  EXPECT_EQ(raw.json()["alignment"]["by"], "nothing");
-  EXPECT_TRUE(raw.json()["alignment"]["residual_px"].is_null());
+  EXPECT_EQ(raw.json()["rectification"]["by"], "nothing");
+  EXPECT_TRUE(raw.json()["rectification"]["residual_px"].is_null());
 }
 
-TEST_F(StereoCommands, AnAlignedPairIsLeftAlone) {
+TEST_F(StereoCommands, ARectifiedPairIsLeftAlone) {
   const Outcome depth = palpable(
       {"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"), "--method", "fast", "--json"});
-  EXPECT_EQ(depth.json()["alignment"]["by"], "nothing");
+  EXPECT_EQ(depth.json()["rectification"]["by"], "nothing");
 }
 
 TEST_F(StereoCommands, TheFrontViewIsAPictureBetweenTheTwo) {

@@ -5,7 +5,7 @@
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/sources/picture/picture.hpp"
-#include "palpable/vision/rectification/alignment.hpp"
+#include "palpable/vision/rectification/chessboard_calibration.hpp"
 
 #include <algorithm>
 #include <charconv>

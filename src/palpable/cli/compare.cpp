@@ -126,9 +126,9 @@ Result<Answer> compare(const Arguments& arguments, Console& console) {
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
-  if (*truth && ready->aligned_by != session::AlignedBy::nothing)
+  if (*truth && ready->rectified_by != session::RectifiedBy::nothing)
     console.note(
-        "The truth belongs to the pictures as they came, but they were aligned: the scores mean little.");
+        "The truth belongs to the pictures as they came, but they were rectified: the scores mean little.");
   std::vector<Outcome> outcomes;
   for (const vision::StereoMethod method : vision::available_stereo_methods()) {
     auto outcome = outcome_of(method, ready->pair, arguments, *truth, console);
@@ -140,9 +140,12 @@ Result<Answer> compare(const Arguments& arguments, Console& console) {
       !written)
     return written.error();
   Answer answer;
-  answer.json = {{"width", ready->pair.left.width},     {"height", ready->pair.left.height},
-                 {"alignment", alignment_json(*ready)}, {"notes", ready->notes},
-                 {"methods", json_of(outcomes)},        {"output", arguments.output}};
+  answer.json = {{"width", ready->pair.left.width},
+                 {"height", ready->pair.left.height},
+                 {"rectification", rectification_json(*ready)},
+                 {"notes", ready->notes},
+                 {"methods", json_of(outcomes)},
+                 {"output", arguments.output}};
   answer.text = table_of(outcomes, truth->has_value()) + arguments.output + "\n";
   return answer;
 }

@@ -17,7 +17,7 @@ namespace {
 
 struct Arguments {
   std::string output;
-  std::string aligned;
+  std::string rectified;
   StereoArguments stereo;
   bool features = false;
   double surface_weight = static_cast<double>(vision::PyramidOptions{}.surface_weight);
@@ -46,8 +46,8 @@ Result<void> only_of_pyramid(const Arguments& arguments, vision::StereoMethod me
                fmt::format("only --method pyramid knows it, not {}", vision::name_of(method)), given};
 }
 
-/// The aligned pictures as PREFIX_left.png and PREFIX_right.png.
-Result<void> write_aligned(const std::string& prefix, const vision::StereoPair& pair) {
+/// The rectified pictures as PREFIX_left.png and PREFIX_right.png.
+Result<void> write_rectified(const std::string& prefix, const vision::StereoPair& pair) {
   if (prefix.empty()) return {};
   if (const auto left = formats::write_png(prefix + "_left.png", rgb8(pair.left)); !left) return left;
   return formats::write_png(prefix + "_right.png", rgb8(pair.right));
@@ -68,7 +68,8 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
-  if (const auto written = write_aligned(arguments.aligned, ready->pair); !written) return written.error();
+  if (const auto written = write_rectified(arguments.rectified, ready->pair); !written)
+    return written.error();
 
   const auto begin = std::chrono::steady_clock::now();
   const auto match = vision::match(ready->pair, *method, options_of(arguments), console.work());
@@ -87,7 +88,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
                  {"height", disparity_px.height()},
                  {"seconds", seconds.count()},
                  {"coverage", coverage},
-                 {"alignment", alignment_json(*ready)},
+                 {"rectification", rectification_json(*ready)},
                  {"notes", notes},
                  {"output", arguments.output}};
   answer.text = fmt::format("{} x {} disparities by {} in {:.2f} s, {:.1f} % known: {}\n",
@@ -110,8 +111,8 @@ void add_depth(Program& program) {
   options.required_text(
       "-o,--output", arguments->output,
       "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");
-  options.text("--aligned", arguments->aligned,
-               "Also write the aligned pictures, as PREFIX_left.png and PREFIX_right.png");
+  options.text("--rectified", arguments->rectified,
+               "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
   add_stereo_options(options, arguments->stereo);
   options.under("The method pyramid");
   options.flag("--features", arguments->features, "Move steps of disparity to the picture's edges");

@@ -58,7 +58,7 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
                  {"overlap", fit.overlap},
                  {"depth_range_px", fit.depth_range_px},
                  {"brightness", fit.brightness},
-                 {"alignment", alignment_json(*ready)},
+                 {"rectification", rectification_json(*ready)},
                  {"notes", notes}};
   answer.text = sentence + "\n";
   return answer;

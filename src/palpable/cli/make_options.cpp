@@ -119,7 +119,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.inputs.assign(arguments.inputs.begin(), arguments.inputs.end());
   options.calibration = arguments.stereo.calibration;
   options.max_disparity_px = arguments.stereo.max_disparity_px;
-  options.align = align_of(arguments.stereo);
+  options.rectification = rectification_of(arguments.stereo);
   options.moved_m = moved_m_of(arguments.stereo);
   if (arguments.background == "remove") options.background = session::BackgroundTreatment::remove;
   if (arguments.texture == "front") options.texture = session::Texture::front;
@@ -137,7 +137,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
   if (arguments.quality == "best") options.contours.method = vision::ContourMethod::best;
   if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
-  if (arguments.threshold) options.contours.threshold = *arguments.threshold;
+  options.contours.threshold = arguments.threshold;
   options.neighbourhood_px = arguments.neighbourhood_px;
   options.poses = arguments.poses;
   options.field.resolution = arguments.resolution;

@@ -34,8 +34,8 @@ void add_pair_options(Options& options, StereoArguments& arguments) {
                   "Greatest disparity searched, px; 0 = found");
   options.text("--calibration", arguments.calibration,
                "The cameras: OpenCV yml or xml, Middlebury calib.txt, or JSON");
-  options.choice("--align", arguments.align, {"auto", "off"},
-                 "Bring the pictures to common scanlines where they are not");
+  options.choice("--rectify", arguments.rectify, {"auto", "off"},
+                 "Warp the pictures so that matching points lie on the same row");
   options.number("--moved", arguments.moved_mm, {0.1, 1e6},
                  "One camera, moved sideways by so many mm between the pictures");
   options.choice("--layout", arguments.layout,
@@ -43,16 +43,16 @@ void add_pair_options(Options& options, StereoArguments& arguments) {
                  "How one picture holds a pair; crossed = the right eye's first");
 }
 
-Json alignment_json(const session::ReadyPair& ready) {
+Json rectification_json(const session::ReadyPair& ready) {
   const auto figure = [](double px) { return std::isfinite(px) ? Json(px) : Json(nullptr); };
-  return {{"by", session::name_of(ready.aligned_by)},
+  return {{"by", session::name_of(ready.rectified_by)},
           {"residual_before_px", figure(ready.residual_before_px)},
           {"residual_px", figure(ready.residual_px)},
           {"features", ready.features}};
 }
 
-session::Align align_of(const StereoArguments& arguments) {
-  return arguments.align == "off" ? session::Align::never : session::Align::automatic;
+session::Rectification rectification_of(const StereoArguments& arguments) {
+  return arguments.rectify == "off" ? session::Rectification::never : session::Rectification::automatic;
 }
 
 std::optional<double> moved_m_of(const StereoArguments& arguments) {
@@ -84,7 +84,7 @@ Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Wor
   }
   input.calibration = arguments.calibration;
   input.layout = layout_of(arguments);
-  input.align = align_of(arguments);
+  input.rectification = rectification_of(arguments);
   input.moved_m = moved_m_of(arguments);
   return session::read_stereo_pair(input, work);
 }

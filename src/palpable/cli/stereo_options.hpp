@@ -25,14 +25,14 @@ struct StereoArguments {
   std::string method;
   int max_disparity_px = 0;
   std::string calibration;
-  std::string align = "auto";
+  std::string rectify = "auto";
   std::optional<double> moved_mm;
 };
 
 /// Adds LEFT and RIGHT, the second of which may be left out. `arguments` must outlive the parsing.
 void add_pair_arguments(Options& options, StereoArguments& arguments);
 
-/// Adds --method, --max-disparity, --calibration, --align, --moved and --layout.
+/// Adds --method, --max-disparity, --calibration, --rectify, --moved and --layout.
 void add_stereo_options(Options& options, StereoArguments& arguments);
 
 /// The same without --method, for commands that run every method or one of their own.
@@ -46,13 +46,14 @@ std::string places_of(const StereoArguments& arguments);
 std::string names_of(const StereoArguments& arguments);
 /// --layout.
 sources::StereoLayout layout_of(const StereoArguments& arguments);
-/// --align.
-session::Align align_of(const StereoArguments& arguments);
+/// --rectify.
+session::Rectification rectification_of(const StereoArguments& arguments);
 /// --moved in metres.
 std::optional<double> moved_m_of(const StereoArguments& arguments);
 
-/// How the pair was aligned: `by`, `residual_before_px`, `residual_px` (null where not measured), `features`.
-Json alignment_json(const session::ReadyPair& ready);
+/// How the pair was rectified: `by`, `residual_before_px`, `residual_px` (null where not measured),
+/// `features`.
+Json rectification_json(const session::ReadyPair& ready);
 
 /// The method asked for, or session::default_method(). Errors: usage, for a method that there is not.
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);

@@ -10,7 +10,7 @@
 
 namespace palpable::sculpt {
 
-Result<models::BoundaryMap> boundary_map_from_contours(const vision::Contours& contours,
+Result<models::BoundaryMap> boundary_map_from_contours(const vision::ContourMap& contours,
                                                        const BoundaryMapOptions& options, const Work& work) {
   const int w = contours.strength.width();
   const int h = contours.strength.height();
@@ -40,10 +40,10 @@ TangentMap tangents_of(const Raster<models::BoundaryPixel>& pixels) {
   return out;
 }
 
-Raster<float> boundary_lines(const models::BoundaryMap& map, const Work& work) {
+Raster<float> boundary_lines(const models::BoundaryMap& map, const vision::LineOptions& options,
+                             const Work& work) {
   const TangentMap e = tangents_of(map.edges());
-  return vision::ridge_lines(e.strength, e.x, e.y, vision::kFollowedShare * map.origin().threshold,
-                             map.origin().threshold, work);
+  return vision::ridge_lines(e.strength, e.x, e.y, map.origin().threshold, options, work);
 }
 
 }  // namespace palpable::sculpt

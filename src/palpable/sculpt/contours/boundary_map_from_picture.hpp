@@ -18,7 +18,7 @@ struct BoundaryMapOptions {
 
 /// The boundaries that vision found, as a map in the scene's plane: directions turned from image axes (y
 /// down) to the scene's (y up). Errors: as BoundaryMap::from_edges().
-Result<models::BoundaryMap> boundary_map_from_contours(const vision::Contours& contours,
+Result<models::BoundaryMap> boundary_map_from_contours(const vision::ContourMap& contours,
                                                        const BoundaryMapOptions& options, const Work& work);
 
 /// Unit tangents in image axes (y down) and strengths of a boundary map's pixels.
@@ -30,7 +30,8 @@ struct TangentMap {
 TangentMap tangents_of(const Raster<models::BoundaryPixel>& pixels);
 
 /// One-pixel-wide lines of a map's edges: their strength on ridges of lines that reach the map's threshold, 0
-/// elsewhere.
-Raster<float> boundary_lines(const models::BoundaryMap& map, const Work& work = {});
+/// elsewhere (vision::ridge_lines).
+Raster<float> boundary_lines(const models::BoundaryMap& map, const vision::LineOptions& options = {},
+                             const Work& work = {});
 
 }  // namespace palpable::sculpt

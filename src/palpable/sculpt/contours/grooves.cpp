@@ -15,10 +15,6 @@
 namespace palpable::sculpt {
 namespace {
 
-/// At least this many samples across half a groove, so that its profile is a curve and not a step.
-constexpr double kSamplesAcrossHalf = 6.0;
-constexpr int kMostSamples = 2048;
-
 /// Distance in pixels of `lines` to the nearest line, on a grid `scale` times finer. Interpolated between the
 /// pixels' exact distances, so that a line has no width of its own.
 cv::Mat distance_to_lines(const Raster<float>& lines, double scale) {
@@ -36,16 +32,24 @@ cv::Mat distance_to_lines(const Raster<float>& lines, double scale) {
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(GrooveOptions& o) {
+  return {{"width_m", &o.width_m, {0.0005, 0.02}, "m", "full width of a groove"},
+          {"depth_m", &o.depth_m, {0.0001, 0.01}, "m", "depth of a groove at its middle"},
+          {"samples_across_half", &o.samples_across_half, {1, 64}, "", "least samples across half a groove"},
+          {"most_samples", &o.most_samples, {2, 16384}, "", "most samples along the plate"}};
+}
+
 Result<models::Relief> grooves_from_boundary_map(const models::BoundaryMap& map,
                                                  const GrooveOptions& options) {
   if (!(options.width_m >= 0.0005 && options.width_m <= 0.02))
     return Error{ErrorCode::usage, "the width of a groove must be 0.5 to 20 mm", {}};
   if (!(options.depth_m >= 0.0001 && options.depth_m <= 0.01))
     return Error{ErrorCode::usage, "the depth of a groove must be 0.1 to 10 mm", {}};
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   const Raster<float> lines = boundary_lines(map);
-  const double finest = kMostSamples / static_cast<double>(std::max(lines.width(), lines.height()));
+  const double finest = options.most_samples / static_cast<double>(std::max(lines.width(), lines.height()));
   const double scale =
-      std::max(1.0, std::min(2.0 * kSamplesAcrossHalf * map.pixel_m() / options.width_m, finest));
+      std::max(1.0, std::min(2.0 * options.samples_across_half * map.pixel_m() / options.width_m, finest));
   const cv::Mat distance = distance_to_lines(lines, scale);
   const double sample_m = map.width_m() / distance.cols;
   Raster<float> height(distance.cols, distance.rows);

@@ -14,21 +14,21 @@
 namespace palpable::sculpt {
 namespace {
 
-Raster<std::uint8_t> thickened(const Raster<float>& line) {
+Raster<std::uint8_t> dilated(const Raster<float>& line, int by) {
   Raster<std::uint8_t> thick(line.width(), line.height(), 0);
   for (int y = 0; y < line.height(); ++y)
     for (int x = 0; x < line.width(); ++x) {
       if (!(line(x, y) > 0.0F)) continue;
-      for (int b = std::max(0, y - 1); b <= std::min(line.height() - 1, y + 1); ++b)
-        for (int a = std::max(0, x - 1); a <= std::min(line.width() - 1, x + 1); ++a) thick(a, b) = 1;
+      for (int b = std::max(0, y - by); b <= std::min(line.height() - 1, y + by); ++b)
+        for (int a = std::max(0, x - by); a <= std::min(line.width() - 1, x + by); ++a) thick(a, b) = 1;
     }
   return thick;
 }
 
-/// Counts the parts of a circle that the lines reach from its middle without leaving it.
-class CircleLook {
+/// Counts the arcs of a circle that the lines reach from its centre without leaving it.
+class BranchCounter {
  public:
-  CircleLook(const Raster<std::uint8_t>& lines, int radius)
+  BranchCounter(const Raster<std::uint8_t>& lines, int radius)
       : lines_(lines), radius_(radius), side_(2 * radius + 1) {
     reached_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
     const int places = static_cast<int>(std::ceil(4.0 * std::numbers::pi * radius));
@@ -90,7 +90,7 @@ class CircleLook {
   std::vector<std::pair<int, int>> todo_;
 };
 
-/// Takes the candidates that hang together with one of them (`apart_px` apart at most) off `parts`, as a
+/// Removes the candidates that are connected with one of them (at most `apart_px` apart) from `parts`, as one
 /// junction.
 Junction taken_off(Raster<std::uint8_t>& parts, int x, int y, int apart_px) {
   Junction sum;
@@ -121,20 +121,27 @@ Junction taken_off(Raster<std::uint8_t>& parts, int x, int y, int apart_px) {
 
 }  // namespace
 
-std::vector<Junction> find_junctions(const Raster<float>& line, int radius_px) {
-  PALPABLE_CHECK(radius_px >= 3 && radius_px <= 64);
-  const auto lines = thickened(line);
-  CircleLook look(lines, radius_px);
+std::vector<Parameter> parameters_of(JunctionOptions& o) {
+  return {{"radius_px", &o.radius_px, {3, 64}, "px", "radius of the circle that branches must reach"},
+          {"least_branches", &o.least_branches, {3, 8}, "", "least branches of a junction"},
+          {"bridged_px", &o.bridged_px, {0, 8}, "px", "dilation of the lines"}};
+}
+
+std::vector<Junction> find_junctions(const Raster<float>& line, const JunctionOptions& options) {
+  PALPABLE_CHECK(check_ranges(options));
+  const auto lines = dilated(line, options.bridged_px);
+  BranchCounter branches(lines, options.radius_px);
   // How many lines leave each candidate, 0 elsewhere.
   Raster<std::uint8_t> parts(line.width(), line.height(), 0);
   for (int y = 0; y < line.height(); ++y)
     for (int x = 0; x < line.width(); ++x)
       if (line(x, y) > 0.0F)
-        if (const int n = look.parts(x, y); n >= 3) parts(x, y) = static_cast<std::uint8_t>(std::min(n, 255));
+        if (const int n = branches.parts(x, y); n >= options.least_branches)
+          parts(x, y) = static_cast<std::uint8_t>(std::min(n, 255));
   std::vector<Junction> junctions;
   for (int y = 0; y < line.height(); ++y)
     for (int x = 0; x < line.width(); ++x)
-      if (parts(x, y) != 0) junctions.push_back(taken_off(parts, x, y, radius_px));
+      if (parts(x, y) != 0) junctions.push_back(taken_off(parts, x, y, options.radius_px));
   return junctions;
 }
 

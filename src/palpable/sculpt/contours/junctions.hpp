@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/raster.hpp"
 
 #include <cstdint>
@@ -17,11 +18,21 @@ struct Junction {
   int branches = 0;
 };
 
-/// The junctions of one-pixel-wide lines (`line` > 0): places from which the lines themselves lead to three
-/// or more different parts of the circle of `radius_px` (3 … 64) around. Gaps of two pixels, as thinning
-/// leaves them at junctions, count as line; lines that only pass by do not. Those
-/// so near to each other that their places hang together are one.
-std::vector<Junction> find_junctions(const Raster<float>& line, int radius_px);
+struct JunctionOptions {
+  /// Radius of the circle that the lines must reach, px. 3 … 64.
+  int radius_px = 8;
+  /// A junction has at least this many branches. 3 … 8.
+  int least_branches = 3;
+  /// Lines are dilated by this many pixels, so that gaps of twice as many, as thinning leaves them at
+  /// junctions, count as line. 0 … 8.
+  int bridged_px = 1;
+};
+std::vector<Parameter> parameters_of(JunctionOptions& options);
+
+/// The junctions of one-pixel-wide lines (`line` > 0): places from which the lines themselves lead to at
+/// least so many different arcs of the circle around; lines that only pass by do not count. Places closer to
+/// each other than the radius are one junction. The options must be in their ranges.
+std::vector<Junction> find_junctions(const Raster<float>& line, const JunctionOptions& options);
 
 /// A label picture of `line`'s size: `label` in discs of `radius_px` round the junctions, 0 elsewhere.
 Raster<std::uint8_t> mark_junctions(const std::vector<Junction>& junctions, int width, int height,

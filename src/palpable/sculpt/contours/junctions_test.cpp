@@ -26,27 +26,27 @@ Raster<float> drawn(std::initializer_list<Stroke> strokes) {
 }
 
 TEST(Junctions, AreWhereThreeOrFourLinesMeet) {
-  const auto tee = find_junctions(drawn({{20, 50, 100, 50}, {60, 50, 60, 90}}), 8);
+  const auto tee = find_junctions(drawn({{20, 50, 100, 50}, {60, 50, 60, 90}}), {});
   ASSERT_EQ(tee.size(), 1U);
   EXPECT_NEAR(tee[0].x_px, 60, 1.5);
   EXPECT_NEAR(tee[0].y_px, 50, 3.0);
   EXPECT_EQ(tee[0].branches, 3);
-  const auto cross = find_junctions(drawn({{20, 20, 90, 80}, {90, 20, 20, 80}}), 8);
+  const auto cross = find_junctions(drawn({{20, 20, 90, 80}, {90, 20, 20, 80}}), {});
   ASSERT_EQ(cross.size(), 1U);
   EXPECT_NEAR(cross[0].x_px, 55, 1.5);
   EXPECT_EQ(cross[0].branches, 4);
 }
 
 TEST(Junctions, BridgeTheGapThatThinningLeaves) {
-  EXPECT_EQ(find_junctions(drawn({{20, 50, 100, 50}, {60, 53, 60, 90}}), 8).size(), 1U);
-  EXPECT_TRUE(find_junctions(drawn({{20, 50, 100, 50}, {60, 57, 60, 90}}), 8).empty());
+  EXPECT_EQ(find_junctions(drawn({{20, 50, 100, 50}, {60, 53, 60, 90}}), {}).size(), 1U);
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 100, 50}, {60, 57, 60, 90}}), {}).empty());
 }
 
 TEST(Junctions, AreNeitherCornersNorEndsNorLinesThatPassBy) {
-  EXPECT_TRUE(find_junctions(drawn({{20, 50, 60, 50}, {60, 50, 60, 90}}), 8).empty());
-  EXPECT_TRUE(find_junctions(drawn({{20, 50, 100, 50}, {20, 55, 100, 55}}), 8).empty());
-  EXPECT_TRUE(find_junctions(drawn({{20, 50, 40, 52}}), 8).empty());
-  EXPECT_TRUE(find_junctions(drawn({}), 8).empty());
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 60, 50}, {60, 50, 60, 90}}), {}).empty());
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 100, 50}, {20, 55, 100, 55}}), {}).empty());
+  EXPECT_TRUE(find_junctions(drawn({{20, 50, 40, 52}}), {}).empty());
+  EXPECT_TRUE(find_junctions(drawn({}), {}).empty());
 }
 
 TEST(Junctions, AreMarkedByDiscs) {

@@ -73,7 +73,7 @@ Result<Seen> seen_in_depth(const MakeOptions& options, const sources::Input& inp
 
 Result<Seen> seen_by_pair(const MakeOptions& options, const std::filesystem::path& labels, const Work& work) {
   const auto pair = read_stereo_pair(
-      {options.inputs, options.calibration, options.layout, options.align, options.moved_m}, work);
+      {options.inputs, options.calibration, options.layout, options.rectification, options.moved_m}, work);
   if (!pair) return pair.error();
   // Told before the pair is matched, which takes seconds.
   if (!pair->pair.rig)

@@ -35,11 +35,12 @@ std::string contour_source(vision::ContourMethod method) {
 
 /// Junctions of grooves feel rough and have a name, so that fingers and ears find them.
 void mark_junctions(models::Scene& scene, const models::BoundaryMap& map, const MakeOptions& options) {
-  constexpr double kLook_m = 0.0015;
+  constexpr double kRadius_m = 0.0015;
   const auto in_px = [&map](double metres) { return metres / map.pixel_m(); };
-  const int radius = std::clamp(static_cast<int>(std::lround(in_px(kLook_m))), 5, 24);
+  sculpt::JunctionOptions branches;
+  branches.radius_px = std::clamp(static_cast<int>(std::lround(in_px(kRadius_m))), 5, 24);
   const auto line = sculpt::boundary_lines(map);
-  const auto junctions = sculpt::find_junctions(line, radius);
+  const auto junctions = sculpt::find_junctions(line, branches);
   if (junctions.empty()) return;
   constexpr std::uint8_t kJunction = 1;
   scene.labels = sculpt::mark_junctions(junctions, line.width(), line.height(),

@@ -25,7 +25,7 @@ namespace palpable::session {
 namespace {
 
 StereoInput stereo_input(const MakeOptions& options) {
-  return {options.inputs, options.calibration, options.layout, options.align, options.moved_m};
+  return {options.inputs, options.calibration, options.layout, options.rectification, options.moved_m};
 }
 
 /// What is matched, as seen from between the cameras: picture, disparity and camera.

@@ -75,8 +75,8 @@ struct MakeOptions {
   sources::DepthSettings depth;
   /// How one picture holds a pair.
   sources::StereoLayout layout = sources::StereoLayout::automatic;
-  /// For a pair: whether it is brought to common scanlines, and by how many metres one camera was moved.
-  Align align = Align::automatic;
+  /// For a pair: whether it is rectified, and by how many metres one camera was moved.
+  Rectification rectification = Rectification::automatic;
   std::optional<double> moved_m;
   Texture texture = Texture::left;
   /// For a pair: what becomes of the plane that things stand on.

@@ -4,7 +4,7 @@
 
 #include "palpable/session/make/places.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
-#include "palpable/vision/rectification/alignment.hpp"
+#include "palpable/vision/rectification/stereo_rectification.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
 #include <array>
@@ -29,13 +29,13 @@ Result<std::optional<sources::Calibration>> calibration_of(const StereoInput& in
   return Found(std::move(*fitted));
 }
 
-void take(ReadyPair& ready, vision::AlignedPair aligned, AlignedBy way) {
-  ready.pair = std::move(aligned.pair);
-  ready.residual_before_px = aligned.residual_before_px;
-  ready.residual_px = aligned.residual_px;
-  ready.features = aligned.features;
-  if (aligned.changed) ready.aligned_by = way;
-  for (std::string& note : aligned.notes) ready.notes.push_back(std::move(note));
+void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy way) {
+  ready.pair = std::move(rectified.pair);
+  ready.residual_before_px = rectified.residual_before_px;
+  ready.residual_px = rectified.residual_px;
+  ready.features = rectified.features;
+  if (rectified.changed) ready.rectified_by = way;
+  for (std::string& note : rectified.notes) ready.notes.push_back(std::move(note));
 }
 
 /// The camera of a picture taken by one that was moved: as the calibration says; else a usual one, and a
@@ -49,23 +49,24 @@ vision::LensCamera moved_camera(const std::optional<sources::Calibration>& calib
   return vision::usual_camera(ready.pair.left.width, ready.pair.left.height);
 }
 
-Result<void> align_moved(const StereoInput& input, const std::optional<sources::Calibration>& calibration,
-                         ReadyPair& ready, const Work& work) {
-  auto aligned = vision::align_moved(ready.pair, moved_camera(calibration, ready), *input.moved_m, work);
-  if (!aligned) return aligned.error();
-  take(ready, std::move(*aligned), AlignedBy::movement);
+Result<void> rectify_moved(const StereoInput& input, const std::optional<sources::Calibration>& calibration,
+                           ReadyPair& ready, const Work& work) {
+  auto rectified =
+      vision::rectify_moved_camera(ready.pair, moved_camera(calibration, ready), *input.moved_m, work);
+  if (!rectified) return rectified.error();
+  take(ready, std::move(*rectified), RectifiedBy::movement);
   return {};
 }
 
-Result<void> align_by_features(ReadyPair& ready, const Work& work) {
-  auto aligned = vision::align_uncalibrated(ready.pair, work);
-  if (!aligned) return aligned.error();
-  take(ready, std::move(*aligned), AlignedBy::features);
+Result<void> rectify_by_features(ReadyPair& ready, const Work& work) {
+  auto rectified = vision::rectify_uncalibrated(ready.pair, work);
+  if (!rectified) return rectified.error();
+  take(ready, std::move(*rectified), RectifiedBy::features);
   return {};
 }
 
 /// By what the calibration states: a rectified pair, two cameras and their places, or only their lenses.
-Result<void> align_calibrated(const sources::Calibration& calibration, ReadyPair& ready, const Work& work) {
+Result<void> rectify_calibrated(const sources::Calibration& calibration, ReadyPair& ready, const Work& work) {
   if (calibration.rig) {
     ready.pair.rig = calibration.rig;
     return {};
@@ -73,10 +74,10 @@ Result<void> align_calibrated(const sources::Calibration& calibration, ReadyPair
   const vision::LensCamera left = lens_of(calibration.left);
   const vision::LensCamera right = calibration.right ? lens_of(*calibration.right) : left;
   if (calibration.right && calibration.rotation && calibration.translation_m) {
-    auto aligned = vision::rectify_calibrated(
+    auto rectified = vision::rectify_calibrated(
         ready.pair, {left, right, *calibration.rotation, *calibration.translation_m});
-    if (!aligned) return aligned.error();
-    take(ready, std::move(*aligned), AlignedBy::calibration);
+    if (!rectified) return rectified.error();
+    take(ready, std::move(*rectified), RectifiedBy::calibration);
     return {};
   }
   if (!calibration.right)
@@ -86,19 +87,19 @@ Result<void> align_calibrated(const sources::Calibration& calibration, ReadyPair
   auto straight = vision::undistorted(ready.pair, left, right);
   if (!straight) return straight.error();
   ready.pair = std::move(*straight);
-  return align_by_features(ready, work);
+  return rectify_by_features(ready, work);
 }
 
-Result<void> align(const StereoInput& input, const std::optional<sources::Calibration>& calibration,
-                   ReadyPair& ready, const Work& work) {
-  if (input.moved_m) return align_moved(input, calibration, ready, work);
-  if (calibration) return align_calibrated(*calibration, ready, work);
-  return align_by_features(ready, work);
+Result<void> rectify(const StereoInput& input, const std::optional<sources::Calibration>& calibration,
+                     ReadyPair& ready, const Work& work) {
+  if (input.moved_m) return rectify_moved(input, calibration, ready, work);
+  if (calibration) return rectify_calibrated(*calibration, ready, work);
+  return rectify_by_features(ready, work);
 }
 
 }  // namespace
 
-std::string_view name_of(AlignedBy way) {
+std::string_view name_of(RectifiedBy way) {
   constexpr std::array<std::string_view, 4> kNames{"nothing", "calibration", "features", "movement"};
   return kNames[static_cast<std::size_t>(way)];
 }
@@ -116,11 +117,11 @@ Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work) {
   ready.residual_before_px = ready.residual_px = std::numeric_limits<double>::quiet_NaN();
   if (*calibration)
     ready.notes.insert(ready.notes.end(), (*calibration)->notes.begin(), (*calibration)->notes.end());
-  if (input.align == Align::never && !input.moved_m) {
+  if (input.rectification == Rectification::never && !input.moved_m) {
     if (*calibration) ready.pair.rig = (*calibration)->rig;
     return ready;
   }
-  if (const auto done = align(input, *calibration, ready, work); !done)
+  if (const auto done = rectify(input, *calibration, ready, work); !done)
     return at_place(done.error(),
                     input.calibration.empty() ? names_of(input.pictures) : input.calibration.string());
   return ready;

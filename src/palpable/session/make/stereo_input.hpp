@@ -15,8 +15,8 @@
 namespace palpable::session {
 
 /// What is done to a pair before it is matched.
-enum class Align {
-  /// What the calibration says; without one, what the pictures' features say, if they are not aligned yet.
+enum class Rectification {
+  /// What the calibration says; without one, what the pictures' features say, if they are not rectified yet.
   automatic,
   /// Nothing: the pictures are taken as they come.
   never
@@ -29,21 +29,21 @@ struct StereoInput {
   /// OpenCV yml/xml, Middlebury calib.txt or JSON; empty = none.
   std::filesystem::path calibration;
   sources::StereoLayout layout = sources::StereoLayout::automatic;
-  Align align = Align::automatic;
+  Rectification rectification = Rectification::automatic;
   /// One camera that was moved sideways between the pictures, by so many metres.
   std::optional<double> moved_m;
 };
 
 /// How a pair came to lie on common scanlines.
-enum class AlignedBy { nothing, calibration, features, movement };
-std::string_view name_of(AlignedBy way);
+enum class RectifiedBy { nothing, calibration, features, movement };
+std::string_view name_of(RectifiedBy way);
 
 /// A pair that is ready to be matched.
 struct ReadyPair {
   vision::StereoPair pair;
-  AlignedBy aligned_by = AlignedBy::nothing;
+  RectifiedBy rectified_by = RectifiedBy::nothing;
   /// RMS of y_left - y_right of matched features in pixels, before and after; NaN where it was not measured
-  /// (the calibration states a rectified pair, --align off) or there are no features.
+  /// (the calibration states a rectified pair, --rectify off) or there are no features.
   double residual_before_px = 0.0;
   double residual_px = 0.0;
   int features = 0;
@@ -51,8 +51,8 @@ struct ReadyPair {
   std::vector<std::string> notes;
 };
 
-/// Reads a pair and aligns it: a pair of calibrated cameras is undistorted and rectified, one of unknown
-/// cameras turned as its features demand, one that is aligned (or that the calibration states to be
+/// Reads a pair and rectifies it: a pair of calibrated cameras is undistorted and rectified, one of unknown
+/// cameras turned as its features demand, one that is rectified (or that the calibration states to be
 /// rectified) left alone. Errors: invalid_input naming the file, usage for options that do not fit,
 /// interrupted.
 Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work);

@@ -95,7 +95,9 @@ Spread spread_of(const std::vector<TraceOutcome>& all, double (*value)(const Tra
 }  // namespace
 
 Result<TracedFigure> prepare_figure(TracingFigure figure, double neighbourhood_px, const Work& work) {
-  const auto contours = vision::find_contours(image_of(figure), {vision::ContourMethod::best, -1.0}, work);
+  vision::ContourOptions method;
+  method.method = vision::ContourMethod::best;
+  const auto contours = vision::find_contours(image_of(figure), method, work);
   if (!contours) return contours.error();
   sculpt::BoundaryMapOptions options;
   options.width_m = figure.picture.width() * figure.pixel_m;

@@ -15,9 +15,9 @@
 namespace palpable::vision {
 namespace {
 
-/// The n-th root (3 or 5) of a positive normal number, within 3e-7 of itself: a guess by the logarithm that
-/// the bits of a float nearly are, then Newton's steps. OpenCV's own conversion computes exact tables first,
-/// which takes longer than a picture does.
+/// The n-th root (3 or 5) of a positive normal number, to a relative 3e-7: the bits of a float are nearly its
+/// logarithm, which gives a first guess; then Newton's steps. OpenCV's conversion fills exact tables first,
+/// which takes longer than converting one picture.
 template <int kRoot>
 inline __attribute__((always_inline)) float root_of(float v) {
   constexpr float kOne = 0x3F800000p0F;
@@ -31,7 +31,7 @@ inline __attribute__((always_inline)) float root_of(float v) {
   return root;
 }
 
-/// Which of two, without a branch, which would keep the loop from being vectorised.
+/// A choice without a branch, so that the loop can be vectorised.
 inline __attribute__((always_inline)) float either(bool first, float one, float other) {
   const float share = first ? 1.0F : 0.0F;
   return share * one + (1.0F - share) * other;
@@ -64,9 +64,8 @@ void lab_row(float* __restrict first, float* __restrict second, float* __restric
   }
 }
 
-/// Scale and offset that map the 0.1st and 99.9th percentile of the colour samples to 0 and 1; identity for
-/// 8-bit pictures.
-std::pair<float, float> stretch_of(const Image& image) {
+/// Scale and offset that map the two quantiles of the colour samples to 0 and 1; identity for 8-bit pictures.
+std::pair<float, float> stretch_of(const Image& image, const ChannelOptions& options) {
   if (image.bits <= 8) return {1.0F, 0.0F};
   std::vector<float> sample;
   const std::size_t step = std::max<std::size_t>(1, image.samples.size() / 200000);
@@ -75,21 +74,22 @@ std::pair<float, float> stretch_of(const Image& image) {
     if (image.channels % 2 == 0 && channel == image.channels - 1) continue;
     sample.push_back(image.samples[i]);
   }
-  const float low = quantile_of(sample, 0.001);
-  const float high = quantile_of(sample, 0.999);
+  const float low = quantile_of(sample, options.low_quantile);
+  const float high = quantile_of(sample, options.high_quantile);
   return high > low ? std::pair{1.0F / (high - low), -low / (high - low)} : std::pair{1.0F, 0.0F};
 }
 
 }  // namespace
 
-std::vector<WeightedChannel> edge_channels(const Image& image, const Work& work) {
-  const auto [scale, offset] = stretch_of(image);
+std::vector<WeightedChannel> edge_channels(const Image& image, const ChannelOptions& options,
+                                           const Work& work) {
+  const auto [scale, offset] = stretch_of(image, options);
   const bool colour = image.channels >= 3;
   const bool alpha = image.channels % 2 == 0;
   std::vector<WeightedChannel> out;
   out.reserve(3);
   for (int c = 0; c < (colour ? 3 : 1); ++c)
-    out.push_back({Raster<float>(image.width, image.height), c == 0 ? 1.0F : 2.0F});
+    out.push_back({Raster<float>(image.width, image.height), c == 0 ? 1.0F : options.chroma_weight});
   parallel_for(work, image.height, 16, [&, scale = scale, offset = offset](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (std::size_t c = 0; c < out.size(); ++c) {

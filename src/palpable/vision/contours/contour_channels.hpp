@@ -5,18 +5,20 @@
 #include "palpable/core/image.hpp"
 #include "palpable/core/raster.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/contours/contour_options.hpp"
 
 #include <vector>
 
 namespace palpable::vision {
 
-/// The picture's channels as edges are looked for in them, each with its weight: L, a, b (CIELAB / 100, white
-/// D65; weights 1, 2, 2) of colour, the values themselves of grey. Deep pictures (more than 8 bits) are
-/// stretched between their 0.1st and 99.9th percentile first; transparent pixels lie on white.
+/// The channels that edges are measured in, each with its weight: L, a, b (CIELAB / 100, white D65) of
+/// colour, the values themselves of grey. Pictures of more than 8 bits are stretched between two quantiles
+/// first; transparent pixels lie on white.
 struct WeightedChannel {
   Raster<float> values;
   float weight = 1.0F;
 };
-std::vector<WeightedChannel> edge_channels(const Image& image, const Work& work);
+std::vector<WeightedChannel> edge_channels(const Image& image, const ChannelOptions& options,
+                                           const Work& work);
 
 }  // namespace palpable::vision

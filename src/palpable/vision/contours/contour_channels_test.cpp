@@ -20,7 +20,7 @@ TEST(EdgeChannels, OfColourAreCielab) {
   Image image{static_cast<int>(known.size()), 1, 3, 8, {}};
   for (const auto& colour : known)
     image.samples.insert(image.samples.end(), colour.begin(), colour.begin() + 3);
-  const auto channels = edge_channels(image, {});
+  const auto channels = edge_channels(image, {}, {});
   ASSERT_EQ(channels.size(), 3U);
   for (std::size_t i = 0; i < known.size(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
@@ -30,7 +30,7 @@ TEST(EdgeChannels, OfColourAreCielab) {
 
 TEST(EdgeChannels, OfTransparentPixelsAreWhitePaper) {
   const Image image{2, 1, 2, 8, {0.0F, 0.0F, 0.0F, 0.5F}};
-  const auto channels = edge_channels(image, {});
+  const auto channels = edge_channels(image, {}, {});
   ASSERT_EQ(channels.size(), 1U);
   EXPECT_FLOAT_EQ(channels[0].values(0, 0), 1.0F);
   EXPECT_FLOAT_EQ(channels[0].values(1, 0), 0.5F);

@@ -15,20 +15,6 @@
 namespace palpable::vision {
 namespace {
 
-/// The pieces beside a corner: nearer than this the blur rounds them off; farther they need not be straight.
-constexpr double kNear_px = 3.5, kFar_px = 10.0;
-constexpr int kReach = 10;
-/// Fewer pixels than this tell no direction.
-constexpr std::size_t kFewest = 5;
-/// A straight piece's pixels lie so near its line (root mean square), and it bends by no more than this share
-/// of the corner's turn: an arc bends by a third of it.
-constexpr double kStraight_px = 0.25, kBend = 1.0 / 6.0;
-constexpr double kLeastTurn = std::numbers::pi / 6.0, kGreatestTurn = std::numbers::pi * 5.0 / 6.0;
-/// Corners are drawn out by so much at most.
-constexpr double kLongest_px = 3.0;
-/// Tangents around a place in a straight line agree better than this (length of the mean doubled angle).
-constexpr float kAgreement = 0.9F;
-
 struct Pixel {
   int x, y;
 };
@@ -51,12 +37,13 @@ struct Corner {
   std::array<Piece, 2> pieces;
 };
 
-/// What the search looks at.
+/// What corners are found in.
 struct Lines {
   const Raster<float>& strength;
   const Raster<float>& tangent_x;
   const Raster<float>& tangent_y;
   const Raster<float>& line;
+  const CornerOptions& options;
 };
 
 double apart(Place a, Place b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -76,11 +63,12 @@ bool may_turn(const Lines& lines, Pixel p) {
     s += weight * 2.0F * tx * ty;
     sum += weight;
   }
-  return c * c + s * s < kAgreement * kAgreement * sum * sum;
+  const float straight = lines.options.straight_agreement;
+  return c * c + s * s < straight * straight * sum * sum;
 }
 
-/// Where across the line its strength is greatest, by a parabola through three places.
-Place sharpened(const Lines& lines, Pixel p) {
+/// The sub-pixel maximum of the strength across the line, by a parabola through three places.
+Place subpixel(const Lines& lines, Pixel p) {
   const double nx = -static_cast<double>(lines.tangent_y(p.x, p.y)), ny = lines.tangent_x(p.x, p.y);
   const auto at = [&](double side) {
     return static_cast<double>(
@@ -92,11 +80,17 @@ Place sharpened(const Lines& lines, Pixel p) {
   return {p.x + shift * nx, p.y + shift * ny};
 }
 
-/// Pixels of the line around p that hang together with it (gaps of a pixel do not part them), in pieces as
-/// they hang together beyond kNear_px. Kept between calls, for its memory.
+/// Pixels of the line around p that are connected with it (across gaps of a pixel), in pieces as they are
+/// connected beyond near_px. Kept between calls, for its memory.
 class Surroundings {
  public:
-  /// The pieces, and the pixels nearer than kNear_px as `core`.
+  explicit Surroundings(const CornerOptions& options)
+      : near_px_(options.near_px),
+        reach_(static_cast<int>(std::ceil(options.far_px))),
+        side_(2 * reach_ + 1),
+        open_(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_)) {}
+
+  /// The pieces, and the pixels nearer than near_px as `core`.
   std::vector<std::vector<Pixel>> pieces;
   std::vector<Pixel> core;
 
@@ -104,9 +98,9 @@ class Surroundings {
     pieces.clear();
     core.clear();
     origin_ = p;
-    open_.fill(0);
-    for (int y = std::max(0, p.y - kReach); y <= std::min(line.height() - 1, p.y + kReach); ++y)
-      for (int x = std::max(0, p.x - kReach); x <= std::min(line.width() - 1, p.x + kReach); ++x)
+    std::fill(open_.begin(), open_.end(), std::uint8_t{0});
+    for (int y = std::max(0, p.y - reach_); y <= std::min(line.height() - 1, p.y + reach_); ++y)
+      for (int x = std::max(0, p.x - reach_); x <= std::min(line.width() - 1, p.x + reach_); ++x)
         if (line(x, y) > 0.0F) mark({x, y}) = 1;
     const std::vector<Pixel> all = taken_from(p, 2, 1, 2);
     std::vector<Pixel> far;
@@ -117,14 +111,14 @@ class Surroundings {
   }
 
  private:
-  bool is_core(Pixel q) const { return apart(centre_of(q), centre_of(origin_)) < kNear_px; }
+  bool is_core(Pixel q) const { return apart(centre_of(q), centre_of(origin_)) < near_px_; }
   bool holds(Pixel q) const {
-    return std::abs(q.x - origin_.x) <= kReach && std::abs(q.y - origin_.y) <= kReach;
+    return std::abs(q.x - origin_.x) <= reach_ && std::abs(q.y - origin_.y) <= reach_;
   }
   std::uint8_t& mark(Pixel q) {
-    return open_[static_cast<std::size_t>((q.y - origin_.y + kReach) * kSide + q.x - origin_.x + kReach)];
+    return open_[static_cast<std::size_t>((q.y - origin_.y + reach_) * side_ + q.x - origin_.x + reach_)];
   }
-  /// The pixels marked `from` that hang together with `first` by steps of up to `step`; marked `to` now.
+  /// The pixels marked `from` that are connected with `first` by steps of up to `step`; marked `to` now.
   std::vector<Pixel> taken_from(Pixel first, int step, std::uint8_t from, std::uint8_t to) {
     std::vector<Pixel> out{first};
     mark(first) = to;
@@ -140,12 +134,13 @@ class Surroundings {
     return out;
   }
 
-  static constexpr int kSide = 2 * kReach + 1;
-  std::array<std::uint8_t, static_cast<std::size_t>(kSide* kSide)> open_{};
+  double near_px_;
+  int reach_, side_;
+  std::vector<std::uint8_t> open_;
   Pixel origin_{};
 };
 
-/// How far the places lie along and across the piece, and what of it bends.
+/// The bend of a piece: its places across it, fitted by a parabola along it.
 void measure_bend(std::span<const Place> places, Piece& piece) {
   double sum_u = 0.0, sum_uu = 0.0, length = 0.0;
   for (const Place q : places) {
@@ -165,15 +160,16 @@ void measure_bend(std::span<const Place> places, Piece& piece) {
   piece.bend = spread > 0.0 ? 4.0 * length * std::abs(with_v) / spread : 0.0;
 }
 
-/// The straight piece through the pixels, seen from the corner; nothing where they are too few or too
-/// crooked.
+/// The straight piece through the pixels, seen from the corner; nothing where they are too few or not
+/// straight.
 std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels, Pixel corner) {
-  if (pixels.size() < kFewest) return std::nullopt;
+  const CornerOptions& options = lines.options;
+  if (static_cast<int>(pixels.size()) < options.least_pixels) return std::nullopt;
   std::vector<Place> places;
   Piece out;
-  double nearest = 2.0 * kFar_px, farthest = 0.0;
+  double nearest = 2.0 * options.far_px, farthest = 0.0;
   for (const Pixel q : pixels) {
-    places.push_back(sharpened(lines, q));
+    places.push_back(subpixel(lines, q));
     out.middle.x += places.back().x / static_cast<double>(pixels.size());
     out.middle.y += places.back().y / static_cast<double>(pixels.size());
     out.strength += lines.line(q.x, q.y) / static_cast<float>(pixels.size());
@@ -181,7 +177,7 @@ std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels,
     farthest = std::max(farthest, far);
     if (far < nearest) nearest = far, out.nearest = q;
   }
-  if (farthest < kFar_px - 2.0) return std::nullopt;
+  if (farthest < options.far_px - 2.0) return std::nullopt;
   double xx = 0.0, xy = 0.0, yy = 0.0;
   for (const Place q : places) {
     const double dx = q.x - out.middle.x, dy = q.y - out.middle.y;
@@ -189,7 +185,8 @@ std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels,
   }
   const double angle = 0.5 * std::atan2(2.0 * xy, xx - yy);
   const double least = 0.5 * (xx + yy - std::hypot(xx - yy, 2.0 * xy));
-  if (least > kStraight_px * kStraight_px * static_cast<double>(places.size())) return std::nullopt;
+  if (least > options.straight_px * options.straight_px * static_cast<double>(places.size()))
+    return std::nullopt;
   out.along = {std::cos(angle), std::sin(angle)};
   if ((out.middle.x - corner.x) * out.along.x + (out.middle.y - corner.y) * out.along.y < 0.0)
     out.along = {-out.along.x, -out.along.y};
@@ -207,17 +204,19 @@ std::optional<Corner> corner_at(const Lines& lines, Pixel p, Surroundings& aroun
   const double cross = a->along.x * b->along.y - a->along.y * b->along.x;
   const double turn =
       std::numbers::pi - std::atan2(std::abs(cross), a->along.x * b->along.x + a->along.y * b->along.y);
-  if (turn < kLeastTurn || turn > kGreatestTurn || std::max(a->bend, b->bend) > kBend * turn)
+  const CornerOptions& options = lines.options;
+  if (turn < options.least_turn || turn > options.most_turn ||
+      std::max(a->bend, b->bend) > options.bend_share * turn)
     return std::nullopt;
   const double dx = b->middle.x - a->middle.x, dy = b->middle.y - a->middle.y;
   const double t = (dx * b->along.y - dy * b->along.x) / cross;
   const Place meeting{a->middle.x + t * a->along.x, a->middle.y + t * a->along.y};
   const double drawn = apart(meeting, centre_of(p));
-  if (drawn > kLongest_px) return std::nullopt;
+  if (drawn > options.longest_px) return std::nullopt;
   return Corner{p, meeting, drawn, {*a, *b}};
 }
 
-/// Sets the pixels of a straight way between two.
+/// Draws a straight line of pixels between two.
 void draw(Pixel from, Pixel to, float strength, Raster<float>& line) {
   const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
   for (int k = 0; k <= steps; ++k) {
@@ -231,7 +230,7 @@ void draw(Pixel from, Pixel to, float strength, Raster<float>& line) {
 std::vector<Corner> corners_of(const Lines& lines, const Work& work) {
   std::vector<std::vector<Corner>> rows(static_cast<std::size_t>(lines.line.height()));
   parallel_for(work, lines.line.height(), 16, [&](int begin, int end) {
-    Surroundings around;
+    Surroundings around(lines.options);
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < lines.line.width(); ++x) {
         if (!(lines.line(x, y) > 0.0F) || !may_turn(lines, {x, y})) continue;
@@ -241,7 +240,7 @@ std::vector<Corner> corners_of(const Lines& lines, const Work& work) {
   });
   std::vector<Corner> out;
   for (const auto& row : rows) out.insert(out.end(), row.begin(), row.end());
-  // The pixels around a corner all find it: the one nearest to it tells best.
+  // The pixels around a corner all find it: the nearest one's estimate is taken.
   std::stable_sort(out.begin(), out.end(),
                    [](const Corner& a, const Corner& b) { return a.drawn_px < b.drawn_px; });
   return out;
@@ -249,12 +248,13 @@ std::vector<Corner> corners_of(const Lines& lines, const Work& work) {
 
 }  // namespace
 
-void draw_out_corners(const Raster<float>& strength, const Raster<float>& tangent_x,
-                      const Raster<float>& tangent_y, Raster<float>& line, const Work& work) {
+void restore_corners(const Raster<float>& strength, const Raster<float>& tangent_x,
+                     const Raster<float>& tangent_y, Raster<float>& line, const CornerOptions& options,
+                     const Work& work) {
   const Raster<float> rounded = line;
   Raster<std::uint8_t> taken(line.width(), line.height());
-  Surroundings around;
-  for (const Corner& corner : corners_of({strength, tangent_x, tangent_y, rounded}, work)) {
+  Surroundings around(options);
+  for (const Corner& corner : corners_of({strength, tangent_x, tangent_y, rounded, options}, work)) {
     const Pixel at{static_cast<int>(std::lround(corner.at.x)), static_cast<int>(std::lround(corner.at.y))};
     if (!line.contains(at.x, at.y) || taken(corner.from.x, corner.from.y) != 0) continue;
     around.find(rounded, corner.from);

@@ -38,7 +38,7 @@ struct Polygon {
   }
 };
 
-Contours contours_of(const Shape& shape) {
+ContourMap contours_of(const Shape& shape) {
   auto found = find_contours(drawn(kSize, shape, 8), {}, {});
   EXPECT_TRUE(found);
   return std::move(*found);
@@ -57,7 +57,7 @@ TEST(ContourCorners, LieWithinAPixelOfWhereTheyAre) {
   for (const int corners : {3, 4, 5, 6, 8})
     for (const double turned : {0.0, 7.0, 22.5, 40.0}) {
       const Polygon polygon{corners, turned, 0.37};
-      const Contours found = contours_of([&](double x, double y) { return polygon.contains(x, y); });
+      const ContourMap found = contours_of([&](double x, double y) { return polygon.contains(x, y); });
       for (int k = 0; k < corners; ++k)
         EXPECT_LE(to_line(found.line, polygon.corner(k, false), polygon.corner(k, true)), 1.0)
             << corners << " corners, turned by " << turned << ", corner " << k;
@@ -66,10 +66,10 @@ TEST(ContourCorners, LieWithinAPixelOfWhereTheyAre) {
 
 TEST(ContourCorners, LeaveArcsAsTheyAre) {
   for (const double radius : {6.0, 10.0, 15.0, 25.0, 40.0}) {
-    const Contours found =
+    const ContourMap found =
         contours_of([&](double x, double y) { return std::hypot(x - kMiddle, y - kMiddle - 0.2) < radius; });
     Raster<float> again = found.line;
-    draw_out_corners(found.strength, found.tangent_x, found.tangent_y, again, {});
+    restore_corners(found.strength, found.tangent_x, found.tangent_y, again, {}, {});
     EXPECT_EQ(again, found.line);
     int pixels = 0;
     for (int y = 0; y < kSize; ++y)
@@ -84,7 +84,7 @@ TEST(ContourCorners, LeaveArcsAsTheyAre) {
 
 TEST(ContourCorners, LeaveNoGapBesideThem) {
   const Polygon square{4, 22.5, 0.0};
-  const Contours found = contours_of([&](double x, double y) { return square.contains(x, y); });
+  const ContourMap found = contours_of([&](double x, double y) { return square.contains(x, y); });
   // Along each side, place by place, a pixel of the line is near.
   for (int k = 0; k < 4; ++k)
     for (double share = 0.0; share <= 1.0; share += 0.02)

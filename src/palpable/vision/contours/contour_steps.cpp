@@ -59,7 +59,9 @@ double otsu_threshold(const Raster<float>& values) {
 }
 
 Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& tangent_x,
-                          const Raster<float>& tangent_y, double low, double high, const Work& work) {
+                          const Raster<float>& tangent_y, double threshold, const LineOptions& options,
+                          const Work& work) {
+  const double low = options.followed_share * threshold;
   Raster<float> ridge(strength.width(), strength.height());
   parallel_for(work, strength.height(), 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
@@ -74,7 +76,7 @@ Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& ta
   Raster<std::uint8_t> kept(strength.width(), strength.height());
   for (int y = 0; y < strength.height(); ++y)
     for (int x = 0; x < strength.width(); ++x)
-      if (ridge(x, y) > 0.0F && ridge(x, y) >= static_cast<float>(high))
+      if (ridge(x, y) > 0.0F && ridge(x, y) >= static_cast<float>(threshold))
         open.emplace_back(x, y), kept(x, y) = 1;
   while (!open.empty()) {
     const auto [x, y] = open.back();
@@ -91,7 +93,7 @@ Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& ta
   }
   for (std::size_t i = 0; i < ridge.count(); ++i)
     if (kept.values()[i] == 0) ridge.values()[i] = 0.0F;
-  draw_out_corners(strength, tangent_x, tangent_y, ridge, work);
+  restore_corners(strength, tangent_x, tangent_y, ridge, options.corners, work);
   return ridge;
 }
 

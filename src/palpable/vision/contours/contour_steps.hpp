@@ -4,14 +4,12 @@
 
 #include "palpable/core/raster.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/contours/contour_options.hpp"
 
 #include <cmath>
 #include <utility>
 
 namespace palpable::vision {
-
-/// A boundary, once begun, is followed down to this share of the threshold.
-inline constexpr double kFollowedShare = 0.5;
 
 /// A symmetric 2 x 2 tensor per pixel: sums of n n^T over edge vectors n, image axes.
 struct TensorMap {
@@ -39,9 +37,11 @@ double otsu_threshold(const Raster<float>& values);
 /// raster has at least 2 x 2.
 float bilinear(const Raster<float>& values, float x, float y);
 
-/// Ridges of `strength` across the tangent, one pixel wide, kept where their line reaches `high` and nowhere
-/// falls below `low`, drawn out to their corners (contour_corners.hpp).
+/// Ridges of `strength` across the tangent, one pixel wide, kept where their line reaches `threshold` and
+/// nowhere falls below the followed share of it (hysteresis), with their corners restored
+/// (contour_corners.hpp).
 Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& tangent_x,
-                          const Raster<float>& tangent_y, double low, double high, const Work& work);
+                          const Raster<float>& tangent_y, double threshold, const LineOptions& options,
+                          const Work& work);
 
 }  // namespace palpable::vision

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/contours/contours.hpp"
 
-#include "palpable/vision/contours/contours_standard.hpp"
+#include "palpable/vision/contours/contour_steps.hpp"
+#include "palpable/vision/contours/edge_response.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,49 +12,46 @@
 namespace palpable::vision {
 namespace {
 
-/// Otsu always splits, even nothing: strength below this is less than one grey level of 8 bits.
-constexpr double kFaintest = 0.02;
-
-Result<void> check(const Image& image, const ContourOptions& options) {
+Result<void> check_input(const Image& image, const ContourOptions& options) {
+  if (auto valid = check(options); !valid) return valid;
   if (image.width < 8 || image.height < 8)
     return invalid_input("the picture is smaller than 8 x 8 pixels: there is no contour to follow");
-  if (!(options.threshold < 0.0 || options.threshold <= 1.0))
-    return Error{ErrorCode::usage, "the threshold must be 0 to 1", {}};
   if (!std::all_of(image.samples.begin(), image.samples.end(), [](float v) { return std::isfinite(v); }))
     return invalid_input("the picture has samples that are not finite numbers");
   return {};
 }
 
-EdgeMap edges_by(ContourMethod method, const Image& image, const Work& work) {
-  switch (method) {
+EdgeResponse edges_by(const Image& image, const ContourOptions& options, const Work& work) {
+  switch (options.method) {
     case ContourMethod::paper:
       return paper_edges(image, work);
     case ContourMethod::best:
-      return best_edges(image, work);
+      return best_edges(image, options, work);
     case ContourMethod::standard:
       break;
   }
-  return standard_edges(image, work);
+  return standard_edges(image, options, work);
 }
 
 }  // namespace
 
-Result<Contours> find_contours(const Image& image, const ContourOptions& options, const Work& work) {
-  if (auto fine = check(image, options); !fine) return fine.error();
-  EdgeMap edges = edges_by(options.method, image, work);
+Result<ContourMap> find_contours(const Image& image, const ContourOptions& options, const Work& work) {
+  if (auto valid = check_input(image, options); !valid) return valid.error();
+  EdgeResponse edges = edges_by(image, options, work);
   if (work.cancelled()) return Work::interrupted();
-  Contours out;
-  out.threshold = options.threshold >= 0.0
-                      ? options.threshold
-                      : std::max({kFaintest, double{edges.faintest}, otsu_threshold(edges.strength)});
+  ContourMap out;
+  out.threshold = options.threshold ? *options.threshold
+                                    : std::max({options.least_threshold, double{edges.least_threshold},
+                                                otsu_threshold(edges.strength)});
   std::size_t boundary = 0;
   for (const float s : edges.strength.values())
     boundary += s > 0.0F && s >= static_cast<float>(out.threshold) ? 1U : 0U;
   out.boundary_fraction = static_cast<double>(boundary) / static_cast<double>(edges.strength.count());
-  out.line = ridge_lines(edges.strength, edges.tangent_x, edges.tangent_y, kFollowedShare * out.threshold,
-                         out.threshold, work);
+  out.line =
+      ridge_lines(edges.strength, edges.tangent_x, edges.tangent_y, out.threshold, options.lines, work);
+  const auto followed = static_cast<float>(options.lines.followed_share * out.threshold);
   for (float& s : edges.strength.values())
-    if (s < static_cast<float>(kFollowedShare * out.threshold)) s = 0.0F;
+    if (s < followed) s = 0.0F;
   out.tangent_x = std::move(edges.tangent_x);
   out.tangent_y = std::move(edges.tangent_y);
   out.strength = std::move(edges.strength);

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/contours/contours_standard.hpp"
+#include "palpable/vision/contours/edge_response.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace {
 
 using Mask = std::array<float, 9>;  // row by row, y downwards
 
-// Gradient masks, each pair with its response to a unit ramp as last factor 1/sum.
+// Gradient masks. Sobel's responds with 8 to a unit ramp and with 4 to a unit step.
 constexpr Mask kSobelX{-1, 0, 1, -2, 0, 2, -1, 0, 1};
 constexpr Mask kSobelY{-1, -2, -1, 0, 0, 0, 1, 2, 1};
 // Eq. 4 (Climent et al. 1998), right as printed: it is chiral and serves gradients between atan(1/3) and 45
@@ -23,7 +23,8 @@ constexpr Mask kClimentY{-74, -254, -123, -25, 0, 25, 123, 254, 74};
 constexpr Mask kMirrorX{-74, -25, 123, -254, 0, 254, -123, 25, 74};
 constexpr Mask kMirrorY{-123, -254, -74, 25, 0, -25, 74, 254, 123};
 
-float answer(const Raster<float>& image, int x, int y, const Mask& mask) {
+/// The mask's response at a pixel; beyond the border the outermost pixels' values.
+float response(const Raster<float>& image, int x, int y, const Mask& mask) {
   float sum = 0.0F;
   for (int j = -1; j <= 1; ++j) {
     for (int i = -1; i <= 1; ++i) {
@@ -43,21 +44,21 @@ double gradient_angle(const Raster<float>& image, int x, int y, float ex, float 
   const double in_quadrant = std::fmod(sobel * 180.0 / std::numbers::pi + 360.0, 90.0);
   if (in_quadrant < kLow || in_quadrant > 90.0 - kLow) return sobel;
   const bool lower = in_quadrant <= 45.0;
-  return std::atan2(answer(image, x, y, lower ? kClimentY : kMirrorY),
-                    answer(image, x, y, lower ? kClimentX : kMirrorX));
+  return std::atan2(response(image, x, y, lower ? kClimentY : kMirrorY),
+                    response(image, x, y, lower ? kClimentX : kMirrorX));
 }
 
 }  // namespace
 
-EdgeMap paper_edges(const Image& image, const Work& work) {
+EdgeResponse paper_edges(const Image& image, const Work& work) {
   const Raster<float> values = grey(image);
-  EdgeMap out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height),
-              Raster<float>(image.width, image.height)};
+  EdgeResponse out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height),
+                   Raster<float>(image.width, image.height)};
   parallel_for(work, image.height, 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < image.width; ++x) {
-        const float ex = answer(values, x, y, kSobelX);
-        const float ey = answer(values, x, y, kSobelY);
+        const float ex = response(values, x, y, kSobelX);
+        const float ey = response(values, x, y, kSobelY);
         const float magnitude = std::sqrt(ex * ex + ey * ey);  // eq. 3 with its squares
         if (magnitude <= 0.0F) continue;
         const double angle = gradient_angle(values, x, y, ex, ey);

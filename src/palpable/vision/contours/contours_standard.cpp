@@ -1,8 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/contours/contours_standard.hpp"
-
 #include "palpable/core/vectorize.hpp"
+#include "palpable/vision/contours/contour_channels.hpp"
+#include "palpable/vision/contours/contour_steps.hpp"
+#include "palpable/vision/contours/edge_response.hpp"
 #include "palpable/vision/image/gaussian_derivatives.hpp"
 
 #include <algorithm>
@@ -17,23 +18,11 @@
 namespace palpable::vision {
 namespace {
 
-/// Second derivatives count this much beside first ones: between 0.58, above which a thin line has one ridge,
-/// and 1, below which a step has one (second-order expansion of the energy about the centre of each).
-constexpr float kEven = 1.0F;
-/// Scale of the derivatives that decide the direction, and of the tensor's average.
-constexpr double kDirectionScale_px = 2.0;
-constexpr double kTensorAverage_px = 2.0;
-/// Contrast, in the picture's range, that counts as strength one half.
-constexpr float kHalfContrast = 0.12F;
-/// An ideal step's energy at any scale, beside the spread of the picture around it (0.399 of 0.5).
-constexpr float kOfAStep = 0.8F;
-/// A spread below this is none: it would make much of faint noise.
-constexpr float kLeastSpread = 0.05F;
-/// Window of the spread, beside derivatives of scale 2 px.
-constexpr double kVarianceScale_px = 3.0;
-/// Exponent of the distinctness in the grainiest pictures.
-constexpr float kMostDistinct = 0.5F;
-/// Energies below this are nothing: it keeps logarithms finite.
+/// Scale of the derivatives that decide the direction, and of those on halved pictures.
+constexpr double kScale_px = 2.0;
+/// An ideal step's energy at any scale, over the spread of the picture around it (0.399 of 0.5).
+constexpr float kEnergyOfStep = 0.8F;
+/// Added before logarithms are taken.
 constexpr float kFloor = 1e-6F;
 
 /// Calls f(i) for every pixel, in parallel.
@@ -132,19 +121,19 @@ EnergyRows rows_of(const Gradient& g, int here, int rows, int to, StripeEnergy& 
           energy.xx.row(to).data(), energy.xy.row(to).data(), energy.yy.row(to).data()};
 }
 
-/// Adds a row of one channel's energy: weight sigma^2 (g g^T + kEven^2 sigma^2 H H).
-void add_energy(const EnergyRows& rows, int width, double sigma, float weight) {
+/// Adds a row of one channel's energy: weight sigma^2 (g g^T + second^2 sigma^2 H H).
+void add_energy(const EnergyRows& rows, int width, double sigma, float weight, float second) {
   const auto odd = static_cast<float>(sigma * sigma) * weight;
-  const float even = odd * kEven * kEven * static_cast<float>(sigma * sigma);
+  const float even = odd * second * second * static_cast<float>(sigma * sigma);
   add_energy_row(rows, 0, 1, 0, std::min(1, width - 1), odd, even);
   add_energy_row(rows, 1, width - 1, 1, 1, odd, even);
   if (width > 1) add_energy_row(rows, width - 1, width, 1, 0, odd, even);
 }
 
-/// What one scale says: the energy's amplitude (square root of its tensor's larger eigenvalue) and, where
-/// asked for, the sum of its gradients' tensors.
-Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sigma, const Work& work,
-                        TensorMap* tensors = nullptr) {
+/// The energy's amplitude at one scale (square root of its tensor's larger eigenvalue) and, where asked for,
+/// the sum of its gradients' tensors. `second` is the weight of second derivatives.
+Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sigma, float second,
+                        const Work& work, TensorMap* tensors = nullptr) {
   Raster<float> out(channels[0].values.width(), channels[0].values.height());
   const int w = out.width();
   const int h = out.height();
@@ -160,7 +149,7 @@ Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sig
       for (const WeightedChannel& channel : channels) {
         gaussian_gradient(channel.values, sigma, first, last, g);
         for (int y = from; y < past; ++y) {
-          add_energy(rows_of(g, y - first, last - first, y - from, energy), w, sigma, channel.weight);
+          add_energy(rows_of(g, y - first, last - first, y - from, energy), w, sigma, channel.weight, second);
           if (tensors != nullptr)
             add_tensor_row(g.x.row(y - first).data(), g.y.row(y - first).data(), channel.weight,
                            tensors->xx.row(y).data(), tensors->xy.row(y).data(), tensors->yy.row(y).data(),
@@ -175,11 +164,9 @@ Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sig
   return out;
 }
 
-/// Texture has strength on all sides, a boundary only along itself: takes off the mean of a ring of radius
-/// about 4 … 24 px.
-void take_off_texture(Raster<float>& strength) {
-  constexpr double kInner_px = 2.0;
-  constexpr double kOuter_px = 12.0;
+/// Texture has strength on all sides, a boundary only along itself: subtracts the mean of a ring about twice
+/// the two sizes in radius. Computed at half resolution.
+void subtract_texture(Raster<float>& strength, double inner_px, double outer_px) {
   constexpr int kCoarser = 2;
   cv::Mat s = as_mat(strength);
   cv::Mat small;
@@ -187,20 +174,20 @@ void take_off_texture(Raster<float>& strength) {
   cv::Mat outer;
   cv::resize(s, small, cv::Size(std::max(1, s.cols / kCoarser), std::max(1, s.rows / kCoarser)), 0, 0,
              cv::INTER_AREA);
-  cv::GaussianBlur(small, inner, {}, kInner_px / kCoarser, 0, cv::BORDER_REFLECT);
-  cv::GaussianBlur(small, outer, {}, kOuter_px / kCoarser, 0, cv::BORDER_REFLECT);
-  const double in = kInner_px * kInner_px;
-  const double out = kOuter_px * kOuter_px;
+  cv::GaussianBlur(small, inner, {}, inner_px / kCoarser, 0, cv::BORDER_REFLECT);
+  cv::GaussianBlur(small, outer, {}, outer_px / kCoarser, 0, cv::BORDER_REFLECT);
+  const double in = inner_px * inner_px;
+  const double out = outer_px * outer_px;
   cv::Mat ring = cv::max(0.0, outer * (out / (out - in)) - inner * (in / (out - in)));
   cv::resize(ring, ring, s.size(), 0, 0, cv::INTER_LINEAR);
   cv::Mat less = cv::max(0.0, s - ring);
   less.copyTo(s);
 }
 
-/// How much a scale tells of this picture, 0.05 ... 1: where its energy is everywhere (speckle, film grain,
-/// texture), its median is near its highest, and it tells little; where it is at few places (clean contours),
-/// the median is near zero.
-float weight_of(const Raster<float>& energy) {
+/// The weight of a scale for this picture, at most 1: where its energy is everywhere (speckle, film grain,
+/// texture), its median is near its highest; where it is at few places (clean contours), the median is near
+/// zero.
+float weight_of(const Raster<float>& energy, const StandardContourOptions& options) {
   const std::size_t step = std::max<std::size_t>(1, energy.count() / 20000);
   std::vector<float> sample;
   for (std::size_t i = 0; i < energy.count(); i += step) sample.push_back(energy.values()[i]);
@@ -210,7 +197,8 @@ float weight_of(const Raster<float>& energy) {
   };
   const float middle = at(sample.size() / 2);
   const float high = at(sample.size() * 95 / 100);
-  return high > 0.0F ? std::max(0.05F, 1.0F - 2.0F * middle / high) : 1.0F;
+  return high > 0.0F ? std::max(options.least_scale_share, 1.0F - options.grain_factor * middle / high)
+                     : 1.0F;
 }
 
 /// The weighted geometric mean of the scales' energies, so that a boundary has to show at every scale that
@@ -240,17 +228,17 @@ Raster<float> enlarged(Raster<float> small, int width, int height) {
   return out;
 }
 
-/// Logarithm of how far the two sides of each place differ beside how much the picture varies around it: 0 at
-/// an ideal step, far below in grain and texture, which vary as much everywhere. `energy` is that of scale 2
+/// Logarithm of the difference of each place's two sides over the spread of the picture around it: 0 at an
+/// ideal step, far below in grain and texture, which vary as much everywhere. `energy` is that of scale 2
 /// px of these channels.
 Raster<float> distinctness(const std::vector<WeightedChannel>& channels, const Raster<float>& energy,
-                           const Work& work) {
+                           const StandardContourOptions& options, const Work& work) {
   Raster<float> variance(energy.width(), energy.height());
   for (const WeightedChannel& channel : channels) {
     Raster<float> square = channel.values;
     for (float& v : square.values()) v *= v;
-    square = gaussian_blur(square, kVarianceScale_px, work);
-    const Raster<float> mean = gaussian_blur(channel.values, kVarianceScale_px, work);
+    square = gaussian_blur(square, options.spread_window_px, work);
+    const Raster<float> mean = gaussian_blur(channel.values, options.spread_window_px, work);
     for (std::size_t i = 0; i < variance.count(); ++i) {
       const float m = mean.values()[i];
       variance.values()[i] += channel.weight * std::max(0.0F, square.values()[i] - m * m);
@@ -258,34 +246,36 @@ Raster<float> distinctness(const std::vector<WeightedChannel>& channels, const R
   }
   Raster<float> out(energy.width(), energy.height());
   for (std::size_t i = 0; i < out.count(); ++i)
-    out.values()[i] = std::log((energy.values()[i] + kFloor) /
-                               (kOfAStep * std::sqrt(variance.values()[i] + kLeastSpread * kLeastSpread)));
+    out.values()[i] = std::log(
+        (energy.values()[i] + kFloor) /
+        (kEnergyOfStep * std::sqrt(variance.values()[i] + options.least_spread * options.least_spread)));
   return out;
 }
 
 /// Strength over scales 1, 2, 4 and 8 px (the last two on the picture halved once and twice) and, into
-/// `direction`, the gradients' tensor of scale 2. The finest scale weighs most, which keeps corners in their
-/// place. The less the finest scale tells, the more it counts that the sides are distinct at 8, 16 and 32 px.
-Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& direction, float& fine_trust,
-                          const Work& work) {
+/// `direction`, the gradients' tensor of scale 2. The smaller the finest scale's weight, the more it counts
+/// that the sides are distinct at 8, 16 and 32 px.
+Raster<float> strength_of(std::vector<WeightedChannel> channels, const StandardContourOptions& options,
+                          TensorMap& direction, float& fine_trust, const Work& work) {
   const int w = channels[0].values.width();
   const int h = channels[0].values.height();
   std::vector<Raster<float>> energies;
-  std::vector<float> shares{0.4F, 0.2F, 0.2F, 0.2F};
-  energies.push_back(energy_at(channels, 1.0, work));
-  energies.push_back(energy_at(channels, kDirectionScale_px, work, &direction));
-  fine_trust = weight_of(energies[0]);
-  const float exponent = std::min(kMostDistinct, 1.0F - fine_trust);
+  const float second = options.second_derivative_weight;
+  energies.push_back(energy_at(channels, 1.0, second, work));
+  energies.push_back(energy_at(channels, kScale_px, second, work, &direction));
+  fine_trust = weight_of(energies[0], options);
+  const float exponent = std::min(options.distinctness_exponent, 1.0F - fine_trust);
   cv::Mat distinct(h, w, CV_32F, cv::Scalar(0.0));
   for (int times = 1; times <= (exponent > 0.0F ? 4 : 2); ++times) {
     channels = halved(std::move(channels));
-    const Raster<float> energy = energy_at(channels, 2.0, work);
+    const Raster<float> energy = energy_at(channels, kScale_px, second, work);
     if (times <= 2) energies.push_back(enlarged(energy, w, h));
     if (times < 2 || exponent <= 0.0F) continue;
-    Raster<float> enlarged_distinct = enlarged(distinctness(channels, energy, work), w, h);
+    Raster<float> enlarged_distinct = enlarged(distinctness(channels, energy, options, work), w, h);
     distinct += as_mat(enlarged_distinct);
   }
-  for (std::size_t k = 0; k < shares.size(); ++k) shares[k] *= weight_of(energies[k]);
+  std::vector<float> shares(options.scale_weights.begin(), options.scale_weights.end());
+  for (std::size_t k = 0; k < shares.size(); ++k) shares[k] *= weight_of(energies[k], options);
   Raster<float> out = mean_of(energies, shares, work);
   if (exponent > 0.0F) {
     cv::exp(distinct * exponent, distinct);
@@ -296,21 +286,23 @@ Raster<float> strength_of(std::vector<WeightedChannel> channels, TensorMap& dire
 
 }  // namespace
 
-EdgeMap standard_edges(const Image& image, const Work& work) {
-  auto channels = edge_channels(image, work);
+EdgeResponse standard_edges(const Image& image, const ContourOptions& options, const Work& work) {
+  const StandardContourOptions& standard = options.standard;
+  auto channels = edge_channels(image, options.channels, work);
   work.report(0.1, "finding boundaries");
   TensorMap t = zero_tensor(image.width, image.height);
-  EdgeMap out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height), {}};
-  out.strength = strength_of(std::move(channels), t, out.fine_trust, work);
-  take_off_texture(out.strength);
+  EdgeResponse out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height), {}};
+  out.strength = strength_of(std::move(channels), standard, t, out.fine_trust, work);
+  subtract_texture(out.strength, standard.texture_inner_px, standard.texture_outer_px);
   // The two sides of a thin line agree in the averaged tensor, where their gradients would cancel.
-  for (Raster<float>* part : {&t.xx, &t.xy, &t.yy}) *part = gaussian_blur(*part, kTensorAverage_px, work);
+  for (Raster<float>* part : {&t.xx, &t.xy, &t.yy})
+    *part = gaussian_blur(*part, standard.tensor_blur_px, work);
   each_pixel(work, out.strength.count(), [&](std::size_t i) {
     const float xx = t.xx.values()[i];
     const float xy = t.xy.values()[i];
     const float yy = t.yy.values()[i];
     float& s = out.strength.values()[i];
-    s = s / (s + kHalfContrast);
+    s = s / (s + standard.half_contrast);
     if (xx + yy <= 1e-12F) return;
     // The normal's doubled angle is that of (xx - yy, 2 xy); the tangent's is opposite.
     std::tie(out.tangent_x.values()[i], out.tangent_y.values()[i]) = halve_angle(yy - xx, -2.0F * xy);

@@ -52,7 +52,7 @@ struct Errors {
 };
 
 /// Tangent errors where the strength is above 0.8 of its greatest, 12 px from the border.
-Errors direction_errors(const Contours& c, const std::function<double(double, double)>& tangent_deg) {
+Errors direction_errors(const ContourMap& c, const std::function<double(double, double)>& tangent_deg) {
   const float top = *std::max_element(c.strength.values().begin(), c.strength.values().end());
   Errors e;
   for (int y = 12; y < c.strength.height() - 12; ++y) {
@@ -71,7 +71,7 @@ Errors direction_errors(const Contours& c, const std::function<double(double, do
   return e;
 }
 
-Contours found(const Image& image, ContourMethod method = ContourMethod::standard) {
+ContourMap found(const Image& image, ContourMethod method = ContourMethod::standard) {
   ContourOptions options;
   options.method = method;
   auto result = find_contours(image, options, Work{});
@@ -133,7 +133,7 @@ TEST(Contours, MakeOneLineOfAThinLine) {
   for (const double width : {1.0, 2.0}) {
     for (const double angle : {0.0, 17.0, 45.0}) {
       const double a = angle * std::numbers::pi / 180.0;
-      const Contours c = found(drawn(64, [&](double x, double y) {
+      const ContourMap c = found(drawn(64, [&](double x, double y) {
         return std::abs(std::cos(a) * (x - 31.3) + std::sin(a) * (y - 31.6)) < width / 2;
       }));
       int crossings = 0;
@@ -211,7 +211,7 @@ TEST(Contours, OfTheBestQualityAreTheStandardOnesInAClearPicture) {
 }
 
 TEST(Contours, HaveNoneInAPictureOfOneTone) {
-  const Contours c = found(drawn(32, [](double, double) { return true; }));
+  const ContourMap c = found(drawn(32, [](double, double) { return true; }));
   EXPECT_EQ(c.boundary_fraction, 0.0);
   ASSERT_EQ(c.notes.size(), 1U);
   EXPECT_TRUE(
@@ -225,16 +225,16 @@ TEST(Contours, SeeEdgesThatAreOnlyInTheColour) {
     for (const float v : right ? std::array{0.2F, 0.6F, 0.3F} : std::array{0.985F, 0.2F, 0.3F})
       image.samples.push_back(v);
   }
-  const Contours c = found(image);
+  const ContourMap c = found(image);
   EXPECT_GT(std::max(c.line(31, 30), c.line(32, 30)), 0.2F);
 }
 
 TEST(Contours, ShowDeepRangesAsTheyShowShallowOnes) {
   // 12 bits in a 16-bit file: a sixteenth of the range.
   Image deep = step(64, 30.0, 0.0);
-  const Contours wide = found(deep);
+  const ContourMap wide = found(deep);
   for (float& s : deep.samples) s /= 16.0F;
-  const Contours narrow = found(deep);
+  const ContourMap narrow = found(deep);
   EXPECT_NEAR(narrow.strength(31, 31), wide.strength(31, 31), 1e-3);
 }
 

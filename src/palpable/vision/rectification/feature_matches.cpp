@@ -16,33 +16,30 @@ namespace palpable::vision {
 namespace {
 
 /// Of each left descriptor the right one that is nearest by far (Lowe's ratio), or -1.
-std::vector<int> nearest(const cv::Mat& from, const cv::Mat& to) {
-  constexpr float kRatio = 0.8F;
+std::vector<int> nearest(const cv::Mat& from, const cv::Mat& to, float ratio) {
   std::vector<std::vector<cv::DMatch>> pairs;
   cv::BFMatcher(cv::NORM_L2).knnMatch(from, to, pairs, 2);
   std::vector<int> out(static_cast<std::size_t>(from.rows), -1);
   for (const auto& two : pairs)
-    if (two.size() == 2 && two[0].distance < kRatio * two[1].distance)
+    if (two.size() == 2 && two[0].distance < ratio * two[1].distance)
       out[static_cast<std::size_t>(two[0].queryIdx)] = two[0].trainIdx;
   return out;
 }
 
-/// Features of very large pictures cost seconds and lie no better in the scene: these are sought in smaller
-/// ones.
-int shrink_factor(int width, int height) {
-  constexpr int kLongest_px = 1600;
-  return (std::max(width, height) + kLongest_px - 1) / kLongest_px;
+/// Features of very large pictures cost seconds and are no more accurate in the scene.
+int shrink_factor(int width, int height, int longest_px) {
+  return (std::max(width, height) + longest_px - 1) / longest_px;
 }
 
-/// The luma as 8 bits; a picture that uses few levels, as a very dark one does, is stretched: features are
-/// told from grain by a fixed contrast.
-cv::Mat shrunk_grey8(const Image& image, int factor) {
-  constexpr float kFew = 0.4F, kMostGain = 8.0F;
+/// The luma as 8 bits; a picture that uses few levels, as a very dark one does, is stretched: the detector's
+/// contrast threshold is fixed.
+cv::Mat shrunk_grey8(const Image& image, int factor, const FeatureMatchOptions& options) {
+  const auto few = static_cast<float>(options.few_levels), most_gain = static_cast<float>(options.most_gain);
   const Quantiles levels = luma_quantiles(image);
   const float low = levels[1], used = levels[kQuantiles - 2] - low;
   cv::Mat grey = grey8_of(image);
-  if (used > 0.0F && used < kFew) {
-    const float gain = std::min(1.0F / used, kMostGain);
+  if (used > 0.0F && used < few) {
+    const float gain = std::min(1.0F / used, most_gain);
     const Raster<float> luma = palpable::grey(image);
     cv::Mat(image.height, image.width, CV_32F, const_cast<float*>(luma.data()))
         .convertTo(grey, CV_8U, 255.0 * static_cast<double>(gain), -255.0 * static_cast<double>(gain * low));
@@ -58,19 +55,19 @@ cv::Point2d in_full(const cv::Point2f& p, int factor) {
 
 }  // namespace
 
-std::vector<FeatureMatch> match_features(const StereoPair& pair) {
-  constexpr int kFeatures = 2000;
-  const int factor = shrink_factor(pair.left.width, pair.left.height);
-  const auto sift = cv::SIFT::create(kFeatures);
+std::vector<FeatureMatch> match_features(const StereoPair& pair, const FeatureMatchOptions& options) {
+  const int factor = shrink_factor(pair.left.width, pair.left.height, options.longest_px);
+  const auto sift = cv::SIFT::create(options.most_features);
   std::vector<cv::KeyPoint> left;
   std::vector<cv::KeyPoint> right;
   cv::Mat left_descriptors;
   cv::Mat right_descriptors;
-  sift->detectAndCompute(shrunk_grey8(pair.left, factor), {}, left, left_descriptors);
-  sift->detectAndCompute(shrunk_grey8(pair.right, factor), {}, right, right_descriptors);
+  sift->detectAndCompute(shrunk_grey8(pair.left, factor, options), {}, left, left_descriptors);
+  sift->detectAndCompute(shrunk_grey8(pair.right, factor, options), {}, right, right_descriptors);
   if (left.size() < 2 || right.size() < 2) return {};
-  const std::vector<int> forth = nearest(left_descriptors, right_descriptors);
-  const std::vector<int> back = nearest(right_descriptors, left_descriptors);
+  const auto ratio = static_cast<float>(options.ratio);
+  const std::vector<int> forth = nearest(left_descriptors, right_descriptors, ratio);
+  const std::vector<int> back = nearest(right_descriptors, left_descriptors, ratio);
   std::vector<FeatureMatch> out;
   for (std::size_t i = 0; i < forth.size(); ++i) {
     if (forth[i] < 0 || back[static_cast<std::size_t>(forth[i])] != static_cast<int>(i)) continue;
@@ -81,7 +78,9 @@ std::vector<FeatureMatch> match_features(const StereoPair& pair) {
   return out;
 }
 
-double feature_tolerance_px(int width, int height) { return 1.5 * shrink_factor(width, height); }
+double feature_tolerance_px(int width, int height, const FeatureMatchOptions& options) {
+  return options.tolerance_px * shrink_factor(width, height, options.longest_px);
+}
 
 double vertical_rms_px(const std::vector<FeatureMatch>& matches) {
   if (matches.empty()) return std::numeric_limits<double>::quiet_NaN();

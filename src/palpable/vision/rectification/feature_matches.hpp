@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/vision/rectification/stereo_rectification_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 
 #include <vector>
@@ -15,12 +16,11 @@ struct FeatureMatch {
   double right_x, right_y;
 };
 
-/// Scale-invariant features found in both pictures, mutual and distinct (in copies at most 1600 pixels long);
-/// some of them wrong. The same for the same pictures.
-std::vector<FeatureMatch> match_features(const StereoPair& pair);
+/// SIFT features found in both pictures, mutual and distinct; some of them wrong. Deterministic.
+std::vector<FeatureMatch> match_features(const StereoPair& pair, const FeatureMatchOptions& options = {});
 
-/// How far a right match may lie from where it should, in pixels.
-double feature_tolerance_px(int width, int height);
+/// The inlier tolerance in pixels of pictures of this size.
+double feature_tolerance_px(int width, int height, const FeatureMatchOptions& options = {});
 
 /// RMS of y_left - y_right in pixels; NaN without matches.
 double vertical_rms_px(const std::vector<FeatureMatch>& matches);

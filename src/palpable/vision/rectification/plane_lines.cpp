@@ -22,8 +22,7 @@ struct Edge {
   cv::Vec3d line;
 };
 
-std::vector<Edge> edges_of(const Image& picture) {
-  constexpr double kShortest = 0.025;
+std::vector<Edge> edges_of(const Image& picture, double shortest_share) {
   const cv::Mat grey = grey8_of(picture);
   std::vector<cv::Vec4f> found;
   cv::createLineSegmentDetector(cv::LSD_REFINE_ADV)->detect(grey, found);
@@ -33,33 +32,32 @@ std::vector<Edge> edges_of(const Image& picture) {
   for (const cv::Vec4f& s : found) {
     const cv::Vec2d a = (cv::Vec2d(s[0], s[1]) - centre) / half, b = (cv::Vec2d(s[2], s[3]) - centre) / half;
     const double length = cv::norm(b - a);
-    if (length < 2.0 * kShortest) continue;
+    if (length < 2.0 * shortest_share) continue;
     const cv::Vec3d line = cv::Vec3d(a[0], a[1], 1.0).cross(cv::Vec3d(b[0], b[1], 1.0));
     edges.push_back({0.5 * (a + b), (b - a) / length, length, line / std::hypot(line[0], line[1])});
   }
   return edges;
 }
 
-/// Whether the edge, lengthened, passes the vanishing point within two degrees, as seen from its middle.
-bool leads_to(const Edge& edge, const cv::Vec3d& point) {
-  constexpr double kSine = 0.035;
+/// Whether the edge's extension passes the vanishing point within an angle, as seen from its middle.
+bool leads_to(const Edge& edge, const cv::Vec3d& point, double sine) {
   const cv::Vec2d to(point[0] - point[2] * edge.middle[0], point[1] - point[2] * edge.middle[1]);
-  return std::abs(edge.direction[0] * to[1] - edge.direction[1] * to[0]) < kSine * cv::norm(to);
+  return std::abs(edge.direction[0] * to[1] - edge.direction[1] * to[0]) < sine * cv::norm(to);
 }
 
-double support_of(const cv::Vec3d& point, const std::vector<Edge>& edges) {
+double support_of(const cv::Vec3d& point, const std::vector<Edge>& edges, double sine) {
   double sum = 0.0;
   for (const Edge& e : edges)
-    if (leads_to(e, point)) sum += e.length;
+    if (leads_to(e, point, sine)) sum += e.length;
   return sum;
 }
 
 /// The place nearest to all lines of the edges that lead to `point`, weighted by their lengths.
-cv::Vec3d refined(cv::Vec3d point, const std::vector<Edge>& edges) {
+cv::Vec3d refined(cv::Vec3d point, const std::vector<Edge>& edges, double sine) {
   for (int i = 0; i < 3; ++i) {
     cv::Matx33d sum = cv::Matx33d::zeros();
     for (const Edge& e : edges)
-      if (leads_to(e, point)) sum += e.length * e.length * (e.line * e.line.t());
+      if (leads_to(e, point, sine)) sum += e.length * e.length * (e.line * e.line.t());
     cv::Vec3d values;
     cv::Matx33d vectors;
     cv::eigen(sum, values, vectors);
@@ -68,37 +66,36 @@ cv::Vec3d refined(cv::Vec3d point, const std::vector<Edge>& edges) {
   return point;
 }
 
-/// As seen from the picture's middle.
+/// The direction of a point as seen from the picture's centre.
 cv::Vec2d direction_of(const cv::Vec3d& point) {
   const double length = std::hypot(point[0], point[1]);
   return length > 0.0 ? cv::Vec2d(point[0] / length, point[1] / length) : cv::Vec2d(0, 0);
 }
 
-/// The vanishing point that most edges lead to, outside the picture and, where another is given, at least 50
-/// degrees from it as seen in the picture's middle.
+/// The vanishing point that most edges lead to, outside the picture and, where another is given, in clearly
+/// another direction.
 std::optional<cv::Vec3d> most_led_to(const std::vector<Edge>& edges, const cv::Vec3d* other,
-                                     std::uint64_t seed) {
-  constexpr int kTrials = 1500;
-  constexpr double kNearest = 1.2, kLeastCosine = 0.64, kLeastSupport = 0.4;
+                                     const PlaneLineOptions& options, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   cv::Vec3d best;
-  double most = kLeastSupport;
-  for (int trial = 0; trial < kTrials; ++trial) {
+  double most = options.least_support;
+  for (int trial = 0; trial < options.trials; ++trial) {
     const Edge &a = edges[random() % edges.size()], &b = edges[random() % edges.size()];
     cv::Vec3d point = a.line.cross(b.line);
     const double length = cv::norm(point);
     if (length < 1e-9) continue;
     point /= length;
-    if (std::hypot(point[0], point[1]) < kNearest * std::abs(point[2])) continue;
-    if (other != nullptr && std::abs(direction_of(point).dot(direction_of(*other))) > kLeastCosine) continue;
-    const double support = support_of(point, edges);
+    if (std::hypot(point[0], point[1]) < options.least_distance * std::abs(point[2])) continue;
+    if (other != nullptr && std::abs(direction_of(point).dot(direction_of(*other))) > options.most_cosine)
+      continue;
+    const double support = support_of(point, edges, options.aim_sine);
     if (support > most) {
       most = support;
       best = point;
     }
   }
-  if (most <= kLeastSupport) return std::nullopt;
-  return refined(best, edges);
+  if (most <= options.least_support) return std::nullopt;
+  return refined(best, edges, options.aim_sine);
 }
 
 /// Two lines through the picture that meet in the vanishing point.
@@ -121,18 +118,29 @@ std::array<PictureLine, 2> lines_to(const cv::Vec3d& point, const Image& picture
 
 }  // namespace
 
-Result<PlaneLines> find_plane_lines(const Image& picture, const Work& work) {
+std::vector<Parameter> parameters_of(PlaneLineOptions& o) {
+  return {{"shortest_share", &o.shortest_share, {0.001, 0.5}, "of the diagonal", "shortest edge"},
+          {"aim_sine", &o.aim_sine, {0.001, 0.5}, "", "sine of the angle by which an edge may miss"},
+          {"trials", &o.trials, {10, 100000}, "", "random pairs of edges"},
+          {"least_distance", &o.least_distance, {0, 100}, "half diagonals", "nearest vanishing point"},
+          {"most_cosine", &o.most_cosine, {0, 1}, "", "cosine between the two directions"},
+          {"least_support", &o.least_support, {0, 100}, "half diagonals", "least length of supporting edges"},
+          {"least_edges", &o.least_edges, {2, 1000}, "", "least edges of a direction"}};
+}
+
+Result<PlaneLines> find_plane_lines(const Image& picture, const Work& work, const PlaneLineOptions& options) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
-    std::vector<Edge> edges = edges_of(picture);
-    constexpr std::size_t kLeast = 8;
+    std::vector<Edge> edges = edges_of(picture, options.shortest_share);
+    const auto least = static_cast<std::size_t>(options.least_edges);
     const Error none = invalid_input(
         "shows too few straight edges in two directions to find its plane by; give --corners or --lines");
-    if (edges.size() < kLeast) return none;
-    const auto first = most_led_to(edges, nullptr, work.seed);
+    if (edges.size() < least) return none;
+    const auto first = most_led_to(edges, nullptr, options, work.seed);
     if (!first || work.cancelled()) return work.cancelled() ? Work::interrupted() : none;
-    std::erase_if(edges, [&](const Edge& e) { return leads_to(e, *first); });
-    if (edges.size() < kLeast / 2) return none;
-    const auto second = most_led_to(edges, &*first, work.seed);
+    std::erase_if(edges, [&](const Edge& e) { return leads_to(e, *first, options.aim_sine); });
+    if (edges.size() < least / 2) return none;
+    const auto second = most_led_to(edges, &*first, options, work.seed);
     if (!second) return none;
     PlaneLines lines;
     const bool level = std::abs(direction_of(*first)[0]) > std::abs(direction_of(*second)[0]);

@@ -3,7 +3,6 @@
 #include "palpable/vision/rectification/plane_rectification.hpp"
 
 #include "palpable/vision/image/opencv_image.hpp"
-#include "palpable/vision/rectification/alignment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +39,7 @@ Place meeting(const Line& a, const Line& b) {
   return length > 0.0 ? p / length : p;
 }
 
-/// What stands between a picture and the plane: where it vanishes, and which directions are at right angles.
+/// The projective geometry of the plane: its vanishing line, and directions at right angles.
 struct Geometry {
   Line vanishing;
   std::vector<std::array<Place, 2>> orthogonal;
@@ -88,11 +87,11 @@ cv::Matx33d plane_from_affine(const cv::Matx22d& s) {
 
 /// The focal length (in half diagonals) that makes two vanishing points' directions orthogonal, for a camera
 /// whose axis meets the middle; nullopt where it is not determined or no camera's.
-std::optional<double> focal_of(const Place& v1, const Place& v2) {
-  constexpr double kShortest = 0.5, kLongest = 8.0;
+std::optional<double> focal_of(const Place& v1, const Place& v2, const PlaneRectificationOptions& options) {
+  const double shortest = options.shortest_focal, longest = options.longest_focal;
   if (std::abs(v1[2]) < 0.02 || std::abs(v2[2]) < 0.02) return std::nullopt;
   const double squared = -(v1[0] * v2[0] + v1[1] * v2[1]) / (v1[2] * v2[2]);
-  if (!(squared > kShortest * kShortest && squared < kLongest * kLongest)) return std::nullopt;
+  if (!(squared > shortest * shortest && squared < longest * longest)) return std::nullopt;
   return std::sqrt(squared);
 }
 
@@ -113,13 +112,14 @@ double usual_focal(const Image& picture) {
 
 /// Completes the orthogonal pairs by the camera where they are too few.
 void complete(Geometry& geometry, const Place& across, const Image& picture,
-              std::vector<std::string>& notes) {
+              const PlaneRectificationOptions& options, std::vector<std::string>& notes) {
   if (geometry.orthogonal.size() >= 2) return;
-  const auto focal = focal_of(geometry.along, across);
+  const auto focal = focal_of(geometry.along, across, options);
   if (!focal)
     notes.emplace_back(
-        "The lines do not tell the camera's focal length; 65 degrees across the picture were assumed for the "
-        "proportions.");
+        "The lines do not determine the camera's focal length; 65 degrees across the picture were assumed "
+        "for "
+        "the proportions.");
   geometry.orthogonal = pairs_by_camera(geometry.vanishing, focal.value_or(usual_focal(picture)));
 }
 
@@ -159,25 +159,24 @@ struct Box {
 };
 
 /// Where the picture's own pixels come to lie, without those near the horizon, which would fill it all.
-Box box_of(const cv::Matx33d& h, const Image& picture) {
-  constexpr double kLeastNearness = 0.3;
+Box box_of(const cv::Matx33d& h, const Image& picture, double least_nearness) {
   constexpr int kSteps = 64;
   Box box;
   const double middle = (h * cv::Vec3d(0.5 * picture.width, 0.5 * picture.height, 1.0))[2];
   for (int j = 0; j <= kSteps; ++j)
     for (int i = 0; i <= kSteps; ++i) {
       const double x = (picture.width - 1.0) * i / kSteps, y = (picture.height - 1.0) * j / kSteps;
-      if ((h * cv::Vec3d(x, y, 1.0))[2] / middle > kLeastNearness) box.take(mapped(h, x, y));
+      if ((h * cv::Vec3d(x, y, 1.0))[2] / middle > least_nearness) box.take(mapped(h, x, y));
     }
   return box;
 }
 
 /// The plane drawn into a picture: as many pixels as the input has where both show it largest, within limits.
-RectifiedPlane drawn(const Image& picture, const cv::Matx33d& plane_from_pixel, const Box& box) {
-  constexpr double kMostSide = 8192.0;
+RectifiedPlane drawn(const Image& picture, const cv::Matx33d& plane_from_pixel, const Box& box,
+                     const PlaneRectificationOptions& options) {
   const double longer = std::max(picture.width, picture.height);
   const double extent = std::max(box.right - box.left, box.bottom - box.top);
-  const double scale = std::min(1.5 * longer, kMostSide) / extent;
+  const double scale = std::min(options.enlargement * longer, options.most_side_px) / extent;
   const cv::Matx33d place(scale, 0, -scale * box.left, 0, scale, -scale * box.top, 0, 0, 1);
   const cv::Matx33d whole = place * plane_from_pixel;
   const cv::Size size(std::max(1, static_cast<int>(std::lround(scale * (box.right - box.left))) + 1),
@@ -193,9 +192,8 @@ RectifiedPlane drawn(const Image& picture, const cv::Matx33d& plane_from_pixel, 
 
 Error no_plane() {
   return invalid_input(
-      "these lines fix no plane: two pairs of parallels in different directions are needed, and right angles "
-      "that do not "
-      "say the same twice");
+      "these lines determine no plane: two pairs of parallels in different directions are needed, and right "
+      "angles that are independent");
 }
 
 Error failure(const cv::Exception& e) {
@@ -204,7 +202,17 @@ Error failure(const cv::Exception& e) {
 
 }  // namespace
 
-Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lines) {
+std::vector<Parameter> parameters_of(PlaneRectificationOptions& o) {
+  return {{"enlargement", &o.enlargement, {0.1, 8}, "", "longer side over the input's"},
+          {"most_side_px", &o.most_side_px, {64, 32768}, "px", "longest side"},
+          {"least_nearness", &o.least_nearness, {0.01, 1}, "", "nearness of the farthest part that is kept"},
+          {"shortest_focal", &o.shortest_focal, {0.1, 100}, "half diagonals", "shortest focal length"},
+          {"longest_focal", &o.longest_focal, {0.1, 100}, "half diagonals", "longest focal length"}};
+}
+
+Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lines,
+                                     const PlaneRectificationOptions& options) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
     const cv::Matx33d n = normalising(picture);
     const Place along = meeting(line_of(lines.along[0], n), line_of(lines.along[1], n)),
@@ -217,11 +225,12 @@ Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lin
       geometry.orthogonal.push_back(
           {meeting(line_of(a, n), geometry.vanishing), meeting(line_of(b, n), geometry.vanishing)});
     std::vector<std::string> notes;
-    complete(geometry, across, picture, notes);
+    complete(geometry, across, picture, options, notes);
     const auto plane = plane_from(geometry);
     if (!plane) return no_plane();
     const cv::Matx33d from_pixel = *plane * n;
-    RectifiedPlane out = drawn(picture, from_pixel, box_of(from_pixel, picture));
+    RectifiedPlane out =
+        drawn(picture, from_pixel, box_of(from_pixel, picture, options.least_nearness), options);
     out.notes = std::move(notes);
     return out;
   } catch (const cv::Exception& e) {
@@ -229,7 +238,9 @@ Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lin
   }
 }
 
-Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectangle& rectangle) {
+Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectangle& rectangle,
+                                         const PlaneRectificationOptions& options) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
     const auto& c = rectangle.corners;
     const cv::Matx33d n = normalising(picture);
@@ -244,7 +255,7 @@ Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectan
                 across = meeting(line_of({c[0], c[3]}, n), line_of({c[1], c[2]}, n));
     if (!rectangle.aspect) {
       Geometry geometry{cv::normalize(cv::Vec3d(along.cross(across))), {}, along};
-      complete(geometry, across, picture, notes);
+      complete(geometry, across, picture, options, notes);
       const auto plane = plane_from(geometry);
       if (!plane) return no_plane();
       const auto at = [&](const PicturePoint& p) { return mapped(*plane * n, p.x, p.y); };
@@ -255,7 +266,7 @@ Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectan
     Box box;
     box.take({0, 0});
     box.take({aspect, 1.0});
-    RectifiedPlane out = drawn(picture, wide * unit, box);
+    RectifiedPlane out = drawn(picture, wide * unit, box, options);
     out.notes = std::move(notes);
     return out;
   } catch (const cv::Exception& e) {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "palpable/core/image.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/rectification/lens_camera.hpp"
 
 #include <array>
 #include <optional>
@@ -13,18 +15,13 @@
 
 namespace palpable::vision {
 
-struct PicturePoint {
-  double x = 0.0;
-  double y = 0.0;
-};
-
 /// A straight line of the picture by two of its points, pixels.
 struct PictureLine {
   PicturePoint from;
   PicturePoint to;
 };
 
-/// What is known of the plane that a picture shows (a map on a table, a painting on a wall).
+/// Lines of the plane that a picture shows (a map on a table, a painting on a wall).
 struct PlaneLines {
   /// Two lines that are parallel on the plane, and two more of another direction: they give the vanishing
   /// line.
@@ -47,20 +44,57 @@ struct RectifiedPlane {
   /// The plane as seen from straight above, white where the picture does not show it.
   Image picture;
   /// Row-major; takes a pixel of the input to a pixel of `picture` (divide by the third).
-  std::array<double, 9> picture_from_input{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  Matrix3 picture_from_input = kIdentity3;
   std::vector<std::string> notes;
 };
+
+struct PlaneRectificationOptions {
+  /// The longer side of the rectified picture over that of the input, and its limit. 0.1 … 8; 64 … 32768 px.
+  double enlargement = 1.5;
+  double most_side_px = 8192.0;
+  /// Parts of the plane that lie farther than this are cut off: nearness (inverse depth) over that of the
+  /// picture's centre. 0.01 … 1.
+  double least_nearness = 0.3;
+  /// Focal lengths that are believed, in half diagonals of the picture. 0.1 … 100.
+  double shortest_focal = 0.5;
+  double longest_focal = 8.0;
+};
+std::vector<Parameter> parameters_of(PlaneRectificationOptions& options);
+
+struct PlaneLineOptions {
+  /// Shortest edge, share of the picture's diagonal. 0.001 … 0.5.
+  double shortest_share = 0.025;
+  /// An edge supports a vanishing point that its extension passes within this angle (its sine), as seen from
+  /// the edge's middle. 0.001 … 0.5.
+  double aim_sine = 0.035;
+  /// Random pairs of edges that are tried. 10 … 100000.
+  int trials = 1500;
+  /// Vanishing points lie at least this far from the picture's centre, in half diagonals. 0 … 100.
+  double least_distance = 1.2;
+  /// The second direction makes at least an angle of this cosine with the first, as seen in the centre. 0
+  /// … 1.
+  double most_cosine = 0.64;
+  /// Total length of the supporting edges, in half diagonals, and number of edges that a first direction
+  /// needs (a second one needs half). 0 … 100; 2 … 1000.
+  double least_support = 0.4;
+  int least_edges = 8;
+};
+std::vector<Parameter> parameters_of(PlaneLineOptions& options);
 
 /// Metric rectification of a plane (Gomez 2012; Hartley & Zisserman 2004, 2.7): the vanishing line goes to
 /// infinity, which leaves an affine picture; then the conic dual to the circular points, from two orthogonal
 /// pairs, gives angles and proportions back. The `along` lines come out level. Errors: invalid_input for
-/// lines that fix no plane (parallel pairs that are one line, orthogonal pairs that are not independent).
-Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lines);
+/// lines that determine no plane (parallel pairs that are one line, orthogonal pairs that are not
+/// independent); usage for options out of range.
+Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lines,
+                                     const PlaneRectificationOptions& options = {});
 /// The same by a rectangle, and cut to it.
-Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectangle& rectangle);
+Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectangle& rectangle,
+                                         const PlaneRectificationOptions& options = {});
 
 /// The two directions that most straight edges of the picture follow, as lines of a plane. Errors:
 /// invalid_input where there are none at about right angles.
-Result<PlaneLines> find_plane_lines(const Image& picture, const Work& work);
+Result<PlaneLines> find_plane_lines(const Image& picture, const Work& work,
+                                    const PlaneLineOptions& options = {});
 
 }  // namespace palpable::vision

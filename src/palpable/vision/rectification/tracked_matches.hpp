@@ -10,12 +10,13 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// Corners of the left picture followed into the right one of a pair that shares scanlines but for some
-/// pixels: a dense disparity says where they are about, which tells repeated patterns apart by what lies
-/// around them, as single features cannot; then Lucas & Kanade's tracker finds the place in both directions,
-/// and only what it leads back from counts. `known` are matches that agree: they tell where disparities lie.
-/// Pixels of the pictures given. Errors: interrupted.
-Result<std::vector<FeatureMatch>> tracked_matches(const StereoPair& nearly_aligned,
-                                                  const std::vector<FeatureMatch>& known, const Work& work);
+/// Corners of the left picture tracked into the right one of a pair that is rectified but for some pixels: a
+/// dense disparity predicts where they are, which resolves repeated patterns by their surroundings, as single
+/// features cannot; then Lucas & Kanade's tracker finds the place in both directions, and only round trips
+/// that return count. `known` are matches that agree: they bound the disparities. Pixels of the pictures
+/// given. Errors: interrupted.
+Result<std::vector<FeatureMatch>> tracked_matches(const StereoPair& nearly_rectified,
+                                                  const std::vector<FeatureMatch>& known, const Work& work,
+                                                  const CornerTrackingOptions& options = {});
 
 }  // namespace palpable::vision

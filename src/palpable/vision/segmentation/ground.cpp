@@ -34,22 +34,21 @@ std::vector<double> shares_on_plane(const Regions& regions, const Raster<float>&
   return on;
 }
 
-/// How a pixel's neighbourhood lies to the plane.
-struct Lie {
+/// A line fitted to a neighbourhood's distances from the plane.
+struct PlaneFit {
   /// Mean distance, pixels of disparity; infinite where nothing is known.
   double distance_px = std::numeric_limits<double>::infinity();
-  /// How much the distance grows with each row downwards.
+  /// Growth of the distance with each row downwards.
   double slope = 0.0;
 };
 
-/// Over the 11 x 11 neighbours of the same region that lie within `near_px` of the plane: matching noise
-/// shrinks, and what stands beside the ground does not spoil the mean.
-Lie lie_at(int x, int y, const Regions& regions, const Raster<float>& disparity_px,
-           const DisparityPlane& plane, double near_px) {
-  constexpr int kReach = 5;
+/// Over the neighbours of the same region that lie within `near_px` of the plane: matching noise averages
+/// out, and objects beside the ground do not distort the mean.
+PlaneFit fit_around(int x, int y, const Regions& regions, const Raster<float>& disparity_px,
+                    const DisparityPlane& plane, int reach, double near_px) {
   double n = 0.0, sv = 0.0, sr = 0.0, svv = 0.0, svr = 0.0;
-  for (int v = std::max(0, y - kReach); v <= std::min(disparity_px.height() - 1, y + kReach); ++v) {
-    for (int u = std::max(0, x - kReach); u <= std::min(disparity_px.width() - 1, x + kReach); ++u) {
+  for (int v = std::max(0, y - reach); v <= std::min(disparity_px.height() - 1, y + reach); ++v) {
+    for (int u = std::max(0, x - reach); u <= std::min(disparity_px.width() - 1, x + reach); ++u) {
       const double distance = disparity_px(u, v) - plane.at(u, v);
       if (!(std::abs(distance) <= near_px) || regions.of_pixel(u, v) != regions.of_pixel(x, y)) continue;
       const double r = distance, row = v - y;
@@ -65,26 +64,28 @@ Lie lie_at(int x, int y, const Regions& regions, const Raster<float>& disparity_
   return {sr / n, spread > 0.0 ? (n * svr - sv * sr) / spread : 0.0};
 }
 
-/// A pixel belongs to the ground where its neighbourhood lies on the plane and runs along it: the foot of a
-/// thing lies on it too, but rises from it. A region that is mostly ground takes in pixels that the matching
-/// left somewhat off or unknown, but not things of its colour.
+/// A pixel belongs to the ground where its neighbourhood lies on the plane and is parallel to it: the foot of
+/// an object lies on it too, but rises from it. A region that is mostly ground takes in pixels that the
+/// matching left somewhat off or unknown, but not objects of its colour.
 Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& disparity_px,
-                             const GroundPlane& fit, const Work& work) {
-  constexpr double kMostly = 0.8, kLeast_px = 0.12, kFarOff_px = 1.0;
-  const double tolerance_px = std::max(2.0 * fit.sigma_px, kLeast_px);
-  const double near_px = std::max(4.0 * tolerance_px, 0.5), rises = -0.5 * fit.plane.b;
+                             const GroundPlane& fit, const GroundMaskOptions& options, const Work& work) {
+  const double tolerance_px = std::max(options.sigmas * fit.sigma_px, options.least_tolerance_px);
+  const double near_px = std::max(options.near_tolerances * tolerance_px, options.least_near_px);
+  const double rises = -options.most_rise_share * fit.plane.b;
   const auto shares =
-      shares_on_plane(regions, disparity_px, fit.plane, std::max(3.0 * fit.sigma_px, kLeast_px));
+      shares_on_plane(regions, disparity_px, fit.plane,
+                      std::max(1.5 * options.sigmas * fit.sigma_px, options.least_tolerance_px));
   Raster<std::uint8_t> mask(disparity_px.width(), disparity_px.height());
   parallel_for(work, mask.height(), 8, [&](int begin, int end) {
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       for (int x = 0; x < mask.width(); ++x) {
-        const bool mostly = shares[static_cast<std::size_t>(regions.of_pixel(x, y))] > kMostly;
-        const Lie lie = lie_at(x, y, regions, disparity_px, fit.plane, near_px);
+        const bool mostly = shares[static_cast<std::size_t>(regions.of_pixel(x, y))] > options.mostly_share;
+        const PlaneFit around =
+            fit_around(x, y, regions, disparity_px, fit.plane, options.neighbourhood_px, near_px);
         const double own = std::abs(disparity_px(x, y) - fit.plane.at(x, y));
-        const double distance = std::abs(lie.distance_px);
-        const bool along = distance <= tolerance_px && lie.slope > rises && !(own > near_px);
-        mask(x, y) = along || (mostly && !(own > kFarOff_px) &&
+        const double distance = std::abs(around.distance_px);
+        const bool along = distance <= tolerance_px && around.slope > rises && !(own > near_px);
+        mask(x, y) = along || (mostly && !(own > options.far_px) &&
                                !(std::isfinite(distance) && distance > 2.0 * tolerance_px))
                          ? 255
                          : 0;
@@ -94,15 +95,14 @@ Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& dispar
   return mask;
 }
 
-/// Each pixel as most of its 5 x 5 neighbours are: single wrong matches do not make holes or specks.
-Raster<std::uint8_t> majority(const Raster<std::uint8_t>& mask) {
-  constexpr int kReach = 2;
+/// Majority filter: single wrong matches do not make holes or specks.
+Raster<std::uint8_t> majority(const Raster<std::uint8_t>& mask, int reach) {
   Raster<std::uint8_t> out(mask.width(), mask.height());
   for (int y = 0; y < mask.height(); ++y) {
     for (int x = 0; x < mask.width(); ++x) {
       int ground = 0, all = 0;
-      for (int v = std::max(0, y - kReach); v <= std::min(mask.height() - 1, y + kReach); ++v) {
-        for (int u = std::max(0, x - kReach); u <= std::min(mask.width() - 1, x + kReach); ++u) {
+      for (int v = std::max(0, y - reach); v <= std::min(mask.height() - 1, y + reach); ++v) {
+        for (int u = std::max(0, x - reach); u <= std::min(mask.width() - 1, x + reach); ++u) {
           ground += mask(u, v) != 0 ? 1 : 0;
           ++all;
         }
@@ -128,21 +128,19 @@ Raster<float> nearest_there(const Raster<float>& disparity_px) {
 }
 
 /// Whether the other camera does not see this pixel, if it lies at this disparity.
-bool hidden(const Raster<float>& nearest, int x, int y, double disparity) {
-  constexpr double kBehind_px = 1.0;
+bool hidden(const Raster<float>& nearest, int x, int y, double disparity, double by_px) {
   const auto there = static_cast<int>(std::lround(x - disparity));
-  return there < 0 || (there < nearest.width() && nearest(there, y) > disparity + kBehind_px);
+  return there < 0 || (there < nearest.width() && nearest(there, y) > disparity + by_px);
 }
 
-/// The plane's disparity at the far end of the ground, but for a few pixels.
-double furthest_of(const Raster<std::uint8_t>& mask, const DisparityPlane& plane) {
-  constexpr double kBeyond = 0.01;
+/// The plane's disparity at the far end of the ground, without the farthest share `beyond` of its pixels.
+double furthest_of(const Raster<std::uint8_t>& mask, const DisparityPlane& plane, double beyond) {
   std::vector<double> seen;
   for (int y = 0; y < mask.height(); ++y)
     for (int x = 0; x < mask.width(); ++x)
       if (mask(x, y) != 0) seen.push_back(plane.at(x, y));
   if (seen.empty()) return std::numeric_limits<double>::infinity();
-  const auto end = seen.begin() + static_cast<std::ptrdiff_t>(kBeyond * static_cast<double>(seen.size()));
+  const auto end = seen.begin() + static_cast<std::ptrdiff_t>(beyond * static_cast<double>(seen.size()));
   std::nth_element(seen.begin(), end, seen.end());
   return *end;
 }
@@ -160,18 +158,18 @@ cv::Mat shrunk_by(const cv::Mat& mask, const cv::Mat& square) {
 }
 
 /// Matching windows carry the disparity of one side over to the other; so beside the ground's border the
-/// picture decides, except for what is thinner than that. So it does where disparity is but a guess: where
-/// the other camera sees neither what was measured nor the ground in its place, no further away than the
-/// ground is seen elsewhere.
+/// picture decides, except for parts that are thinner than the strip. So it does where disparity is a guess:
+/// where the other camera sees neither the measured point nor the ground in its place, no farther away than
+/// the ground is seen elsewhere.
 Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& disparity_px,
-                         const DisparityPlane& plane) {
-  constexpr int kBorder_px = 8;
+                         const DisparityPlane& plane, const GroundMaskOptions& options) {
+  const int border_px = options.border_px;
   const Raster<float> nearest = nearest_there(disparity_px);
-  const double furthest = furthest_of(mask, plane);
+  const double furthest = furthest_of(mask, plane, options.far_end_share);
   Raster<Side> side(mask.width(), mask.height());
   const cv::Mat ground(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
   const cv::Mat rest = 255 - ground;
-  const cv::Mat square = cv::Mat::ones(2 * kBorder_px + 1, 2 * kBorder_px + 1, CV_8U);
+  const cv::Mat square = cv::Mat::ones(2 * border_px + 1, 2 * border_px + 1, CV_8U);
   const cv::Mat wide_ground = opened(ground, square), deep_ground = shrunk_by(ground, square);
   const cv::Mat wide_rest = opened(rest, square), deep_rest = shrunk_by(rest, square);
   for (int y = 0; y < mask.height(); ++y) {
@@ -182,8 +180,8 @@ Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& 
           is_ground ? wide_ground.at<std::uint8_t>(y, x) != 0 && deep_ground.at<std::uint8_t>(y, x) == 0
                     : wide_rest.at<std::uint8_t>(y, x) != 0 && deep_rest.at<std::uint8_t>(y, x) == 0;
       const bool guessed = !is_ground && plane.at(x, y) >= furthest &&
-                           (!std::isfinite(d) || hidden(nearest, x, y, d)) &&
-                           hidden(nearest, x, y, plane.at(x, y));
+                           (!std::isfinite(d) || hidden(nearest, x, y, d, options.hidden_px)) &&
+                           hidden(nearest, x, y, plane.at(x, y), options.hidden_px);
       if (guessed)
         side(x, y) = Side::unknown;
       else if (is_ground)
@@ -198,9 +196,9 @@ Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& 
 /// The mask with its borders where the picture has them.
 Raster<std::uint8_t> along_edges(const Raster<Rgb8>& left, const Raster<std::uint8_t>& mask,
                                  const Raster<float>& disparity_px, const DisparityPlane& plane,
-                                 const Work& work) {
-  Raster<Side> side = sides_known(mask, disparity_px, plane);
-  decide_by_colour(left, side, work);
+                                 const GroundOptions& options, const Work& work) {
+  Raster<Side> side = sides_known(mask, disparity_px, plane, options.mask);
+  decide_by_colour(left, side, work, options.colour);
   Raster<std::uint8_t> out(mask.width(), mask.height());
   for (std::size_t i = 0; i < out.count(); ++i) out.values()[i] = side.values()[i] == Side::inside ? 255 : 0;
   return out;
@@ -225,18 +223,20 @@ void measure(Ground& ground, const Raster<float>& disparity_px) {
 }  // namespace
 
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                  const Work& work, DisparityOrigin origin) {
+                                  const Work& work, DisparityOrigin origin, const GroundOptions& options) {
   PALPABLE_CHECK(left.width() == disparity_px.width() && left.height() == disparity_px.height());
-  constexpr double kLeastShare = 0.05;
-  const auto found = find_ground_plane(disparity_px, work);
+  const auto found = find_ground_plane(disparity_px, work, options.plane);
   if (!found) return std::nullopt;
   Ground ground;
   ground.plane = found->plane;
-  ground.mask = majority(mask_of(merge_regions(left), disparity_px, *found, work));
+  ground.mask = majority(
+      mask_of(merge_regions(left, options.mask.region_complexity), disparity_px, *found, options.mask, work),
+      options.mask.majority_px);
   if (origin == DisparityOrigin::matched)
-    ground.mask = majority(along_edges(left, ground.mask, disparity_px, ground.plane, work));
+    ground.mask = majority(along_edges(left, ground.mask, disparity_px, ground.plane, options, work),
+                           options.mask.majority_px);
   measure(ground, disparity_px);
-  if (ground.share < kLeastShare || work.cancelled()) return std::nullopt;
+  if (ground.share < options.least_share || work.cancelled()) return std::nullopt;
   return ground;
 }
 

@@ -6,6 +6,8 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/image.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/segmentation/disparity_plane.hpp"
+#include "palpable/vision/segmentation/ground_options.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -13,15 +15,7 @@
 
 namespace palpable::vision {
 
-/// A plane of the world as a stereo camera sees it: disparity = a x + b y + c, pixels.
-struct DisparityPlane {
-  double a = 0.0;
-  double b = 0.0;
-  double c = 0.0;
-  double at(double x, double y) const { return a * x + b * y + c; }
-};
-
-/// The plane that things stand on (Park & Howard 2012, 4.1).
+/// The plane that objects stand on (Park & Howard 2012, 4.1).
 struct Ground {
   DisparityPlane plane;
   /// 255 where the ground is seen, 0 elsewhere; as large as the picture.
@@ -32,28 +26,29 @@ struct Ground {
   double rms_px = 0.0;
 };
 
-/// How disparity came about. Matching carries it over edges and guesses what one camera does not see; a depth
-/// sensor or renderer does neither.
+/// How disparity was obtained. Matching carries it over edges and guesses what one camera does not see; a
+/// depth sensor or renderer does neither.
 enum class DisparityOrigin { matched, measured };
 
 /// Finds the ground: a robust plane fit in disparity among planes that rise towards the bottom of the
 /// picture, then the picture's regions (merge_regions) decide which pixels belong to it, and at its borders
-/// their colours where disparity was matched. nullopt where no such plane holds at least a twentieth of the
-/// picture. `left` and `disparity_px` have the same size. Deterministic for a seed; polls work.cancel (gives
-/// nullopt then).
+/// their colours where disparity was matched. nullopt where no such plane holds enough of the picture. `left`
+/// and `disparity_px` have the same size, and the options are in their ranges. Deterministic for a seed;
+/// polls work.cancel (gives nullopt then).
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                  const Work& work, DisparityOrigin origin = DisparityOrigin::matched);
+                                  const Work& work, DisparityOrigin origin = DisparityOrigin::matched,
+                                  const GroundOptions& options = {});
 
 /// The plane's unit normal in the left camera's frame, from the plane towards the camera.
 Vector<CameraFrame> normal_of(const DisparityPlane& plane, const StereoRig& rig);
 
-/// What becomes of the ground in a disparity map.
+/// How the ground of a disparity map is treated.
 enum class GroundTreatment {
   keep,
   /// The ground becomes the level base plate: disparities are measured from its plane, the ground's own are
   /// 0.
   flatten,
-  /// The ground and what seems to lie under it fall to the level of the farthest thing that is left.
+  /// The ground and what seems to lie under it are lowered to the level of the farthest object that is left.
   remove
 };
 

@@ -36,28 +36,28 @@ std::optional<DisparityPlane> plane_through(const Sample& p, const Sample& q, co
   return DisparityPlane{a, b, p.d - a * p.x - b * p.y};
 }
 
-/// What a ground must keep to in a map.
-struct Limits {
+/// The map that a ground must fit into.
+struct Extent {
   int width, height;
   /// The range of all disparities but few.
   double range_px;
 };
 
-/// A ground comes nearer towards the bottom of the picture, noticeably, and the camera's roll is moderate.
-bool could_be_ground(const DisparityPlane& plane, const Limits& limits) {
-  constexpr double kMostRoll = 0.6;
-  const double rise_px = plane.b * limits.height;
-  return rise_px > std::max(2.0, 0.12 * limits.range_px) && std::abs(plane.a) < kMostRoll * plane.b;
+/// A ground comes nearer towards the bottom of the picture, and the camera's roll is moderate.
+bool could_be_ground(const DisparityPlane& plane, const Extent& extent, const GroundPlaneOptions& options) {
+  const double rise_px = plane.b * extent.height;
+  return rise_px > std::max(options.least_rise_px, options.least_rise_share * extent.range_px) &&
+         std::abs(plane.a) < options.most_roll * plane.b;
 }
 
-/// Inliers count up to 1 each. Nothing lies under a ground: what seems to, speaks against it.
-double support_of(const DisparityPlane& plane, std::span<const Sample> samples, double tolerance_px) {
-  constexpr double kUnder = 0.5;
+/// Inliers count up to 1 each. Nothing lies under a ground: samples below the plane count against it.
+double support_of(const DisparityPlane& plane, std::span<const Sample> samples,
+                  const GroundPlaneOptions& options) {
   double support = 0.0;
   for (const Sample& s : samples) {
-    const double r = (s.d - plane.at(s.x, s.y)) / tolerance_px;
+    const double r = (s.d - plane.at(s.x, s.y)) / options.tolerance_px;
     if (std::abs(r) < 1.0) support += 1.0 - r * r;
-    if (r < -2.0 && plane.at(s.x, s.y) > 0.0) support -= kUnder;
+    if (r < -2.0 && plane.at(s.x, s.y) > 0.0) support -= options.under_penalty;
   }
   return support;
 }
@@ -83,13 +83,12 @@ bool alike(const DisparityPlane& p, const DisparityPlane& q, int width, int heig
 }
 
 /// The best supported planes through three samples each, all different, the best one first.
-std::vector<DisparityPlane> best_supported(std::span<const Sample> samples, const Limits& limits,
-                                           double tolerance_px, const Work& work) {
-  constexpr int kTrials = 3000;
-  constexpr std::size_t kKept = 8;
+std::vector<DisparityPlane> best_supported(std::span<const Sample> samples, const Extent& extent,
+                                           const GroundPlaneOptions& options, const Work& work) {
+  const auto kept = static_cast<std::size_t>(options.refined_planes);
   std::mt19937_64 random(work.seed);
-  // Three points from anywhere seldom share a plane: the second and third are sought near the first.
-  const double reach = 0.3 * std::max(limits.width, limits.height);
+  // Three points from anywhere seldom share a plane: the second and third are taken near the first.
+  const double reach = options.reach_share * std::max(extent.width, extent.height);
   const auto pick = [&] { return samples[random() % samples.size()]; };
   const auto pick_near = [&](const Sample& p) {
     for (int attempt = 0; attempt < 8; ++attempt)
@@ -97,14 +96,14 @@ std::vector<DisparityPlane> best_supported(std::span<const Sample> samples, cons
     return pick();
   };
   std::vector<Candidate> best;
-  for (int trial = 0; trial < kTrials && !work.cancelled(); ++trial) {
+  for (int trial = 0; trial < options.trials && !work.cancelled(); ++trial) {
     const Sample p = pick();
     const auto plane = plane_through(p, pick_near(p), pick_near(p));
-    if (!plane || !could_be_ground(*plane, limits)) continue;
-    const Candidate found{*plane, support_of(*plane, samples, tolerance_px)};
-    if (found.support <= 0.0 || (best.size() == kKept && found.support <= best.back().support)) continue;
+    if (!plane || !could_be_ground(*plane, extent, options)) continue;
+    const Candidate found{*plane, support_of(*plane, samples, options)};
+    if (found.support <= 0.0 || (best.size() == kept && found.support <= best.back().support)) continue;
     const auto same = std::find_if(best.begin(), best.end(), [&](const Candidate& other) {
-      return alike(found.plane, other.plane, limits.width, limits.height, 2.0 * tolerance_px);
+      return alike(found.plane, other.plane, extent.width, extent.height, 2.0 * options.tolerance_px);
     });
     if (same != best.end() && same->support >= found.support) continue;
     if (same != best.end())
@@ -113,7 +112,7 @@ std::vector<DisparityPlane> best_supported(std::span<const Sample> samples, cons
       best.push_back(found);
     std::stable_sort(best.begin(), best.end(),
                      [](const Candidate& l, const Candidate& r) { return l.support > r.support; });
-    if (best.size() > kKept) best.pop_back();
+    if (best.size() > kept) best.pop_back();
   }
   std::vector<DisparityPlane> planes;
   planes.reserve(best.size());
@@ -146,54 +145,52 @@ DisparityPlane fitted(std::span<const Sample> samples, std::span<const double> w
 }
 
 /// Tukey's biweight, iterated; the scale from the inliers' median deviation.
-std::optional<GroundPlane> refined(DisparityPlane plane, std::span<const Sample> samples) {
-  constexpr int kIterations = 12;
-  constexpr double kTukey = 4.685, kLeastSigma_px = 0.02, kMostSigma_px = 0.35, kNear_px = 1.5;
-  double sigma = kMostSigma_px;
+std::optional<GroundPlane> refined(DisparityPlane plane, std::span<const Sample> samples,
+                                   const GroundPlaneOptions& options) {
+  double sigma = options.most_sigma_px;
   std::vector<double> weights(samples.size());
-  for (int iteration = 0; iteration < kIterations; ++iteration) {
+  for (int iteration = 0; iteration < options.iterations; ++iteration) {
     std::vector<double> near;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double r = samples[i].d - plane.at(samples[i].x, samples[i].y);
-      if (std::abs(r) < std::min(kNear_px, 6.0 * sigma)) near.push_back(std::abs(r));
-      const double u = r / (kTukey * sigma);
+      if (std::abs(r) < std::min(options.near_px, 6.0 * sigma)) near.push_back(std::abs(r));
+      const double u = r / (options.biweight * sigma);
       weights[i] = std::abs(u) < 1.0 ? (1.0 - u * u) * (1.0 - u * u) : 0.0;
     }
     if (near.size() < 50) return std::nullopt;
     plane = fitted(samples, weights);
-    sigma = std::clamp(1.4826 * quantile_of(near, 0.5), kLeastSigma_px, kMostSigma_px);
+    sigma = std::clamp(1.4826 * quantile_of(near, 0.5), options.least_sigma_px, options.most_sigma_px);
   }
   return GroundPlane{plane, sigma};
 }
 
-/// Whether enough lies on the plane, and over such a rise of it that it cannot be something level, or a wall,
-/// that the noise tilts.
-bool holds(const GroundPlane& ground, std::span<const Sample> samples) {
-  constexpr double kLeastShare = 0.05, kLeastRise_px = 1.0, kLeastRise_sigmas = 6.0;
+/// Whether enough lies on the plane, over such a rise that it is no level plane or wall tilted by noise.
+bool holds(const GroundPlane& ground, std::span<const Sample> samples, const GroundPlaneOptions& options) {
   std::vector<double> on;
   for (const Sample& s : samples)
     if (const double d = ground.plane.at(s.x, s.y); std::abs(s.d - d) < 3.0 * ground.sigma_px)
       on.push_back(d);
-  if (static_cast<double>(on.size()) < kLeastShare * static_cast<double>(samples.size())) return false;
+  if (static_cast<double>(on.size()) < options.least_share * static_cast<double>(samples.size()))
+    return false;
   const double rise_px = quantile_of(on, 0.95) - quantile_of(on, 0.05);
-  return rise_px > std::max(kLeastRise_px, kLeastRise_sigmas * ground.sigma_px);
+  return rise_px > std::max(options.least_held_rise_px, options.least_held_rise_sigmas * ground.sigma_px);
 }
 
 }  // namespace
 
-std::optional<GroundPlane> find_ground_plane(const Raster<float>& disparity_px, const Work& work) {
-  constexpr double kTried = 6000.0, kFitted = 60000.0, kTolerance_px = 0.75;
-  const auto few = samples_of(disparity_px, kTried);
+std::optional<GroundPlane> find_ground_plane(const Raster<float>& disparity_px, const Work& work,
+                                             const GroundPlaneOptions& options) {
+  const auto few = samples_of(disparity_px, options.searched_samples);
   if (few.size() < 100) return std::nullopt;
-  const auto many = samples_of(disparity_px, kFitted);
-  const Limits limits{disparity_px.width(), disparity_px.height(), range_of(few)};
+  const auto many = samples_of(disparity_px, options.fitted_samples);
+  const Extent extent{disparity_px.width(), disparity_px.height(), range_of(few)};
   std::optional<GroundPlane> best;
   double most = 0.0;
-  for (const DisparityPlane& candidate : best_supported(few, limits, kTolerance_px, work)) {
-    const auto fit = refined(candidate, many);
-    // A plane across the steps of a wall tilts back when it is fitted: it is none then.
-    if (!fit || !could_be_ground(fit->plane, limits) || !holds(*fit, few)) continue;
-    const double support = support_of(fit->plane, few, kTolerance_px);
+  for (const DisparityPlane& candidate : best_supported(few, extent, options, work)) {
+    const auto fit = refined(candidate, many, options);
+    // A plane across the steps of a wall tilts back when it is fitted, and is rejected.
+    if (!fit || !could_be_ground(fit->plane, extent, options) || !holds(*fit, few, options)) continue;
+    const double support = support_of(fit->plane, few, options);
     if (support <= most) continue;
     most = support;
     best = fit;

@@ -1,7 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/rectification/chessboard_calibration.hpp"
+
 #include "palpable/vision/image/opencv_image.hpp"
-#include "palpable/vision/rectification/alignment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ Corners find_corners(const Image& image, const ChessboardOptions& options) {
   const cv::Mat grey = grey8_of(image);
   Corners corners;
   if (!cv::findChessboardCorners(grey, {options.columns, options.rows}, corners)) return {};
-  cv::cornerSubPix(grey, corners, {5, 5}, {-1, -1},
+  cv::cornerSubPix(grey, corners, {options.corner_window_px, options.corner_window_px}, {-1, -1},
                    {cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 40, 0.001});
   return corners;
 }
@@ -34,12 +35,10 @@ LensCamera lens_of(const cv::Mat& matrix, const cv::Mat& distortion) {
   return out;
 }
 
-constexpr int kLeastBoards = 3;
-
 Error too_few(const ChessboardOptions& options, std::size_t found, std::size_t given, const char* what) {
   return invalid_input(
       fmt::format("a chessboard of {}x{} inner corners was found in {} of {} {}, but {} are needed",
-                  options.columns, options.rows, found, given, what, kLeastBoards));
+                  options.columns, options.rows, found, given, what, options.least_boards));
 }
 
 /// The same flat board, once for each time it was seen.
@@ -54,8 +53,17 @@ std::vector<std::vector<cv::Point3f>> boards_of(const ChessboardOptions& options
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(ChessboardOptions& o) {
+  return {{"columns", &o.columns, {2, 100}, "", "inner corners along the board"},
+          {"rows", &o.rows, {2, 100}, "", "inner corners across the board"},
+          {"square_m", &o.square_m, {0.0001, 10}, "m", "side of a square"},
+          {"corner_window_px", &o.corner_window_px, {1, 50}, "px", "half the window of corner refinement"},
+          {"least_boards", &o.least_boards, {3, 1000}, "", "pictures that must show the whole board"}};
+}
+
 Result<CameraCalibration> calibrate_camera(const std::vector<Image>& pictures,
                                            const ChessboardOptions& options, const Work& work) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
     std::vector<Corners> seen;
     cv::Size size;
@@ -70,7 +78,7 @@ Result<CameraCalibration> calibrate_camera(const std::vector<Image>& pictures,
       if (Corners corners = find_corners(pictures[i], options); !corners.empty())
         seen.push_back(std::move(corners));
     }
-    if (static_cast<int>(seen.size()) < kLeastBoards)
+    if (static_cast<int>(seen.size()) < options.least_boards)
       return too_few(options, seen.size(), pictures.size(), "pictures");
     cv::Mat matrix;
     cv::Mat distortion;
@@ -90,6 +98,7 @@ Result<CameraCalibration> calibrate_camera(const std::vector<Image>& pictures,
 
 Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<StereoPair>& pairs,
                                                          const ChessboardOptions& options, const Work& work) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
     std::vector<Corners> left;
     std::vector<Corners> right;
@@ -109,7 +118,7 @@ Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<Stere
       left.push_back(std::move(in_left));
       right.push_back(std::move(in_right));
     }
-    if (static_cast<int>(left.size()) < kLeastBoards)
+    if (static_cast<int>(left.size()) < options.least_boards)
       return too_few(options, left.size(), pairs.size(), "pairs");
     const auto boards = boards_of(options, left.size());
     cv::Mat m1;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/rectification/camera_turns.hpp"
+#include "palpable/vision/rectification/rectifying_rotations.hpp"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ FeatureMatch seen_turned(double x, double y, double disparity_px, double raised_
           239.5 + std::sin(kTurn) * u + std::cos(kTurn) * v};
 }
 
-TEST(TurnsToScanlines, TakeOfAlternativesTheOneThatFitsTheOthers) {
+TEST(RectifyingRotations, TakeOfAlternativesTheOneThatFitsTheOthers) {
   // A board of 12 x 10 squares whose rows rise by a pixel in 20: each corner looks like its neighbours too.
   // What lies around it is distinct.
   constexpr double kSquare_px = 30.0, kRise = 0.05, kBoard_px = 60.0;
@@ -32,10 +32,10 @@ TEST(TurnsToScanlines, TakeOfAlternativesTheOneThatFitsTheOthers) {
         matches.push_back(seen_turned(x, y, kBoard_px - kSquare_px * aside, kRise * kSquare_px * aside));
       truth.push_back(matches.back());
     }
-  const TurnedCameras found = turns_to_scanlines(matches, unknown_eye(640, 480), 1.5, 1);
-  ASSERT_EQ(found.matches.size(), truth.size());
-  for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_EQ(found.matches[i].right_x, truth[i].right_x) << i;
-  EXPECT_LT(vertical_rms_px(moved(found.matches, found.how)), 0.05);
+  const auto found = find_rectifying_rotations(matches, unknown_camera(640, 480), 1.5, 1);
+  ASSERT_EQ(found.inliers.size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_EQ(found.inliers[i].right_x, truth[i].right_x) << i;
+  EXPECT_LT(vertical_rms_px(rectified_matches(found.inliers, found.transform)), 0.05);
 }
 
 }  // namespace

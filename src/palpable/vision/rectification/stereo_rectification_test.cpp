@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/rectification/alignment.hpp"
+#include "palpable/vision/rectification/stereo_rectification.hpp"
 
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
@@ -45,35 +45,35 @@ StereoPair turned_pair(double degrees) {
   return pair;
 }
 
-TEST(Alignment, BringsATurnedPairToCommonScanlines) {
+TEST(StereoRectification, BringsARotatedPairToCommonRows) {
   for (const double degrees : {-5.0, 3.0}) {
-    const auto aligned = align_uncalibrated(turned_pair(degrees), {});
-    ASSERT_TRUE(aligned) << aligned.error().sentence();
-    EXPECT_TRUE(aligned->changed);
-    EXPECT_GT(aligned->residual_before_px, 3.0);
-    EXPECT_LE(aligned->residual_px, 0.5);
-    // Looked at afresh, the pair is aligned: nothing more is done to it.
-    const auto again = align_uncalibrated(aligned->pair, {});
+    const auto rectified = rectify_uncalibrated(turned_pair(degrees), {});
+    ASSERT_TRUE(rectified) << rectified.error().sentence();
+    EXPECT_TRUE(rectified->changed);
+    EXPECT_GT(rectified->residual_before_px, 3.0);
+    EXPECT_LE(rectified->residual_px, 0.5);
+    // The result is rectified: a second run finds little to do.
+    const auto again = rectify_uncalibrated(rectified->pair, {});
     ASSERT_TRUE(again);
     EXPECT_LE(again->residual_before_px, 0.6);
   }
 }
 
-TEST(Alignment, LeavesAnAlignedPairAlone) {
+TEST(StereoRectification, LeavesARectifiedPairAlone) {
   const StereoPair pair = turned_pair(0.0);
-  const auto aligned = align_uncalibrated(pair, {});
-  ASSERT_TRUE(aligned);
-  EXPECT_FALSE(aligned->changed);
-  EXPECT_TRUE(aligned->pair.right.samples == pair.right.samples);
+  const auto rectified = rectify_uncalibrated(pair, {});
+  ASSERT_TRUE(rectified);
+  EXPECT_FALSE(rectified->changed);
+  EXPECT_TRUE(rectified->pair.right.samples == pair.right.samples);
 }
 
-TEST(Alignment, GivesAPairWithoutFeaturesBackWithANote) {
+TEST(StereoRectification, ReturnsAPairWithoutFeaturesBackWithANote) {
   StereoPair pair = turned_pair(0.0);
   std::fill(pair.left.samples.begin(), pair.left.samples.end(), 0.5F);
-  const auto aligned = align_uncalibrated(pair, {});
-  ASSERT_TRUE(aligned);
-  EXPECT_FALSE(aligned->changed);
-  ASSERT_FALSE(aligned->notes.empty());
+  const auto rectified = rectify_uncalibrated(pair, {});
+  ASSERT_TRUE(rectified);
+  EXPECT_FALSE(rectified->changed);
+  ASSERT_FALSE(rectified->notes.empty());
 }
 
 }  // namespace

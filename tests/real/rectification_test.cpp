@@ -1,10 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/rectification/alignment.hpp"
-
 #include "palpable/sources/depth/depth_file.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/rectification/chessboard_calibration.hpp"
+#include "palpable/vision/rectification/stereo_rectification.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>
@@ -52,8 +52,8 @@ std::vector<cv::Point2f> corners_of(const Image& picture) {
   return corners;
 }
 
-/// RMS of y_left - y_right over the board's corners, which no alignment was fitted to; NaN where a board is
-/// not whole in both.
+/// RMS of y_left - y_right over the board's corners, which no rectification was fitted to; NaN where a board
+/// is not whole in both.
 double corner_rms_px(const StereoPair& pair) {
   const auto left = corners_of(pair.left), right = corners_of(pair.right);
   if (left.empty() || right.empty()) return std::nan("");
@@ -67,11 +67,11 @@ TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
   // period aside to whoever takes the first likeness. Of pair 5 a chance turn explains more features than the
   // true one.
   for (const int i : {5, 12}) {
-    const auto aligned = align_uncalibrated(chessboard(i), {});
-    ASSERT_TRUE(aligned);
-    EXPECT_GT(aligned->residual_before_px, 8.0) << i;
-    EXPECT_LE(aligned->residual_px, 0.5) << i;
-    EXPECT_LE(corner_rms_px(aligned->pair), 0.5) << i;
+    const auto rectified = rectify_uncalibrated(chessboard(i), {});
+    ASSERT_TRUE(rectified);
+    EXPECT_GT(rectified->residual_before_px, 8.0) << i;
+    EXPECT_LE(rectified->residual_px, 0.5) << i;
+    EXPECT_LE(corner_rms_px(rectified->pair), 0.5) << i;
   }
 }
 
@@ -83,9 +83,9 @@ TEST_F(RealPairs, ChessboardsOfCalibratedCamerasShareScanlines) {
   EXPECT_EQ(calibration->pairs_used, 13);
   EXPECT_LE(calibration->reprojection_px, 0.3);
   for (std::size_t i = 0; i < pairs.size(); i += 3) {
-    const auto aligned = rectify_calibrated(pairs[i], calibration->cameras);
-    ASSERT_TRUE(aligned);
-    EXPECT_LE(corner_rms_px(aligned->pair), 0.5) << i;
+    const auto rectified = rectify_calibrated(pairs[i], calibration->cameras);
+    ASSERT_TRUE(rectified);
+    EXPECT_LE(corner_rms_px(rectified->pair), 0.5) << i;
   }
 }
 
@@ -109,12 +109,12 @@ TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
     const StereoPair straight = read(left, right);
     for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{{0, 5, 0}, {-3, 3, 3}}) {
       const StereoPair pair{straight.left, turned(straight.right, straight.right.width, x, y, z), {}};
-      const auto aligned = align_uncalibrated(pair, {});
-      ASSERT_TRUE(aligned);
-      EXPECT_TRUE(aligned->changed) << left;
-      EXPECT_LE(aligned->residual_px, 0.5) << left;
-      // Looked at afresh it is aligned: features found in the new pictures say so too.
-      const auto again = align_uncalibrated(aligned->pair, {});
+      const auto rectified = rectify_uncalibrated(pair, {});
+      ASSERT_TRUE(rectified);
+      EXPECT_TRUE(rectified->changed) << left;
+      EXPECT_LE(rectified->residual_px, 0.5) << left;
+      // Features of the new pictures show it rectified too.
+      const auto again = rectify_uncalibrated(rectified->pair, {});
       ASSERT_TRUE(again);
       EXPECT_FALSE(again->changed) << left;
       EXPECT_LE(again->residual_before_px, 0.5) << left;
@@ -130,12 +130,12 @@ TEST_F(RealPairs, ACameraMovedAndTurnedALittleGivesMetres) {
   ASSERT_TRUE(truth);
   const Raster<float>& truth_px = truth->disparity.disparity_px;
   const StereoPair pair{straight.left, turned(straight.right, kFocal_px, 0.5, -0.7, 0.6), {}};
-  const auto aligned =
-      align_moved(pair, {{kFocal_px, 0, 359.5, 0, kFocal_px, 239.5, 0, 0, 1}, {}}, kMoved_m, {});
-  ASSERT_TRUE(aligned && aligned->pair.rig);
-  const auto found = match(aligned->pair, StereoMethod::fast, {}, {});
+  const auto rectified =
+      rectify_moved_camera(pair, {{kFocal_px, 0, 359.5, 0, kFocal_px, 239.5, 0, 0, 1}, {}}, kMoved_m, {});
+  ASSERT_TRUE(rectified && rectified->pair.rig);
+  const auto found = match(rectified->pair, StereoMethod::fast, {}, {});
   ASSERT_TRUE(found);
-  const StereoRig& rig = *aligned->pair.rig;
+  const StereoRig& rig = *rectified->pair.rig;
   std::vector<double> errors;
   for (int y = 0; y < truth_px.height(); y += 3)
     for (int x = 0; x < truth_px.width(); x += 3) {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/rectification/rolling_rows.hpp"
+#include "palpable/vision/rectification/vertical_offsets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 namespace palpable::vision {
 namespace {
 
-/// The four control values that a place on an axis hears, and how much: a uniform cubic B-spline over [0, 1]
+/// The four control values at a place on an axis, and their weights: a uniform cubic B-spline over [0, 1]
 /// with `count` control values.
 struct Basis {
   int first = 0;
@@ -38,7 +38,7 @@ void visit_controls(double x, double y, int across, int down, const Visit& visit
             by.weights[j] * bx.weights[i]);
 }
 
-/// Adds the wish that control values run evenly: squared second differences along both axes.
+/// Adds the smoothness term: squared second differences of the control values along both axes.
 void add_smoothness(cv::Mat_<double>& normal, int across, int down, double weight) {
   const auto add = [&](int a, int b, int c) {
     const std::array<std::pair<int, double>, 3> terms{{{a, 1.0}, {b, -2.0}, {c, 1.0}}};
@@ -61,34 +61,32 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-std::optional<RollingRows> RollingRows::through(const std::vector<FeatureMatch>& matches, int width,
-                                                int height) {
-  constexpr std::size_t kLeast = 100;
-  constexpr int kControls = kAcross * kDown;
-  constexpr double kSmooth = 0.03, kWiden = 0.8, kFirst_px = 6.0, kLast_px = 0.5;
-  if (matches.size() < kLeast) return std::nullopt;
-  RollingRows rows(width, height);
+std::optional<VerticalOffsets> VerticalOffsets::through(const std::vector<FeatureMatch>& matches, int width,
+                                                        int height, const VerticalOffsetOptions& options) {
+  const int across = options.controls_across, down = options.controls_down, controls = across * down;
+  if (matches.size() < static_cast<std::size_t>(options.least_matches)) return std::nullopt;
+  VerticalOffsets rows(width, height, across, down);
   std::vector<double> offsets;
   for (const FeatureMatch& m : matches) offsets.push_back(m.right_y - m.left_y);
   const double middle = median(offsets);
   for (double& v : offsets) v = std::abs(v - middle);
   // A B-spline's weights add up to 1: equal control values are a level surface.
-  rows.control_.assign(kControls, middle);
-  for (double scale_px = std::max(kFirst_px, 3.0 * median(offsets)); scale_px > kLast_px;
-       scale_px *= kWiden) {
-    cv::Mat_<double> normal(kControls, kControls, 0.0);
-    cv::Mat_<double> right(kControls, 1, 0.0);
+  rows.control_.assign(static_cast<std::size_t>(controls), middle);
+  for (double scale_px = std::max(options.first_scale_px, 3.0 * median(offsets));
+       scale_px > options.last_scale_px; scale_px *= options.scale_factor) {
+    cv::Mat_<double> normal(controls, controls, 0.0);
+    cv::Mat_<double> right(controls, 1, 0.0);
     for (const FeatureMatch& m : matches) {
       const double offset = m.right_y - m.left_y;
       const double r = (offset - rows.offset_px(m.right_x, m.left_y)) / scale_px;
       const double weight = 1.0 / ((1.0 + r * r) * (1.0 + r * r));
-      visit_controls(m.right_x / width, m.left_y / height, kAcross, kDown, [&](int i, double f) {
+      visit_controls(m.right_x / width, m.left_y / height, across, down, [&](int i, double f) {
         right(i) += weight * f * offset;
-        visit_controls(m.right_x / width, m.left_y / height, kAcross, kDown,
+        visit_controls(m.right_x / width, m.left_y / height, across, down,
                        [&](int j, double g) { normal(i, j) += weight * f * g; });
       });
     }
-    add_smoothness(normal, kAcross, kDown, kSmooth);
+    add_smoothness(normal, across, down, options.smoothness);
     cv::Mat_<double> solved;
     if (!cv::solve(normal, right, solved, cv::DECOMP_CHOLESKY)) return std::nullopt;
     rows.control_.assign(solved.begin(), solved.end());
@@ -96,50 +94,51 @@ std::optional<RollingRows> RollingRows::through(const std::vector<FeatureMatch>&
   return rows;
 }
 
-double RollingRows::offset_px(double x, double y) const {
+double VerticalOffsets::offset_px(double x, double y) const {
   double sum = 0.0;
-  visit_controls(x / width_, y / height_, kAcross, kDown,
+  visit_controls(x / width_, y / height_, across_, down_,
                  [&](int i, double f) { sum += f * control_[static_cast<std::size_t>(i)]; });
   return sum;
 }
 
-FeatureMatch RollingRows::evened(const FeatureMatch& match) const {
+FeatureMatch VerticalOffsets::corrected(const FeatureMatch& match) const {
   FeatureMatch out = match;
   out.right_y -= offset_px(match.right_x, match.left_y);
   return out;
 }
 
-bool RollingGain::worth_it(std::size_t other_agree, double other_px) const {
-  constexpr double kMore = 1.08, kCloser = 0.85, kNoticeable_px = 1.0, kGood_px = 0.3;
-  const bool more = static_cast<double>(agree) > kMore * static_cast<double>(other_agree);
-  const bool closer = agree >= other_agree && other_px > kGood_px && residual_px < kCloser * other_px;
-  return greatest_px > kNoticeable_px && (more || closer);
+bool VerticalOffsetScore::is_better_than(std::size_t other_inliers, double other_px,
+                                         const VerticalOffsetOptions& options) const {
+  const bool more = static_cast<double>(inliers) > options.more_matches * static_cast<double>(other_inliers);
+  const bool closer = inliers >= other_inliers && other_px > options.good_residual_px &&
+                      residual_px < options.less_residual * other_px;
+  return greatest_px > options.least_offset_px && (more || closer);
 }
 
-RollingGain rolling_gain(const std::vector<FeatureMatch>& matches, int width, int height,
-                         double tolerance_px) {
+VerticalOffsetScore cross_validate_offsets(const std::vector<FeatureMatch>& matches, int width, int height,
+                                           double tolerance_px, const VerticalOffsetOptions& options) {
   std::array<std::vector<FeatureMatch>, 2> halves;
   for (std::size_t i = 0; i < matches.size(); ++i) halves[i % 2].push_back(matches[i]);
-  RollingGain gain;
-  std::vector<FeatureMatch> agreed;
+  VerticalOffsetScore score;
+  std::vector<FeatureMatch> inliers;
   std::vector<double> offsets;
   for (const std::size_t half : {0U, 1U}) {
-    const auto rows = RollingRows::through(halves[1 - half], width, height);
+    const auto rows = VerticalOffsets::through(halves[1 - half], width, height, options);
     if (!rows) return {};
     for (const FeatureMatch& m : halves[half]) {
-      const FeatureMatch evened = rows->evened(m);
-      if (!(std::abs(evened.right_y - evened.left_y) <= tolerance_px)) continue;
-      agreed.push_back(evened);
-      offsets.push_back(m.right_y - evened.right_y);
+      const FeatureMatch corrected = rows->corrected(m);
+      if (!(std::abs(corrected.right_y - corrected.left_y) <= tolerance_px)) continue;
+      inliers.push_back(corrected);
+      offsets.push_back(m.right_y - corrected.right_y);
     }
   }
-  if (agreed.empty()) return gain;
-  gain.agree = agreed.size();
-  gain.residual_px = vertical_rms_px(agreed);
+  if (inliers.empty()) return score;
+  score.inliers = inliers.size();
+  score.residual_px = vertical_rms_px(inliers);
   const double middle = median(offsets);
   for (const double offset : offsets)
-    gain.greatest_px = std::max(gain.greatest_px, std::abs(offset - middle));
-  return gain;
+    score.greatest_px = std::max(score.greatest_px, std::abs(offset - middle));
+  return score;
 }
 
 }  // namespace palpable::vision

@@ -1,0 +1,42 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/vec3.hpp"
+
+#include <array>
+#include <vector>
+
+namespace palpable::vision {
+
+/// Row-major.
+using Matrix3 = std::array<double, 9>;
+inline constexpr Matrix3 kIdentity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/// A place in a picture, px; pixel centres at integers.
+struct PicturePoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// A camera with its lens: its matrix in pixels, distortion in OpenCV's order (0, 4, 5, 8, 12 or 14).
+struct LensCamera {
+  Matrix3 matrix = kIdentity3;
+  std::vector<double> distortion;
+};
+
+/// Two calibrated cameras: p_right = rotation * p_left + translation_m (metres).
+struct LensPair {
+  LensCamera left;
+  LensCamera right;
+  Matrix3 rotation = kIdentity3;
+  Vec3 translation_m;
+};
+
+/// Horizontal field of view that is assumed of an unknown camera: a phone's.
+inline constexpr double kUsualFieldOfView_deg = 65.0;
+
+/// A camera without distortion and with the usual field of view, for a picture of this size.
+LensCamera usual_camera(int width, int height);
+
+}  // namespace palpable::vision

@@ -1,0 +1,81 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/rectification/feature_matches.hpp"
+#include "palpable/vision/rectification/lens_camera.hpp"
+
+#include <cstdint>
+#include <vector>
+
+// Inside vision's sources only: the rotations of two cameras that rectify their pictures, estimated from
+// matches.
+namespace palpable::vision {
+
+/// The intrinsics that both pictures are taken to share.
+struct SharedCamera {
+  double focal_px = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+  /// False: the focal length is estimated along with the rotations, starting at focal_px, and so is the
+  /// lens's distortion.
+  bool known = false;
+};
+
+/// An unknown camera: the picture's centre, and a focal length that is only where the search starts.
+SharedCamera unknown_camera(int width, int height);
+
+/// Maps both pictures to common rows.
+struct RectifyingTransform {
+  /// Homographies of pixels.
+  Matrix3 left = kIdentity3;
+  Matrix3 right = kIdentity3;
+  /// Both lenses' distortion by the division model, about (cx, cy): u = p / (1 + distortion |p|²), 1/px².
+  double distortion = 0.0;
+  double cx = 0.0;
+  double cy = 0.0;
+};
+
+/// The place in the rectified picture; and the place of the picture that comes to lie at a rectified one.
+PicturePoint rectified_point(const RectifyingTransform& by, const Matrix3& homography, PicturePoint place);
+PicturePoint source_point(const RectifyingTransform& by, const Matrix3& inverse_homography,
+                          PicturePoint place);
+
+struct RectifyingRotations {
+  RectifyingTransform transform;
+  /// The matches that agree with it, as they were.
+  std::vector<FeatureMatch> inliers;
+};
+
+/// Rotates both cameras so that matches share rows (Fusiello & Irsara 2011: the left one about y and z, the
+/// right one about x, y and z, one focal length where it is unknown), the left one as little as possible. The
+/// rotations parametrise a fundamental matrix, estimated by random samples of matches and refined over all
+/// within `tolerance_px`. No solution: `inliers` is empty. Deterministic for a seed.
+RectifyingRotations find_rectifying_rotations(const std::vector<FeatureMatch>& matches,
+                                              const SharedCamera& camera, double tolerance_px,
+                                              std::uint64_t seed, const RotationSearchOptions& options = {});
+
+/// The simplest model, and only roughly: the right picture shifted vertically and rotated in its plane, so
+/// that most matches come within a few pixels of common rows.
+RectifyingRotations find_rough_rotations(const std::vector<FeatureMatch>& matches, const SharedCamera& camera,
+                                         double tolerance_px, std::uint64_t seed,
+                                         const RotationSearchOptions& options = {});
+
+/// Those that share rows once rectified, within `tolerance_px`. Consecutive matches of one place of the left
+/// picture are alternatives: the one nearest to its row counts.
+std::vector<FeatureMatch> inliers_of(const std::vector<FeatureMatch>& matches, const RectifyingTransform& by,
+                                     double tolerance_px);
+
+/// Of alternatives, the one nearest to its row.
+std::vector<FeatureMatch> best_alternatives(const std::vector<FeatureMatch>& matches,
+                                            const RectifyingTransform& by);
+
+/// The matches in the rectified pictures.
+std::vector<FeatureMatch> rectified_matches(const std::vector<FeatureMatch>& matches,
+                                            const RectifyingTransform& by);
+
+/// RMS distance, in pixels, of the matches from where the best rotation of the right camera alone would put
+/// them: the rest is parallax. NaN without matches.
+double parallax_rms_px(const std::vector<FeatureMatch>& matches, const SharedCamera& camera);
+
+}  // namespace palpable::vision

@@ -1,0 +1,368 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/rectification/stereo_rectification.hpp"
+
+#include "palpable/vision/image/opencv_image.hpp"
+#include "palpable/vision/rectification/feature_matches.hpp"
+#include "palpable/vision/rectification/rectifying_rotations.hpp"
+#include "palpable/vision/rectification/tracked_matches.hpp"
+#include "palpable/vision/rectification/vertical_offsets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+using Options = StereoRectificationOptions;
+
+Result<void> check_input(const StereoPair& pair, const Options& options) {
+  if (auto in_range = check_ranges(options); !in_range) return in_range;
+  if (pair.left.width == pair.right.width && pair.left.height == pair.right.height) return {};
+  return invalid_input(
+      fmt::format("the two pictures of a stereo pair must have the same size, but the left one has "
+                  "{}x{} and the right one {}x{} pixels",
+                  pair.left.width, pair.left.height, pair.right.width, pair.right.height));
+}
+
+Error failure(const char* what, const cv::Exception& e) {
+  return {ErrorCode::failed, fmt::format("the pair could not be {}: {}", what, e.what()), {}};
+}
+
+cv::Matx33d matrix_of(const Matrix3& m) { return cv::Matx33d(m.data()); }
+
+Matrix3 inverse(const Matrix3& m) {
+  const cv::Matx33d inverted = matrix_of(m).inv();
+  Matrix3 out{};
+  std::copy_n(inverted.val, out.size(), out.begin());
+  return out;
+}
+
+/// The picture as `homography` rectifies it, its rows moved by the vertical offsets where there are any.
+Image warped(const Image& image, const RectifyingTransform& by, const Matrix3& homography,
+             const VerticalOffsets* offsets = nullptr) {
+  const Matrix3 back = inverse(homography);
+  cv::Mat from(image.height, image.width, CV_32FC2);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const double lower = offsets != nullptr ? offsets->offset_px(x, y) : 0.0;
+      const PicturePoint p = source_point(by, back, {1.0 * x, y + lower});
+      from.at<cv::Point2f>(y, x) = {static_cast<float>(p.x), static_cast<float>(p.y)};
+    }
+  cv::Mat out;
+  cv::remap(view_of(image), out, from, {}, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return image_from(out, image);
+}
+
+/// The picture as a camera of matrix `seen_as`, rotated by `rotation`, without distortion, would have seen
+/// it.
+Image undistorted(const Image& image, const LensCamera& camera, const cv::Matx33d& rotation,
+                  const cv::Matx33d& seen_as) {
+  cv::Mat map_x;
+  cv::Mat map_y;
+  cv::initUndistortRectifyMap(matrix_of(camera.matrix), camera.distortion, rotation, seen_as,
+                              {image.width, image.height}, CV_32FC1, map_x, map_y);
+  cv::Mat out;
+  cv::remap(view_of(image), out, map_x, map_y, cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return image_from(out, image);
+}
+
+RectifiedPair unchanged(const StereoPair& pair, const std::vector<FeatureMatch>& matches,
+                        const Options& options) {
+  RectifiedPair out;
+  out.pair = pair;
+  out.features = static_cast<int>(matches.size());
+  out.residual_before_px = vertical_rms_px(matches);
+  out.residual_px = out.residual_before_px;
+  if (out.features < options.least_matches)
+    out.notes.push_back(fmt::format(
+        "Only {} points were matched between the two pictures, too few to tell whether they are rectified.",
+        out.features));
+  return out;
+}
+
+/// How a pair is rectified: its cameras are rotated; or, where no rotation explains the matches, the right
+/// picture's rows are moved vertically.
+struct RectificationCandidate {
+  RectifyingRotations rotations;
+  std::optional<VerticalOffsets> offsets;
+  /// The greatest of the offsets.
+  double greatest_px = 0.0;
+
+  /// The inliers in the rectified pictures.
+  std::vector<FeatureMatch> rectified_inliers() const {
+    std::vector<FeatureMatch> rectified = rectified_matches(rotations.inliers, rotations.transform);
+    if (offsets)
+      for (FeatureMatch& m : rectified) m = offsets->corrected(m);
+    return rectified;
+  }
+  double residual_px() const { return vertical_rms_px(rectified_inliers()); }
+};
+
+/// A candidate, and the matches that it was estimated from.
+struct RectificationEstimate {
+  std::vector<FeatureMatch> matches;
+  RectificationCandidate candidate;
+  /// Share of the corners tracked last that lay on common rows already.
+  double share = 0.0;
+};
+
+/// The rotations, unless vertical offsets explain far more: then the left picture stays as it is.
+RectificationCandidate candidate_of(const std::vector<FeatureMatch>& matches, RectifyingRotations rotations,
+                                    const Image& picture, const Options& options) {
+  const double tolerance_px = feature_tolerance_px(picture.width, picture.height, options.features);
+  const VerticalOffsetScore score =
+      cross_validate_offsets(matches, picture.width, picture.height, tolerance_px, options.offsets);
+  const double other_px = vertical_rms_px(rectified_matches(rotations.inliers, rotations.transform));
+  auto offsets = score.is_better_than(rotations.inliers.size(), other_px, options.offsets)
+                     ? VerticalOffsets::through(matches, picture.width, picture.height, options.offsets)
+                     : std::nullopt;
+  if (!offsets) return {std::move(rotations), {}, 0.0};
+  RectifyingRotations none;
+  for (const FeatureMatch& m : matches)
+    if (const FeatureMatch corrected = offsets->corrected(m);
+        std::abs(corrected.right_y - corrected.left_y) <= tolerance_px)
+      none.inliers.push_back(m);
+  return {std::move(none), std::move(offsets), score.greatest_px};
+}
+
+StereoPair rectified(const StereoPair& pair, const RectificationCandidate& candidate) {
+  const RectifyingTransform& transform = candidate.rotations.transform;
+  return {warped(pair.left, transform, transform.left),
+          warped(pair.right, transform, transform.right, candidate.offsets ? &*candidate.offsets : nullptr),
+          {}};
+}
+
+/// The match in the pictures before they were rectified.
+FeatureMatch source_match(FeatureMatch m, const RectificationCandidate& candidate) {
+  const RectifyingTransform& transform = candidate.rotations.transform;
+  if (candidate.offsets) m.right_y += candidate.offsets->offset_px(m.right_x, m.right_y);
+  const PicturePoint p = source_point(transform, inverse(transform.left), {m.left_x, m.left_y}),
+                     q = source_point(transform, inverse(transform.right), {m.right_x, m.right_y});
+  return {p.x, p.y, q.x, q.y};
+}
+
+double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_px) {
+  const RectifyingTransform none;
+  return static_cast<double>(inliers_of(matches, none, tolerance_px).size()) /
+         static_cast<double>(std::max<std::size_t>(1, best_alternatives(matches, none).size()));
+}
+
+/// Once features have made the pictures about rectified, corners are tracked between them: features alone are
+/// few, and none lie where a pattern repeats itself.
+Result<RectificationEstimate> estimate_from(const StereoPair& pair, const SharedCamera& camera,
+                                            const std::vector<FeatureMatch>& features,
+                                            RectifyingRotations first, const Options& options,
+                                            const Work& work) {
+  const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
+  RectificationEstimate out{features, candidate_of(features, std::move(first), pair.left, options)};
+  for (int round = 0; round < options.rounds; ++round) {
+    if (static_cast<int>(out.candidate.rotations.inliers.size()) < options.least_matches) return out;
+    if (work.cancelled()) return Work::interrupted();
+    const auto tracked = tracked_matches(rectified(pair, out.candidate), out.candidate.rectified_inliers(),
+                                         work, options.tracking);
+    if (!tracked) return tracked.error();
+    out.share = share_on_rows(*tracked, 0.5 * tolerance_px);
+    out.matches = features;
+    for (const FeatureMatch& m : *tracked) out.matches.push_back(source_match(m, out.candidate));
+    RectifyingRotations rotations =
+        find_rectifying_rotations(out.matches, camera, tolerance_px, work.seed, options.rotations);
+    out.matches = best_alternatives(out.matches, rotations.transform);
+    out.candidate = candidate_of(out.matches, std::move(rotations), pair.left, options);
+    if (out.share > options.rectified_matches_share) break;
+  }
+  return out;
+}
+
+/// Where features are few, rotations that some of them agree on by chance mislead the tracking of corners.
+/// Where most corners are off their rows, it starts once more from a rough estimate, and the candidate with
+/// more inliers is taken.
+Result<RectificationEstimate> estimate(const StereoPair& pair, const SharedCamera& camera,
+                                       const std::vector<FeatureMatch>& features, RectifyingRotations first,
+                                       const Options& options, const Work& work) {
+  auto out = estimate_from(pair, camera, features, std::move(first), options, work);
+  if (!out || out->share > options.restart_share) return out;
+  const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
+  auto again = estimate_from(
+      pair, camera, features,
+      find_rough_rotations(features, camera, tolerance_px, work.seed, options.rotations), options, work);
+  if (!again) return again;
+  return again->candidate.rotations.inliers.size() > out->candidate.rotations.inliers.size() ? again : out;
+}
+
+/// Rectifies the pair unless that leaves too great a residual; `out` is the pair as it came.
+void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Options& options) {
+  const RectificationCandidate& candidate = estimate.candidate;
+  const double residual_px = candidate.residual_px();
+  if (!(residual_px <= options.most_residual_px && residual_px <= out.residual_before_px)) {
+    out.notes.push_back(
+        fmt::format("The pictures could not be rectified: matched points lie {:.1f} pixels (RMS) above or "
+                    "below each other, and {:.1f} at best.",
+                    out.residual_before_px, residual_px));
+    return;
+  }
+  StereoPair result = rectified(out.pair, candidate);
+  out.pair.left = std::move(result.left);
+  out.pair.right = std::move(result.right);
+  out.residual_px = residual_px;
+  out.changed = true;
+  if (out.residual_before_px <= options.rectified_px) return;
+  out.notes.push_back(
+      fmt::format("The pictures were rectified: matched points lay {:.1f} pixels (RMS) above or below each "
+                  "other, now {:.2f} over {} of {} points.",
+                  out.residual_before_px, out.residual_px, out.features, estimate.matches.size()));
+  if (candidate.offsets)
+    out.notes.push_back(
+        fmt::format("The right picture's rows are displaced vertically by up to {:.1f} pixels, which no "
+                    "rotation of a camera explains (a rolling shutter, a loose scan): they were moved onto "
+                    "the left one's.",
+                    candidate.greatest_px));
+}
+
+/// What is left after a calibration's rectification, over the matches that agree on any rotation.
+void measure_rectified(RectifiedPair& out, const Options& options) {
+  const Image& picture = out.pair.left;
+  const auto rotations = find_rectifying_rotations(
+      match_features(out.pair, options.features), unknown_camera(picture.width, picture.height),
+      feature_tolerance_px(picture.width, picture.height, options.features), 1, options.rotations);
+  out.features = static_cast<int>(rotations.inliers.size());
+  out.residual_px = vertical_rms_px(rotations.inliers);
+  out.residual_before_px = std::numeric_limits<double>::quiet_NaN();
+}
+
+Result<void> check_side_by_side(const Vec3& translation_m) {
+  if (std::abs(translation_m.y) > std::abs(translation_m.x))
+    return invalid_input(
+        "the calibration puts one camera above the other; turn the pictures and calibrate by 90 degrees");
+  // p_right = R p_left + T: a camera to the right sees everything moved to the left.
+  if (translation_m.x >= 0.0)
+    return invalid_input(
+        "the calibration puts the second camera to the left of the first; exchange the pictures and the "
+        "calibration's cameras");
+  return {};
+}
+
+}  // namespace
+
+Result<RectifiedPair> rectify_calibrated(const StereoPair& pair, const LensPair& cameras,
+                                         const Options& options) {
+  if (const auto ok = check_input(pair, options); !ok) return ok.error();
+  if (const auto ok = check_side_by_side(cameras.translation_m); !ok) return ok.error();
+  try {
+    const cv::Size size(pair.left.width, pair.left.height);
+    const Vec3& t = cameras.translation_m;
+    cv::Matx33d rotation_left;
+    cv::Matx33d rotation_right;
+    cv::Matx34d project_left;
+    cv::Matx34d project_right;
+    cv::Mat q;
+    cv::stereoRectify(matrix_of(cameras.left.matrix), cameras.left.distortion,
+                      matrix_of(cameras.right.matrix), cameras.right.distortion, size,
+                      matrix_of(cameras.rotation), cv::Vec3d(t.x, t.y, t.z), rotation_left, rotation_right,
+                      project_left, project_right, q, 0, 0.0, size);
+    RectifiedPair out;
+    out.pair.left = undistorted(pair.left, cameras.left, rotation_left, project_left.get_minor<3, 3>(0, 0));
+    out.pair.right =
+        undistorted(pair.right, cameras.right, rotation_right, project_right.get_minor<3, 3>(0, 0));
+    const double fx = project_left(0, 0);
+    out.pair.rig =
+        StereoRig{{fx, project_left(1, 1), project_left(0, 2), project_left(1, 2), size.width, size.height},
+                  std::abs(project_right(0, 3)) / fx,
+                  project_right(0, 2) - project_left(0, 2)};
+    measure_rectified(out, options);
+    out.changed = true;
+    if (out.residual_px > options.most_residual_px)
+      out.notes.push_back(
+          fmt::format("After rectification matched points still lie {:.1f} pixels (RMS) above or below each "
+                      "other: the calibration does not belong to these pictures.",
+                      out.residual_px));
+    return out;
+  } catch (const cv::Exception& e) {
+    return failure("rectified", e);
+  }
+}
+
+Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& work, const Options& options) {
+  if (const auto ok = check_input(pair, options); !ok) return ok.error();
+  try {
+    work.report(0.0, "looking for the same points in both pictures");
+    const std::vector<FeatureMatch> features = match_features(pair, options.features);
+    if (work.cancelled()) return Work::interrupted();
+    const double tolerance_px = feature_tolerance_px(pair.left.width, pair.left.height, options.features);
+    const SharedCamera camera = unknown_camera(pair.left.width, pair.left.height);
+    const auto as_they_are = inliers_of(features, RectifyingTransform{}, tolerance_px);
+    RectifyingRotations first =
+        find_rectifying_rotations(features, camera, tolerance_px, work.seed, options.rotations);
+    if (vertical_rms_px(as_they_are) <= options.rectified_px &&
+        static_cast<double>(as_they_are.size()) >=
+            options.rectified_matches_share * static_cast<double>(first.inliers.size()))
+      return unchanged(pair, as_they_are, options);
+    const auto found = estimate(pair, camera, features, std::move(first), options, work);
+    if (!found) return found.error();
+    RectifiedPair out = unchanged(pair, found->candidate.rotations.inliers, options);
+    if (out.features < options.least_matches) return out;
+    rectify(out, *found, options);
+    if (out.changed) out.pair.rig.reset();
+    return out;
+  } catch (const cv::Exception& e) {
+    return failure("rectified", e);
+  }
+}
+
+Result<StereoPair> undistorted(const StereoPair& pair, const LensCamera& left, const LensCamera& right) {
+  if (const auto ok = check_input(pair, {}); !ok) return ok.error();
+  try {
+    return StereoPair{undistorted(pair.left, left, cv::Matx33d::eye(), matrix_of(left.matrix)),
+                      undistorted(pair.right, right, cv::Matx33d::eye(), matrix_of(right.matrix)),
+                      {}};
+  } catch (const cv::Exception& e) {
+    return failure("undistorted", e);
+  }
+}
+
+Result<RectifiedPair> rectify_moved_camera(const StereoPair& pair, const LensCamera& camera, double moved_m,
+                                           const Work& work, const Options& options) {
+  if (const auto ok = check_input(pair, options); !ok) return ok.error();
+  auto straight = undistorted(pair, camera, camera);
+  if (!straight) return straight.error();
+  try {
+    work.report(0.0, "looking for the same points in both pictures");
+    // Pixels are square: one focal length serves both axes.
+    const SharedCamera shared{camera.matrix[0], camera.matrix[2], camera.matrix[5], true};
+    const std::vector<FeatureMatch> features = match_features(*straight, options.features);
+    if (work.cancelled()) return Work::interrupted();
+    RectifyingRotations first = find_rectifying_rotations(
+        features, shared, feature_tolerance_px(pair.left.width, pair.left.height, options.features),
+        work.seed, options.rotations);
+    const auto found = estimate(*straight, shared, features, std::move(first), options, work);
+    if (!found) return found.error();
+    const std::vector<FeatureMatch>& inliers = found->candidate.rotations.inliers;
+    RectifiedPair out = unchanged(*straight, inliers, options);
+    out.pair.rig =
+        StereoRig{{shared.focal_px, shared.focal_px, shared.cx, shared.cy, pair.left.width, pair.left.height},
+                  moved_m,
+                  0.0};
+    if (out.features < options.least_matches) return out;
+    const double parallax_px = parallax_rms_px(inliers, shared);
+    if (parallax_px < options.least_parallax_px)
+      out.notes.push_back(fmt::format(
+          "The camera hardly moved between the two pictures: matched points shift by {:.2f} pixels (RMS) "
+          "beyond what a rotation explains, so their depth cannot be trusted; move it farther to the side.",
+          parallax_px));
+    rectify(out, *found, options);
+    return out;
+  } catch (const cv::Exception& e) {
+    return failure("rectified", e);
+  }
+}
+
+}  // namespace palpable::vision
