@@ -19,6 +19,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (const auto* pointer = std::get_if<page::protocol::Pointer>(&*message);
         pointer != nullptr && !(std::abs(pointer->x_m) <= 10.0 && std::abs(pointer->y_m) <= 10.0))
       std::abort();
+    if (const auto* change = std::get_if<page::protocol::Change>(&*message);
+        change != nullptr && (change->parameters.size() > 16 || change->law.size() > 32))
+      std::abort();
+    if (const auto* edit = std::get_if<page::protocol::Edit>(&*message);
+        edit != nullptr && edit->material.friction && !(*edit->material.friction <= 10.0))
+      std::abort();
   }
   const auto value = page::cookie_value(text, "palpable");
   if (value.size() > text.size()) std::abort();

@@ -4,12 +4,9 @@ import { describe, expect, it } from 'vitest';
 import { readMessage, readRaster, writeMessage } from './codec';
 import { fromPageSpecs, raster, toPageSpecs } from './generated/protocol';
 
-const state = {
-  type: 'state', t_s: 1, x_m: 0, y_m: 0, z_m: 0, proxy_x_m: 0, proxy_y_m: 0, proxy_z_m: 0, surface_m: 0.01,
-  fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 0, rate_hz: 1000,
-  further: [2], further_x_m: [0.01], further_y_m: [0], further_z_m: [0], further_surface_m: [0], further_fx_N: [0], further_fy_N: [0],
-  further_fz_N: [0.1], further_contact: [1], further_label: [0],
-};
+const probe = { probe: 2, page: null, x_m: 0.01, y_m: 0, z_m: 0, surface_m: 0.01, fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 0 };
+const state = { type: 'state', t_s: 1, rate_hz: 1000, probes: [{ ...probe, probe: 0, page: 3 }, probe] };
+const withProbe = (change: object) => JSON.stringify({ ...state, probes: [{ ...probe, ...change }] });
 
 function frame(words: number[], payload: Uint8Array): ArrayBuffer {
   const bytes = new Uint8Array(4 * words.length + payload.length);
@@ -28,13 +25,18 @@ describe('reading messages', () => {
     ['no type', '{}'],
     ['a type from the prototype', '{"type":"constructor"}'],
     ['a message of the other direction', '{"type":"recentre"}'],
-    ['a missing field', JSON.stringify({ ...state, fz_N: undefined })],
+    ['a missing field', JSON.stringify({ ...state, rate_hz: undefined })],
     ['a field too many', JSON.stringify({ ...state, more: 1 })],
-    ['a text for a number', JSON.stringify({ ...state, fz_N: '1' })],
-    ['a number beyond its limit', JSON.stringify({ ...state, fz_N: 1e9 })],
-    ['a probe beyond the last', JSON.stringify({ ...state, further: [10] })],
-    ['more probes than there are', JSON.stringify({ ...state, further: Array.from({ length: 10 }, () => 1) })],
-    ['a fraction for a whole number', JSON.stringify({ ...state, label: 0.5 })],
+    ['a text for a number', JSON.stringify({ ...state, t_s: '1' })],
+    ['null for a number that has to be set', JSON.stringify({ ...state, t_s: null })],
+    ['an object for a list', JSON.stringify({ ...state, probes: probe })],
+    ['a number for an object', JSON.stringify({ ...state, probes: [7] })],
+    ['a missing field of an object', withProbe({ fz_N: undefined })],
+    ['a field too many of an object', withProbe({ more: 1 })],
+    ['a number beyond its limit', withProbe({ fz_N: 1e9 })],
+    ['a probe beyond the last', withProbe({ probe: 10 })],
+    ['more probes than there can be', JSON.stringify({ ...state, probes: Array.from({ length: 11 }, () => probe) })],
+    ['a fraction for a whole number', withProbe({ label: 0.5 })],
   ])('refuses %s with a sentence', (_, text) => expect(readMessage(text)).toBeTypeOf('string'));
   it('counts the bytes of a text, not its letters', () => {
     const notice = (text: string) => JSON.stringify({ type: 'notice', level: 'info', text });

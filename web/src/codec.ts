@@ -1,36 +1,46 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Reads what the program sends, strictly by the definitions of protocol.json. The C++ side is page/protocol.cpp.
-import { raster, toPageSpecs, type FromPage, type ToPage } from './generated/protocol';
+import { objectSpecs, raster, toPageSpecs, type FromPage, type ToPage } from './generated/protocol';
 
 export interface FieldSpec {
-  type: 'number' | 'integer' | 'boolean' | 'string' | 'strings' | 'numbers';
+  /** number, integer, boolean, string, or the name of an object. */
+  type: string;
   min?: number;
   max?: number;
+  /** A list of at most so many values. */
   max_count?: number;
+  nullable?: boolean;
 }
 export type Specs = Record<string, Record<string, FieldSpec>>;
 
 const bytesOf = (text: string) => new TextEncoder().encode(text).length;
+const isPlainObject = (value: unknown): value is Record<string, unknown> => typeof value === 'object' && value !== null && !Array.isArray(value);
 
 function fits(value: unknown, spec: FieldSpec): boolean {
-  const { min = -Infinity, max = Infinity, max_count = Infinity } = spec;
-  const isText = (text: unknown) => typeof text === 'string' && bytesOf(text) <= max;
-  const isNumber = (number: unknown) => typeof number === 'number' && number >= min && number <= max;
+  const { max_count, ...element } = spec;
+  if (max_count !== undefined) return Array.isArray(value) && value.length <= max_count && value.every((one) => fits(one, element));
+  const { min = -Infinity, max = Infinity } = spec;
+  if (value === null) return spec.nullable === true;
   switch (spec.type) {
     case 'boolean':
       return typeof value === 'boolean';
     case 'integer':
       return Number.isInteger(value) && (value as number) >= min && (value as number) <= max;
     case 'number':
-      return isNumber(value);
+      return typeof value === 'number' && value >= min && value <= max;
     case 'string':
-      return isText(value);
-    case 'numbers':
-      return Array.isArray(value) && value.length <= max_count && value.every(isNumber);
-    case 'strings':
-      return Array.isArray(value) && value.length <= max_count && value.every(isText);
+      return typeof value === 'string' && bytesOf(value) <= max;
+    default:
+      return isPlainObject(value) && complaintAbout(value, objectSpecs[spec.type] ?? {}) === null;
   }
+}
+
+/** What is wrong with an object of these fields; null if nothing is. `besides`: how many keys it has besides. */
+function complaintAbout(object: Record<string, unknown>, fields: Record<string, FieldSpec>, besides = 0): string | null {
+  for (const [name, spec] of Object.entries(fields))
+    if (!Object.hasOwn(object, name) || !fits(object[name], spec)) return `'${name}' is missing or out of its limits`;
+  return Object.keys(object).length === Object.keys(fields).length + besides ? null : 'there are fields that the message does not have';
 }
 
 /** The message in a text frame, or a sentence that says what is wrong with it. */
@@ -41,15 +51,11 @@ export function readMessage(text: string, specs: Specs = toPageSpecs): ToPage | 
   } catch {
     return 'the message is not JSON';
   }
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) return 'the message is not an object';
-  const message = value as Record<string, unknown>;
-  const fields = typeof message.type === 'string' && Object.hasOwn(specs, message.type) ? specs[message.type] : undefined;
+  if (!isPlainObject(value)) return 'the message is not an object';
+  const fields = typeof value.type === 'string' && Object.hasOwn(specs, value.type) ? specs[value.type] : undefined;
   if (fields === undefined) return 'there is no message of that type';
-  for (const [name, spec] of Object.entries(fields))
-    if (!Object.hasOwn(message, name) || !fits(message[name], spec)) return `${message.type}: '${name}' is missing or out of its limits`;
-  if (Object.keys(message).length !== Object.keys(fields).length + 1)
-    return `${message.type}: there are fields that the message does not have`;
-  return message as unknown as ToPage;
+  const complaint = complaintAbout(value, fields, 1);
+  return complaint === null ? (value as unknown as ToPage) : `${String(value.type)}: ${complaint}`;
 }
 
 export function writeMessage(message: FromPage): string {

@@ -20,4 +20,8 @@ describe('the surface', () => {
     expect(slanted.y).toBeCloseTo(-2 * slope.heightAt(slanted), 3);
     expect(slope.hit([0, 0, 1], [0, 0, 1], 1)).toBeNull();
   });
+  it('has a scale that its steps follow, from 5 mm to 10 m', () => {
+    const scale = (size: number) => new Surface(2, 2, new Float32Array(4), size, size / 2).scale;
+    expect([0.005, 0.03, 0.1, 0.12, 0.2, 1, 10].map(scale)).toEqual([0.05, 0.2, 1, 1, 2, 10, 100]);
+  });
 });

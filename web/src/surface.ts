@@ -17,6 +17,17 @@ export class Surface {
     readonly depth: number,
   ) {}
 
+  /**
+   * What one step on a scene of a tenth of a metre is on this one: 1, 2 or 5 times a power of ten, the nearest to its longer
+   * side. Steps of keys and of walking follow it.
+   */
+  get scale(): number {
+    const size = Math.max(this.width, this.depth) / 0.1;
+    const power = 10 ** Math.floor(Math.log10(size));
+    const candidates = [1, 2, 5, 10].map((factor) => Number((factor * power).toPrecision(1)));
+    return candidates.reduce((best, one) => (Math.abs(Math.log(one / size)) < Math.abs(Math.log(best / size)) ? one : best));
+  }
+
   xOf(column: number): number {
     return ((column + 0.5) / this.columns - 0.5) * this.width;
   }

@@ -5,7 +5,7 @@ import { spawn, type ChildProcess } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium, type Browser, type BrowserContext, type BrowserContextOptions, type Page } from 'playwright-core';
 
@@ -16,7 +16,7 @@ const softwareGl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const noGl = ['--disable-gpu', '--disable-3d-apis'];
 
 /** The program that is tested: PALPABLE names it, else the development build's. */
-const program = process.env.PALPABLE ?? join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'build', 'dev', 'bin', 'palpable');
+const program = resolve(process.env.PALPABLE ?? join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'build', 'dev', 'bin', 'palpable'));
 // One method, so that no better scene takes the place of the one that is looked at.
 const programArguments = (process.env.PALPABLE_ARGUMENTS ?? 'touch --method scanline').split(' ').filter((word) => word !== '');
 
@@ -27,11 +27,13 @@ export interface Running {
   stop(): Promise<void>;
 }
 
-/** Starts a session without a window and waits for its address. */
-export async function startProgram(...more: string[]): Promise<Running> {
+/** Starts a session without a window and waits for its address; with further arguments, or with others instead of the usual ones. */
+export async function startProgram(...more: (string | { instead: string[] })[]): Promise<Running> {
+  const instead = more.flatMap((one) => (typeof one === 'string' ? [] : [one.instead]))[0];
+  const words = instead ?? [...programArguments, ...more.filter((one) => typeof one === 'string')];
   // What it saves, it saves where it runs.
   const folder = mkdtempSync(join(tmpdir(), 'palpable-page-'));
-  const child = spawn(program, [...programArguments, ...more], { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, BROWSER: 'true' }, cwd: folder });
+  const child = spawn(program, words, { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, BROWSER: 'true' }, cwd: folder });
   let said = '';
   const ended = new Promise<void>((resolve) => child.once('close', () => resolve()));
   const address = await new Promise<string>((resolve, reject) => {
@@ -97,6 +99,9 @@ export async function openPage(
   await page.waitForFunction(() => document.getElementById('read-height')?.textContent !== '–');
   return { page, context, complaints };
 }
+
+/** Opens the part of the settings that is closed at first. */
+export const openMore = (page: Page) => page.locator('#more').evaluate((more) => ((more as HTMLDetailsElement).open = true));
 
 /** Waits until the page has said these words. */
 export const says = (page: Page, words: string) =>

@@ -3,7 +3,7 @@
 // Several probes at once in a real browser: by fingers on a touch screen, and by keys alone, heard and seen.
 import type { Browser, CDPSession, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, expect, it } from 'vitest';
-import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
+import { keepPicture, launch, openMore, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
 
 let browser: Browser;
 let running: Running;
@@ -104,6 +104,7 @@ it('by keys: put down, moved alone, heard, and taken away', async () => {
 
 it('by the panel: every control has a name, and the choice is heard', async () => {
   const { page } = opened;
+  await openMore(page);
   await page.getByRole('button', { name: 'Add a probe' }).click();
   await countIs(page, 2);
   const choice = page.getByRole('combobox', { name: 'Keys move' });

@@ -98,6 +98,46 @@ describe('the page in 3D', () => {
     expect(opened.complaints).toEqual([]);
     await opened.context.close();
   });
+
+  it('turns by a drag of the right button, and no arrow that is seen end-on hides the marble', async () => {
+    const opened = await openPage(browser, home(), { storageState: key });
+    const { page } = opened;
+    await page.locator('#stage').focus();
+    await page.keyboard.press('Home');
+    await page.getByRole('slider', { name: 'Tilt' }).focus();
+    await page.keyboard.press('Home');
+    await page.waitForFunction(() => Number(document.getElementById('read-force')?.textContent) > 0.2);
+    const stage = (await page.locator('#stage').boundingBox())!;
+    const [middleX, middleY] = [stage.x + stage.width / 2, stage.y + stage.height / 2];
+    // Straight from above the marble is in the middle of the picture, and the force points at the person.
+    await page.waitForTimeout(1500);
+    const middle = await page.screenshot({ clip: { x: Math.round(middleX) - 1, y: Math.round(middleY) - 1, width: 3, height: 3 } });
+    const [red, green, blue] = await page.evaluate(async (bytes) => {
+      // An image element would have to load an address, which the page may not.
+      const image = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
+      const pen = new OffscreenCanvas(3, 3).getContext('2d')!;
+      pen.drawImage(image, 0, 0);
+      return [...pen.getImageData(1, 1, 1, 1).data];
+    }, [...middle]);
+    expect(red! - blue!, `${red} ${green} ${blue}`).toBeGreaterThan(60);
+    await keepPicture(page, 'end-on');
+    await page.mouse.move(middleX, middleY);
+    await page.mouse.down({ button: 'right' });
+    await page.mouse.move(middleX - 112, middleY);
+    await page.mouse.move(middleX - 225, middleY - 75);
+    await page.mouse.up({ button: 'right' });
+    expect(await page.getByRole('slider', { name: 'Tilt' }).getAttribute('aria-valuetext')).toBe('30°');
+    await keepPicture(page, 'turned');
+    // A quarter turn: what was up in the picture is to its left, or right, now.
+    await page.mouse.move(middleX + 80, middleY, { steps: 3 });
+    await page.waitForFunction(() => {
+      const [x, y] = (document.getElementById('read-position')?.textContent ?? '').split(',').map(Number.parseFloat);
+      return Math.abs(y!) > 5 && Math.abs(x!) < 4;
+    });
+    await page.getByRole('button', { name: 'Reset view' }).click();
+    expect(await page.getByRole('slider', { name: 'Tilt' }).getAttribute('aria-valuetext')).toBe('25°');
+    await opened.context.close();
+  });
 });
 
 describe('the page where something is amiss', () => {

@@ -4,7 +4,7 @@
 import type { Browser, CDPSession, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readRaster, type HeightsFrame } from '../src/codec';
-import { keepPicture, launch, openPage, startProgram, type Opened, type Running } from './harness';
+import { keepPicture, launch, openMore, openPage, startProgram, type Opened, type Running } from './harness';
 
 let browser: Browser;
 let running: Running;
@@ -75,7 +75,7 @@ describe('by pointer', () => {
     const slider = page.getByRole('slider', { name: 'Depth' });
     const height = await settled(page, 'read-height');
     await slider.focus();
-    for (let k = 0; k < 5; ++k) await page.keyboard.press('ArrowRight');
+    for (let k = 0; k < 10; ++k) await page.keyboard.press('ArrowRight');
     const doubled = (factor: number) =>
       page.waitForFunction(
         ([wanted]) => Math.abs(Number.parseFloat(document.getElementById('read-height')?.textContent ?? '') - wanted!) < 0.15,
@@ -163,6 +163,7 @@ class Listener {
 describe('the materials', () => {
   it('are edited by keyboard, felt, undone by name, and saved in the scene', async () => {
     const { page } = opened;
+    await openMore(page);
     const before = await settled(page, 'read-force');
     expect(before).toBeGreaterThan(0.05);
     const stiffness = page.getByRole('slider', { name: 'Region stiffness' });
@@ -221,10 +222,11 @@ describe('by keyboard, hearing only', () => {
 
   it('every control has a name and can be reached by Tab', async () => {
     const { page } = opened;
+    await openMore(page);
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     const wanted = await page.locator('button:visible:enabled, input:visible:enabled, select:visible:enabled').evaluateAll((all) => all.map(({ id }) => id));
     const reached = new Set<string>();
-    for (let k = 0; k < wanted.length + 8; ++k) {
+    for (let k = 0; k < wanted.length + 10; ++k) {
       await page.keyboard.press('Tab');
       reached.add(await page.evaluate(() => document.activeElement?.id ?? ''));
     }

@@ -51,7 +51,7 @@ bool is_own_origin(std::string_view origin, std::uint16_t port) {
   return origin.starts_with(kScheme) && is_own_host(origin.substr(kScheme.size()), port);
 }
 
-std::string Doorkeeper::exchange(std::string_view token) {
+std::string SessionAccess::exchange(std::string_view token) {
   if (used_ || !same_secret(token, token_)) return {};
   used_ = true;
   return secret_;

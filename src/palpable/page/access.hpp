@@ -26,9 +26,10 @@ bool is_own_host(std::string_view host, std::uint16_t port);
 bool is_own_origin(std::string_view origin, std::uint16_t port);
 
 /// The token of the address that was printed: good for one exchange against the session's secret.
-class Doorkeeper {
+class SessionAccess {
  public:
-  Doorkeeper(std::string token, std::string secret) : token_(std::move(token)), secret_(std::move(secret)) {}
+  SessionAccess(std::string token, std::string secret)
+      : token_(std::move(token)), secret_(std::move(secret)) {}
 
   /// The session's secret for the right token, once; empty for a wrong token or one that was used.
   std::string exchange(std::string_view token);

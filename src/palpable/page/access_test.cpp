@@ -52,7 +52,7 @@ TEST(Access, KnowsItsOwnHostOnly) {
 }
 
 TEST(Access, TakesTheTokenOnceAndThenKnowsTheCookie) {
-  Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   Request request = own_request("POST", "/session");
   request.body = "another";
   EXPECT_EQ(front.answer(request).status, 403U);
@@ -70,7 +70,7 @@ TEST(Access, TakesTheTokenOnceAndThenKnowsTheCookie) {
 }
 
 TEST(Access, RefusesOtherHostsAndOriginsWhateverTheyAskFor) {
-  Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   for (const char* target : {"/", "/session", "/socket"}) {
     Request request = own_request("GET", target);
     request.host = "rebound.example:4711";
@@ -82,21 +82,21 @@ TEST(Access, RefusesOtherHostsAndOriginsWhateverTheyAskFor) {
 }
 
 TEST(Access, LetsASocketInOnlyWithOriginAndCookie) {
-  const Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  const RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   Request request = own_request("GET", "/socket");
-  EXPECT_EQ(front.judge_upgrade(request).status, 401U);
+  EXPECT_EQ(front.check_upgrade(request).status, 401U);
   request.cookies = "palpable_4711=the-secret";
-  EXPECT_EQ(front.judge_upgrade(request).status, 101U);
+  EXPECT_EQ(front.check_upgrade(request).status, 101U);
   request.origin = {};
-  EXPECT_EQ(front.judge_upgrade(request).status, 403U);
+  EXPECT_EQ(front.check_upgrade(request).status, 403U);
   request.origin = "http://127.0.0.1:4712";
-  EXPECT_EQ(front.judge_upgrade(request).status, 403U);
+  EXPECT_EQ(front.check_upgrade(request).status, 403U);
   request = own_request("GET", "/elsewhere");
-  EXPECT_EQ(front.judge_upgrade(request).status, 404U);
+  EXPECT_EQ(front.check_upgrade(request).status, 404U);
 }
 
 TEST(Access, ServesThePageAndNothingElse) {
-  Front front(Doorkeeper("the-token", "the-secret"), kPort);
+  RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   const Reply page = front.answer(own_request("GET", "/"));
   EXPECT_EQ(page.status, 200U);
   EXPECT_EQ(page.media_type, "text/html; charset=utf-8");

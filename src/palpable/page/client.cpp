@@ -23,12 +23,12 @@ double seconds_now() {
 }  // namespace
 
 Client::Client(beast::tcp_stream stream, RateLimits rate, std::size_t longest_message_bytes,
-               std::chrono::milliseconds patience, Events events)
+               std::chrono::milliseconds idle_timeout, Events events)
     : socket_(std::move(stream)), rate_(rate), events_(std::move(events)) {
   beast::get_lowest_layer(socket_).expires_never();
   websocket::stream_base::timeout timeout{};
   timeout.handshake_timeout = std::chrono::seconds(5);
-  timeout.idle_timeout = patience;
+  timeout.idle_timeout = idle_timeout;
   timeout.keep_alive_pings = true;
   socket_.set_option(timeout);
   socket_.read_message_max(longest_message_bytes);
@@ -57,7 +57,7 @@ void Client::on_read(beast::error_code error) {
 }
 
 void Client::handle(std::string_view text) {
-  switch (rate_.judge(seconds_now())) {
+  switch (rate_.check(seconds_now())) {
     case Verdict::drop:
       return;
     case Verdict::disconnect:
@@ -81,8 +81,10 @@ void Client::send(SharedFrame frame) {
   if (waiting_.size() == 1) write_next();
 }
 
-void Client::send_if_idle(const SharedFrame& frame) {
-  if (waiting_.empty()) send(frame);
+bool Client::send_if_idle(const SharedFrame& frame) {
+  if (!waiting_.empty()) return false;
+  send(frame);
+  return true;
 }
 
 void Client::write_next() {

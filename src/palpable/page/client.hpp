@@ -8,6 +8,7 @@
 #include <bitset>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -33,7 +34,7 @@ using SharedFrame = std::shared_ptr<const Frame>;
 class Client : public std::enable_shared_from_this<Client> {
  public:
   using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
-  /// What the client tells the server of.
+  /// Called on the server's thread.
   struct Events {
     std::function<void(Client&)> opened;
     std::function<void(Client&, const protocol::FromPage&)> message;
@@ -41,18 +42,22 @@ class Client : public std::enable_shared_from_this<Client> {
   };
 
   Client(boost::beast::tcp_stream stream, RateLimits rate, std::size_t longest_message_bytes,
-         std::chrono::milliseconds patience, Events events);
+         std::chrono::milliseconds idle_timeout, Events events);
 
   void accept(const Upgrade& upgrade);
-  /// Sent in order; a client that lets too many of these wait is shown out.
+  /// Sent in order; a client that lets too many of these wait is disconnected.
   void send(SharedFrame frame);
-  /// Sent only if nothing waits: the next state is as good.
-  void send_if_idle(const SharedFrame& frame);
+  /// Sent only if nothing waits (the next state is as good); false if it was not.
+  bool send_if_idle(const SharedFrame& frame);
   /// Says why (at most 120 bytes) and closes.
   void close(boost::beast::websocket::close_code code, const std::string& reason);
 
+  /// `hello.page`; set by the server.
+  std::int64_t page = 0;
   bool visible = true;
-  /// The probes that this page moves: told, and not lifted since.
+  /// A state was skipped: the next one is sent even if nothing has changed.
+  bool is_behind = true;
+  /// The probes that this page has moved and not lifted since.
   std::bitset<protocol::kMostProbes> moved;
 
  private:

@@ -22,7 +22,7 @@ struct PageScene {
   Raster<float> height_m;
   /// Covers the same rectangle; may be empty.
   Raster<Rgb8> picture;
-  /// The cells of a field at its surface, over the same rectangle; empty where `about.cells` is.
+  /// The cells of a field at its surface, over the same rectangle; empty where `about.cells` is not set.
   Raster<Rgb8> cells;
 };
 
@@ -36,33 +36,32 @@ class PageHost {
   virtual ~PageHost() = default;
 
   virtual protocol::Hello hello() const = 0;
-  virtual std::vector<protocol::Law> laws() const = 0;
+  virtual protocol::Laws laws() const = 0;
   /// The scene touched now; never null.
   virtual std::shared_ptr<const PageScene> scene() = 0;
   virtual protocol::Settings settings() = 0;
   /// Those of the scene touched now.
   virtual protocol::Materials materials() = 0;
-  /// The newest tick.
+  /// The newest tick; which page moved a probe is left to the server.
   virtual protocol::State state() = 0;
 
-  /// Called before anything else of a frame, about 60 times a second, while a page is there.
-  virtual void beat() = 0;
+  /// Called first, about 60 times a second, while a page is connected.
+  virtual void update() = 0;
   virtual void move(const protocol::Pointer& pointer) = 0;
   /// Takes a further probe away.
   virtual void lift(const protocol::Lift& probe) = 0;
   /// May be carried out later. Then settings() shows what holds and has its serial in `answers`; what could
   /// not be done comes as a notice.
-  virtual void change(const protocol::Change& wishes) = 0;
+  virtual void change(const protocol::Change& change) = 0;
   /// Likewise, for one material.
-  virtual void edit(const protocol::Edit& wish) = 0;
+  virtual void edit(const protocol::Edit& edit) = 0;
   /// Writes the scene into a file, later; a notice tells where, or why not.
   virtual void save() = 0;
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;
   /// The explorer of the egocentric view goes there.
   virtual void stand(const protocol::Stand& stand) = 0;
-  /// What the person should hear of next (a fault, a better scene, …), each once; empty when there is
-  /// nothing.
+  /// The next sentence for the person (a fault, a better scene, …), each once; nullopt when there is none.
   virtual std::optional<protocol::Notice> next_notice() = 0;
 };
 

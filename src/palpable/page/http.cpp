@@ -21,13 +21,13 @@ Reply not_from_here() {
 }  // namespace
 
 // Browsers share cookies between the ports of a host: the name tells two sessions apart.
-std::string Front::cookie_name() const { return "palpable_" + std::to_string(port_); }
+std::string RequestHandler::cookie_name() const { return "palpable_" + std::to_string(port_); }
 
-bool Front::admitted(const Request& request) const {
-  return doorkeeper_.admits(cookie_value(request.cookies, cookie_name()));
+bool RequestHandler::admitted(const Request& request) const {
+  return access_.admits(cookie_value(request.cookies, cookie_name()));
 }
 
-Reply Front::answer(const Request& request) {
+Reply RequestHandler::answer(const Request& request) {
   if (!is_own_host(request.host, port_)) return not_from_here();
   if (!request.origin.empty() && !is_own_origin(request.origin, port_)) return not_from_here();
   if (request.target == kSessionPath) return session(request);
@@ -39,14 +39,14 @@ Reply Front::answer(const Request& request) {
   return {200, std::string(asset->media_type), std::string(asset->bytes), {}};
 }
 
-Reply Front::session(const Request& request) {
+Reply RequestHandler::session(const Request& request) {
   if (request.method != "GET" && request.method != "POST")
     return refusal(405, "There is nothing to change here.");
   // Whoever has the cookie may come again, with the old address too (a reload).
   if (admitted(request)) return refusal(204, {});
   if (request.method == "GET")
     return refusal(401, "This browser has not been let in: open the address that palpable printed.");
-  const std::string secret = doorkeeper_.exchange(request.body);
+  const std::string secret = access_.exchange(request.body);
   if (!secret.empty()) {
     Reply reply = refusal(204, {});
     reply.set_cookie = cookie_name() + "=" + secret + "; Path=/; SameSite=Strict; HttpOnly";
@@ -54,12 +54,12 @@ Reply Front::session(const Request& request) {
   }
   return refusal(
       403,
-      doorkeeper_.used()
+      access_.used()
           ? "This address was used already: it lets in one browser, once. Start palpable again for a new one."
           : "This address is not the one that palpable printed.");
 }
 
-Reply Front::judge_upgrade(const Request& request) const {
+Reply RequestHandler::check_upgrade(const Request& request) const {
   // A browser always states the Origin of a WebSocket; what does not is no page of ours.
   if (!is_own_host(request.host, port_) || !is_own_origin(request.origin, port_)) return not_from_here();
   if (request.target != kSocketPath) return refusal(404, "There is no WebSocket at this address.");

@@ -33,22 +33,22 @@ struct Reply {
 constexpr std::string_view kSocketPath = "/socket";
 constexpr std::string_view kSessionPath = "/session";
 
-/// The front door: decides on each request. Not thread-safe.
-class Front {
+/// Decides on each request. Not thread-safe.
+class RequestHandler {
  public:
-  Front(Doorkeeper doorkeeper, std::uint16_t port) : doorkeeper_(std::move(doorkeeper)), port_(port) {}
+  RequestHandler(SessionAccess access, std::uint16_t port) : access_(std::move(access)), port_(port) {}
 
   /// The answer to an ordinary request: the page's files, and the exchange of the token.
   Reply answer(const Request& request);
   /// Status 101 if this request may become a WebSocket, else the refusal.
-  Reply judge_upgrade(const Request& request) const;
+  Reply check_upgrade(const Request& request) const;
 
  private:
   Reply session(const Request& request);
   bool admitted(const Request& request) const;
   std::string cookie_name() const;
 
-  Doorkeeper doorkeeper_;
+  SessionAccess access_;
   std::uint16_t port_;
 };
 

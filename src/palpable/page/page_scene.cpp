@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_scene.hpp"
 
-#include "palpable/haptics/law/laws.hpp"
 #include "palpable/page/surface_cells.hpp"
 
 #include <algorithm>
@@ -42,6 +41,10 @@ Raster<float> sampled(const models::Relief& relief) {
 
 }  // namespace
 
+std::optional<std::string> own_name(const models::Material& material) {
+  return material.name == models::Material{}.name ? std::nullopt : std::optional(material.name);
+}
+
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
                                             const std::string& name) {
   auto page = std::make_shared<PageScene>();
@@ -63,35 +66,12 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
     page->cells = std::move(cells->picture);
     about.cells = std::move(cells->words);
   }
-  for (const auto& material : scene.materials)
-    about.labels.push_back(material.name == models::Material{}.name ? std::string() : material.name);
+  for (const auto& material : scene.materials) about.labels.push_back(own_name(material));
   return page;
 }
 
 double surface_height_m(const models::Scene& scene, double x_m, double y_m) {
   return models::relief_of(scene)->sample(x_m, y_m).z_m;
-}
-
-std::vector<protocol::Law> page_laws(const models::Scene& scene) {
-  std::vector<protocol::Law> laws;
-  for (const auto law : haptics::laws_for(scene)) {
-    const haptics::LawDescription& description = haptics::description_of(law);
-    const haptics::LawParameter& strength = *haptics::find_parameter(description, description.strength);
-    const auto has = [&](auto value) { return haptics::find_parameter(description, value) != nullptr; };
-    protocol::Law message;
-    message.name = description.name;
-    message.title = description.title;
-    message.stiffness_unit = strength.unit;
-    message.stiffness_min = strength.slider_min;
-    message.stiffness_max = strength.slider_max;
-    message.stiffness_default = strength.preset.value_or(scene.materials.front().stiffness_N_per_m);
-    message.has_friction = has(&haptics::LawParameters::static_friction);
-    message.has_materials = description.is_contact;
-    message.has_texture = description.renders_textures;
-    message.has_neighbourhood = has(&haptics::LawParameters::neighbourhood_px);
-    laws.push_back(std::move(message));
-  }
-  return laws;
 }
 
 }  // namespace palpable::page

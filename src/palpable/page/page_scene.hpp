@@ -7,8 +7,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
 namespace palpable::page {
 
@@ -20,7 +20,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
 /// Height of the surface at a place at exaggeration 1; 0 for kinds that have none.
 double surface_height_m(const models::Scene& scene, double x_m, double y_m);
 
-/// The laws that the scene can be felt by, the default first, each with what its stiffness means.
-std::vector<protocol::Law> page_laws(const models::Scene& scene);
+/// The name that a person gave the material; nullopt if none did.
+std::optional<std::string> own_name(const models::Material& material);
 
 }  // namespace palpable::page

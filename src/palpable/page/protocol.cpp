@@ -14,20 +14,23 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A message of ours is flat, so anything deeper is refused while parsing: nesting costs the parser stack.
-constexpr int kDeepest = 1;
-
 std::string quoted(std::string_view field) { return "'" + std::string(field) + "'"; }
 
-// Reads one message's fields out of an object; keeps the first complaint.
+template <class T>
+concept Object = requires(T object) {
+  T::each_field(object, [](const auto&...) {});
+};
+
+// Reads the fields of one message, or of one object within it, and keeps the first complaint.
 class FieldReader {
  public:
-  explicit FieldReader(const Json& object) : object_(object) {}
+  /// `besides`: how many keys the object has besides the fields.
+  FieldReader(const Json& object, std::size_t besides) : object_(object), expected_(besides) {}
 
   template <class T>
   void operator()(const char* name, T& value, const Limits& limits) {
     if (!complaint_.empty()) return;
-    ++seen_;
+    ++expected_;
     const auto found = object_.find(name);
     if (found == object_.end()) {
       complaint_ = "the field " + quoted(name) + " is missing";
@@ -35,9 +38,9 @@ class FieldReader {
       read(name, *found, value, limits);
     }
   }
-  /// Empty if all was well; `type` and the fields read must be all there is.
+  /// Empty if every field was read and there are no others.
   std::string complaint() const {
-    if (complaint_.empty() && object_.size() != seen_ + 1)
+    if (complaint_.empty() && object_.size() != expected_)
       return "there are fields that the message does not have";
     return complaint_;
   }
@@ -72,9 +75,38 @@ class FieldReader {
       complaint_ = quoted(name) + " must be a text of at most " + std::to_string(limits.longest) + " bytes";
     }
   }
+  template <class T>
+  void read(const char* name, const Json& json, std::optional<T>& value, const Limits& limits) {
+    value.reset();
+    if (!json.is_null()) read(name, json, value.emplace(), limits);
+  }
+  template <class T>
+  void read(const char* name, const Json& json, std::vector<T>& values, const Limits& limits) {
+    if (!json.is_array() || json.size() > limits.most) {
+      complaint_ = quoted(name) + " must be a list of at most " + std::to_string(limits.most) + " values";
+      return;
+    }
+    values.clear();
+    values.reserve(json.size());
+    for (const Json& element : json) {
+      read(name, element, values.emplace_back(), limits);
+      if (!complaint_.empty()) return;
+    }
+  }
+  template <Object T>
+  void read(const char* name, const Json& json, T& value, const Limits&) {
+    if (!json.is_object()) {
+      complaint_ = quoted(name) + " must be an object";
+      return;
+    }
+    FieldReader reader(json, 0);
+    T::each_field(value, reader);
+    if (const auto complaint = reader.complaint(); !complaint.empty())
+      complaint_ = quoted(name) + ": " + complaint;
+  }
 
   const Json& object_;
-  std::size_t seen_ = 0;
+  std::size_t expected_;
   std::string complaint_;
 };
 
@@ -92,17 +124,26 @@ Json written(const std::string& value, const Limits& limits) {
   while (end > 0 && (static_cast<unsigned char>(value[end]) & 0xC0U) == 0x80U) --end;
   return value.substr(0, end);
 }
-Json written(const std::vector<std::string>& values, const Limits& limits) {
+template <Object T>
+Json written(const T& value, const Limits& limits);
+template <class T>
+Json written(const std::optional<T>& value, const Limits& limits) {
+  return value ? written(*value, limits) : Json();
+}
+template <class T>
+Json written(const std::vector<T>& values, const Limits& limits) {
   Json list = Json::array();
   for (std::size_t i = 0; i < std::min(values.size(), limits.most); ++i)
     list.push_back(written(values[i], limits));
   return list;
 }
-Json written(const std::vector<double>& values, const Limits& limits) {
-  Json list = Json::array();
-  for (std::size_t i = 0; i < std::min(values.size(), limits.most); ++i)
-    list.push_back(written(values[i], limits));
-  return list;
+template <Object T>
+Json written(const T& value, const Limits&) {
+  Json object = Json::object();
+  T::each_field(value, [&](const char* name, const auto& field, const Limits& limits) {
+    object[name] = written(field, limits);
+  });
+  return object;
 }
 
 // Tries each message that a page may send in turn.
@@ -114,7 +155,7 @@ Result<FromPage> parse_as_type(const Json& object, const std::string& type) {
     using Message = std::variant_alternative_t<kIndex, FromPage>;
     if (type != Message::kType) return parse_as_type<kIndex + 1>(object, type);
     Message message;
-    FieldReader reader(object);
+    FieldReader reader(object, 1);
     Message::each_field(message, reader);
     if (auto complaint = reader.complaint(); !complaint.empty())
       return invalid_input(std::string(Message::kType) + ": " + complaint);
@@ -167,15 +208,16 @@ Raster<T> block_means(const Raster<T>& raster, int longest_side, Mean mean) {
 }  // namespace
 
 Result<FromPage> parse_from_page(std::string_view text) {
+  // Nesting costs the parser stack: what is deeper than any message is refused while parsing.
   bool too_deep = false;
   const auto shallow = [&](int depth, Json::parse_event_t event, Json&) {
     const bool opens =
         event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
-    if (opens && depth >= kDeepest) too_deep = true;
+    if (opens && depth >= kDeepestFromPage) too_deep = true;
     return !too_deep;
   };
   const Json object = Json::parse(text.begin(), text.end(), shallow, false);
-  if (too_deep || !object.is_object()) return invalid_input("the message is not a flat JSON object");
+  if (too_deep || !object.is_object()) return invalid_input("the message is not a JSON object, or too deep");
   const auto type = object.find("type");
   if (type == object.end() || !type->is_string()) return invalid_input("the message has no type");
   return parse_as_type(object, type->get<std::string>());
@@ -183,14 +225,12 @@ Result<FromPage> parse_from_page(std::string_view text) {
 
 template <class Message>
 std::string write_message(const Message& message) {
-  Json object = {{"type", Message::kType}};
-  Message::each_field(message, [&](const char* name, const auto& value, const Limits& limits) {
-    object[name] = written(value, limits);
-  });
+  Json object = written(message, Limits{});
+  object["type"] = Message::kType;
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 template std::string write_message(const Hello&);
-template std::string write_message(const Law&);
+template std::string write_message(const Laws&);
 template std::string write_message(const Scene&);
 template std::string write_message(const Settings&);
 template std::string write_message(const Materials&);

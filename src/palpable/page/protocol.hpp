@@ -13,8 +13,9 @@
 
 namespace palpable::page::protocol {
 
-/// One text frame of the page, strictly: valid UTF-8 JSON, one flat object, a known `type`, every field
-/// there, of its type and within its limits, and nothing else. Errors: one sentence that names the field.
+/// Reads one text frame of the page, strictly: valid UTF-8 JSON, one object of a known `type`, every field
+/// there, of its type and within its limits, and no others; so for the objects in it. Errors: one sentence
+/// that names the field.
 Result<FromPage> parse_from_page(std::string_view text);
 
 /// The text frame of a message. Numbers that are not finite become 0, those beyond their limits the nearest

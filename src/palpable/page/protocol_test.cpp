@@ -19,13 +19,14 @@ TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
   ASSERT_TRUE(pointer);
   EXPECT_EQ(std::get<Pointer>(*pointer), (Pointer{3, 0.01, -0.02, 0.002}));
   const auto change = parse_from_page(
-      R"({"type":"change","serial":4294967295,"law":"proxy","stiffness":500,"damping_Ns_per_m":1,"friction":0.3,"exaggeration":1,"neighbourhood_px":3})");
+      R"({"type":"change","serial":4294967295,"law":"proxy","parameters":[{"name":"static_friction","value":0.3}],"exaggeration":1})");
   ASSERT_TRUE(change);
-  EXPECT_EQ(std::get<Change>(*change), (Change{4294967295, "proxy", 500, 1, 0.3, 1, 3}));
+  EXPECT_EQ(std::get<Change>(*change), (Change{4294967295, "proxy", {{"static_friction", 0.3}}, 1}));
   const auto edit = parse_from_page(
-      R"({"type":"edit","serial":1,"label":2,"stiffness_N_per_m":300,"damping_Ns_per_m":0,"friction":0.5,"stickiness":0.1,"texture":"grain","pitch_m":0.002,"height_m":0,"angle_deg":-45})");
-  ASSERT_TRUE(edit);
-  EXPECT_EQ(std::get<Edit>(*edit), (Edit{1, 2, 300, 0, 0.5, 0.1, "grain", 0.002, 0, -45}));
+      R"({"type":"edit","serial":1,"label":2,"material":{"stiffness_N_per_m":300,"damping_Ns_per_m":null,"friction":0,"stickiness":null,"texture":{"kind":"grain","pitch_m":0.002,"height_m":0,"angle_deg":-45}}})");
+  ASSERT_TRUE(edit) << edit.error().sentence();
+  EXPECT_EQ(std::get<Edit>(*edit), (Edit{1, 2, {300.0, {}, 0.0, {}, Texture{"grain", 0.002, 0, -45}}}))
+      << "null is not set; 0 is set";
   EXPECT_TRUE(std::holds_alternative<Save>(*parse_from_page(R"({"type":"save"})")));
   EXPECT_TRUE(std::get<Pause>(*parse_from_page(R"({"type":"pause","paused":true})")).paused);
   EXPECT_TRUE(std::holds_alternative<Recentre>(*parse_from_page(R"({"type":"recentre"})")));
@@ -68,9 +69,11 @@ TEST(PageProtocol, RefusesJunkWithASentence) {
 }
 
 TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
-  Json change = {
-      {"type", "change"},        {"serial", 1},     {"law", std::string(33, 'x')}, {"stiffness", 1.0},
-      {"damping_Ns_per_m", 1.0}, {"friction", 0.1}, {"exaggeration", 1.0},         {"neighbourhood_px", 3.0}};
+  Json change = {{"type", "change"},
+                 {"serial", 1},
+                 {"law", std::string(33, 'x')},
+                 {"parameters", Json::array()},
+                 {"exaggeration", 1.0}};
   EXPECT_FALSE(parse_from_page(change.dump()));
   change["law"] = std::string(32, 'x');
   EXPECT_TRUE(parse_from_page(change.dump()));
@@ -80,24 +83,57 @@ TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
   EXPECT_FALSE(parse_from_page(change.dump()));
 }
 
+TEST(PageProtocol, NamesTheFieldOfAListOrAnObjectThatIsWrong) {
+  const auto complaint = [](const Json& parameters) {
+    const Json change = {
+        {"type", "change"}, {"serial", 1}, {"law", "x"}, {"parameters", parameters}, {"exaggeration", 1}};
+    const auto read = parse_from_page(change.dump());
+    return read ? std::string() : read.error().message;
+  };
+  const Json good = {{"name", "a"}, {"value", 1.0}};
+  EXPECT_EQ(complaint(Json::array({good, good})), "");
+  EXPECT_EQ(complaint(Json(17, good)), "change: 'parameters' must be a list of at most 16 values");
+  EXPECT_EQ(complaint(good), "change: 'parameters' must be a list of at most 16 values");
+  EXPECT_EQ(complaint(nullptr), "change: 'parameters' must be a list of at most 16 values");
+  EXPECT_EQ(complaint({7}), "change: 'parameters' must be an object");
+  EXPECT_EQ(complaint({{{"name", "a"}}}), "change: 'parameters': the field 'value' is missing");
+  EXPECT_EQ(complaint({{{"name", "a"}, {"value", nullptr}}}),
+            "change: 'parameters': 'value' must be a number within its limits");
+  EXPECT_EQ(complaint({{{"name", "a"}, {"value", 1}, {"more", 1}}}),
+            "change: 'parameters': there are fields that the message does not have");
+  EXPECT_EQ(complaint({{{"name", Json::array({Json::array()})}, {"value", 1}}}),
+            "the message is not a JSON object, or too deep");
+}
+
+TEST(PageProtocol, WritesWhatIsNotSetAsNull) {
+  Settings settings;
+  settings.parameters = {{"stiffness_N_per_m", {}, 500.0}, {"static_friction", 0.0, 0.0}};
+  const Json json = Json::parse(write_message(settings));
+  EXPECT_TRUE(json["parameters"][0]["set"].is_null());
+  EXPECT_EQ(json["parameters"][0]["used"], 500.0);
+  EXPECT_EQ(json["parameters"][1]["set"], 0.0);
+}
+
 TEST(PageProtocol, WritesWhatIsNotFiniteOrTooLargeWithinItsLimits) {
   State state;
-  state.x_m = std::numeric_limits<double>::quiet_NaN();
-  state.fz_N = std::numeric_limits<double>::infinity();
-  state.fx_N = -1e30;
-  const Json json = Json::parse(write_message(state));
-  EXPECT_EQ(json["type"], "state");
+  auto& probe = state.probes.emplace_back();
+  probe.x_m = std::numeric_limits<double>::quiet_NaN();
+  probe.fz_N = std::numeric_limits<double>::infinity();
+  probe.fx_N = -1e30;
+  const Json message = Json::parse(write_message(state));
+  EXPECT_EQ(message["type"], "state");
+  const Json& json = message["probes"][0];
   EXPECT_EQ(json["x_m"], 0.0);
   EXPECT_EQ(json["fz_N"], 0.0);
   EXPECT_EQ(json["fx_N"], -1000.0);
 }
 
 TEST(PageProtocol, ShortensTextAtTheEndOfALetter) {
-  Law law;
-  law.name = std::string(31, 'a') + "\xc3\xa4";  // 33 bytes, the last two are one letter
-  EXPECT_EQ(Json::parse(write_message(law))["name"], std::string(31, 'a'));
-  law.name = "\xff";
-  EXPECT_EQ(Json::parse(write_message(law))["name"], "\xef\xbf\xbd");
+  Laws laws;
+  laws.laws.emplace_back().name = std::string(31, 'a') + "\xc3\xa4";  // 33 bytes, the last two are one letter
+  EXPECT_EQ(Json::parse(write_message(laws))["laws"][0]["name"], std::string(31, 'a'));
+  laws.laws[0].name = "\xff";
+  EXPECT_EQ(Json::parse(write_message(laws))["laws"][0]["name"], "\xef\xbf\xbd");
 }
 
 TEST(PageProtocol, WritesARasterAsItsHeaderSays) {

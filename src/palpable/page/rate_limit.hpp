@@ -10,11 +10,11 @@ namespace palpable::page {
 enum class Verdict { accept, drop, disconnect };
 
 struct RateLimits {
-  /// Ten probes told sixty times a second, and room for the rest.
+  /// Ten probes told sixty times a second, and pages for the rest.
   double per_s = 1000.0;
   double burst = 1000.0;
-  /// So many messages dropped without a pause of a second, and the client is shown out.
-  int patience = 1000;
+  /// After so many messages dropped without a pause of a second, the client is disconnected.
+  int most_drops = 1000;
 };
 
 /// A token bucket: lets `per_s` messages through on average, bursts of `burst`; drops more, then gives up.
@@ -23,7 +23,7 @@ class RateLimit {
   explicit RateLimit(RateLimits limits) : limits_(limits), tokens_(limits.burst) {}
 
   /// `now_s` must not go backwards.
-  Verdict judge(double now_s) {
+  Verdict check(double now_s) {
     tokens_ = std::min(limits_.burst, tokens_ + (now_s - last_s_) * limits_.per_s);
     last_s_ = now_s;
     if (tokens_ >= 1.0) {
@@ -32,7 +32,7 @@ class RateLimit {
       return Verdict::accept;
     }
     last_drop_s_ = now_s;
-    return ++dropped_ > limits_.patience ? Verdict::disconnect : Verdict::drop;
+    return ++dropped_ > limits_.most_drops ? Verdict::disconnect : Verdict::drop;
   }
 
  private:

@@ -8,17 +8,17 @@ namespace palpable::page {
 namespace {
 
 TEST(RateLimit, LetsAnEagerPersonThrough) {
-  RateLimit limit({.per_s = 250, .burst = 500, .patience = 1000});
-  for (int i = 0; i < 6000; ++i) EXPECT_EQ(limit.judge(i / 200.0), Verdict::accept);
+  RateLimit limit({.per_s = 250, .burst = 500, .most_drops = 1000});
+  for (int i = 0; i < 6000; ++i) EXPECT_EQ(limit.check(i / 200.0), Verdict::accept);
 }
 
 TEST(RateLimit, DropsAFloodThenShowsItOut) {
-  RateLimit limit({.per_s = 100, .burst = 10, .patience = 50});
+  RateLimit limit({.per_s = 100, .burst = 10, .most_drops = 50});
   int accepted = 0;
   int dropped = 0;
   Verdict last = Verdict::accept;
   for (int i = 0; i < 200 && last != Verdict::disconnect; ++i) {
-    last = limit.judge(i * 1e-4);
+    last = limit.check(i * 1e-4);
     accepted += last == Verdict::accept ? 1 : 0;
     dropped += last == Verdict::drop ? 1 : 0;
   }
@@ -28,12 +28,12 @@ TEST(RateLimit, DropsAFloodThenShowsItOut) {
 }
 
 TEST(RateLimit, ForgivesAfterAQuietSecond) {
-  RateLimit limit({.per_s = 10, .burst = 1, .patience = 3});
+  RateLimit limit({.per_s = 10, .burst = 1, .most_drops = 3});
   double now_s = 0.0;
   for (int round = 0; round < 20; ++round, now_s += 2.0) {
-    EXPECT_EQ(limit.judge(now_s), Verdict::accept);
-    EXPECT_EQ(limit.judge(now_s), Verdict::drop);
-    EXPECT_EQ(limit.judge(now_s), Verdict::drop);
+    EXPECT_EQ(limit.check(now_s), Verdict::accept);
+    EXPECT_EQ(limit.check(now_s), Verdict::drop);
+    EXPECT_EQ(limit.check(now_s), Verdict::drop);
   }
 }
 

@@ -7,7 +7,9 @@
 #include "palpable/page/http.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -32,6 +34,7 @@ constexpr std::size_t kLongestHeaderBytes = 8192;
 // The page's mesh and sound need no more; the state carries the exact height.
 constexpr int kLongestHeightSide = 320;
 constexpr int kLongestPictureSide = 1024;
+constexpr auto kRestPeriod = std::chrono::seconds(1);
 
 milliseconds whole_milliseconds(double seconds) {
   return milliseconds(static_cast<std::int64_t>(seconds * 1000.0));
@@ -44,81 +47,112 @@ SharedFrame text_frame(const Message& message) {
   return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
 }
 
-// What all connections share: the front door, the host and the clients that are in.
-class Room {
- public:
-  Room(PageHost& host, const ServeOptions& options, Front front)
-      : host_(host), options_(options), front_(std::move(front)) {}
+// Two states that nobody could tell apart: a micrometre, two millinewtons.
+bool looks_alike(const protocol::ProbeState& a, const protocol::ProbeState& b) {
+  const auto near = [](double p, double q, double limit) { return std::abs(p - q) < limit; };
+  return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&
+         near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
+         near(a.surface_m, b.surface_m, 1e-6) && near(a.fx_N, b.fx_N, 2e-3) && near(a.fy_N, b.fy_N, 2e-3) &&
+         near(a.fz_N, b.fz_N, 2e-3);
+}
 
-  Front& front() { return front_; }
+// What all connections share: the request handler, the host and the open pages.
+class Pages {
+ public:
+  Pages(PageHost& host, const ServeOptions& options, RequestHandler front)
+      : host_(host), options_(options), handler_(std::move(front)) {}
+
+  RequestHandler& handler() { return handler_; }
   const ServeOptions& options() const { return options_; }
   bool full() const { return clients_.size() >= options_.most_clients; }
+  std::string full_sentence() const {
+    return "This session is open in " + std::to_string(options_.most_clients) +
+           " pages already, which is the limit: close one of them.";
+  }
   std::size_t connections = 0;
 
-  void let_in(beast::tcp_stream stream, const Client::Upgrade& upgrade) {
+  void add_client(beast::tcp_stream stream, const Client::Upgrade& upgrade) {
     Client::Events events;
-    events.opened = [this](Client& client) { greet(client); };
+    events.opened = [this](Client& client) { send_everything(client); };
     events.message = [this](Client& client, const protocol::FromPage& message) {
-      std::visit([&](const auto& m) { obey(client, m); }, message);
+      std::visit([&](const auto& m) { handle(client, m); }, message);
     };
     events.closed = [this](Client& client) {
-      lift_probes(client);
+      release_probes(client);
       std::erase_if(clients_,
                     [&](const auto& other) { return other.expired() || other.lock().get() == &client; });
     };
     auto client = std::make_shared<Client>(std::move(stream), options_.rate, options_.longest_message_bytes,
-                                           whole_milliseconds(options_.patience_s), std::move(events));
+                                           whole_milliseconds(options_.idle_timeout_s), std::move(events));
+    client->page = next_page_++;
     clients_.push_back(client);
     client->accept(upgrade);
   }
 
-  // Once a frame: news for everybody, and the newest tick for whoever looks.
-  void beat() {
+  // Called 60 times a second: what has changed goes to all pages.
+  void update() {
     while (const auto notice = host_.next_notice()) broadcast(text_frame(*notice));
     if (clients_.empty()) return;
-    host_.beat();
+    host_.update();
     if (const auto scene = host_.scene(); scene != shown_) {
       show(scene);
+      broadcast(text_frame(host_.laws()));
       for (const auto& frame : scene_frames_) broadcast(frame);
     }
-    if (const auto settings = host_.settings(); settings != told_) {
-      told_ = settings;
+    if (const auto settings = host_.settings(); settings != sent_settings_) {
+      sent_settings_ = settings;
       broadcast(text_frame(settings));
     }
-    if (auto materials = host_.materials(); materials != told_materials_) {
-      told_materials_ = std::move(materials);
-      broadcast(text_frame(told_materials_));
+    if (auto materials = host_.materials(); materials != sent_materials_) {
+      sent_materials_ = std::move(materials);
+      broadcast(text_frame(sent_materials_));
     }
-    SharedFrame state;
-    for_each_client([&](Client& client) {
-      if (!client.visible) return;
-      if (!state) state = text_frame(host_.state());
-      client.send_if_idle(state);
-    });
+    send_state();
   }
 
-  void say_goodbye() {
+  void close_all() {
     for_each_client([](Client& client) {
       client.close(beast::websocket::close_code::going_away, "the session has ended");
     });
   }
 
  private:
-  // What a page held goes with it, all but the hand.
-  void lift_probes(const Client& client) {
-    for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
-      if (client.moved.test(probe)) host_.lift({static_cast<std::int64_t>(probe)});
+  // At rest once a second; otherwise each time, to the pages that keep up.
+  void send_state() {
+    protocol::State state = host_.state();
+    for (auto& probe : state.probes) probe.page = movers_.at(static_cast<std::size_t>(probe.probe));
+    const auto now = std::chrono::steady_clock::now();
+    const bool changed = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
+                                     sent_probes_.end(), looks_alike) ||
+                         now - sent_state_at_ >= kRestPeriod;
+    const auto frame = text_frame(state);
+    for_each_client([&](Client& client) {
+      if (client.visible && (changed || client.is_behind)) client.is_behind = !client.send_if_idle(frame);
+    });
+    if (!changed) return;
+    sent_probes_ = std::move(state.probes);
+    sent_state_at_ = now;
   }
 
-  void greet(Client& client) {
-    client.send(text_frame(host_.hello()));
-    for (const auto& law : host_.laws()) client.send(text_frame(law));
+  // A further probe goes with the page that moved it; the first one stays where it is.
+  void release_probes(const Client& client) {
+    for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
+      if (client.moved.test(probe)) host_.lift({static_cast<std::int64_t>(probe)});
+    for (auto& mover : movers_)
+      if (mover == client.page) mover.reset();
+  }
+
+  void send_everything(Client& client) {
+    auto hello = host_.hello();
+    hello.page = client.page;
+    client.send(text_frame(hello));
+    client.send(text_frame(host_.laws()));
     if (const auto scene = host_.scene(); scene != shown_) show(scene);
     for (const auto& frame : scene_frames_) client.send(frame);
-    told_ = host_.settings();
-    client.send(text_frame(told_));
-    told_materials_ = host_.materials();
-    client.send(text_frame(told_materials_));
+    sent_settings_ = host_.settings();
+    client.send(text_frame(sent_settings_));
+    sent_materials_ = host_.materials();
+    client.send(text_frame(sent_materials_));
   }
 
   void show(const std::shared_ptr<const PageScene>& scene) {
@@ -135,10 +169,10 @@ class Room {
           binary(protocol::write_picture(kind, number, protocol::thinned(picture, kLongestPictureSide))));
     };
     if (scene->about.has_picture) push(protocol::RasterKind::picture, scene->picture);
-    if (!scene->about.cells.empty()) push(protocol::RasterKind::cells, scene->cells);
+    if (scene->about.cells) push(protocol::RasterKind::cells, scene->cells);
   }
 
-  // A copy is walked through: a client that is shown out leaves the list meanwhile.
+  // Iterates over a copy: a client that is disconnected leaves the list meanwhile.
   template <class Do>
   void for_each_client(Do act) {
     const auto clients = clients_;
@@ -150,48 +184,59 @@ class Room {
     for_each_client([&](Client& client) { client.send(frame); });
   }
 
-  void obey(Client& client, const protocol::Pointer& pointer) {
-    client.moved.set(static_cast<std::size_t>(pointer.probe));
+  void handle(Client& client, const protocol::Pointer& pointer) {
+    const auto probe = static_cast<std::size_t>(pointer.probe);
+    client.moved.set(probe);
+    if (probe > 0 || host_.hello().pointer_moves) movers_.at(probe) = client.page;
     host_.move(pointer);
   }
-  void obey(Client& client, const protocol::Lift& probe) {
+  void handle(Client& client, const protocol::Lift& probe) {
     client.moved.reset(static_cast<std::size_t>(probe.probe));
+    movers_.at(static_cast<std::size_t>(probe.probe)).reset();
     host_.lift(probe);
   }
-  void obey(Client&, const protocol::Change& wishes) { host_.change(wishes); }
-  void obey(Client&, const protocol::Edit& wish) { host_.edit(wish); }
-  void obey(Client&, const protocol::Save&) { host_.save(); }
-  void obey(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
-  void obey(Client&, const protocol::Recentre&) { host_.recentre(); }
-  void obey(Client&, const protocol::Stand& stand) { host_.stand(stand); }
-  void obey(Client& client, const protocol::Visible& visible) { client.visible = visible.visible; }
+  void handle(Client&, const protocol::Change& change) { host_.change(change); }
+  void handle(Client&, const protocol::Edit& edit) { host_.edit(edit); }
+  void handle(Client&, const protocol::Save&) { host_.save(); }
+  void handle(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
+  void handle(Client&, const protocol::Recentre&) { host_.recentre(); }
+  void handle(Client&, const protocol::Stand& stand) { host_.stand(stand); }
+  void handle(Client& client, const protocol::Visible& visible) {
+    client.visible = visible.visible;
+    client.is_behind = true;
+  }
 
   PageHost& host_;
   const ServeOptions& options_;
-  Front front_;
+  RequestHandler handler_;
   // Weak: a client lives by what is under way on its socket, and never longer than the context that runs it.
   std::vector<std::weak_ptr<Client>> clients_;
   std::shared_ptr<const PageScene> shown_;
   std::vector<SharedFrame> scene_frames_;
-  protocol::Settings told_;
-  protocol::Materials told_materials_;
+  protocol::Settings sent_settings_;
+  protocol::Materials sent_materials_;
+  std::vector<protocol::ProbeState> sent_probes_;
+  std::chrono::steady_clock::time_point sent_state_at_;
+  std::int64_t next_page_ = 1;
+  /// The page that moved each probe last.
+  std::array<std::optional<std::int64_t>, protocol::kMostProbes> movers_;
 };
 
 // One HTTP connection, until it ends or becomes a client.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
-  Connection(tcp::socket socket, Room& room) : stream_(std::move(socket)), room_(room) {
-    ++room_.connections;
+  Connection(tcp::socket socket, Pages& pages) : stream_(std::move(socket)), pages_(pages) {
+    ++pages_.connections;
   }
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-  ~Connection() { --room_.connections; }
+  ~Connection() { --pages_.connections; }
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kLongestHeaderBytes);
-    parser_->body_limit(room_.options().longest_message_bytes);
-    stream_.expires_after(whole_milliseconds(room_.options().patience_s));
+    parser_->body_limit(pages_.options().longest_message_bytes);
+    stream_.expires_after(whole_milliseconds(pages_.options().idle_timeout_s));
     http::async_read(
         stream_, buffer_, *parser_,
         [self = shared_from_this()](beast::error_code error, std::size_t) { self->on_read(error); });
@@ -214,13 +259,18 @@ class Connection : public std::enable_shared_from_this<Connection> {
     const Request request{view(message.method_string()),      view(message.target()),
                           view(message[http::field::host]),   view(message[http::field::origin]),
                           view(message[http::field::cookie]), message.body()};
-    if (!beast::websocket::is_upgrade(message))
-      return write(room_.front().answer(request), message.keep_alive());
-    const Reply verdict = room_.front().judge_upgrade(request);
-    if (verdict.status != 101) return write(verdict, false);
-    if (room_.full())
-      return write({503, "text/plain", "Enough pages look at this session already.", {}}, false);
-    room_.let_in(std::move(stream_), message);
+    if (!beast::websocket::is_upgrade(message)) {
+      Reply reply = pages_.handler().answer(request);
+      if (request.target == kSessionPath && reply.status == 204 && pages_.full()) {
+        reply.status = 503;
+        reply.body = pages_.full_sentence();
+      }
+      return write(reply, message.keep_alive());
+    }
+    const Reply reply = pages_.handler().check_upgrade(request);
+    if (reply.status != 101) return write(reply, false);
+    if (pages_.full()) return write({503, "text/plain", pages_.full_sentence(), {}}, false);
+    pages_.add_client(std::move(stream_), message);
   }
 
   void write(const Reply& reply, bool keep_alive) {
@@ -248,29 +298,29 @@ class Connection : public std::enable_shared_from_this<Connection> {
   }
 
   beast::tcp_stream stream_;
-  Room& room_;
+  Pages& pages_;
   beast::flat_buffer buffer_{kLongestHeaderBytes + 65536};
   std::optional<http::request_parser<http::string_body>> parser_;
   http::response<http::string_body> response_;
 };
 
-void accept_next(tcp::acceptor& acceptor, Room& room) {
+void accept_next(tcp::acceptor& acceptor, Pages& pages) {
   acceptor.async_accept([&](beast::error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
     // Beyond the limit a connection is dropped at once; so is one that failed while it was made.
-    if (!error && room.connections < room.options().most_connections)
-      std::make_shared<Connection>(std::move(socket), room)->read();
-    accept_next(acceptor, room);
+    if (!error && pages.connections < pages.options().most_connections)
+      std::make_shared<Connection>(std::move(socket), pages)->read();
+    accept_next(acceptor, pages);
   });
 }
 
-void beat_next(asio::steady_timer& timer, Room& room, std::chrono::microseconds period) {
+void update_next(asio::steady_timer& timer, Pages& pages, std::chrono::microseconds period) {
   // From now on, not from when it was due: after a stall frames are skipped, not made up for.
   timer.expires_after(period);
-  timer.async_wait([&timer, &room, period](beast::error_code error) {
+  timer.async_wait([&timer, &pages, period](beast::error_code error) {
     if (error) return;
-    room.beat();
-    beat_next(timer, room, period);
+    pages.update();
+    update_next(timer, pages, period);
   });
 }
 
@@ -296,22 +346,23 @@ Result<void> run(PageHost& host, const ServeOptions& options, const std::atomic<
   const auto secret = random_secret();
   if (!secret) return secret.error();
 
-  std::optional<Room> room;  // outlives the context: what is left under way there refers to it
+  std::optional<Pages> pages;  // outlives the context: what is left under way there refers to it
   asio::io_context context(1);
   tcp::acceptor acceptor(context);
   if (auto opened = open(acceptor, options.port); !opened) return opened;
   const std::uint16_t port = acceptor.local_endpoint().port();
-  room.emplace(host, options, Front(Doorkeeper(*token, *secret), port));
+  pages.emplace(host, options, RequestHandler(SessionAccess(*token, *secret), port));
   asio::steady_timer timer(context);
-  accept_next(acceptor, *room);
-  beat_next(timer, *room, std::chrono::microseconds(static_cast<std::int64_t>(1e6 / options.states_per_s)));
+  accept_next(acceptor, *pages);
+  update_next(timer, *pages,
+              std::chrono::microseconds(static_cast<std::int64_t>(1e6 / options.states_per_s)));
   if (options.on_ready) options.on_ready("http://127.0.0.1:" + std::to_string(port) + "/#" + *token);
 
   while (!stop.load()) context.run_for(milliseconds(50));
   timer.cancel();
   beast::error_code ignored;
   acceptor.close(ignored);
-  room->say_goodbye();
+  pages->close_all();
   context.run_for(milliseconds(100));
   return {};
 }

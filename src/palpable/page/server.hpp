@@ -23,7 +23,7 @@ struct ServeOptions {
   std::size_t longest_message_bytes = 4096;
   RateLimits rate;
   /// A connection that sends nothing is closed after this; pages answer pings within it.
-  double patience_s = 20.0;
+  double idle_timeout_s = 20.0;
   /// Called once, from the calling thread, when the page can be opened: its address, token included.
   std::function<void(const std::string& address)> on_ready;
 };

@@ -40,21 +40,20 @@ class FakeHost final : public PageHost {
     scene->height_m = Raster<float>(4, 3, 0.001F);
     scene_ = scene;
   }
-  protocol::Hello hello() const override { return {protocol::kVersion, "test", "pointer", true, 1, false}; }
-  std::vector<protocol::Law> laws() const override {
-    protocol::Law law;
-    law.name = "proxy";
-    return {law};
+  protocol::Hello hello() const override {
+    return {protocol::kVersion, 0, "test", "pointer", true, 1, false};
   }
+  protocol::Laws laws() const override { return {{{"proxy", "Surface", {}, true, true}}}; }
   std::shared_ptr<const PageScene> scene() override { return scene_; }
   protocol::Settings settings() override { return settings_; }
   protocol::Materials materials() override { return materials_; }
   protocol::State state() override {
     protocol::State state;
-    state.x_m = pointer_.x_m;
+    state.t_s = ++states;
+    state.probes.emplace_back().x_m = pointer_.x_m;
     return state;
   }
-  void beat() override {}
+  void update() override {}
   void move(const protocol::Pointer& pointer) override {
     pointer_ = pointer;
     ++moves;
@@ -63,18 +62,15 @@ class FakeHost final : public PageHost {
     lifted += 1 << probe.probe;
     lifted.notify_all();
   }
-  void change(const protocol::Change& wishes) override {
-    settings_.answers = wishes.serial;
-    if (wishes.law == "proxy") {
-      settings_.stiffness = wishes.stiffness;
+  void change(const protocol::Change& change) override {
+    settings_.answers = change.serial;
+    if (change.law == "proxy") {
+      settings_.exaggeration = change.exaggeration;
     } else {
       notice_ = protocol::Notice{"warning", "there is no such law"};
     }
   }
-  void edit(const protocol::Edit& wish) override {
-    settings_.answers = materials_.answers = wish.serial;
-    materials_.stiffness_N_per_m = {wish.stiffness_N_per_m};
-  }
+  void edit(const protocol::Edit& edit) override { settings_.answers = materials_.answers = edit.serial; }
   void save() override { notice_ = protocol::Notice{"info", "saved"}; }
   void pause(bool paused) override { settings_.paused = paused; }
   void recentre() override {}
@@ -82,6 +78,8 @@ class FakeHost final : public PageHost {
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;
+  /// How often the state was asked for.
+  std::atomic<int> states = 0;
   /// Bit k for each time that probe k was lifted.
   std::atomic<int> lifted = 0;
 
@@ -253,25 +251,56 @@ TEST(PageServer, TellsTheSceneThenStatesAndObeys) {
   const ServedPage page;
   Visitor visitor(page);
   EXPECT_EQ(Json::parse(visitor.read())["type"], "hello");
-  EXPECT_EQ(Json::parse(visitor.read())["type"], "law");
+  EXPECT_EQ(Json::parse(visitor.read())["laws"][0]["name"], "proxy");
   EXPECT_EQ(Json::parse(visitor.read())["type"], "scene");
   EXPECT_EQ(visitor.read().substr(0, 4), "PLP1");
   EXPECT_EQ(Json::parse(visitor.read())["type"], "settings");
   visitor.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
   Json state = visitor.read_until("state");
-  while (!state.is_null() && state["x_m"] != 0.03) state = visitor.read_until("state");
-  EXPECT_EQ(state["x_m"], 0.03);
+  while (!state.is_null() && state["probes"][0]["x_m"] != 0.03) state = visitor.read_until("state");
+  EXPECT_EQ(state["probes"][0]["x_m"], 0.03);
   const auto change = [](const std::string& law, int serial) {
     return R"({"type":"change","serial":)" + std::to_string(serial) + R"(,"law":")" + law +
-           R"(","stiffness":9,"damping_Ns_per_m":0,"friction":0,"exaggeration":1,"neighbourhood_px":3})";
+           R"(","parameters":[],"exaggeration":2})";
   };
   visitor.send(change("fly", 5));
   EXPECT_EQ(visitor.read_until("notice")["text"], "there is no such law");
   const Json refused = visitor.read_until("settings");
-  EXPECT_EQ(refused["stiffness"], 0.0);
+  EXPECT_EQ(refused["exaggeration"], 0.0);
   EXPECT_EQ(refused["answers"], 5);
   visitor.send(change("proxy", 6));
-  EXPECT_EQ(visitor.read_until("settings")["stiffness"], 9.0);
+  EXPECT_EQ(visitor.read_until("settings")["exaggeration"], 2.0);
+}
+
+TEST(PageServer, SendsAStateASecondWhileNothingChanges) {
+  const ServedPage page;
+  Visitor visitor(page);
+  const Json first = visitor.read_until("state");
+  const Json second = visitor.read_until("state");
+  // The host is asked 60 times a second; its clock counts the questions.
+  EXPECT_GT(second["t_s"].get<double>() - first["t_s"].get<double>(), 10.0);
+  visitor.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
+  EXPECT_EQ(visitor.read_until("state")["probes"][0]["x_m"], 0.03);
+}
+
+TEST(PageServer, SaysWhichPageMovedAProbe) {
+  const ServedPage page;
+  const std::string cookie = cookie_of(page);
+  Visitor first(page, cookie);
+  Visitor second(page, cookie);
+  const Json one = first.read_until("hello")["page"];
+  const Json other = second.read_until("hello")["page"];
+  EXPECT_NE(one, other);
+  EXPECT_TRUE(first.read_until("state")["probes"][0]["page"].is_null());
+  const auto comes = [](Visitor& visitor, const Json& mover) {
+    for (Json state = visitor.read_until("state"); !state.is_null(); state = visitor.read_until("state"))
+      if (state["probes"][0]["page"] == mover) return true;
+    return false;
+  };
+  second.send(R"({"type":"pointer","probe":0,"x_m":0.01,"y_m":0,"press_m":0})");
+  EXPECT_TRUE(comes(first, other));
+  first.send(R"({"type":"pointer","probe":0,"x_m":0.02,"y_m":0,"press_m":0})");
+  EXPECT_TRUE(comes(second, one));
 }
 
 /// Returns once the probes lifted so far are these and no others.
@@ -305,7 +334,7 @@ TEST(PageServer, ShowsJunkOutWithAReason) {
   text.send("not json");
   auto reason = text.read_to_the_end();
   EXPECT_EQ(reason.code, websocket::close_code::policy_error);
-  EXPECT_EQ(reason.reason, "the message is not a flat JSON object");
+  EXPECT_EQ(reason.reason, "the message is not a JSON object, or too deep");
   Visitor binary(page, cookie);
   binary.send("PLP1", true);
   EXPECT_EQ(binary.read_to_the_end().code, websocket::close_code::unknown_data);
@@ -322,7 +351,7 @@ TEST(PageServer, ShowsJunkOutWithAReason) {
 
 TEST(PageServer, DropsAFloodThenShowsItOut) {
   ServeOptions options;
-  options.rate = {.per_s = 100, .burst = 20, .patience = 100};
+  options.rate = {.per_s = 100, .burst = 20, .most_drops = 100};
   const ServedPage page(options);
   Visitor visitor(page);
   for (int i = 0; i < 2000 && !visitor.failed(); ++i)
@@ -331,13 +360,21 @@ TEST(PageServer, DropsAFloodThenShowsItOut) {
   EXPECT_LT(page.host.moves, 1000);
 }
 
-TEST(PageServer, LetsOnlySoManyPagesIn) {
+TEST(PageServer, TellsAPageBeyondTheLimitOfTheLimit) {
   ServeOptions options;
   options.most_clients = 1;
   const ServedPage page(options);
   const std::string cookie = cookie_of(page);
-  Visitor first(page, cookie);
-  EXPECT_EQ(knock(page, cookie, page.own_origin()), 503U);
+  {
+    Visitor first(page, cookie);
+    ASSERT_EQ(Json::parse(first.read())["type"], "hello");
+    EXPECT_EQ(knock(page, cookie, page.own_origin()), 503U);
+    const auto refused = ask(page, http::verb::get, "/session", {}, {{http::field::cookie, cookie}});
+    EXPECT_EQ(refused.result_int(), 503U);
+    EXPECT_EQ(refused.body(),
+              "This session is open in 1 pages already, which is the limit: close one of them.");
+    EXPECT_EQ(ask(page, http::verb::get, "/session").result_int(), 401U) << "strangers learn nothing of it";
+  }
 }
 
 TEST(PageServer, OutlivesWhatIsNotHttp) {

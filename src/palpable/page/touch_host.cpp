@@ -4,6 +4,7 @@
 
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/haptics/law/laws.hpp"
+#include "palpable/page/page_laws.hpp"
 #include "palpable/page/page_scene.hpp"
 
 #include <algorithm>
@@ -16,20 +17,16 @@ namespace {
 
 constexpr auto kRatePeriod = std::chrono::seconds(1);
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kNeighbourhood_px = 3.0;
 static_assert(protocol::kMostProbes == haptics::kMaxLiveProbes);
 
-protocol::State state_of(const haptics::TouchSample& sample) {
-  protocol::State state;
-  const Vec3 proxy = (sample.has(haptics::flag::kHasProxy) ? sample.proxy : sample.position).v;
+protocol::ProbeState state_of(const haptics::TouchSample& sample, double surface_m) {
   const Vec3 force = sample.written_force_N.v;
-  state.t_s = sample.t_s;
+  protocol::ProbeState state;
+  state.probe = sample.probe;
   state.x_m = sample.position.v.x;
   state.y_m = sample.position.v.y;
   state.z_m = sample.position.v.z;
-  state.proxy_x_m = proxy.x;
-  state.proxy_y_m = proxy.y;
-  state.proxy_z_m = proxy.z;
+  state.surface_m = surface_m;
   state.fx_N = force.x;
   state.fy_N = force.y;
   state.fz_N = force.z;
@@ -38,24 +35,44 @@ protocol::State state_of(const haptics::TouchSample& sample) {
   return state;
 }
 
-void add_further(protocol::State& state, const haptics::TouchSample& sample, double surface_m) {
-  const protocol::State probe = state_of(sample);
-  state.further.push_back(sample.probe);
-  state.further_x_m.push_back(probe.x_m);
-  state.further_y_m.push_back(probe.y_m);
-  state.further_z_m.push_back(probe.z_m);
-  state.further_surface_m.push_back(surface_m);
-  state.further_fx_N.push_back(probe.fx_N);
-  state.further_fy_N.push_back(probe.fy_N);
-  state.further_fz_N.push_back(probe.fz_N);
-  state.further_contact.push_back(probe.contact ? 1.0 : 0.0);
-  state.further_label.push_back(static_cast<double>(probe.label));
+protocol::Material page_material(const models::Material& m) {
+  protocol::Material material;
+  material.stiffness_N_per_m = m.stiffness_N_per_m;
+  material.damping_Ns_per_m = m.damping_Ns_per_m;
+  material.friction = m.static_friction;
+  material.stickiness = m.static_friction > 0.0 ? 1.0 - m.dynamic_friction / m.static_friction : 0.0;
+  material.texture = {std::string(models::name_of(m.texture.kind)), m.texture.pitch_m, m.texture.height_m,
+                      std::remainder(m.texture.angle_rad * kDegrees, 360.0)};
+  return material;
 }
 
-/// m of eq. 7 as the scene was made with it; where there is none, the default.
-double made_neighbourhood_px(const models::Scene& scene) {
-  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
-  return contours != nullptr ? (*contours)->boundaries.radius_px() : kNeighbourhood_px;
+/// What `newer` sets counts, else what `older` does.
+protocol::MaterialEdit merged(const protocol::MaterialEdit& older, protocol::MaterialEdit newer) {
+  if (!newer.stiffness_N_per_m) newer.stiffness_N_per_m = older.stiffness_N_per_m;
+  if (!newer.damping_Ns_per_m) newer.damping_Ns_per_m = older.damping_Ns_per_m;
+  if (!newer.friction) newer.friction = older.friction;
+  if (!newer.stickiness) newer.stickiness = older.stickiness;
+  if (!newer.texture) newer.texture = older.texture;
+  return newer;
+}
+
+Result<void> apply(const protocol::MaterialEdit& edit, models::Material& m) {
+  if (edit.texture) {
+    const auto kind = models::texture_kind_from(edit.texture->kind);
+    if (!kind) return Error{ErrorCode::usage, "there is no such texture", edit.texture->kind};
+    if (*kind == models::TouchTexture::Kind::picture && m.texture.tile.empty())
+      return Error{ErrorCode::usage, "this material has no texture from a picture", m.name};
+    // A picture's tile stays, so that a person may come back to it.
+    m.texture = {*kind, edit.texture->pitch_m, edit.texture->height_m, edit.texture->angle_deg / kDegrees,
+                 std::move(m.texture.tile)};
+  }
+  const double stickiness = edit.stickiness.value_or(page_material(m).stickiness);
+  m.stiffness_N_per_m = edit.stiffness_N_per_m.value_or(m.stiffness_N_per_m);
+  m.damping_Ns_per_m = edit.damping_Ns_per_m.value_or(m.damping_Ns_per_m);
+  if (!edit.friction && !edit.stickiness) return {};
+  m.static_friction = edit.friction.value_or(m.static_friction);
+  m.dynamic_friction = m.static_friction * (1.0 - stickiness);
+  return {};
 }
 
 }  // namespace
@@ -75,15 +92,17 @@ TouchHost::~TouchHost() {
 }
 
 protocol::Hello TouchHost::hello() const {
-  return {protocol::kVersion,
-          options_.program,
-          session_.device_traits().name,
-          pointer_moves(),
-          static_cast<std::int64_t>(session_.probes()),
-          options_.egocentric};
+  protocol::Hello hello;
+  hello.version = protocol::kVersion;
+  hello.program = options_.program;
+  hello.device = session_.device_traits().name;
+  hello.pointer_moves = pointer_moves();
+  hello.probes = static_cast<std::int64_t>(session_.probes());
+  hello.egocentric = options_.egocentric;
+  return hello;
 }
 
-std::vector<protocol::Law> TouchHost::laws() const { return page_laws(*session_.scene()); }
+protocol::Laws TouchHost::laws() const { return page_laws(*session_.scene()); }
 
 std::shared_ptr<const PageScene> TouchHost::scene() {
   auto scene = session_.scene();
@@ -99,36 +118,32 @@ std::shared_ptr<const PageScene> TouchHost::scene() {
 
 protocol::Settings TouchHost::settings() {
   const auto touch = session_.settings();
-  const auto material = session_.scene()->materials.front();
-  const auto laws = page_laws(*session_.scene());
-  const auto law = std::find_if(laws.begin(), laws.end(),
-                                [&](const auto& l) { return l.name == haptics::name_of(touch.law.law); });
+  const auto law = session_.law_in_use();
   protocol::Settings now;
   {
     const std::lock_guard lock(mutex_);
     now.answers = answered_;
   }
-  now.law = haptics::name_of(touch.law.law);
-  now.stiffness = (touch.law.*haptics::description_of(touch.law.law).strength)
-                      .value_or(law != laws.end() ? law->stiffness_default : material.stiffness_N_per_m);
-  now.damping_Ns_per_m = touch.law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
-  now.friction = touch.law.static_friction.value_or(material.static_friction);
+  now.law = haptics::name_of(law);
+  now.parameters = parameter_values(*session_.scene(), law, touch.law);
   now.exaggeration = touch.depth;
-  now.neighbourhood_px = touch.law.neighbourhood_px.value_or(made_neighbourhood_px(*session_.scene()));
   now.paused = session_.paused();
   return now;
 }
 
 protocol::State TouchHost::state() {
   const auto sample = session_.latest();
-  protocol::State state = state_of(sample);
   const auto scene = session_.scene();
   const double depth = session_.settings().depth;
-  const auto surface_m = [&](double x_m, double y_m) { return depth * surface_height_m(*scene, x_m, y_m); };
-  state.surface_m = surface_m(state.x_m, state.y_m);
+  const auto add = [&](protocol::State& state, const haptics::TouchSample& probe) {
+    const Vec3 place = probe.position.v;
+    state.probes.push_back(state_of(probe, depth * surface_height_m(*scene, place.x, place.y)));
+  };
+  protocol::State state;
+  state.t_s = sample.t_s;
+  add(state, sample);
   for (std::size_t probe = 1; probe < session_.probes(); ++probe)
-    if (const auto further = session_.latest(probe); haptics::is_present(further))
-      add_further(state, further, surface_m(further.position.v.x, further.position.v.y));
+    if (const auto further = session_.latest(probe); haptics::is_present(further)) add(state, further);
   if (const auto now = std::chrono::steady_clock::now(); now - rate_time_ > kRatePeriod) {
     rate_time_ = now;
     rate_hz_ = session_.statistics().servo.rate_hz;
@@ -137,8 +152,8 @@ protocol::State TouchHost::state() {
   return state;
 }
 
-// A pointer that rests sends nothing, but it is still there: the device must hear so.
-void TouchHost::beat() {
+// A pointer at rest sends nothing, but it is still there: without updates the device would count it as lost.
+void TouchHost::update() {
   for (const auto& pointer : pointers_)
     if (pointer) place(*pointer);
   if (!options_.take_better_scene) return;
@@ -168,23 +183,14 @@ void TouchHost::place(const protocol::Pointer& pointer) {
 
 protocol::Materials TouchHost::materials() {
   static_assert(protocol::kPictureForms == models::kPictureForms,
-                "the page tells a picture's side from its pitch");
+                "the page computes a picture's side from its pitch");
   protocol::Materials all;
   {
     const std::lock_guard lock(mutex_);
     all.answers = answered_;
   }
-  for (const auto& m : session_.scene()->materials) {
-    all.names.push_back(m.name);
-    all.stiffness_N_per_m.push_back(m.stiffness_N_per_m);
-    all.damping_Ns_per_m.push_back(m.damping_Ns_per_m);
-    all.friction.push_back(m.static_friction);
-    all.stickiness.push_back(m.static_friction > 0.0 ? 1.0 - m.dynamic_friction / m.static_friction : 0.0);
-    all.textures.emplace_back(models::name_of(m.texture.kind));
-    all.pitch_m.push_back(m.texture.pitch_m);
-    all.height_m.push_back(m.texture.height_m);
-    all.angle_deg.push_back(std::remainder(m.texture.angle_rad * kDegrees, 360.0));
-  }
+  for (const auto& material : session_.scene()->materials)
+    all.materials.push_back({own_name(material), page_material(material)});
   return all;
 }
 
@@ -196,17 +202,18 @@ void TouchHost::put(const std::function<void(Tasks&)>& task) {
   wake_.notify_one();
 }
 
-void TouchHost::change(const protocol::Change& wishes) {
+void TouchHost::change(const protocol::Change& change) {
   put([&](Tasks& tasks) {
-    tasks.wishes = wishes;
-    tasks.serial = wishes.serial;
+    tasks.change = change;
+    tasks.serial = change.serial;
   });
 }
 
-void TouchHost::edit(const protocol::Edit& wish) {
+void TouchHost::edit(const protocol::Edit& edit) {
   put([&](Tasks& tasks) {
-    tasks.edits[wish.label] = wish;
-    tasks.serial = wish.serial;
+    auto& waiting = tasks.edits[edit.label];
+    waiting = merged(waiting, edit.material);
+    tasks.serial = edit.serial;
   });
 }
 
@@ -246,8 +253,7 @@ std::optional<protocol::Notice> TouchHost::next_notice() {
 void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
   for (const auto& event : session_.take_events()) {
-    // A pointer is lost whenever no page is open, a further probe whenever it is lifted; nobody need hear of
-    // it.
+    // A pointer is lost whenever no page is open, a further probe whenever it is lifted: no fault.
     const bool device = event.probe == 0 && !pointer_moves();
     if (event.kind == Kind::fault && device) {
       const auto fault = session_.device_fault();
@@ -277,25 +283,25 @@ void TouchHost::work() {
 }
 
 void TouchHost::carry_out(const Tasks& tasks) {
-  if (tasks.better) tell([&] { return swap_in(*tasks.better); });
+  if (tasks.better) report([&] { return swap_in(*tasks.better); });
   if (tasks.recentre) session_.recentre();
-  if (tasks.stance) tell([&] { return stand_there(*tasks.stance); });
-  if (tasks.wishes) tell([&] { return attempt(*tasks.wishes); });
-  if (!tasks.edits.empty()) tell([&] { return attempt(tasks.edits); });
-  if (tasks.save) tell([&] { return write_scene(); });
-  if (!tasks.wishes && tasks.edits.empty()) return;
+  if (tasks.stance) report([&] { return stand_there(*tasks.stance); });
+  if (tasks.change) report([&] { return attempt(*tasks.change); });
+  if (!tasks.edits.empty()) report([&] { return attempt(tasks.edits); });
+  if (tasks.save) report([&] { return write_scene(); });
+  if (!tasks.change && tasks.edits.empty()) return;
   const std::lock_guard lock(mutex_);
   answered_ = tasks.serial;
 }
 
-void TouchHost::tell(const std::function<Result<void>()>& step) {
+void TouchHost::report(const std::function<Result<void>()>& step) {
   const auto before = session_.notices();
   if (const auto done = step(); !done) say("warning", done.error().sentence());
   if (auto notices = session_.notices(); notices != before)
     for (auto& sentence : notices) say("info", std::move(sentence));
 }
 
-/// What was edited stays, where the better scene has the same materials.
+/// Edited materials stay where the better scene has as many.
 Result<void> TouchHost::swap_in(const models::Scene& better) {
   models::Scene scene = better;
   const auto held = session_.scene();
@@ -303,7 +309,7 @@ Result<void> TouchHost::swap_in(const models::Scene& better) {
   return session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
 }
 
-/// The page's own pointer goes along by itself, for it tells places of the scene.
+/// The page's own pointer goes along by itself: it sends places in the scene's frame.
 Result<void> TouchHost::stand_there(const session::Stance& stance) {
   if (!pointer_moves())
     if (auto stood = session_.stand(stance); !stood) return stood;
@@ -317,58 +323,29 @@ Result<void> TouchHost::write_scene() {
   return {};
 }
 
-/// What is wished as the materials have it stays theirs, so that each keeps its own.
-Result<void> TouchHost::attempt(const protocol::Change& wishes) {
-  const auto law = haptics::law_from(wishes.law);
-  if (!law) return Error{ErrorCode::usage, "there is no such law", wishes.law};
-  const auto scene = session_.scene();
-  const auto& material = scene->materials.front();
-  const auto unless = [](double value, double held) {
-    return value == held ? std::nullopt : std::optional(value);
-  };
-  double own_stiffness = material.stiffness_N_per_m;
-  bool of_materials = true;
-  for (const auto& known : page_laws(*scene)) {
-    if (known.name != wishes.law) continue;
-    own_stiffness = known.stiffness_default;
-    of_materials = known.has_materials;
-  }
+Result<void> TouchHost::attempt(const protocol::Change& change) {
   auto touch = session_.settings();
-  touch.law.law = *law;
-  touch.law.*haptics::description_of(*law).strength = unless(wishes.stiffness, own_stiffness);
-  touch.law.damping_Ns_per_m = wishes.damping_Ns_per_m;
-  if (of_materials) touch.law.damping_Ns_per_m = unless(wishes.damping_Ns_per_m, material.damping_Ns_per_m);
-  touch.law.static_friction = unless(wishes.friction, material.static_friction);
-  touch.law.dynamic_friction.reset();
-  touch.law.neighbourhood_px = unless(wishes.neighbourhood_px, made_neighbourhood_px(*scene));
-  touch.depth = wishes.exaggeration;
+  auto law = requested_parameters(touch.law, change);
+  if (!law) return law.error();
+  touch.law = *law;
+  touch.depth = change.exaggeration;
   return session_.change_settings(touch);
 }
 
-/// A value that is edited for one material holds for no longer by one wish for all of them.
-Result<void> TouchHost::attempt(const std::map<std::int64_t, protocol::Edit>& edits) {
+/// An edited value decides from then on: it is not set for all materials any more.
+Result<void> TouchHost::attempt(const std::map<std::int64_t, protocol::MaterialEdit>& edits) {
   auto materials = session_.scene()->materials;
   auto touch = session_.settings();
-  for (const auto& [label, wish] : edits) {
-    const auto kind = models::texture_kind_from(wish.texture);
-    if (label < 0 || static_cast<std::size_t>(label) >= materials.size() || !kind)
-      return Error{ErrorCode::usage, "there is no such material or texture", wish.texture};
-    models::Material& m = materials[static_cast<std::size_t>(label)];
-    if (m.stiffness_N_per_m != wish.stiffness_N_per_m) touch.law.stiffness_N_per_m.reset();
-    if (m.damping_Ns_per_m != wish.damping_Ns_per_m) touch.law.damping_Ns_per_m.reset();
-    m.stiffness_N_per_m = wish.stiffness_N_per_m;
-    m.damping_Ns_per_m = wish.damping_Ns_per_m;
-    const double sliding = wish.friction * (1.0 - wish.stickiness);
-    if (m.static_friction != wish.friction || m.dynamic_friction != sliding) {
+  for (const auto& [label, edit] : edits) {
+    if (label < 0 || static_cast<std::size_t>(label) >= materials.size())
+      return Error{ErrorCode::usage, "there is no such material", std::to_string(label)};
+    if (auto done = apply(edit, materials[static_cast<std::size_t>(label)]); !done) return done;
+    if (edit.stiffness_N_per_m) touch.law.stiffness_N_per_m.reset();
+    if (edit.damping_Ns_per_m) touch.law.damping_Ns_per_m.reset();
+    if (edit.friction || edit.stickiness) {
       touch.law.static_friction.reset();
       touch.law.dynamic_friction.reset();
     }
-    m.static_friction = wish.friction;
-    m.dynamic_friction = sliding;
-    if (*kind == models::TouchTexture::Kind::picture && m.texture.tile.empty())
-      return Error{ErrorCode::usage, "this material has no texture from a picture", wish.texture};
-    // A picture's tile stays, so that a person may come back to it.
-    m.texture = {*kind, wish.pitch_m, wish.height_m, wish.angle_deg / kDegrees, std::move(m.texture.tile)};
   }
   if (auto done = session_.change_materials(std::move(materials), touch); !done) return done;
   edited_ = true;

@@ -36,7 +36,7 @@ class TouchHost final : public PageHost {
     std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
     /// Where save() writes the scene (.palp).
     std::filesystem::path save_as;
-    /// The hand's frame goes with an explorer whom the page moves.
+    /// The device's frame goes with an explorer whom the page moves.
     bool egocentric = false;
   };
   /// `session`, and what the options refer to, must outlive the host.
@@ -44,16 +44,16 @@ class TouchHost final : public PageHost {
   ~TouchHost() override;
 
   protocol::Hello hello() const override;
-  std::vector<protocol::Law> laws() const override;
+  protocol::Laws laws() const override;
   std::shared_ptr<const PageScene> scene() override;
   protocol::Settings settings() override;
   protocol::Materials materials() override;
   protocol::State state() override;
-  void beat() override;
+  void update() override;
   void move(const protocol::Pointer& pointer) override;
   void lift(const protocol::Lift& probe) override;
-  void change(const protocol::Change& wishes) override;
-  void edit(const protocol::Edit& wish) override;
+  void change(const protocol::Change& change) override;
+  void edit(const protocol::Edit& edit) override;
   void save() override;
   void pause(bool paused) override;
   void recentre() override;
@@ -64,28 +64,28 @@ class TouchHost final : public PageHost {
   void say(std::string level, std::string text);
 
  private:
-  /// What waits to be done, taken all at once. Of several edits of one material the last one counts.
+  /// The tasks that wait, taken all at once. Of several edits of one value the last one counts.
   struct Tasks {
-    std::optional<protocol::Change> wishes;
-    std::map<std::int64_t, protocol::Edit> edits;
+    std::optional<protocol::Change> change;
+    std::map<std::int64_t, protocol::MaterialEdit> edits;
     std::shared_ptr<const models::Scene> better;
     bool recentre = false;
     bool save = false;
     std::optional<session::Stance> stance;
-    /// Of the last wish or edit among them.
+    /// Of the last change or edit among them.
     std::int64_t serial = 0;
-    bool any() const { return wishes || !edits.empty() || better || recentre || save || stance; }
+    bool any() const { return change || !edits.empty() || better || recentre || save || stance; }
   };
   void work();
   void carry_out(const Tasks& tasks);
   void put(const std::function<void(Tasks&)>& task);
-  Result<void> attempt(const protocol::Change& wishes);
-  Result<void> attempt(const std::map<std::int64_t, protocol::Edit>& edits);
+  Result<void> attempt(const protocol::Change& change);
+  Result<void> attempt(const std::map<std::int64_t, protocol::MaterialEdit>& edits);
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
   Result<void> stand_there(const session::Stance& stance);
-  /// Carries `step` out; says what it changed by itself, or why it could not be.
-  void tell(const std::function<Result<void>()>& step);
+  /// Carries out `step`; reports what it changed by itself, or its error.
+  void report(const std::function<Result<void>()>& step);
   void take_notices();
   bool pointer_moves() const { return !session_.device_traits().pushes_back; }
   void place(const protocol::Pointer& pointer);
@@ -96,7 +96,7 @@ class TouchHost final : public PageHost {
   // The server's thread alone.
   std::shared_ptr<const models::Scene> shown_;
   std::shared_ptr<const PageScene> page_scene_;
-  /// Where the page has each probe; the hand hovers until it is moved.
+  /// Where the pages have each probe; the first one is above the surface until it is moved.
   std::array<std::optional<protocol::Pointer>, protocol::kMostProbes> pointers_{
       protocol::Pointer{0, 0.0, 0.0, -0.02}};
   std::chrono::steady_clock::time_point rate_time_;

@@ -50,11 +50,13 @@ class HostOnATouch : public ::testing::Test {
     return {"palpable test", {}, [this] { return std::exchange(better, nullptr); }, file, true};
   }
 
-  // Beats as the server does until it holds, for ten seconds at most.
+  protocol::ProbeState first() const { return host->state().probes.front(); }
+
+  // Updates as the server does until it holds, for ten seconds at most.
   bool comes_true(const std::function<bool()>& condition) const {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (std::chrono::steady_clock::now() < end) {
-      host->beat();
+      host->update();
       if (condition()) return true;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -67,9 +69,18 @@ class HostOnATouch : public ::testing::Test {
   std::unique_ptr<TouchHost> host;
 };
 
-protocol::Change wishes(int serial) { return {serial, "proxy", 400.0, 0.5, 0.3, 1.0, 3.0}; }
+protocol::Change change_of(int serial, double stiffness = 400.0) {
+  return {serial, "proxy", {{"stiffness_N_per_m", stiffness}}, 1.0};
+}
 protocol::Edit edit(int serial, double stiffness) {
-  return {serial, 0, stiffness, 0.5, 0.4, 0.25, "ridges", 0.002, 30e-6, 90.0};
+  return {serial, 0, {stiffness, 0.5, 0.4, 0.25, protocol::Texture{"ridges", 0.002, 30e-6, 90.0}}};
+}
+protocol::ParameterValue parameter(const protocol::Settings& settings, const std::string& name) {
+  return *std::find_if(settings.parameters.begin(), settings.parameters.end(),
+                       [&](const auto& one) { return one.name == name; });
+}
+double stiffness_in(const protocol::Settings& settings) {
+  return parameter(settings, "stiffness_N_per_m").used;
 }
 
 TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
@@ -84,15 +95,15 @@ TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
   EXPECT_NEAR(scene->height_m(40, 30), relief.sample(0.00025, -0.00025).z_m, 1e-7);
   EXPECT_EQ(host->scene(), scene);
   EXPECT_TRUE(host->hello().pointer_moves);
-  EXPECT_EQ(host->laws().front().name, host->settings().law);
+  EXPECT_EQ(host->laws().laws.front().name, host->settings().law);
 }
 
 TEST_F(HostOnATouch, FeelsWhereThePagePressesAndNothingWhereItLifts) {
   host->move({0, 0.0, 0.0, 0.002});
-  EXPECT_TRUE(comes_true([&] { return host->state().contact && host->state().fz_N > 0.3; }));
-  EXPECT_NEAR(host->state().surface_m, 0.010, 0.001);
+  EXPECT_TRUE(comes_true([&] { return first().contact && first().fz_N > 0.3; }));
+  EXPECT_NEAR(first().surface_m, 0.010, 0.001);
   host->move({0, 0.0, 0.0, -0.010});
-  EXPECT_TRUE(comes_true([&] { return !host->state().contact && host->state().fz_N == 0.0; }));
+  EXPECT_TRUE(comes_true([&] { return !first().contact && first().fz_N == 0.0; }));
 }
 
 TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
@@ -102,22 +113,28 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   host->move({0, 0.0, 0.0, 0.001});
   host->move({3, 0.005, 0.0, 0.002});
   host->move({9, -0.005, 0.0, -0.004});
+  const auto numbers = [&] {
+    std::vector<std::int64_t> all;
+    for (const auto& probe : host->state().probes) all.push_back(probe.probe);
+    return all;
+  };
   const auto settled = [&] {
     const auto state = host->state();
-    return state.contact && state.further == std::vector{3.0, 9.0} && state.further_fz_N[0] > 0.3 &&
-           std::abs(state.further_x_m[1] + 0.005) < 1e-6;
+    return numbers() == std::vector<std::int64_t>{0, 3, 9} && state.probes[0].contact &&
+           state.probes[1].fz_N > 0.3 && std::abs(state.probes[2].x_m + 0.005) < 1e-6;
   };
   ASSERT_TRUE(comes_true(settled));
   const auto state = host->state();
-  EXPECT_NEAR(state.x_m, 0.0, 1e-6);
-  EXPECT_NEAR(state.further_x_m[0], 0.005, 1e-6);
-  EXPECT_GT(state.further_fx_N[0], 0.1) << "the cone falls to the right there";
-  EXPECT_NEAR(state.further_surface_m[0], 0.005, 0.0005);
-  EXPECT_EQ(state.further_contact, (std::vector{1.0, 0.0}));
-  EXPECT_EQ(state.further_fz_N[1], 0.0);
+  EXPECT_NEAR(state.probes[0].x_m, 0.0, 1e-6);
+  EXPECT_NEAR(state.probes[1].x_m, 0.005, 1e-6);
+  EXPECT_GT(state.probes[1].fx_N, 0.1) << "the cone falls to the right there";
+  EXPECT_NEAR(state.probes[1].surface_m, 0.005, 0.0005);
+  EXPECT_TRUE(state.probes[1].contact);
+  EXPECT_FALSE(state.probes[2].contact);
+  EXPECT_EQ(state.probes[2].fz_N, 0.0);
   host->lift({3});
-  EXPECT_TRUE(comes_true([&] { return host->state().further == std::vector{9.0}; }));
-  EXPECT_TRUE(host->state().contact);
+  EXPECT_TRUE(comes_true([&] { return numbers() == std::vector<std::int64_t>{0, 9}; }));
+  EXPECT_TRUE(first().contact);
   EXPECT_FALSE(host->next_notice()) << "nobody need hear that a finger was lifted";
   ASSERT_TRUE(session->stop_recording());
   const auto recording = device::read_recording(recorded);
@@ -129,17 +146,17 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
 }
 
 TEST_F(HostOnATouch, ChangesSettingsAndSaysWhichChangeHolds) {
-  auto change = wishes(7);
+  auto change = change_of(7);
   change.exaggeration = 2.0;
   host->change(change);
   EXPECT_TRUE(comes_true([&] { return host->settings().answers == 7; }));
   EXPECT_EQ(host->settings().exaggeration, 2.0);
-  EXPECT_EQ(host->settings().stiffness, 400.0);
+  EXPECT_EQ(stiffness_in(host->settings()), 400.0);
   EXPECT_NEAR(host->scene()->about.highest_m, 0.010, 0.001) << "heights are sent at exaggeration 1";
 }
 
 TEST_F(HostOnATouch, RefusesALawThatDoesNotExistAndKeepsTheOneThere) {
-  auto change = wishes(8);
+  auto change = change_of(8);
   change.law = "fly";
   host->change(change);
   EXPECT_TRUE(comes_true([&] { return host->settings().answers == 8; }));
@@ -152,57 +169,98 @@ TEST_F(HostOnATouch, RefusesALawThatDoesNotExistAndKeepsTheOneThere) {
 
 TEST_F(HostOnATouch, OfManyChangesTheLastOneHolds) {
   for (int i = 1; i <= 50; ++i) {
-    auto change = wishes(i);
-    change.stiffness = 100.0 + i;
-    host->change(change);
+    host->change(change_of(i, 100.0 + i));
   }
   EXPECT_TRUE(comes_true([&] { return host->settings().answers == 50; }));
-  EXPECT_EQ(host->settings().stiffness, 150.0);
+  EXPECT_EQ(stiffness_in(host->settings()), 150.0);
+}
+
+TEST_F(HostOnATouch, KeepsAValueThatIsSetToTheMaterialsOwnAndForgetsOneThatIsNotSet) {
+  const double own = stiffness_in(host->settings());
+  EXPECT_FALSE(parameter(host->settings(), "stiffness_N_per_m").set);
+  host->change(change_of(1, own));
+  ASSERT_TRUE(comes_true([&] { return host->settings().answers == 1; }));
+  EXPECT_EQ(parameter(host->settings(), "stiffness_N_per_m").set, own)
+      << "set, although it is the same value";
+  EXPECT_EQ(session->settings().law.stiffness_N_per_m, own);
+  host->change({2, "proxy", {}, 1.0});
+  ASSERT_TRUE(comes_true([&] { return host->settings().answers == 2; }));
+  EXPECT_FALSE(session->settings().law.stiffness_N_per_m);
+  EXPECT_EQ(stiffness_in(host->settings()), own);
+}
+
+TEST_F(HostOnATouch, RefusesAParameterThatTheLawDoesNotHave) {
+  auto change = change_of(8);
+  change.parameters = {{"neighbourhood_px", 3.0}};
+  host->change(change);
+  EXPECT_TRUE(comes_true([&] { return host->settings().answers == 8; }));
+  const auto notice = host->next_notice();
+  ASSERT_TRUE(notice);
+  EXPECT_EQ(notice->text, "neighbourhood_px: the law proxy has no such parameter");
 }
 
 TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
   host->move({0, 0.0, 0.0, 0.002});
-  ASSERT_TRUE(comes_true([&] { return host->state().fz_N > 0.3; }));
+  ASSERT_TRUE(comes_true([&] { return first().fz_N > 0.3; }));
   host->pause(true);
   EXPECT_TRUE(host->settings().paused);
-  EXPECT_TRUE(comes_true([&] { return host->state().fz_N == 0.0; }));
+  EXPECT_TRUE(comes_true([&] { return first().fz_N == 0.0; }));
   host->pause(false);
-  EXPECT_TRUE(comes_true([&] { return host->state().fz_N > 0.3; }));
+  EXPECT_TRUE(comes_true([&] { return first().fz_N > 0.3; }));
 }
 
 TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutShowingAnotherScene) {
   host->move({0, 0.0, 0.0, 0.002});
-  ASSERT_TRUE(comes_true([&] { return host->state().fz_N > 0.5; }));
+  ASSERT_TRUE(comes_true([&] { return first().fz_N > 0.5; }));
   const auto shown = host->scene();
   host->edit(edit(9, 100.0));
   EXPECT_TRUE(comes_true([&] { return host->materials().answers == 9; }));
-  EXPECT_EQ(host->materials().stiffness_N_per_m, std::vector{100.0});
-  EXPECT_EQ(host->materials().textures, std::vector<std::string>{"ridges"});
-  EXPECT_NEAR(host->materials().stickiness.front(), 0.25, 1e-12);
-  EXPECT_NEAR(host->materials().angle_deg.front(), 90.0, 1e-9);
-  EXPECT_EQ(host->settings().stiffness, 100.0);
-  EXPECT_TRUE(comes_true([&] { return host->state().fz_N < 0.3; })) << "it is felt";
-  EXPECT_TRUE(host->state().contact);
+  ASSERT_EQ(host->materials().materials.size(), 1U);
+  EXPECT_FALSE(host->materials().materials.front().name) << "it has none";
+  const auto material = host->materials().materials.front().material;
+  EXPECT_EQ(material.stiffness_N_per_m, 100.0);
+  EXPECT_EQ(material.texture.kind, "ridges");
+  EXPECT_NEAR(material.stickiness, 0.25, 1e-12);
+  EXPECT_NEAR(material.texture.angle_deg, 90.0, 1e-9);
+  EXPECT_EQ(stiffness_in(host->settings()), 100.0);
+  EXPECT_TRUE(comes_true([&] { return first().fz_N < 0.3; })) << "it is felt";
+  EXPECT_TRUE(first().contact);
   EXPECT_EQ(host->scene(), shown);
   EXPECT_FALSE(host->next_notice());
 }
 
-TEST_F(HostOnATouch, LetsAnEditedMaterialRuleOverAWishForAllOfThem) {
-  host->change(wishes(3));
+TEST_F(HostOnATouch, LetsAnEditedMaterialDecideOverAValueSetForAll) {
+  host->change(change_of(3));
   ASSERT_TRUE(comes_true([&] { return host->settings().answers == 3; }));
-  ASSERT_EQ(host->settings().stiffness, 400.0);
+  ASSERT_EQ(stiffness_in(host->settings()), 400.0);
   host->edit(edit(4, 300.0));
   ASSERT_TRUE(comes_true([&] { return host->settings().answers == 4; }));
-  EXPECT_EQ(host->settings().stiffness, 300.0);
+  EXPECT_EQ(stiffness_in(host->settings()), 300.0);
   EXPECT_FALSE(session->settings().law.stiffness_N_per_m);
 }
 
+TEST_F(HostOnATouch, LeavesWhatAnEditDoesNotName) {
+  host->change(change_of(3));
+  ASSERT_TRUE(comes_true([&] { return host->settings().answers == 3; }));
+  auto expected = host->materials().materials.front().material;
+  protocol::Edit friction{4, 0, {}};
+  friction.material.friction = 0.8;
+  host->edit(friction);
+  ASSERT_TRUE(comes_true([&] { return host->materials().answers == 4; }));
+  const auto after = host->materials().materials.front().material;
+  EXPECT_NEAR(after.stickiness, expected.stickiness, 1e-12);
+  expected.friction = 0.8;
+  expected.stickiness = after.stickiness;
+  EXPECT_EQ(after, expected);
+  EXPECT_EQ(session->settings().law.stiffness_N_per_m, 400.0) << "set for all materials, and still so";
+}
+
 TEST_F(HostOnATouch, RefusesAMaterialThatIsNotThere) {
-  auto wish = edit(5, 300.0);
-  wish.label = 7;
-  host->edit(wish);
+  auto request = edit(5, 300.0);
+  request.label = 7;
+  host->edit(request);
   EXPECT_TRUE(comes_true([&] { return host->settings().answers == 5; }));
-  EXPECT_EQ(host->materials().stiffness_N_per_m, std::vector{500.0});
+  EXPECT_EQ(host->materials().materials.front().material.stiffness_N_per_m, 500.0);
   const auto notice = host->next_notice();
   ASSERT_TRUE(notice);
   EXPECT_EQ(notice->level, "warning");

@@ -4,16 +4,21 @@
 import { readMessage, readRaster, writeMessage, type HeightsFrame, type PictureFrame } from '../codec';
 import type { FromPage, ToPage } from '../generated/protocol';
 
+export interface Loss {
+  sentence: string;
+  /** It will not be tried again by itself. */
+  final: boolean;
+}
+
 export interface Receiver {
   opened(): void;
   message(message: ToPage): void;
   raster(frame: HeightsFrame | PictureFrame): void;
-  /** `final`: it will not be tried again. */
-  closed(sentence: string, final: boolean): void;
+  closed(loss: Loss): void;
 }
 
-/** Lets this browser in. Returns null, or the sentence that says why not. */
-async function enter(): Promise<string | null> {
+/** Lets this browser in: null, or why not. */
+async function enter(): Promise<Loss | null> {
   const token = location.hash.slice(1);
   try {
     const reply = await (token === ''
@@ -21,13 +26,16 @@ async function enter(): Promise<string | null> {
       : fetch('/session', { method: 'POST', body: token, headers: { 'Content-Type': 'text/plain' } }));
     // The token is spent: nobody needs to see it in the address, or to find it in the history.
     if (token !== '') history.replaceState(null, '', location.pathname);
-    return reply.ok ? null : await reply.text();
+    // Too many pages is a refusal that passes; a browser that has no cookie is one that stays.
+    return reply.ok ? null : { sentence: await reply.text(), final: reply.status !== 503 };
   } catch {
-    return 'Palpable does not answer: it has probably ended.';
+    return { sentence: 'Palpable does not answer: it has probably ended. Trying again.', final: false };
   }
 }
 
-const wait = (ms: number) => new Promise((resolve) => setTimeout(resolve, ms));
+const wait = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
+/** The person has put another address, with the right token, into the address bar. */
+const newAddress = () => new Promise<void>((resolve) => window.addEventListener('hashchange', () => resolve(), { once: true }));
 const firstDelay = 500;
 const longestDelay = 5000;
 
@@ -36,22 +44,15 @@ export class Connection {
 
   constructor(private readonly receiver: Receiver) {}
 
-  /** Connects, and connects again after a loss, until the program refuses. */
+  /** Connects, and connects again after a loss; after a refusal when the address has changed. */
   async run(): Promise<void> {
-    for (let delay = firstDelay; ; delay = Math.min(longestDelay, delay * 2)) {
-      const refusal = await enter();
-      const answers = refusal === null || !refusal.startsWith('Palpable does not answer');
-      if (refusal !== null && answers) return this.receiver.closed(refusal, true);
-      if (refusal === null) {
-        const { reason, opened } = await this.talk();
-        if (opened) delay = firstDelay;
-        const ended = reason === 'the session has ended';
-        this.receiver.closed(ended ? 'The session has ended. Start palpable again to go on.' : `The connection was lost${reason === '' ? '' : `: ${reason}`}. Trying again.`, ended);
-        if (ended) return;
-      } else {
-        this.receiver.closed(refusal, false);
-      }
-      await wait(delay);
+    for (let delay = firstDelay; ; ) {
+      const refused = await enter();
+      const talk = refused === null ? await this.talk() : null;
+      const loss = refused ?? lossOf(talk!.reason);
+      this.receiver.closed(loss);
+      delay = talk?.opened ? firstDelay : Math.min(longestDelay, delay * 2);
+      await (loss.final ? newAddress() : Promise.race([wait(delay), newAddress()]));
     }
   }
 
@@ -84,4 +85,9 @@ export class Connection {
       socket.onclose = ({ reason }) => resolve({ reason: complaint || reason, opened });
     });
   }
+}
+
+function lossOf(reason: string): Loss {
+  if (reason === 'the session has ended') return { sentence: 'The session has ended. Start palpable again to go on.', final: true };
+  return { sentence: `The connection was lost${reason === '' ? '' : `: ${reason}`}. Trying again.`, final: false };
 }

@@ -17,6 +17,9 @@ describe('keys', () => {
     describeProbes: () => calls.push('describe probes'),
     pause: () => calls.push('pause'),
     mute: () => calls.push('mute'),
+    zoom: (factor) => calls.push(`zoom ${factor > 1 ? 'in' : 'out'}`),
+    resetView: () => calls.push('reset view'),
+    moveView: () => calls.push('move view'),
     help: () => calls.push('help'),
   };
   const type = (key: string, shiftKey = false, ctrlKey = false) => press({ key, shiftKey, ctrlKey, altKey: false, metaKey: false }, target);
@@ -39,6 +42,11 @@ describe('keys', () => {
     calls.length = 0;
     for (const key of ['1', '9', '0', 'Delete', 'n']) type(key);
     expect(calls).toEqual(['choose 0', 'choose 8', 'choose 9', 'take', 'describe probes']);
+  });
+  it('zoom, move and reset the picture', () => {
+    calls.length = 0;
+    for (const key of ['+', '-', 'c', 'R']) type(key);
+    expect(calls).toEqual(['zoom in', 'zoom out', 'move view', 'reset view']);
   });
   it('leave the browser its own', () => {
     calls.length = 0;

@@ -26,6 +26,11 @@ export interface KeyTarget {
   describeProbes(): void;
   pause(): void;
   mute(): void;
+  /** Magnifies the picture by a factor. */
+  zoom(factor: number): void;
+  resetView(): void;
+  /** Drags, pinches and arrows move the picture, or the probe again. */
+  moveView(): void;
   help(): void;
 }
 
@@ -89,6 +94,14 @@ export const keyRows: KeyRow[] = [
   { shown: 'Delete', does: 'Take this probe away; the first one stays', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
   { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.describeProbes() },
   { shown: 'Space', does: 'Pause, go on', keys: [' '], act: (target) => target.pause() },
+  { shown: '+, −', does: 'Zoom the picture in, out', keys: ['+', '=', '-'], act: (target, { key }) => target.zoom(key === '-' ? 0.8 : 1.25) },
+  {
+    shown: 'C',
+    does: 'Move the picture: arrows turn it, with Shift they shift it; C again moves the probe',
+    keys: ['c'],
+    act: (target) => target.moveView(),
+  },
+  { shown: 'R', does: 'The picture as at first', keys: ['r'], act: (target) => target.resetView() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
   { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },
 ];

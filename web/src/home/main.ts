@@ -1,48 +1,50 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // The page of a touch: wires the socket, the stage, the settings, the keys, what is heard and what is said.
-import { Importance } from '../sound/announcer';
 import type { HeightsFrame, PictureFrame } from '../codec';
-import { Connection } from './connection';
 import { element } from '../dom';
-import { Controls, type Settings } from '../settings/controls';
-import { motionWords, noScene, positionWords, sceneWords } from '../sound/describe';
+import { protocolVersion, type Hello, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
 import { pace, turnBy } from '../probe/explorer';
-import { Feedback } from '../sound/feedback';
-import type { Felt } from '../felt';
-import { protocolVersion, type Hello, type Law, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
-import { fillHelp, showHelp } from './help';
-import { press, undoKey, type KeyTarget, type Move } from './keys';
-import { MaterialPanel } from '../settings/material_panel';
 import { bindPointers } from '../probe/pointers';
-import { preferencesCookie, readPreferences } from '../settings/preferences';
 import { ProbeActions } from '../probe/probe_actions';
 import { Probes } from '../probe/probes';
-import { Readouts } from './readouts';
-import { SettingsStore } from '../settings/settings_store';
-import { Stage } from '../view/stage';
-import { Surface, type Place } from '../surface';
-import { TracePanel } from '../trace/trace_panel';
-import { Voice } from '../sound/voice';
 import { Walking, type Walk } from '../probe/walking';
+import { Controls } from '../settings/controls';
+import { MaterialPanel } from '../settings/material_panel';
+import { preferencesCookie, readPreferences } from '../settings/preferences';
+import type { Settings } from '../settings/settings';
+import { SettingsStore } from '../settings/settings_store';
+import { Importance } from '../sound/announcer';
+import { Feedback } from '../sound/feedback';
+import { Voice } from '../sound/voice';
+import { Surface } from '../surface';
+import { TracePanel } from '../trace/trace_panel';
+import { Stage } from '../view/stage';
+import { Connection, type Loss } from './connection';
+import { FrameLoop } from './frame_loop';
+import { fillHelp, showHelp, showSteps } from './help';
+import { press, undoKey, type KeyTarget, type Move } from './keys';
+import { Narrator } from './narrator';
+import { ProbeMotion } from './probe_motion';
+import { Readouts } from './readouts';
+import { ViewActions } from './view_actions';
 
-const initial: Settings = {
-  touch: { law: '', stiffness: 0, damping_Ns_per_m: 0, friction: 0, exaggeration: 1, neighbourhood_px: 3 },
-  page: readPreferences(document.cookie),
-  materials: [],
-};
-/** Milliseconds between two messages about where the probes are, at the least: many fingers on a fast screen are many messages. */
-const sendEvery = 12;
-
+const initial: Settings = { touch: { law: '', set: {}, exaggeration: 1 }, page: readPreferences(document.cookie), materials: [] };
 class TouchPage implements KeyTarget {
   private readonly connection = new Connection({
     opened: () => this.opened(),
     message: (message) => this.receive(message),
     raster: (frame) => this.receiveRaster(frame),
-    closed: (sentence, final) => this.closed(sentence, final),
+    closed: (loss) => this.closed(loss),
   });
+  private readonly frames = new FrameLoop((now, passed, waited) => this.frame(now, passed, waited));
   private readonly store = new SettingsStore(initial, (change) => this.connection.send(change));
-  private readonly stage = new Stage(initial.page);
+  private readonly stage = new Stage(initial.page, {
+    changed: () => this.frames.request(),
+    tilted: (tilt) => this.changePage({ tilt }, 'tilt'),
+    flattened: () => this.changePage({ view: 'flat' }, 'view'),
+    say: (words) => this.voice.say(words, Importance.news),
+  });
   private readonly controls = new Controls(initial, (settings, what) => this.change(settings, what));
   private readonly materials = new MaterialPanel(initial, (settings, what) => this.change(settings, what));
   private readonly voice = new Voice();
@@ -50,12 +52,13 @@ class TouchPage implements KeyTarget {
   private readonly readouts = new Readouts();
   private readonly probes = new Probes();
   private readonly own = this.probes.own;
+  private readonly narrator = new Narrator(this.probes, () => this.exaggeration());
   private readonly actions = new ProbeActions(this.probes, {
     surface: () => this.surface,
     say: (words, importance) => this.voice.say(words, importance),
     send: (message) => this.connection.send(message),
-    motionWords: () => this.motionWords(),
-    labelOf: (felt) => this.labelOf(felt),
+    motionWords: () => this.narrator.motion(),
+    labelOf: (state) => this.narrator.labelOf(state),
     draw: () => this.showProbes(),
   });
   private readonly walking = new Walking(this.own, {
@@ -67,18 +70,26 @@ class TouchPage implements KeyTarget {
     arrow: (points) => this.scene?.kind !== 'contours' && this.stage.line(points),
   });
   private readonly trace = new TracePanel({
-    place: () => this.probePlace(),
+    place: () => this.narrator.place(),
     say: (words) => this.voice.say(words, Importance.answer),
     overlay: (points) => this.stage.line(points),
   });
+  private readonly motion = new ProbeMotion(this.probes, this.narrator, this.walking, this.feedback, {
+    connected: () => this.connected,
+    exaggeration: () => this.exaggeration(),
+    device: () => this.hello?.device ?? 'a device',
+    say: (words, importance) => this.voice.say(words, importance),
+    send: (message) => this.connection.send(message),
+    moves: () => this.frames.request(),
+    draw: () => this.showProbes(),
+  });
+  private readonly picture = new ViewActions(this.stage, (words) => this.voice.say(words, Importance.answer));
   private hello: Hello | null = null;
-  private laws: Law[] = [];
-  private scene: Scene | null = null;
-  private surface: Surface | null = null;
-  private picture: PictureFrame | null = null;
+  private image: PictureFrame | null = null;
   private cells: PictureFrame | null = null;
   private paused = false;
-  private lastFrame = performance.now();
+  /** While the program is not, nothing is felt, moved or heard. */
+  private connected = false;
 
   start(): void {
     this.bindStage();
@@ -87,38 +98,26 @@ class TouchPage implements KeyTarget {
     fillHelp();
     this.apply();
     void this.connection.run();
-    requestAnimationFrame((now) => this.frame(now));
+    document.documentElement.dataset.frames = '0';
   }
 
   // What the keys do.
 
   move(by: Move): void {
-    if (this.surface === null) return;
-    const { current } = this.own;
-    if (!this.own.movable()) return this.voice.say(`The probe is moved by ${this.hello?.device ?? 'a device'}.`, Importance.answer);
-    // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
-    const way = this.walking.inScene(by);
-    const free = current.step(way.x, way.y, by.press, this.surface);
-    this.voice.say(() => this.probes.named(by.press !== 0 ? this.pressWords() : `${free ? '' : 'Rim of the scene, '}${this.motionWords()}`), Importance.motion);
+    this.motion.move(by);
   }
   describe(): void {
-    if (this.surface === null || this.scene === null) return this.voice.say(noScene, Importance.answer);
-    this.voice.say(sceneWords(this.surface, this.scene.name, this.exaggeration(), this.probePlace()), Importance.answer);
+    this.voice.say(this.narrator.describe(), Importance.answer);
   }
   where(): void {
-    if (this.surface === null) return this.voice.say(noScene, Importance.answer);
-    const { height, slope } = this.ground(this.surface);
-    this.voice.say(this.probes.named(positionWords(this.probePlace(), height, slope, this.label(), this.surface)), Importance.answer);
+    this.voice.say(this.narrator.where(), Importance.answer);
   }
   recentre(): void {
-    this.own.current.recentre();
-    this.walking.reset();
-    if (this.own.chosen === 0) this.connection.send({ type: 'recentre' });
-    this.walking.stand();
-    this.voice.say(this.probes.named('In the middle.'), Importance.answer);
+    this.motion.recentre();
   }
   walk(by: Walk): void {
     this.walking.walk(by);
+    this.frames.request();
   }
   stance(): void {
     this.walking.sayStance();
@@ -136,13 +135,21 @@ class TouchPage implements KeyTarget {
     this.connection.send({ type: 'pause', paused: !this.paused });
   }
   mute(): void {
-    const { settings } = this.store;
-    const sound = !settings.page.sound;
-    this.change({ ...settings, page: { ...settings.page, sound } }, 'sound');
+    const sound = !this.store.settings.page.sound;
+    this.changePage({ sound }, 'sound');
     this.voice.say(sound ? 'Sound on.' : 'Sound off.', Importance.answer);
   }
   help(): void {
     showHelp();
+  }
+  zoom(factor: number): void {
+    this.picture.zoom(factor);
+  }
+  resetView(): void {
+    this.picture.reset();
+  }
+  moveView(): void {
+    this.picture.toggleMoving();
   }
 
   // Settings.
@@ -150,12 +157,16 @@ class TouchPage implements KeyTarget {
   private change(settings: Settings, what: string): void {
     this.store.change(settings, what);
     this.apply();
-    if (what === 'surface' && settings.page.surface === 'cells' && this.scene) this.voice.say(this.scene.cells, Importance.answer);
+    if (what === 'surface' && settings.page.surface === 'cells' && this.scene?.cells) this.voice.say(this.scene.cells, Importance.answer);
+  }
+  private changePage(page: Partial<Settings['page']>, what: string): void {
+    const { settings } = this.store;
+    this.change({ ...settings, page: { ...settings.page, ...page } }, what);
   }
 
   private apply(): void {
-    const { settings } = this.store;
-    this.controls.show(settings);
+    const { settings, used } = this.store;
+    this.controls.show(settings, used);
     this.materials.show(settings, this.controls.law());
     this.stage.set(settings.touch.exaggeration, settings.page);
     this.voice.set(settings.page.speech);
@@ -163,7 +174,22 @@ class TouchPage implements KeyTarget {
     element<HTMLButtonElement>('undo').disabled = !this.store.canUndo;
     element<HTMLButtonElement>('redo').disabled = !this.store.canRedo;
     if (this.store.wasUsed) document.cookie = preferencesCookie(settings.page);
+    this.offerSound();
     this.showProbes();
+  }
+
+  /** Offered until audio runs: browsers begin it only when the person does something. */
+  private offerSound(): void {
+    element('sound-on').hidden = this.store.settings.page.sound && this.feedback.sound.runs;
+  }
+
+  /** Audio runs from this click on, and is heard at once. */
+  private turnOnSound(): void {
+    if (!this.store.settings.page.sound) this.changePage({ sound: true }, 'sound');
+    void this.feedback.sound.wake().then(() => {
+      this.offerSound();
+      this.motion.sample();
+    });
   }
 
   private undoOrRedo(which: 'undo' | 'redo'): void {
@@ -185,16 +211,18 @@ class TouchPage implements KeyTarget {
   // The program.
 
   private opened(): void {
-    this.laws = [];
-    this.resendPlaces();
+    this.connected = true;
     this.store.connected();
     this.readouts.allWell();
     this.connection.send({ type: 'visible', visible: !document.hidden });
   }
 
-  private closed(sentence: string, final: boolean): void {
+  private closed({ sentence, final }: Loss): void {
+    this.connected = false;
     this.actions.blank();
     this.readouts.blank();
+    this.feedback.keep([]);
+    this.showProbes();
     this.alert(sentence);
     this.readouts.status('fault', final ? 'Ended' : 'Not connected');
   }
@@ -203,15 +231,15 @@ class TouchPage implements KeyTarget {
     switch (message.type) {
       case 'hello':
         return this.greeted(message);
-      case 'law':
-        this.laws = [...this.laws, message];
-        this.controls.setLaws(this.laws);
+      case 'laws':
+        this.store.setLaws(message.laws);
+        this.controls.setLaws(message.laws);
         return this.materials.show(this.store.settings, this.controls.law());
       case 'scene':
-        this.scene = message;
+        this.narrator.scene = message;
         element('scene-name').textContent = message.name;
         this.trace.scene(message.kind, message.width_m, message.depth_m);
-        this.controls.offerCells(message.cells !== '');
+        this.controls.offerCells(message.cells !== null);
         document.title = `${message.name} – Palpable`;
         return;
       case 'settings':
@@ -220,7 +248,7 @@ class TouchPage implements KeyTarget {
         if (this.store.receiveMaterials(message)) this.apply();
         return;
       case 'state':
-        return this.ticked(message);
+        return this.receiveState(message);
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
@@ -230,6 +258,7 @@ class TouchPage implements KeyTarget {
 
   private greeted(hello: Hello): void {
     this.hello = hello;
+    this.probes.page = hello.page;
     this.readouts.setDevice(hello.device);
     this.own.set(hello.probes, hello.pointer_moves);
     this.actions.changed();
@@ -241,99 +270,71 @@ class TouchPage implements KeyTarget {
   }
 
   private receiveRaster(frame: HeightsFrame | PictureFrame): void {
-    if (this.scene === null || frame.scene !== this.scene.scene) return;
+    const { scene } = this;
+    if (scene === null || frame.scene !== scene.scene) return;
     if (frame.kind === 'heights') {
       const first = this.surface === null;
-      const { width_m, depth_m, name } = this.scene;
-      this.surface = new Surface(frame.columns, frame.rows, frame.heights, width_m, depth_m);
-      this.picture = this.cells = null;
-      this.resendPlaces();
-      this.stage.element.setAttribute('aria-label', `Relief of ${name} to touch`);
-      if (first) this.voice.say(`${name} is ready to be touched. D describes it, H is help.`, Importance.news);
+      this.narrator.surface = new Surface(frame.columns, frame.rows, frame.heights, scene.width_m, scene.depth_m);
+      this.image = this.cells = null;
+      this.own.setScale(this.narrator.surface.scale);
+      showSteps(this.narrator.surface.scale);
+      this.stage.element.setAttribute('aria-label', `Relief of ${scene.name} to touch`);
+      if (first) this.ready(scene.name);
     } else if (frame.kind === 'cells') {
       this.cells = frame;
     } else {
-      this.picture = frame;
+      this.image = frame;
     }
-    if (this.surface === null || (this.scene.has_picture && this.picture === null)) return;
-    if (this.scene.cells !== '' && this.cells === null) return;
-    this.stage.show(this.surface, this.picture, this.cells);
+    if (this.surface === null || (scene.has_picture && this.image === null)) return;
+    if (scene.cells !== null && this.cells === null) return;
+    this.stage.show(this.surface, this.image, this.cells);
     this.walking.show();
     this.showProbes();
   }
 
-  private ticked(state: State): void {
-    this.probes.receive(state);
-    const { felt, chosen } = this.probes;
-    this.readouts.state(state, chosen ?? felt[0]!);
+  /** The relief takes the focus, so that the keys that are announced work at once; not from where the person is already. */
+  private ready(name: string): void {
+    const { activeElement } = document;
+    if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });
+    this.voice.say(`${name} is ready to be touched. D describes it, H is help.`, Importance.news);
+  }
+
+  private receiveState(state: State): void {
+    const taken = this.probes.receive(state, performance.now());
+    if (taken !== null) this.voice.say(`Another page moves probe ${taken + 1} now.`, Importance.news);
+    const { states, chosen } = this.probes;
+    this.readouts.state(state, chosen ?? states[0]);
     this.actions.show();
     this.showProbes();
     const { surface } = this;
     if (surface === null) return;
-    for (const one of felt) this.feedback.felt(one, surface);
-    if (!this.own.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.exaggeration());
-    this.feedback.keep(this.probes.numbers);
+    this.motion.hear(surface);
+    if (this.trace.running) this.frames.request();
   }
 
   // The probes.
 
+  private get surface(): Surface | null {
+    return this.narrator.surface;
+  }
+  private get scene(): Narrator['scene'] {
+    return this.narrator.scene;
+  }
   private exaggeration(): number {
     return this.store.settings.touch.exaggeration;
-  }
-  private probePlace(): Place {
-    return this.probes.placeOf(this.own.chosen);
-  }
-  private labelOf(felt: Felt | undefined): string {
-    return (felt && this.scene?.labels[felt.label]) ?? '';
-  }
-  private label(): string {
-    return this.labelOf(this.probes.chosen);
-  }
-  private ground(surface: Surface): { height: number; slope: Place } {
-    const scale = this.exaggeration();
-    const slope = surface.slopeAt(this.probePlace());
-    return { height: surface.heightAt(this.probePlace()) * scale, slope: { x: slope.x * scale, y: slope.y * scale } };
-  }
-  private motionWords(): string {
-    if (this.surface === null) return '';
-    const { height, slope } = this.ground(this.surface);
-    return motionWords(height, slope, this.label());
-  }
-  private pressWords(): string {
-    const { press: pressed } = this.own.current;
-    const depth = Math.abs(pressed * 1000).toFixed(1);
-    return pressed >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
-  }
-
-  private resendPlaces(): void {
-    for (const probe of this.own.numbers) this.own.at(probe)?.resend();
   }
 
   private showProbes(): void {
     if (this.surface) this.stage.probes(this.probes.views(this.surface, this.exaggeration()));
+    if (this.own.pending) this.frames.request();
   }
 
-  /** Moves the marbles on and sends their places. */
-  private advance(now: number, surface: Surface): void {
-    if (this.own.several && now - this.lastFrame < sendEvery) return;
-    const seconds = Math.min(0.1, (now - this.lastFrame) / 1000);
-    this.lastFrame = now;
-    const moved = this.own.advance(seconds, surface, this.exaggeration());
-    for (const probe of moved) {
-      const { place, press: press_m } = this.own.at(probe)!;
-      this.connection.send({ type: 'pointer', probe, x_m: place.x, y_m: place.y, press_m });
-      this.feedback.moved(probe, place, surface, this.exaggeration());
-    }
-    if (moved.length > 0) this.showProbes();
-  }
-
-  private frame(now: number): void {
-    requestAnimationFrame((next) => this.frame(next));
-    if (this.surface) this.advance(now, this.surface);
-    this.voice.tick();
+  private frame(now: number, passed: number | null, waited: number): boolean {
+    const moving = this.motion.advance(now, passed);
     this.trace.frame(now);
-    this.stage.draw();
-    this.readouts.frame(now);
+    this.stage.draw(waited);
+    document.documentElement.dataset.frames = String(this.frames.count);
+    return moving;
   }
 
   private alert(sentence: string): void {
@@ -346,17 +347,26 @@ class TouchPage implements KeyTarget {
   private bindStage(): void {
     const { element: stage } = this.stage;
     bindPointers(stage, this.own, {
-      surface: () => this.surface,
+      surface: () => (this.connected ? this.surface : null),
       placeAt: (left, top) => this.stage.placeAt(left, top),
-      wake: () => this.feedback.sound.wake(),
+      wake: () => this.wake(),
+      moved: () => this.frames.request(),
       came: (probe) => this.actions.came(probe),
       left: (probe) => this.actions.left(probe),
       full: () => this.actions.full(),
     });
     stage.addEventListener('keydown', (event) => {
-      this.feedback.sound.wake();
-      if (press(event, this)) event.preventDefault();
+      this.wake();
+      if (!this.connected && !['Tab', 'h', 'H', '?'].includes(event.key)) {
+        if (event.key.length === 1 || event.key.startsWith('Arrow')) this.voice.say('Palpable is not connected: nothing can be felt.', Importance.answer);
+        return;
+      }
+      if (this.stage.moveViewBy(event) || press(event, this)) event.preventDefault();
     });
+  }
+
+  private wake(): void {
+    void this.feedback.sound.wake().then(() => this.offerSound());
   }
 
   private bindButtons(): void {
@@ -365,6 +375,11 @@ class TouchPage implements KeyTarget {
       recentre: () => this.recentre(),
       describe: () => this.describe(),
       where: () => this.where(),
+      'sound-on': () => this.turnOnSound(),
+      'move-view': () => this.moveView(),
+      'zoom-in': () => this.zoom(1.25),
+      'zoom-out': () => this.zoom(0.8),
+      'reset-view': () => this.resetView(),
       'walk-ahead': () => this.walk({ ahead: pace, left: 0 }),
       'walk-back': () => this.walk({ ahead: -pace, left: 0 }),
       'turn-left': () => this.walk({ ahead: 0, left: turnBy }),
@@ -379,8 +394,8 @@ class TouchPage implements KeyTarget {
     };
     for (const [id, act] of Object.entries(actions))
       element(id).addEventListener('click', () => {
-        this.feedback.sound.wake();
         act();
+        this.wake();
       });
   }
 

@@ -7,6 +7,7 @@ const seconds = 10;
 export class ForcePlot {
   private samples: { t: number; force: number }[] = [];
   private top = 1;
+  private drawnLevel = false;
 
   constructor(private readonly canvas: HTMLCanvasElement) {}
 
@@ -15,6 +16,19 @@ export class ForcePlot {
     if (last && t < last.t) this.samples = [];
     this.samples.push({ t, force });
     while (this.samples.length > 0 && this.samples[0]!.t < t - seconds) this.samples.shift();
+  }
+
+  forget(): void {
+    this.samples = [];
+  }
+
+  /** Whether the line is level and was drawn so: there is nothing new to see. */
+  isLevel(): boolean {
+    const first = this.samples[0]?.force ?? 0;
+    const level = this.samples.every(({ force }) => Math.abs(force - first) < 0.005);
+    const known = level && this.drawnLevel;
+    this.drawnLevel = level && this.samples.length > 0;
+    return known;
   }
 
   greatest(): number {

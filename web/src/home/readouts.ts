@@ -3,89 +3,90 @@
 // What the page shows in figures: status, position, height, force and its plot, rates; and the banner for what went wrong.
 import { element } from '../dom';
 import { figuresEvery, millimetreFigure } from '../figures';
+import type { ProbeState, State } from '../generated/protocol';
 import type { Stance } from '../probe/explorer';
-import { newtons, type Felt } from '../felt';
-import type { State } from '../generated/protocol';
+import { newtons } from '../probe/probes';
 import { ForcePlot } from './plot';
 
-/** Milliseconds between two drawings of the plot. */
-const plotEvery = 50;
+/** Milliseconds between two drawings of the plot; where motion is unwelcome. */
+const plotEvery = 100;
+const calmPlotEvery = 1000;
 
 export class Readouts {
   private readonly plot = new ForcePlot(element<HTMLCanvasElement>('plot'));
   private readonly calm = matchMedia('(prefers-reduced-motion: reduce)');
-  private frames = 0;
-  private since = performance.now();
   private device = '';
   private rate = 0;
-  private shown: Felt | null = null;
-  private figuresAt = -Infinity;
+  private shown: ProbeState | null = null;
+  private renewing = false;
   private plottedAt = -Infinity;
 
   setDevice(device: string): void {
     this.device = device;
   }
 
-  /** `felt`: what the chosen probe feels. */
-  state(state: State, felt: Felt): void {
-    this.plot.add(state.t_s, newtons(felt));
+  /** A new tick; `probe`: the chosen one. Shown a little later, not more often than it can be read. */
+  state(state: State, probe: ProbeState | undefined): void {
+    if (probe === undefined) return;
+    this.plot.add(state.t_s, newtons(probe));
     this.rate = state.rate_hz;
-    this.shown = felt;
+    this.shown = probe;
+    if (this.renewing) return;
+    this.renewing = true;
+    setTimeout(() => {
+      this.renewing = false;
+      this.renew(performance.now());
+    }, figuresEvery);
   }
 
   stance({ x, y, heading }: Stance): void {
     const facing = heading === 0 ? 'up' : `${Math.abs(heading)}° ${heading > 0 ? 'left' : 'right'}`;
-    element('read-stance').textContent = `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`;
+    write('read-stance', `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`);
   }
 
   /** Nothing is known any more. */
   blank(): void {
     this.rate = 0;
     this.shown = null;
-    for (const id of ['read-position', 'read-height', 'read-force']) element(id).textContent = '–';
-  }
-
-  /** Once a frame. The plot creeps, so where motion is unwelcome it is drawn once a second. */
-  frame(now: number): void {
-    this.frames += 1;
-    if (now - this.figuresAt >= figuresEvery) {
-      this.figuresAt = now;
-      this.figures();
-    }
-    if (now - this.plottedAt >= (this.calm.matches ? 1000 : plotEvery)) {
-      this.plottedAt = now;
-      this.plot.draw();
-    }
-    if (now - this.since < 1000) return;
-    const shown = Math.round((this.frames * 1000) / (now - this.since));
-    const parts = [`${shown} frames a second`, `force ${Math.round(this.rate)} times a second`, this.device];
-    element('rates').textContent = parts.filter((part) => part !== '').join(' · ');
-    element('rates').dataset.frames = String(shown);
-    element('plot-words').textContent = `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`;
-    this.frames = 0;
-    this.since = now;
-  }
-
-  private figures(): void {
-    if (this.shown === null) return;
-    const { x_m, y_m, surface_m } = this.shown;
-    element('read-position').textContent = `${millimetreFigure(x_m)}, ${millimetreFigure(y_m)}`;
-    element('read-height').textContent = millimetreFigure(surface_m);
-    element('read-force').textContent = newtons(this.shown).toFixed(2);
+    this.plot.forget();
+    for (const id of ['read-position', 'read-height', 'read-force']) write(id, '–');
+    write('rates', this.device);
+    write('plot-words', 'No force.');
+    this.plot.draw();
   }
 
   status(state: 'running' | 'paused' | 'fault', words: string): void {
-    element('status').textContent = words;
+    write('status', words);
     element('status').dataset.state = state;
   }
 
   /** Shows a sentence that stays; screen readers are interrupted by it. */
   alert(sentence: string): void {
     const banner = element('banner');
-    banner.textContent = sentence;
+    write('banner', sentence);
     banner.hidden = false;
   }
   allWell(): void {
     element('banner').hidden = true;
   }
+
+  private renew(now: number): void {
+    if (this.shown === null) return;
+    const { x_m, y_m, surface_m } = this.shown;
+    write('read-position', `${millimetreFigure(x_m)}, ${millimetreFigure(y_m)}`);
+    write('read-height', millimetreFigure(surface_m));
+    write('read-force', newtons(this.shown).toFixed(2));
+    const parts = [`Force ${Math.round(this.rate)} times a second`, this.device];
+    write('rates', parts.filter((part) => part !== '').join(' · '));
+    write('plot-words', `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`);
+    if (now - this.plottedAt < (this.calm.matches ? calmPlotEvery : plotEvery) || this.plot.isLevel()) return;
+    this.plottedAt = now;
+    this.plot.draw();
+  }
+}
+
+/** Only what differs: a change costs a layout, and moves a reading cursor. */
+function write(id: string, text: string): void {
+  const target = element(id);
+  if (target.textContent !== text) target.textContent = text;
 }

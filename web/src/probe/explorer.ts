@@ -55,10 +55,10 @@ export class Explorer {
   }
 
   /** An arrow from where they stand the way they face, to be drawn on the scene. */
-  arrow(): Place[] {
+  arrow(scale = 1): Place[] {
     const shape: Place[] = [{ x: 0, y: 0 }, { x: 0, y: 0.008 }, { x: -0.0025, y: 0.005 }, { x: 0, y: 0.008 }, { x: 0.0025, y: 0.005 }];
     return shape.map((corner) => {
-      const way = this.inScene(corner);
+      const way = this.inScene({ x: corner.x * scale, y: corner.y * scale });
       return { x: this.now.x + way.x, y: this.now.y + way.y };
     });
   }

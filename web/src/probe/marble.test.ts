@@ -19,9 +19,9 @@ describe('the marble', () => {
   });
   it('is where a key puts it at once, within the scene', () => {
     const probe = new PageProbe();
-    expect(probe.step(0.001, 0, 0, slope)).toBe(true);
+    expect(probe.step(0.001, 0, 0, slope, 0)).toBe(true);
     expect(probe.place).toEqual({ x: 0.001, y: 0 });
-    expect(probe.step(1, 0, 0, slope)).toBe(false);
+    expect(probe.step(1, 0, 0, slope, 0)).toBe(false);
     expect(probe.place.x).toBe(0.055);
     expect(probe.advance(0.016, slope, 1)).toBe(true);
     expect(probe.advance(0.016, slope, 1)).toBe(false);

@@ -1,9 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // A probe that this page moves: its target, and the marble that follows it.
-import { follow } from './marble';
 import type { Place, Surface } from '../surface';
+import { follow } from './marble';
 
+/** Metres, on a scene of a tenth of a metre or more. */
 const usualPress = 0.0015;
 const deepest = 0.004;
 const highest = -0.02;
@@ -12,11 +13,25 @@ export class PageProbe {
   private target: Place;
   private marblePlace: Place;
   private pressDepth = usualPress;
-  private changed = true;
+  private changed = false;
+  private scale = 1;
+  /** When this page moved it last (ms). */
+  movedAt = -Infinity;
 
   constructor(place: Place = { x: 0, y: 0 }) {
     this.target = { ...place };
     this.marblePlace = { ...place };
+  }
+
+  /** Of Surface; on small scenes the probe presses less deep. */
+  setScale(scale: number): void {
+    const press = this.pressDepth / Math.min(1, this.scale);
+    this.scale = scale;
+    this.pressDepth = press * Math.min(1, scale);
+  }
+  /** Whether it is still on its way, or its place has to be sent. */
+  get pending(): boolean {
+    return this.changed || this.target.x !== this.marblePlace.x || this.target.y !== this.marblePlace.y;
   }
 
   get place(): Place {
@@ -28,29 +43,36 @@ export class PageProbe {
   }
 
   /** By pointer: the marble follows in its own time. */
-  aim(place: Place, surface: Surface): void {
+  aim(place: Place, surface: Surface, now: number): void {
     this.target = surface.clamp(place);
+    this.movedAt = now;
   }
 
   /** A pen's pressure, 0 to 1, presses deeper. */
   penPressure(pressure: number): void {
-    this.setPress(0.0005 + 0.003 * pressure);
+    this.setPress((0.0005 + 0.003 * pressure) * Math.min(1, this.scale));
   }
 
   /** By key: there at once, so that a step is a step. False at the rim. */
-  step(dx: number, dy: number, press: number, surface: Surface): boolean {
+  step(dx: number, dy: number, press: number, surface: Surface, now: number): boolean {
     const wanted = { x: this.target.x + dx, y: this.target.y + dy };
-    this.target = surface.clamp(wanted);
-    this.marblePlace = { ...this.target };
+    this.put(surface.clamp(wanted));
     if (press !== 0) this.setPress(this.pressDepth + press);
     this.changed = true;
+    this.movedAt = now;
     return Math.hypot(this.target.x - wanted.x, this.target.y - wanted.y) < 1e-9;
   }
 
-  recentre(): void {
-    this.target = { x: 0, y: 0 };
-    this.marblePlace = { x: 0, y: 0 };
-    this.setPress(usualPress);
+  recentre(now: number): void {
+    this.put({ x: 0, y: 0 });
+    this.setPress(usualPress * Math.min(1, this.scale));
+    this.movedAt = now;
+  }
+
+  /** Another page moved it: it is there, and this page has nothing to send. */
+  adopt(place: Place): void {
+    this.put(place);
+    this.changed = false;
   }
 
   /** Its place is sent again, wherever it is. */
@@ -68,8 +90,14 @@ export class PageProbe {
     return moved;
   }
 
+  private put(place: Place): void {
+    this.target = { ...place };
+    this.marblePlace = { ...place };
+  }
+
   private setPress(depth: number): void {
-    this.pressDepth = Math.min(deepest, Math.max(highest, depth));
+    const scale = Math.min(1, this.scale);
+    this.pressDepth = Math.min(deepest * scale, Math.max(highest * Math.max(1, this.scale), depth));
     this.changed = true;
   }
 }

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 import { beforeEach, describe, expect, it } from 'vitest';
-import type { State } from '../generated/protocol';
+import type { ProbeState, State } from '../generated/protocol';
 import { Probes } from './probes';
 import { Surface } from '../surface';
 
@@ -60,7 +60,7 @@ describe('keys and probes', () => {
     expect(own.choose(2, right)).toBe(true);
     expect(own.free()).toBe(1);
     expect(own.current.place).toEqual(right);
-    own.current.step(0.001, 0, 0, ramp);
+    own.current.step(0.001, 0, 0, ramp, 0);
     expect(own.advance(0.016, ramp, 1)).toEqual([2]);
     expect(own.at(0)!.place).toEqual(middle);
     expect(own.remove(2)).toBe(true);
@@ -81,21 +81,19 @@ describe('keys and probes', () => {
 });
 
 describe('what probes feel', () => {
-  const state: State = {
-    type: 'state', t_s: 1, x_m: 0, y_m: 0, z_m: 0.004, proxy_x_m: 0, proxy_y_m: 0, proxy_z_m: 0, surface_m: 0.005, fx_N: 0, fy_N: 0, fz_N: 0.5,
-    contact: true, label: 1, rate_hz: 1000, further: [2], further_x_m: [0.03], further_y_m: [0.01], further_z_m: [0.007], further_surface_m: [0.008],
-    further_fx_N: [0.3], further_fy_N: [0], further_fz_N: [0.4], further_contact: [1], further_label: [0],
-  };
+  const first: ProbeState = { probe: 0, page: null, x_m: 0, y_m: 0, z_m: 0.004, surface_m: 0.005, fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 1 };
+  const third: ProbeState = { probe: 2, page: 7, x_m: 0.03, y_m: 0.01, z_m: 0.007, surface_m: 0.008, fx_N: 0.3, fy_N: 0, fz_N: 0.4, contact: true, label: 0 };
+  const state: State = { type: 'state', t_s: 1, rate_hz: 1000, probes: [first, third] };
   it('is known of each, with its number, place, height, force and label', () => {
-    probes.receive(state);
-    expect(probes.stateOf(2)).toMatchObject({ x_m: 0.03, force: [0.3, 0, 0.4], contact: true });
+    probes.receive(state, 0);
+    expect(probes.stateOf(2)).toMatchObject({ x_m: 0.03, fx_N: 0.3, contact: true });
     expect(probes.words(ramp, ({ label }) => (label === 1 ? 'rock' : ''))).toBe(
       '2 probes, the keys move probe 1. Probe 1: centre, at the middle, height 5.0 millimetres, force 0.50 newtons, rock. ' +
         'Probe 3: middle right, 30 millimetres right, 10 millimetres up from the middle, height 8.0 millimetres, force 0.50 newtons.',
     );
   });
   it('is shown where another page moves a probe, and a row each', () => {
-    probes.receive(state);
+    probes.receive(state, 0);
     const views = probes.views(ramp, 1);
     expect(views.map(({ number, chosen }) => [number, chosen])).toEqual([[1, true], [3, false]]);
     expect(views[1]).toMatchObject({ x: 0.03, y: 0.01, z: 0.008, force: [0.3, 0, 0.4] });
@@ -106,5 +104,48 @@ describe('what probes feel', () => {
     expect(probes.named('level')).toBe('level');
     probes.own.choose(1, right);
     expect(probes.named('level')).toBe('Probe 2: level');
+  });
+});
+
+describe('a probe that two pages move', () => {
+  const at = (page: number | null, x_m: number): State => ({
+    type: 'state', t_s: 1, rate_hz: 1000,
+    probes: [{ probe: 0, page, x_m, y_m: 0, z_m: 0, surface_m: 0, fx_N: 0, fy_N: 0, fz_N: 0, contact: false, label: 0 }],
+  });
+  beforeEach(() => {
+    probes.page = 2;
+  });
+  it('is where the other page has it, so that a key steps from there', () => {
+    expect(probes.receive(at(1, 0.02), 1000)).toBeNull();
+    expect(probes.own.current.place.x).toBe(0.02);
+    expect(probes.own.advance(0.016, ramp, 1)).toEqual([]);
+    probes.own.current.step(0.001, 0, 0, ramp, 1000);
+    expect(probes.own.current.place.x).toBeCloseTo(0.021, 9);
+  });
+  it('stays where this page has just put it, whatever states are still on the way', () => {
+    probes.own.current.step(0.01, 0, 0, ramp, 1000);
+    expect(probes.receive(at(1, 0.02), 1100)).toBeNull();
+    expect(probes.own.current.place.x).toBeCloseTo(0.01, 9);
+  });
+  it('is said to be taken once, when another page takes it', () => {
+    probes.receive(at(2, 0.01), 1000);
+    expect(probes.receive(at(1, 0.02), 2000)).toBe(0);
+    expect(probes.receive(at(1, 0.03), 2100)).toBeNull();
+  });
+  it('is put where this page has it as long as nobody has moved it', () => {
+    probes.receive(at(null, 0), 1000);
+    expect(probes.own.advance(0.016, ramp, 1)).toEqual([0]);
+  });
+});
+
+describe('the size of the scene', () => {
+  it('makes a probe press less deep on a small one, and no deeper on a large one', () => {
+    const press = (scale: number) => {
+      const own = new Probes().own;
+      own.setScale(scale);
+      return own.current.press;
+    };
+    expect(press(0.05)).toBeCloseTo(0.05 * press(1), 12);
+    expect(press(100)).toBe(press(1));
   });
 });

@@ -17,11 +17,18 @@ export class PageProbes {
   private chosenProbe = 0;
   private most = 1;
   private movesFirst = true;
+  private scale = 1;
 
   /** How many probes there can be, and whether this page moves the first one (else a device does). */
   set(most: number, movesFirst: boolean): void {
     this.most = most;
     this.movesFirst = movesFirst;
+  }
+
+  /** Of the surface that they touch. */
+  setScale(scale: number): void {
+    this.scale = scale;
+    for (const probe of this.probes.values()) probe.setScale(scale);
   }
 
   get chosen(): number {
@@ -30,6 +37,10 @@ export class PageProbes {
   /** Of those that this page moves, and the first. */
   get numbers(): number[] {
     return [...this.probes.keys()].sort((a, b) => a - b);
+  }
+  /** Whether one that this page moves is on its way. */
+  get pending(): boolean {
+    return this.numbers.some((probe) => this.movable(probe) && this.probes.get(probe)!.pending);
   }
   get several(): boolean {
     return this.probes.size > 1;
@@ -47,7 +58,7 @@ export class PageProbes {
   /** Chooses a probe, which is put down at `place` where it is not there yet; false if there can be none of that number. */
   choose(probe: number, place: Place): boolean {
     if (probe >= this.most) return false;
-    if (!this.probes.has(probe)) this.probes.set(probe, new PageProbe(place));
+    if (!this.probes.has(probe)) this.put(probe, place);
     this.chosenProbe = probe;
     return true;
   }
@@ -74,7 +85,7 @@ export class PageProbes {
     }
     const probe = this.free();
     if (probe === null) return null;
-    this.probes.set(probe, new PageProbe(place));
+    this.put(probe, place);
     this.pointers.set(pointer, { probe, own: true });
     return { probe, isNew: true };
   }
@@ -96,6 +107,13 @@ export class PageProbes {
   /** Moves all marbles on; the probes whose places have to be sent. */
   advance(seconds: number, surface: Surface, exaggeration: number): number[] {
     return this.numbers.filter((probe) => this.movable(probe) && this.probes.get(probe)!.advance(seconds, surface, exaggeration));
+  }
+
+  private put(probe: number, place: Place): void {
+    const added = new PageProbe(place);
+    added.setScale(this.scale);
+    added.resend();
+    this.probes.set(probe, added);
   }
 
   private isHeld(probe: number): boolean {

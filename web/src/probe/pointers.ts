@@ -10,6 +10,8 @@ export interface PointersTarget {
   placeAt(left: number, top: number): Place | null;
   /** The person did something: sound may begin. */
   wake(): void;
+  /** A probe has another target. */
+  moved(): void;
   came(probe: number): void;
   left(probe: number): void;
   /** There are as many probes as there can be. */
@@ -27,8 +29,9 @@ export function bindPointers(stage: HTMLElement, probes: PageProbes, target: Poi
     const moved = probe === null ? undefined : probes.at(probe);
     if (surface === null || moved === undefined) return;
     const place = placeOf(event);
-    if (place) moved.aim(place, surface);
+    if (place) moved.aim(place, surface, performance.now());
     if (event.pointerType === 'pen' && event.pressure > 0) moved.penPressure(event.pressure);
+    target.moved();
   };
   const release = (event: PointerEvent): void => {
     const gone = probes.release(event.pointerId);

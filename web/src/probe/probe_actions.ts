@@ -3,8 +3,7 @@
 // Probes come, are chosen and go: by key, by the panel, by fingers; and what is said of it.
 import { Importance, type Words } from '../sound/announcer';
 import { noScene } from '../sound/describe';
-import type { Felt } from '../felt';
-import type { FromPage } from '../generated/protocol';
+import type { FromPage, ProbeState } from '../generated/protocol';
 import type { Probes } from './probes';
 import { ProbesPanel, type ProbesTarget } from './probes_panel';
 import { figuresEvery } from '../figures';
@@ -16,7 +15,7 @@ export interface ProbesPage {
   send(message: FromPage): void;
   /** What the surface is like under the chosen probe. */
   motionWords(): string;
-  labelOf(felt: Felt): string;
+  labelOf(state: ProbeState): string;
   draw(): void;
 }
 
@@ -50,8 +49,8 @@ export class ProbeActions implements ProbesTarget {
   }
   describeProbes(): void {
     const surface = this.page.surface();
-    if (surface === null || this.probes.felt.length === 0) return this.page.say(noScene, Importance.answer);
-    this.page.say(this.probes.words(surface, (felt) => this.page.labelOf(felt)), Importance.answer);
+    if (surface === null || this.probes.states.length === 0) return this.page.say(noScene, Importance.answer);
+    this.page.say(this.probes.words(surface, (state) => this.page.labelOf(state)), Importance.answer);
   }
 
   /** A finger has put a probe down; has lifted it; or finds no further one. */
@@ -72,7 +71,7 @@ export class ProbeActions implements ProbesTarget {
     const now = performance.now();
     if (now - this.shownAt < figuresEvery) return;
     this.shownAt = now;
-    this.panel.show(this.probes.felt);
+    this.panel.show(this.probes.states);
   }
   /** Nothing is known any more. */
   blank(): void {

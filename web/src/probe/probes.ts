@@ -1,63 +1,85 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// All probes as the page knows them: those that it moves itself, and what the program says that each feels.
+// All probes as the page knows them: those that it moves itself, and what the program says of each.
+import type { ProbeState, State } from '../generated/protocol';
 import { probeWords } from '../sound/describe';
-import { feltOf, newtons, type Felt } from '../felt';
-import type { State } from '../generated/protocol';
-import { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
-import type { Probe } from '../view/view';
+import type { ProbeView } from '../view/view';
+import { PageProbes } from './page_probes';
+
+/** So long after its own last move of a probe a page ignores where others have it (ms): their answers are on the way. */
+const ownMoveTime = 400;
+
+export const forceOf = ({ fx_N, fy_N, fz_N }: ProbeState): [number, number, number] => [fx_N, fy_N, fz_N];
+export const newtons = (state: ProbeState): number => Math.hypot(...forceOf(state));
 
 export class Probes {
   readonly own = new PageProbes();
-  /** The first probe's first; empty where nothing is known. */
-  felt: readonly Felt[] = [];
+  /** The first probe first; empty while nothing is known. */
+  states: readonly ProbeState[] = [];
+  /** This page's number in the session. */
+  page = 0;
 
-  receive(state: State): void {
-    this.felt = feltOf(state);
+  /** Takes the newest tick. Returns the probe that another page has begun to move, if there is one. */
+  receive(state: State, now: number): number | null {
+    const before = this.states;
+    this.states = state.probes;
+    let taken: number | null = null;
+    for (const { probe, page, x_m, y_m } of state.probes) {
+      const moved = this.own.at(probe);
+      if (moved === undefined || !this.own.movable(probe) || page === this.page || now - moved.movedAt < ownMoveTime) continue;
+      if (page === null) {
+        // Nobody has moved it yet: it is where this page has it.
+        moved.resend();
+        continue;
+      }
+      moved.adopt({ x: x_m, y: y_m });
+      if (before.find((one) => one.probe === probe)?.page === this.page) taken = probe;
+    }
+    return taken;
   }
   forget(): void {
-    this.felt = [];
+    this.states = [];
   }
 
   /** This page's and those that others move. */
   get numbers(): number[] {
-    return [...new Set([...this.own.numbers, ...this.felt.map(({ probe }) => probe)])].sort((a, b) => a - b);
+    return [...new Set([...this.own.numbers, ...this.states.map(({ probe }) => probe)])].sort((a, b) => a - b);
   }
-  stateOf(probe: number): Felt | undefined {
-    return this.felt.find((felt) => felt.probe === probe);
+  stateOf(probe: number): ProbeState | undefined {
+    return this.states.find((state) => state.probe === probe);
   }
-  get chosen(): Felt | undefined {
+  get chosen(): ProbeState | undefined {
     return this.stateOf(this.own.chosen);
   }
 
   /** Of a probe that this page moves where it has it, else where the program has it. */
   placeOf(probe: number): Place {
     const own = this.own.at(probe);
-    const felt = this.stateOf(probe);
-    if (felt && (own === undefined || !this.own.movable(probe))) return { x: felt.x_m, y: felt.y_m };
+    const state = this.stateOf(probe);
+    if (state && (own === undefined || !this.own.movable(probe))) return { x: state.x_m, y: state.y_m };
     return own?.place ?? { x: 0, y: 0 };
   }
 
-  /** Says whose words these are once there are several. */
+  /** Says which probe these words are about once there are several. */
   named(words: string): string {
     return this.own.several ? `Probe ${this.own.chosen + 1}: ${words}` : words;
   }
 
-  /** How many there are, where, and what each feels. */
-  words(surface: Surface, labelOf: (felt: Felt) => string): string {
-    const each = this.felt.map((felt) => `Probe ${felt.probe + 1}: ${probeWords(this.placeOf(felt.probe), felt.surface_m, newtons(felt), labelOf(felt), surface)}.`);
+  /** How many there are, where, and the force on each. */
+  words(surface: Surface, labelOf: (state: ProbeState) => string): string {
+    const each = this.states.map((state) => `Probe ${state.probe + 1}: ${probeWords(this.placeOf(state.probe), state.surface_m, newtons(state), labelOf(state), surface)}.`);
     const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${this.own.chosen + 1}.`;
     return `${count} ${each.join(' ')}`;
   }
 
   /** As they are drawn. */
-  views(surface: Surface, exaggeration: number): Probe[] {
+  views(surface: Surface, exaggeration: number): ProbeView[] {
     return this.numbers.map((probe) => {
-      const [place, felt, own] = [this.placeOf(probe), this.stateOf(probe), this.own.at(probe)];
+      const [place, state, own] = [this.placeOf(probe), this.stateOf(probe), this.own.at(probe)];
       const isOurs = own !== undefined && this.own.movable(probe);
-      const z = isOurs ? surface.heightAt(place) * exaggeration + Math.max(0, -own.press) : Math.max(felt?.z_m ?? 0, felt?.surface_m ?? 0);
-      return { ...place, z, force: felt?.force ?? [0, 0, 0], number: probe + 1, chosen: probe === this.own.chosen };
+      const z = isOurs ? surface.heightAt(place) * exaggeration + Math.max(0, -own.press) : Math.max(state?.z_m ?? 0, state?.surface_m ?? 0);
+      return { ...place, z, force: state ? forceOf(state) : [0, 0, 0], number: probe + 1, chosen: probe === this.own.chosen };
     });
   }
 }

@@ -1,8 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Several probes at once: which of them the keys move, and what each feels.
+// Several probes at once: which of them the keys move, and the force on each.
 import { element } from '../dom';
-import { newtons, type Felt } from '../felt';
+import type { ProbeState } from '../generated/protocol';
+import { newtons } from './probes';
 import { millimetreFigure } from '../figures';
 
 export interface ProbesTarget {
@@ -36,11 +37,11 @@ export class ProbesPanel {
   }
 
   /** A row for each, once there are several. Cells are kept, so that a reading cursor stays where it is. */
-  show(felt: readonly Felt[]): void {
-    element('probe-table').hidden = felt.length < 2;
-    while (this.rows.rows.length > felt.length) this.rows.deleteRow(-1);
-    while (this.rows.rows.length < felt.length) this.rows.append(emptyRow());
-    felt.forEach((one, k) => {
+  show(states: readonly ProbeState[]): void {
+    element('probe-table').hidden = states.length < 2;
+    while (this.rows.rows.length > states.length) this.rows.deleteRow(-1);
+    while (this.rows.rows.length < states.length) this.rows.append(emptyRow());
+    states.forEach((one, k) => {
       const figures = [one.probe + 1, `${millimetreFigure(one.x_m)}, ${millimetreFigure(one.y_m)}`, millimetreFigure(one.surface_m), newtons(one).toFixed(2)];
       figures.forEach((figure, column) => {
         const cell = this.rows.rows[k]!.cells[column]!;

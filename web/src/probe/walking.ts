@@ -47,11 +47,11 @@ export class Walking {
     if (!this.egocentric) return this.page.say('Walking is for the egocentric view: start with --view egocentric.');
     const before = this.explorer.stance;
     if (left !== 0) this.explorer.turn(left);
-    if (ahead !== 0 && !this.explorer.walk(ahead, surface)) this.page.say('The scene ends here.');
+    if (ahead !== 0 && !this.explorer.walk(ahead * surface.scale, surface)) this.page.say('The scene ends here.');
     for (const probe of this.probes.numbers) {
       const moved = this.probes.at(probe)!;
       const place = this.explorer.carried(moved.place, before);
-      moved.step(place.x - moved.place.x, place.y - moved.place.y, 0, surface);
+      moved.step(place.x - moved.place.x, place.y - moved.place.y, 0, surface, performance.now());
     }
     this.stand();
   }
@@ -76,6 +76,6 @@ export class Walking {
   show(): void {
     if (!this.egocentric) return;
     this.page.stands(this.explorer.stance);
-    this.page.arrow(this.explorer.arrow());
+    this.page.arrow(this.explorer.arrow(this.page.surface()?.scale ?? 1));
   }
 }

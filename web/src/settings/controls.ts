@@ -3,143 +3,115 @@
 // The settings panel: what it shows and what a person changes in it.
 import { element } from '../dom';
 import type { Law } from '../generated/protocol';
-import type { Material } from './materials';
+import { ParameterPanel } from './parameter_panel';
 import type { Preferences } from './preferences';
-
-/** What the program keeps (protocol.json, "change"). */
-export interface TouchSettings {
-  law: string;
-  stiffness: number;
-  damping_Ns_per_m: number;
-  friction: number;
-  exaggeration: number;
-  neighbourhood_px: number;
-}
-
-export interface Settings {
-  touch: TouchSettings;
-  page: Preferences;
-  /** By label. */
-  materials: Material[];
-}
+import { RangeInput } from './range_input';
+import { withLaw, type Settings } from './settings';
 
 interface Slider {
   id: string;
+  min: number;
+  max: number;
   read(settings: Settings): number;
   write(settings: Settings, value: number): Settings;
-  words(value: number, law: Law | undefined): string;
+  words(value: number): string;
 }
 
-const touchSlider = (id: string, key: keyof TouchSettings, words: Slider['words']): Slider => ({
+const pageSlider = (id: 'volume' | 'tilt', min: number, max: number, words: Slider['words']): Slider => ({
   id,
-  read: ({ touch }) => touch[key] as number,
-  write: (settings, value) => ({ ...settings, touch: { ...settings.touch, [key]: value } }),
-  words,
-});
-const pageSlider = (id: keyof Preferences, words: Slider['words']): Slider => ({
-  id,
-  read: ({ page }) => page[id] as number,
+  min,
+  max,
+  read: ({ page }) => page[id],
   write: (settings, value) => ({ ...settings, page: { ...settings.page, [id]: value } }),
   words,
 });
 
 const sliders: Slider[] = [
-  touchSlider('stiffness', 'stiffness', (value, law) => `${shown(value)} ${law?.stiffness_unit ?? ''}`),
-  touchSlider('damping', 'damping_Ns_per_m', (value) => `${shown(value)} N·s/m`),
-  touchSlider('friction', 'friction', (value) => shown(value)),
-  touchSlider('exaggeration', 'exaggeration', (value) => `× ${shown(value)}`),
-  touchSlider('neighbourhood', 'neighbourhood_px', (value) => `${shown(value)} px`),
-  pageSlider('volume', (value) => `${shown(value)} %`),
-  pageSlider('tilt', (value) => `${shown(value)}°`),
+  {
+    id: 'exaggeration',
+    min: 0,
+    max: 4,
+    read: ({ touch }) => touch.exaggeration,
+    write: (settings, exaggeration) => ({ ...settings, touch: { ...settings.touch, exaggeration } }),
+    words: (value) => `× ${value}`,
+  },
+  pageSlider('volume', 0, 100, (value) => `${value} %`),
+  pageSlider('tilt', 0, 80, (value) => `${value}°`),
 ];
 const checks = ['sound', 'speech', 'vibration'] as const;
 const selects = ['surface', 'view', 'theme'] as const;
 
-/** At most three digits after the point, and none that say nothing. */
-export function shown(value: number): string {
-  return String(Number(value.toFixed(value < 10 ? 2 : 0)));
-}
-
 export class Controls {
-  private laws: Law[] = [];
+  private laws: readonly Law[] = [];
+  private used: Readonly<Record<string, number>> = {};
+  private readonly ranges: RangeInput[];
+  private readonly parameters: ParameterPanel;
 
   constructor(
     private settings: Settings,
     private readonly changed: (settings: Settings, what: string) => void,
   ) {
-    for (const slider of sliders)
-      element<HTMLInputElement>(slider.id).addEventListener('input', ({ target }) =>
-        this.take(slider.write(this.settings, (target as HTMLInputElement).valueAsNumber), slider.id),
-      );
+    this.ranges = sliders.map((slider) => new RangeInput(slider.id, (value) => this.take(slider.write(this.settings, value), slider.id)));
+    this.parameters = new ParameterPanel((name, value) => {
+      const { touch } = this.settings;
+      this.take({ ...this.settings, touch: { ...touch, set: { ...touch.set, [name]: value } } }, name);
+    });
     for (const id of checks)
       element<HTMLInputElement>(id).addEventListener('change', ({ target }) => this.takePage(id, (target as HTMLInputElement).checked));
     for (const id of selects)
       element<HTMLSelectElement>(id).addEventListener('change', ({ target }) => this.takePage(id, (target as HTMLSelectElement).value));
     element<HTMLSelectElement>('law').addEventListener('change', ({ target }) => this.takeLaw((target as HTMLSelectElement).value));
-    this.show(settings);
+    this.show(settings, {});
   }
 
-  setLaws(laws: Law[]): void {
+  setLaws(laws: readonly Law[]): void {
     this.laws = laws;
     element<HTMLSelectElement>('law').replaceChildren(...laws.map(({ name, title }) => new Option(title, name)));
-    this.show(this.settings);
+    this.show(this.settings, this.used);
   }
 
-  show(settings: Settings): void {
+  /** `used`: the values of the law's parameters, by name. */
+  show(settings: Settings, used: Readonly<Record<string, number>>): void {
     this.settings = settings;
+    this.used = used;
     const law = this.law();
-    const stiffness = element<HTMLInputElement>('stiffness');
-    if (law !== undefined) {
-      stiffness.min = String(law.stiffness_min);
-      stiffness.max = String(law.stiffness_max);
-      stiffness.step = String((law.stiffness_max - law.stiffness_min) / 100);
-    }
-    element('neighbourhood-row').hidden = !(law?.has_neighbourhood ?? false);
-    element('stiffness-name').textContent = law?.stiffness_unit === 'N' ? 'Force' : 'Stiffness';
-    element<HTMLInputElement>('friction').disabled = law !== undefined && !law.has_friction;
     element<HTMLSelectElement>('law').value = settings.touch.law;
-    for (const slider of sliders) {
-      const input = element<HTMLInputElement>(slider.id);
-      const words = input.disabled ? 'not in this law' : slider.words(slider.read(settings), law);
-      input.value = String(slider.read(settings));
-      input.setAttribute('aria-valuetext', words);
-      element(`${slider.id}-value`).textContent = words;
-    }
+    this.parameters.show(law?.parameters ?? [], used, settings.touch.set, settings.materials.length);
+    const disabled: Record<string, string | null> = {
+      volume: settings.page.sound ? null : 'sound is off',
+      tilt: settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled ? 'in 3D only' : null,
+    };
+    sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));
     for (const id of checks) element<HTMLInputElement>(id).checked = settings.page[id];
     for (const id of selects) element<HTMLSelectElement>(id).value = settings.page[id];
-    // A liking for cells is kept for the next field; meanwhile the picture is what is seen.
+    // Without WebGL the choice is kept for another browser; meanwhile the view is from above.
+    if (element<HTMLSelectElement>('view').disabled) element<HTMLSelectElement>('view').value = 'flat';
+    // The choice of cells is kept for the next field; meanwhile the picture is shown.
     if (element<HTMLOptionElement>('surface-cells').disabled && settings.page.surface === 'cells') element<HTMLSelectElement>('surface').value = 'picture';
-    element<HTMLInputElement>('volume').disabled = !settings.page.sound;
-    element<HTMLInputElement>('tilt').disabled = settings.page.view === 'flat';
   }
 
   /** Only a field has cells to show. */
   offerCells(there: boolean): void {
     const option = element<HTMLOptionElement>('surface-cells');
     option.hidden = option.disabled = !there;
-    this.show(this.settings);
+    this.show(this.settings, this.used);
   }
 
   law(): Law | undefined {
     return this.laws.find(({ name }) => name === this.settings.touch.law);
   }
 
-  private takePage(id: string, value: boolean | string): void {
+  private takePage<K extends keyof Preferences>(id: K, value: boolean | string): void {
     this.take({ ...this.settings, page: { ...this.settings.page, [id]: value } }, id);
   }
 
-  /** Another law may mean another stiffness: it begins with its own. */
   private takeLaw(name: string): void {
-    const before = this.law();
-    const law = this.laws.find((other) => other.name === name);
-    if (law === undefined) return;
-    const same = before !== undefined && before.stiffness_unit === law.stiffness_unit;
-    const stiffness = same ? this.settings.touch.stiffness : law.stiffness_default;
-    this.take({ ...this.settings, touch: { ...this.settings.touch, law: name, stiffness } }, 'law');
+    const law = this.laws.find((one) => one.name === name);
+    if (law) this.take({ ...this.settings, touch: withLaw(this.settings.touch, this.law(), law) }, 'law');
   }
 
   private take(settings: Settings, what: string): void {
-    this.show(settings);
+    this.show(settings, { ...this.used, ...settings.touch.set });
     this.changed(settings, what);
   }
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel for materials: how one region of the scene answers a touch.
 import { element } from '../dom';
-import { shown, type Settings } from './controls';
 import { pictureForms, type Law } from '../generated/protocol';
 import type { Material } from './materials';
+import { figure, RangeInput } from './range_input';
+import type { Settings } from './settings';
 
 type Numbers = { [K in keyof Material]: Material[K] extends number ? K : never }[keyof Material];
 
@@ -14,27 +15,31 @@ interface Slider {
   /** Of what is kept, to what the slider shows. */
   scale: number;
   unit: string;
+  /** What the slider offers. */
+  min: number;
+  max: number;
   texture?: true;
 }
 
 const sliders: Slider[] = [
-  { id: 'material-stiffness', key: 'stiffness_N_per_m', scale: 1, unit: 'N/m' },
-  { id: 'material-damping', key: 'damping_Ns_per_m', scale: 1, unit: 'N·s/m' },
-  { id: 'material-friction', key: 'friction', scale: 1, unit: '' },
-  { id: 'material-stickiness', key: 'stickiness', scale: 100, unit: '%' },
-  { id: 'texture-pitch', key: 'pitch_m', scale: 1e3, unit: 'mm', texture: true },
-  { id: 'texture-height', key: 'height_m', scale: 1e6, unit: 'µm', texture: true },
-  { id: 'texture-angle', key: 'angle_deg', scale: 1, unit: '°', texture: true },
+  { id: 'material-stiffness', key: 'stiffness_N_per_m', scale: 1, unit: 'N/m', min: 20, max: 2000 },
+  { id: 'material-damping', key: 'damping_Ns_per_m', scale: 1, unit: 'N·s/m', min: 0, max: 5 },
+  { id: 'material-friction', key: 'friction', scale: 1, unit: '', min: 0, max: 1 },
+  { id: 'material-stickiness', key: 'stickiness', scale: 100, unit: '%', min: 0, max: 100 },
+  { id: 'texture-pitch', key: 'pitch_m', scale: 1e3, unit: 'mm', min: 0.5, max: 20, texture: true },
+  { id: 'texture-height', key: 'height_m', scale: 1e6, unit: 'µm', min: 0, max: 500, texture: true },
+  { id: 'texture-angle', key: 'angle_deg', scale: 1, unit: '°', min: -90, max: 90, texture: true },
 ];
 
 /** The size of the picture that a texture was made from: more than its pitch says. */
 function sideOf({ texture, pitch_m }: Material, key: Numbers): string {
-  return texture === 'picture' && key === 'pitch_m' ? `, picture ${shown(pitch_m * pictureForms * 1e3)} mm` : '';
+  return texture === 'picture' && key === 'pitch_m' ? `, picture ${figure(pitch_m * pictureForms * 1e3)} mm` : '';
 }
 
 export class MaterialPanel {
   private settings: Settings;
   private law: Law | undefined;
+  private readonly ranges: RangeInput[];
   private readonly region = element<HTMLSelectElement>('region');
   private readonly texture = element<HTMLSelectElement>('texture');
   /** Regions whose texture is or was from a picture: only the program has it. */
@@ -45,10 +50,7 @@ export class MaterialPanel {
     private readonly changed: (settings: Settings, what: string) => void,
   ) {
     this.settings = settings;
-    for (const { id, key, scale } of sliders)
-      element<HTMLInputElement>(id).addEventListener('input', ({ target }) =>
-        this.take({ [key]: (target as HTMLInputElement).valueAsNumber / scale }, id),
-      );
+    this.ranges = sliders.map(({ id, key, scale }) => new RangeInput(id, (value) => this.take({ [key]: value / scale }, id)));
     this.texture.addEventListener('change', () => this.take({ texture: this.texture.value }, 'texture'));
     this.region.addEventListener('change', () => this.show(this.settings, this.law));
   }
@@ -86,15 +88,12 @@ export class MaterialPanel {
     if (material.texture === 'picture') this.pictured.add(this.chosen());
     if (ofPicture !== null) ofPicture.disabled = !this.pictured.has(this.chosen());
     this.texture.value = material.texture;
-    for (const { id, key, scale, unit, texture } of sliders) {
-      const input = element<HTMLInputElement>(id);
-      input.disabled = texture === true && (!canTexture || material.texture === 'none');
-      const value = material[key] * scale;
-      input.value = String(value);
-      const words = input.disabled ? (canTexture ? 'no texture' : 'not in this law') : `${shown(value)} ${unit}${sideOf(material, key)}`.trim();
-      input.setAttribute('aria-valuetext', words);
-      element(`${id}-value`).textContent = words;
-    }
+    sliders.forEach(({ key, scale, unit, min, max, texture }, k) => {
+      const noTexture = canTexture ? 'no texture' : 'not in this law';
+      const disabled = texture === true && (!canTexture || material.texture === 'none') ? noTexture : null;
+      const words = (value: number) => `${value} ${unit}${sideOf(material, key)}`.trim();
+      this.ranges[k]!.show({ min, max, value: material[key] * scale, words, disabled });
+    });
   }
 
   private chosen(): number {

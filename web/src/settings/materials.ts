@@ -1,31 +1,32 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A scene's materials as the page keeps them: one object a label, made of the program's lists.
-import type { Edit, Materials } from '../generated/protocol';
+// A scene's materials as the page keeps them: one flat object a label, so that each value has its own slider and its own undo.
+import type { MaterialEdit, Materials, Texture, Material as ProgramMaterial } from '../generated/protocol';
 
-/** What an edit wishes for one label, and its name. */
-export interface Material extends Omit<Edit, 'type' | 'serial' | 'label'> {
+export interface Material extends Omit<ProgramMaterial, 'texture'>, Omit<Texture, 'kind'> {
   name: string;
+  texture: string;
 }
 
-/** The name that the program gives a material which has none of its own. */
-const unnamed = 'default';
-
-export function materialsOf(lists: Materials): Material[] {
-  const at = (list: number[], label: number) => list[label] ?? 0;
-  return lists.names.map((name, label) => ({
-    name: name === unnamed || name === '' ? (lists.names.length === 1 ? 'the surface' : `region ${label + 1}`) : name,
-    stiffness_N_per_m: at(lists.stiffness_N_per_m, label),
-    damping_Ns_per_m: at(lists.damping_Ns_per_m, label),
-    friction: at(lists.friction, label),
-    stickiness: at(lists.stickiness, label),
-    texture: lists.textures[label] ?? 'none',
-    pitch_m: at(lists.pitch_m, label),
-    height_m: at(lists.height_m, label),
-    angle_deg: at(lists.angle_deg, label),
-  }));
+export function materialsOf({ materials }: Materials): Material[] {
+  return materials.map(({ name, material: { texture, ...values } }, label) => {
+    const { kind, ...shape } = texture;
+    return { ...values, ...shape, texture: kind, name: name ?? (materials.length === 1 ? 'the surface' : `region ${label + 1}`) };
+  });
 }
 
-export function sameMaterial(a: Material, b: Material): boolean {
-  return (Object.keys(a) as (keyof Material)[]).every((key) => a[key] === b[key]);
+/** The values of `to` that differ from those of `from`; null if none does. */
+export function editOf(from: Material, to: Material): MaterialEdit | null {
+  const changed = <K extends keyof Material>(key: K): Material[K] | null => (from[key] === to[key] ? null : to[key]);
+  const textureKeys = ['texture', 'pitch_m', 'height_m', 'angle_deg'] as const;
+  const edit: MaterialEdit = {
+    stiffness_N_per_m: changed('stiffness_N_per_m'),
+    damping_Ns_per_m: changed('damping_Ns_per_m'),
+    friction: changed('friction'),
+    stickiness: changed('stickiness'),
+    texture: textureKeys.every((key) => from[key] === to[key])
+      ? null
+      : { kind: to.texture, pitch_m: to.pitch_m, height_m: to.height_m, angle_deg: to.angle_deg },
+  };
+  return Object.values(edit).every((value) => value === null) ? null : edit;
 }

@@ -1,20 +1,19 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Settings with their undo, and their exchange with the program: requests go there, the values in force come back.
-import type { Settings, TouchSettings } from './controls';
-import type { Change, Edit, Materials, Settings as ProgramSettings } from '../generated/protocol';
+// Settings with their undo, and their exchange with the program: requests go there, the values in use come back.
+import type { Change, Edit, Law, Materials, Settings as ProgramSettings } from '../generated/protocol';
 import { History } from './history';
-import { materialsOf, sameMaterial, type Material } from './materials';
+import { editOf, materialsOf, type Material } from './materials';
 import { defaults } from './preferences';
+import { sameTouch, type Settings, type TouchSettings } from './settings';
 
 /** How long to wait for the answer to a change before taking whatever the program reports (ms). */
 const answerTime = 3000;
-const names: Record<string, string> = {
+const titles: Record<string, string> = {
   exaggeration: 'depth',
   law: 'force law',
   damping_Ns_per_m: 'damping',
   stiffness_N_per_m: 'stiffness',
-  neighbourhood_px: 'neighbourhood',
   pitch_m: 'texture pitch',
   height_m: 'texture height',
   angle_deg: 'texture angle',
@@ -22,14 +21,16 @@ const names: Record<string, string> = {
 
 export class SettingsStore {
   private readonly history: History<Settings>;
-  /** What held when the page came; null before it is known. */
+  /** The settings when the page was opened; null before they are known. */
   private begun: TouchSettings | null = null;
-  /** What the program was last asked for, or said by itself. */
+  /** What the program was last asked for, or reported by itself. */
   private asked: TouchSettings | null = null;
   private begunMaterials: Material[] | null = null;
   private askedMaterials: Material[] = [];
   private askedAt = -Infinity;
   private serial: number;
+  private usedValues: Readonly<Record<string, number>> = {};
+  private parameterTitles: Readonly<Record<string, string>> = {};
 
   constructor(
     initial: Settings,
@@ -44,6 +45,10 @@ export class SettingsStore {
   get settings(): Settings {
     return this.history.now;
   }
+  /** The values in use of the law's parameters, by name. */
+  get used(): Readonly<Record<string, number>> {
+    return { ...this.usedValues, ...this.settings.touch.set };
+  }
   get canUndo(): boolean {
     return this.history.canUndo;
   }
@@ -53,6 +58,10 @@ export class SettingsStore {
   /** Whether the person has changed anything here. */
   get wasUsed(): boolean {
     return this.canUndo || this.canRedo;
+  }
+
+  setLaws(laws: readonly Law[]): void {
+    this.parameterTitles = Object.fromEntries(laws.flatMap(({ parameters }) => parameters.map(({ name, title }) => [name, title.toLowerCase()])));
   }
 
   change(settings: Settings, what: string): void {
@@ -70,7 +79,7 @@ export class SettingsStore {
     const before = this.settings;
     if (!this.history[which]()) return null;
     this.ask();
-    return difference(before, this.settings);
+    return this.difference(before, this.settings);
   }
 
   /** A new connection: what was asked before was perhaps never heard. */
@@ -79,10 +88,12 @@ export class SettingsStore {
     this.askedAt = -Infinity;
   }
 
-  /** The values in force, from the program. False if it answers an earlier change than the last: a slider is still dragged. */
-  receive({ answers, law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px }: ProgramSettings): boolean {
+  /** The values in use, from the program. False if it answers an earlier change than the last: a slider is still dragged. */
+  receive({ answers, law, parameters, exaggeration }: ProgramSettings): boolean {
     if (this.waits(answers)) return false;
-    const touch = { law, stiffness, damping_Ns_per_m, friction, exaggeration, neighbourhood_px };
+    const set = Object.fromEntries(parameters.flatMap((parameter) => (parameter.set === null ? [] : [[parameter.name, parameter.set]])));
+    const touch = { law, set, exaggeration };
+    this.usedValues = Object.fromEntries(parameters.map(({ name, used }) => [name, used]));
     this.asked = touch;
     const settings = { ...this.settings, touch };
     if (this.begun === null) {
@@ -119,13 +130,13 @@ export class SettingsStore {
     if (this.begun === null) return;
     if (!sameTouch(touch, this.asked ?? this.begun)) {
       this.asked = touch;
-      this.send({ type: 'change', serial: this.next(), ...touch });
+      const parameters = Object.entries(touch.set).map(([name, value]) => ({ name, value }));
+      this.send({ type: 'change', serial: this.next(), law: touch.law, parameters, exaggeration: touch.exaggeration });
     }
     materials.forEach((material, label) => {
       const asked = this.askedMaterials[label];
-      if (asked === undefined || sameMaterial(material, asked)) return;
-      const { name: _, ...wish } = material;
-      this.send({ type: 'edit', serial: this.next(), label, ...wish });
+      const edit = asked && editOf(asked, material);
+      if (edit) this.send({ type: 'edit', serial: this.next(), label, material: edit });
     });
     this.askedMaterials = this.askedMaterials.map((asked, label) => materials[label] ?? asked);
   }
@@ -135,18 +146,18 @@ export class SettingsStore {
     this.askedAt = this.now();
     return this.serial;
   }
-}
 
-function sameTouch(a: TouchSettings, b: TouchSettings): boolean {
-  return Object.keys(a).every((key) => a[key as keyof TouchSettings] === b[key as keyof TouchSettings]);
-}
-
-function difference(a: Settings, b: Settings): string {
-  const between = (before: object, after: object) =>
-    Object.entries(after).filter(([key, value]) => value !== (before as Record<string, unknown>)[key]).map(([key]) => names[key] ?? key);
-  const materials = b.materials.flatMap((material, label) => {
-    const before = a.materials[label];
-    return before === undefined ? [] : between(before, material).map((what) => `${what} of ${material.name}`);
-  });
-  return [...between(a.touch, b.touch), ...between(a.page, b.page), ...materials].join(', ');
+  private difference(a: Settings, b: Settings): string {
+    const between = (before: object, after: object) =>
+      [...new Set([...Object.keys(before), ...Object.keys(after)])]
+        .filter((key) => (before as Record<string, unknown>)[key] !== (after as Record<string, unknown>)[key])
+        .map((key) => titles[key] ?? this.parameterTitles[key] ?? key);
+    const materials = b.materials.flatMap((material, label) => {
+      const before = a.materials[label];
+      return before === undefined ? [] : between(before, material).map((what) => `${what} of ${material.name}`);
+    });
+    const { set: setBefore, ...before } = a.touch;
+    const { set: setAfter, ...after } = b.touch;
+    return [...between(before, after), ...between(setBefore, setAfter), ...between(a.page, b.page), ...materials].join(', ');
+  }
 }

@@ -34,7 +34,12 @@ export class Announcer {
     this.tick(now);
   }
 
-  /** To be called often (every frame, or a few times a second). */
+  /** When tick() has something to do (ms from `now`); null if nothing waits. */
+  due(now: number): number | null {
+    return this.waiting === null ? null : Math.max(0, this.spokeAt + this.gap - now);
+  }
+
+  /** Says what waits, if it is time. */
   tick(now: number): void {
     if (this.waiting === null || now - this.spokeAt < this.gap) return;
     const { words, until } = this.waiting;

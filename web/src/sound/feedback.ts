@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Turns the probes' motion and the servo's states into sound and vibration.
-import type { Felt } from '../felt';
+import type { ProbeState } from '../generated/protocol';
 import type { Preferences } from '../settings/preferences';
 import { EdgeDetector, panOf, pitchOf, RisingEdge } from './sonify';
 import { Sound } from './sound';
@@ -32,9 +32,10 @@ export class Feedback {
     if (this.vibration) pulse(15, 0.4);
   }
 
-  felt(felt: Felt, surface: Surface): void {
-    if (!this.of(felt.probe).contact.rises(felt.contact)) return;
-    this.sound.click(panOf(felt.x_m, surface.width));
+  /** The program reports a probe. */
+  reported({ probe, contact, x_m }: ProbeState, surface: Surface): void {
+    if (!this.of(probe).contact.rises(contact)) return;
+    this.sound.click(panOf(x_m, surface.width));
     if (this.vibration) pulse(25, 0.8);
   }
 

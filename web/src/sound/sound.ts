@@ -22,11 +22,16 @@ export class Sound {
   /** How often each was played; the tests listen to these. */
   readonly played = { clicks: 0, edges: 0 };
 
-  /** Browsers let sound begin only after the person did something: call this from such an event. */
-  wake(): void {
+  /** Whether audio runs, so that sounds are heard. */
+  get runs(): boolean {
+    return this.context?.state === 'running';
+  }
+
+  /** Browsers let audio begin only after the person did something: call this from such an event. */
+  async wake(): Promise<void> {
     if (!this.on || typeof AudioContext === 'undefined') return;
     if (this.context === null) this.build(new AudioContext());
-    if (this.context?.state === 'suspended') void this.context.resume();
+    if (this.context?.state === 'suspended') await this.context.resume();
   }
 
   set(on: boolean, volume: number): void {

@@ -7,6 +7,7 @@ import { element } from '../dom';
 
 export class Voice {
   private aloud = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
   private readonly region = element('spoken');
   private readonly announcer = new Announcer((text) => this.utter(text));
 
@@ -18,6 +19,7 @@ export class Voice {
 
   say(words: Words | string, importance: Importance): void {
     this.announcer.say(words, importance, performance.now());
+    this.wait();
   }
 
   /** For words that a screen reader gets in another way. */
@@ -29,8 +31,15 @@ export class Voice {
     speechSynthesis.speak(utterance);
   }
 
-  tick(): void {
-    this.announcer.tick(performance.now());
+  /** What has to wait is said by a timer: nothing runs while nothing waits. */
+  private wait(): void {
+    const due = this.announcer.due(performance.now());
+    if (due === null || this.timer !== undefined) return;
+    this.timer = setTimeout(() => {
+      this.timer = undefined;
+      this.announcer.tick(performance.now());
+      this.wait();
+    }, due + 1);
   }
 
   private utter(text: string): void {

@@ -48,7 +48,11 @@ export class TracePanel {
     this.canvas.style.aspectRatio = `${width} / ${depth}`;
   }
 
-  /** Once a frame. */
+  get running(): boolean {
+    return this.tracer !== null;
+  }
+
+  /** Once a frame while a trace runs. */
   frame(now: number): void {
     if (this.tracer === null) return;
     if (this.tracer.add(this.setting.place(), now / 1000)) return this.finish();

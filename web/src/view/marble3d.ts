@@ -15,7 +15,7 @@ import {
   SRGBColorSpace,
   Vector3,
 } from 'three';
-import type { Probe } from './view';
+import type { ProbeView } from './view';
 
 /** Metres of arrow a newton. */
 const arrowScale = 0.008;
@@ -25,7 +25,7 @@ const badgePixels = 64;
 
 export class Marble3d {
   readonly group = new Group();
-  private readonly marble = new Mesh(new SphereGeometry(radius, 32, 16), new MeshStandardMaterial({ roughness: 0.25 }));
+  private readonly marble = new Mesh(new SphereGeometry(radius, 32, 16), new MeshStandardMaterial({ roughness: 0.25, depthTest: false }));
   private readonly arrow = new Group();
   private readonly arrowMaterial = new MeshBasicMaterial();
   private readonly shaft = new Mesh(new CylinderGeometry(0.0006, 0.0006, 1, 12), this.arrowMaterial);
@@ -35,13 +35,18 @@ export class Marble3d {
 
   constructor() {
     this.arrow.add(this.shaft, this.tip);
+    // Drawn last and over all else: neither the arrow, seen end-on, nor a hill in front hides the marble.
+    this.marble.renderOrder = 1;
+    this.badge.renderOrder = 2;
     this.badge.scale.setScalar(0.006);
     this.badge.position.set(0, 0.0065, 0);
     this.group.add(this.marble, this.arrow, this.badge);
   }
 
-  show(probe: Probe, several: boolean): void {
-    this.group.position.set(probe.x, probe.y, probe.z + radius);
+  /** `scale`: the scene's size in tenths of a metre, which the marble and its arrow follow. */
+  show(probe: ProbeView, several: boolean, scale: number): void {
+    this.group.scale.setScalar(scale);
+    this.group.position.set(probe.x, probe.y, probe.z + radius * scale);
     const force = new Vector3(...probe.force);
     const length = Math.min(arrowMost, force.length() * arrowScale);
     this.arrow.visible = length > 0.0015;

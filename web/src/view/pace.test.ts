@@ -3,16 +3,12 @@
 import { expect, it } from 'vitest';
 import { Pace } from './pace';
 
-it('the pace is too slow after a dozen late frames in a row, not after pauses', () => {
+it('the pace is slow after several late frames in a row, and too slow where they are very late', () => {
   const pace = new Pace();
-  let now = 0;
-  const frames = (count: number, gap: number) => Array.from({ length: count }, () => pace.drawn((now += gap))).includes(true);
-  expect(frames(100, 16)).toBe(false);
-  expect(frames(11, 60)).toBe(false);
-  expect(frames(1, 16)).toBe(false);
-  expect(frames(12, 60)).toBe(true);
-  for (let i = 0; i < 50; ++i) {
-    pace.rested();
-    expect(pace.drawn((now += 500))).toBe(false);
-  }
+  const frames = (count: number, waited: number) => Array.from({ length: count }, () => pace.drawn(waited)).find((speed) => speed !== 'fine') ?? 'fine';
+  expect(frames(100, 16)).toBe('fine');
+  expect(frames(7, 60)).toBe('fine');
+  expect(frames(1, 16)).toBe('fine');
+  expect(frames(8, 60)).toBe('slow');
+  expect(frames(8, 400)).toBe('too slow');
 });

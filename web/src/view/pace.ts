@@ -1,26 +1,23 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Notices when drawing is too slow to follow the probe.
+// Notices when drawing is too slow to follow the probe: how long each frame waits for the frames before it.
 
-const slow = 45;
-const patience = 12;
+/** Milliseconds that a frame may wait: more is late; on average more than the second is hopeless. */
+const late = 45;
+const hopeless = 120;
+const patience = 8;
+
+export type Speed = 'fine' | 'slow' | 'too slow';
 
 export class Pace {
-  private last: number | null = null;
-  private slowFrames = 0;
+  private waits: number[] = [];
 
-  /** A frame was drawn at `now` (ms); true if too many in a row came late. */
-  drawn(now: number): boolean {
-    const late = this.last !== null && now - this.last > slow;
-    this.last = now;
-    this.slowFrames = late ? this.slowFrames + 1 : 0;
-    if (this.slowFrames < patience) return false;
-    this.slowFrames = 0;
-    return true;
-  }
-
-  /** Nothing had to be drawn: the time until the next frame says nothing. */
-  rested(): void {
-    this.last = null;
+  /** A frame was drawn that had waited so long (ms): slow or too slow once many in a row were late. */
+  drawn(waited: number): Speed {
+    this.waits = waited > late ? [...this.waits, waited] : [];
+    if (this.waits.length < patience) return 'fine';
+    const mean = this.waits.reduce((sum, wait) => sum + wait, 0) / this.waits.length;
+    this.waits = [];
+    return mean > hopeless ? 'too slow' : 'slow';
   }
 }

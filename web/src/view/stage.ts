@@ -1,28 +1,62 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The stage that carries a view: three-dimensional where the browser can, flat where it cannot or where that is liked better.
+// The stage that carries a view: three-dimensional where the browser can, flat where it cannot or where that is preferred.
 import type { PictureFrame } from '../codec';
 import { element } from '../dom';
-import type { Preferences } from '../settings/preferences';
+import { defaults, type Preferences } from '../settings/preferences';
 import type { Place, Surface } from '../surface';
-import type { Probe, View } from './view';
+import { Camera } from './camera';
+import { bindGestures } from './gestures';
+import type { ProbeView, View } from './view';
 import { View3d } from './view3d';
 import { FlatView } from './view_flat';
 
+export interface StageTarget {
+  /** Something looks different: draw() should be called. */
+  changed(): void;
+  /** A drag has tilted the scene (degrees). */
+  tilted(tilt: number): void;
+  /** The person wants the flat view, which a slow machine was offered. */
+  flattened(): void;
+  say(words: string): void;
+}
+
+/** Degrees a pixel of a drag, and a press of an arrow key. */
+const dragRate = 0.4;
+const keyTurn = 10;
+const tilts = { least: 0, most: 80 };
+
 export class Stage {
   readonly element = element<HTMLDivElement>('stage');
+  private readonly camera = new Camera();
   private view: View | null = null;
   private kind: Preferences['view'] | null = null;
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
   private cells: PictureFrame | null = null;
   private exaggeration = 1;
-  private look: Preferences;
   private canDo3d = true;
+  private offered = false;
+  private moving = false;
 
-  constructor(look: Preferences) {
-    this.look = look;
-    new ResizeObserver(() => this.view?.resize()).observe(this.element);
+  constructor(
+    private look: Preferences,
+    private readonly target: StageTarget,
+  ) {
+    new ResizeObserver(() => {
+      this.view?.resize();
+      this.target.changed();
+    }).observe(this.element);
+    bindGestures(this.element, {
+      isMoving: () => this.moving,
+      turn: (right, down) => this.turn(-right * dragRate, -down * dragRate),
+      pan: (right, down) => this.pan(right, down),
+      zoom: (factor, left, top) => this.zoom(factor, this.placeAt(left, top)),
+    });
+    element('view-flat').addEventListener('click', () => {
+      this.note(null);
+      this.target.flattened();
+    });
     this.set(1, look);
   }
 
@@ -31,6 +65,7 @@ export class Stage {
     this.picture = picture;
     this.cells = cells;
     this.lay();
+    this.target.changed();
   }
 
   set(exaggeration: number, look: Preferences): void {
@@ -39,22 +74,81 @@ export class Stage {
     this.look = look;
     if (covered) this.lay();
     const wanted = this.canDo3d ? look.view : 'flat';
-    if (wanted !== this.kind) this.build(wanted);
     document.documentElement.dataset.theme = themeOf(look.theme);
+    if (wanted !== this.kind) this.build(wanted);
     this.view?.set(exaggeration, look);
+    this.target.changed();
   }
 
-  probes(probes: readonly Probe[]): void {
-    this.view?.probes(probes);
+  probes(probes: readonly ProbeView[]): void {
+    if (this.view?.probes(probes)) this.target.changed();
   }
   line(points: readonly Place[]): void {
     this.view?.line(points);
+    this.target.changed();
   }
   placeAt(left: number, top: number): Place | null {
     return this.view?.placeAt(left, top) ?? null;
   }
-  draw(): void {
-    this.view?.draw();
+  /** `waited`: milliseconds from the request of this frame to its beginning. */
+  draw(waited: number): void {
+    if (this.view?.draw(waited) !== 'too slow' || this.offered) return;
+    this.offered = true;
+    this.note('Drawing in 3D is slow on this machine.', true);
+    this.target.say('Drawing in 3D is slow on this machine. The view from above is offered under the picture.');
+  }
+
+  // From where it is seen.
+
+  get magnification(): number {
+    return this.camera.pose.zoom;
+  }
+  get isMovingView(): boolean {
+    return this.moving;
+  }
+  /** Whether drags, pinches and arrow keys move the picture, and no probe. */
+  setViewMoving(moving: boolean): void {
+    this.moving = moving;
+    this.element.toggleAttribute('data-moving-view', moving);
+  }
+  resetView(): void {
+    this.camera.reset();
+    if (this.kind === '3d' && this.look.tilt !== defaults.tilt) this.target.tilted(defaults.tilt);
+    this.aim();
+  }
+  zoom(factor: number, about: Place | null = null): void {
+    if (this.surface) this.camera.zoomBy(factor, about, this.surface);
+    this.aim();
+  }
+  /** The keys while the picture is moved; false if this is none of them. */
+  moveViewBy({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyboardEvent): boolean {
+    if (!this.moving || ctrlKey || altKey || metaKey) return false;
+    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const way = arrows[key];
+    if (way === undefined) return false;
+    const [right, down] = way;
+    const tenth = Math.min(this.element.clientWidth, this.element.clientHeight) / 10;
+    if (shiftKey) this.pan(right * tenth, down * tenth);
+    else this.turn(-right * keyTurn, -down * keyTurn);
+    return true;
+  }
+
+  private turn(degrees: number, tilt: number): void {
+    if (this.kind === 'flat') return;
+    this.camera.turnBy(degrees);
+    const tilted = Math.min(tilts.most, Math.max(tilts.least, this.look.tilt + tilt));
+    if (tilted !== this.look.tilt) this.target.tilted(tilted);
+    this.aim();
+  }
+  private pan(right: number, down: number): void {
+    if (this.surface === null || this.view === null) return;
+    const metres = this.view.metresPerPixel();
+    this.camera.panBy(right * metres, -down * metres, this.surface);
+    this.aim();
+  }
+  private aim(): void {
+    this.view?.aim(this.camera.pose);
+    this.target.changed();
   }
 
   /** Puts the surface into the view, with the picture or its cells on it. */
@@ -79,15 +173,22 @@ export class Stage {
     this.lay();
     this.view.resize();
     this.view.set(this.exaggeration, this.look);
+    this.view.aim(this.camera.pose);
   }
 
   private giveUp3d(why: string): void {
     this.canDo3d = false;
-    const note = element('view-note');
-    note.textContent = `${why} (no WebGL): it is shown from above instead. Touch, sound and words work as ever.`;
-    note.hidden = false;
-    element<HTMLSelectElement>('view').disabled = true;
+    this.note(`${why} (no WebGL): it is shown from above instead. Touch, sound and words work as ever.`);
+    const choice = element<HTMLSelectElement>('view');
+    choice.disabled = true;
     this.build('flat');
+  }
+
+  /** A sentence under the picture, or none; with a button for the flat view. */
+  private note(words: string | null, offer = false): void {
+    element('view-note').hidden = words === null;
+    element('view-note-words').textContent = words ?? '';
+    element('view-flat').hidden = !offer;
   }
 }
 

@@ -4,8 +4,10 @@
 import type { PictureFrame } from '../codec';
 import type { Preferences } from '../settings/preferences';
 import type { Place, Surface } from '../surface';
+import type { CameraPose } from './camera';
+import type { Speed } from './pace';
 
-export interface Probe extends Place {
+export interface ProbeView extends Place {
   z: number;
   force: [number, number, number];
   /** Counted from 1. */
@@ -19,22 +21,25 @@ export interface View {
   show(surface: Surface, picture: PictureFrame | null): void;
   /** Height factor, and how the surface and the view are to look. */
   set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
-  /** All that there are; their numbers are shown once there are several. */
-  probes(probes: readonly Probe[]): void;
+  /** All that there are; their numbers are shown once there are several. True if that looks different. */
+  probes(probes: readonly ProbeView[]): boolean;
   /** A line drawn on the surface; empty for none. */
   line(points: readonly Place[]): void;
   /** The place on the surface under a point of the canvas in CSS pixels from its upper left corner; null if none. */
   placeAt(left: number, top: number): Place | null;
+  aim(pose: CameraPose): void;
+  /** Of the surface at the middle of the picture. */
+  metresPerPixel(): number;
   resize(): void;
-  /** Draws if anything has changed. */
-  draw(): void;
+  /** Draws if anything has changed; `waited`: milliseconds from the request of the frame to its beginning. */
+  draw(waited: number): Speed;
   dispose(): void;
 }
 
 /** Whether nobody would see a difference: a hundredth of a millimetre, a hundredth of a newton. */
-export function lookAlike(some: readonly Probe[], others: readonly Probe[]): boolean {
+export function lookAlike(some: readonly ProbeView[], others: readonly ProbeView[]): boolean {
   const near = (p: number, q: number, limit: number) => Math.abs(p - q) < limit;
-  const alike = (a: Probe, b: Probe) =>
+  const alike = (a: ProbeView, b: ProbeView) =>
     a.number === b.number && a.chosen === b.chosen && near(a.x, b.x, 1e-5) && near(a.y, b.y, 1e-5) && near(a.z, b.z, 1e-5) &&
     a.force.every((f, i) => near(f, b.force[i]!, 0.01));
   return some.length === others.length && some.every((probe, k) => alike(probe, others[k]!));

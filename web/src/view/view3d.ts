@@ -25,11 +25,12 @@ import {
   WebGLRenderer,
 } from 'three';
 import type { PictureFrame } from '../codec';
+import { frontPose, type CameraPose } from './camera';
 import { Marble3d } from './marble3d';
-import { Pace } from './pace';
+import { Pace, type Speed } from './pace';
 import type { Preferences } from '../settings/preferences';
 import { Surface, type Place } from '../surface';
-import { lookAlike, themeColours, type Probe, type View } from './view';
+import { lookAlike, themeColours, type ProbeView, type View } from './view';
 
 const fieldOfView = 32;
 /** How much larger than the block the picture is. */
@@ -50,9 +51,12 @@ export class View3d implements View {
   private walls: Mesh | null = null;
   private texture: DataTexture | null = null;
   private surface: Surface | null = null;
+  /** What the middle of the picture shows. */
+  private readonly target = new Vector3();
   private exaggeration = 1;
   private look: Pick<Preferences, 'surface' | 'tilt'> = { surface: 'picture', tilt: 25 };
-  private shown: readonly Probe[] = [];
+  private shown: readonly ProbeView[] = [];
+  private pose: CameraPose = frontPose;
   private stale = true;
   private pixelRatio = Math.min(2, window.devicePixelRatio);
   private readonly pace = new Pace();
@@ -79,23 +83,33 @@ export class View3d implements View {
     this.exaggeration = exaggeration;
     this.look = { ...look };
     if (rebuild) this.build();
-    this.aim();
+    this.place();
     this.recolour();
   }
 
-  probes(probes: readonly Probe[]): void {
-    if (lookAlike(this.shown, probes)) return;
+  aim(pose: CameraPose): void {
+    this.pose = pose;
+    this.place();
+  }
+
+  metresPerPixel(): number {
+    const distance = this.camera.position.distanceTo(this.target);
+    return (2 * distance * Math.tan((fieldOfView * Math.PI) / 360)) / (Math.max(1, this.canvas.clientHeight) * this.camera.zoom);
+  }
+
+  probes(probes: readonly ProbeView[]): boolean {
+    if (lookAlike(this.shown, probes)) return false;
     this.shown = probes;
     while (this.marbles.length > probes.length) this.drop(this.marbles.pop()!);
     while (this.marbles.length < probes.length) this.add();
-    probes.forEach((probe, k) => this.marbles[k]!.show(probe, probes.length > 1));
-    this.stale = true;
+    this.showMarbles();
+    return true;
   }
 
   line(points: readonly Place[]): void {
     const { surface } = this;
     if (surface === null) return;
-    const above = 0.0004;
+    const above = 0.0004 * sizeOf(surface);
     const places = points.map((place) => new Vector3(place.x, place.y, surface.heightAt(place) * this.exaggeration + above));
     this.traced.geometry.dispose();
     this.traced.geometry = new BufferGeometry().setFromPoints(places);
@@ -116,19 +130,21 @@ export class View3d implements View {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / clientHeight;
-    this.aim();
+    this.place();
     this.recolour();
   }
 
-  draw(): void {
-    if (!this.stale) return this.pace.rested();
+  draw(waited: number): Speed {
+    if (!this.stale) return 'fine';
     this.stale = false;
     this.renderer.render(this.scene, this.camera);
-    if (!this.pace.drawn(performance.now()) || this.pixelRatio <= coarsest) return;
+    const speed = this.pace.drawn(waited);
+    if (speed === 'fine' || this.pixelRatio <= coarsest) return speed === 'fine' ? 'fine' : 'too slow';
     // Too slow for this machine (often one without a graphics processor): fewer pixels are better than fewer frames.
     this.pixelRatio = Math.max(coarsest, 0.7 * this.pixelRatio);
     this.renderer.setPixelRatio(this.pixelRatio);
     this.resize();
+    return speed;
   }
 
   dispose(): void {
@@ -154,28 +170,42 @@ export class View3d implements View {
     marble.dispose();
   }
 
-  /** Just far enough back that all corners of the block are seen, looking down at it by the tilt. */
-  private aim(): void {
+  private showMarbles(): void {
+    const scale = this.surface ? sizeOf(this.surface) : 1;
+    this.shown.forEach((probe, k) => this.marbles[k]?.show(probe, this.shown.length > 1, scale));
+    this.stale = true;
+  }
+
+  /** Just far enough back that all corners of the block are seen, looking down at it by the tilt; then as the pose says. */
+  private place(): void {
     if (this.surface === null) return;
     const tilt = (this.look.tilt * Math.PI) / 180;
+    const turn = (this.pose.turn * Math.PI) / 180;
+    const size = sizeOf(this.surface);
+    const upright = new Vector3(0, 0, 1);
     const { lowest, highest } = this.surface.range();
     const top = Math.max(0, lowest * this.exaggeration, highest * this.exaggeration);
-    const middle = new Vector3(0, 0, top / 2);
-    const outwards = new Vector3(0, -Math.sin(tilt), Math.cos(tilt));
-    const upwards = new Vector3(0, Math.cos(tilt), Math.sin(tilt));
+    this.target.set(this.pose.centre.x, this.pose.centre.y, top / 2);
+    const outwards = new Vector3(0, -Math.sin(tilt), Math.cos(tilt)).applyAxisAngle(upright, turn);
+    const upwards = new Vector3(0, Math.cos(tilt), Math.sin(tilt)).applyAxisAngle(upright, turn);
+    const sideways = new Vector3(1, 0, 0).applyAxisAngle(upright, turn);
     const half = Math.tan((fieldOfView * Math.PI) / 360) / margin;
     let distance = 0;
     for (const x of [-0.5, 0.5])
       for (const y of [-0.5, 0.5])
         for (const z of [-0.5, 0.5]) {
-          const corner = new Vector3(x * this.surface.width, y * this.surface.depth, z * (top + 2 * baseThickness));
-          const needed = Math.max(Math.abs(corner.x) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
+          const corner = new Vector3(x * this.surface.width, y * this.surface.depth, z * (top + 2 * baseThickness * size));
+          const needed = Math.max(Math.abs(corner.dot(sideways)) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
           distance = Math.max(distance, corner.dot(outwards) + needed);
         }
-    this.camera.position.copy(middle).addScaledVector(outwards, distance);
-    this.camera.up.set(0, 1, 0);
-    this.camera.lookAt(middle);
+    this.camera.near = 0.005 * size;
+    this.camera.far = 10 * size;
+    this.camera.zoom = this.pose.zoom;
+    this.camera.position.copy(this.target).addScaledVector(outwards, distance);
+    this.camera.up.copy(upwards);
+    this.camera.lookAt(this.target);
     this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
     this.sun.position.set(-0.5, 0.55, 0.75);
     this.stale = true;
   }
@@ -204,9 +234,15 @@ export class View3d implements View {
     this.ground = new Mesh(groundOf(this.surface, this.exaggeration), material);
     this.walls = new Mesh(wallsOf(this.surface, this.exaggeration), new MeshStandardMaterial({ roughness: 0.9, side: DoubleSide }));
     this.scene.add(this.ground, this.walls);
-    this.aim();
+    this.showMarbles();
+    this.place();
     this.recolour();
   }
+}
+
+/** The scene's longer side in tenths of a metre: marbles, lines and the camera's range follow it. */
+function sizeOf({ width, depth }: Surface): number {
+  return Math.max(width, depth) / 0.1;
 }
 
 function discard(mesh: Mesh | null): void {
@@ -267,7 +303,7 @@ function wallsOf(surface: Surface, exaggeration: number): BufferGeometry {
   for (let i = columns - 1; i > 0; --i) rim.push([i, 0]);
   for (let j = 0; j < rows; ++j) rim.push([0, j]);
   const { lowest, highest } = surface.range();
-  const floor = Math.min(0, lowest * exaggeration, highest * exaggeration) - baseThickness;
+  const floor = Math.min(lowest * exaggeration, highest * exaggeration) - baseThickness * sizeOf(surface);
   const position = new Float32Array(rim.length * 6);
   const index: number[] = [];
   rim.forEach(([i, j], k) => {

@@ -4,7 +4,9 @@
 import type { PictureFrame } from '../codec';
 import type { Preferences } from '../settings/preferences';
 import { Surface, type Place } from '../surface';
-import { lookAlike, themeColours, type Probe, type View } from './view';
+import { frontPose, type CameraPose } from './camera';
+import type { Speed } from './pace';
+import { lookAlike, themeColours, type ProbeView, type View } from './view';
 
 const lightFrom = { x: -0.5, y: 0.6, z: 0.62 };
 const newtonPixels = 30;
@@ -17,7 +19,8 @@ export class FlatView implements View {
   private look: Preferences['surface'] = 'picture';
   private ground: HTMLCanvasElement | null = null;
   private drawn: readonly Place[] = [];
-  private here: readonly Probe[] = [];
+  private here: readonly ProbeView[] = [];
+  private pose: CameraPose = frontPose;
   private stale = true;
 
   show(surface: Surface, picture: PictureFrame | null): void {
@@ -34,10 +37,20 @@ export class FlatView implements View {
     this.stale = true;
   }
 
-  probes(probes: readonly Probe[]): void {
-    if (lookAlike(this.here, probes)) return;
+  probes(probes: readonly ProbeView[]): boolean {
+    if (lookAlike(this.here, probes)) return false;
     this.here = probes;
     this.stale = true;
+    return true;
+  }
+
+  aim(pose: CameraPose): void {
+    this.pose = pose;
+    this.stale = true;
+  }
+
+  metresPerPixel(): number {
+    return 1 / (this.frame()?.scale ?? 1);
   }
 
   line(points: readonly Place[]): void {
@@ -58,10 +71,10 @@ export class FlatView implements View {
     this.stale = true;
   }
 
-  draw(): void {
+  draw(): Speed {
     const pen = this.canvas.getContext('2d');
     const frame = this.frame();
-    if (!this.stale || pen === null || frame === null || this.surface === null) return;
+    if (!this.stale || pen === null || frame === null || this.surface === null) return 'fine';
     this.stale = false;
     const ratio = window.devicePixelRatio;
     const colours = themeColours(this.canvas);
@@ -77,6 +90,7 @@ export class FlatView implements View {
     pen.strokeStyle = colours.force;
     pen.stroke();
     for (const probe of this.here) this.drawProbe(pen, probe, frame, colours);
+    return 'fine';
   }
 
   dispose(): void {
@@ -86,9 +100,10 @@ export class FlatView implements View {
   private frame(): { middleX: number; middleY: number; scale: number } | null {
     if (this.surface === null) return null;
     const { clientWidth, clientHeight } = this.canvas;
-    const margin = 24;
-    const scale = Math.min((clientWidth - 2 * margin) / this.surface.width, (clientHeight - 2 * margin) / this.surface.depth);
-    return { middleX: clientWidth / 2, middleY: clientHeight / 2, scale };
+    const margin = 12;
+    const { zoom, centre } = this.pose;
+    const scale = zoom * Math.min((clientWidth - 2 * margin) / this.surface.width, (clientHeight - 2 * margin) / this.surface.depth);
+    return { middleX: clientWidth / 2 - centre.x * scale, middleY: clientHeight / 2 + centre.y * scale, scale };
   }
 
   /** One pixel a sample: the picture or plain clay, times the light on the slope. */
@@ -126,7 +141,7 @@ export class FlatView implements View {
 
   private drawProbe(
     pen: CanvasRenderingContext2D,
-    probe: Probe,
+    probe: ProbeView,
     frame: { middleX: number; middleY: number; scale: number },
     colours: { marble: string; force: string },
   ): void {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/law/law_making.hpp"
 
+#include "palpable/haptics/law/law_parameters.hpp"
 #include "palpable/models/relief/relief_shaping.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 
 using models::Material;
 using models::Relief;
-
-constexpr double kDynamicOfStatic = 5.0 / 6.0;
 
 Contact contact_of(const Material& material, const LawParameters& p) {
   Contact c;

@@ -8,6 +8,9 @@ namespace palpable::haptics {
 
 // The parameters that several laws share.
 
+/// The dynamic friction coefficient over the static one, where only the static one is set.
+inline constexpr double kDynamicOfStatic = 5.0 / 6.0;
+
 inline constexpr LawParameter kStiffness{&LawParameters::stiffness_N_per_m,
                                          "stiffness_N_per_m",
                                          "Stiffness",

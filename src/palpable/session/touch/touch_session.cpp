@@ -60,6 +60,7 @@ struct TouchSession::Inside {
   mutable std::mutex state;
   std::shared_ptr<const models::Scene> scene;
   TouchSettings settings;
+  haptics::Law law_in_use = haptics::Law::proxy;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
   /// Of an explorer in the scene, under `changing`; nullopt in the exocentric frame.
   std::optional<Stance> stance;
@@ -107,6 +108,7 @@ Result<void> TouchSession::Inside::change(std::shared_ptr<const models::Scene> t
   if (recorder) recorder->note(described_now);
   scene = std::move(to_scene);
   settings = to_settings;
+  law_in_use = prepared->law.law;
   scene_from_device = to_place;
   notices = std::move(prepared->notices);
   loop->change(std::move(prepared->scene));
@@ -139,6 +141,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   inside->described_now = inside->described(*prepared, *scene, settings.depth);
   inside->scene = std::move(scene);
   inside->settings = settings;
+  inside->law_in_use = prepared->law.law;
   inside->scene_from_device = place;
   inside->notices = std::move(prepared->notices);
   std::vector<std::unique_ptr<device::Device>> further;
@@ -188,6 +191,11 @@ std::shared_ptr<const models::Scene> TouchSession::scene() const {
 TouchSettings TouchSession::settings() const {
   const std::lock_guard lock(inside_->state);
   return inside_->settings;
+}
+
+haptics::Law TouchSession::law_in_use() const {
+  const std::lock_guard lock(inside_->state);
+  return inside_->law_in_use;
 }
 
 std::vector<std::string> TouchSession::notices() const {

@@ -53,6 +53,8 @@ class TouchSession {
   Result<void> change_materials(std::vector<models::Material> materials, const TouchSettings& settings);
   std::shared_ptr<const models::Scene> scene() const;
   TouchSettings settings() const;
+  /// Another than the settings' where the scene or the device has no such law.
+  haptics::Law law_in_use() const;
   /// What was changed by the device's limits and why, one sentence each: "Stiffness 800 N/m was lowered to
   /// 412 N/m: …". Empty when nothing was.
   std::vector<std::string> notices() const;

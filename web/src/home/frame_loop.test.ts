@@ -1,0 +1,25 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { expect, it } from 'vitest';
+import { FrameLoop } from './frame_loop';
+
+it('frames are asked for while something moves, once each, and not at rest', () => {
+  const asked: (() => void)[] = [];
+  const seen: [number | null, number][] = [];
+  let [now, moving] = [0, 2];
+  const loop = new FrameLoop((_, passed, waited) => (seen.push([passed, waited]), --moving > 0), (callback) => asked.push(callback), () => now);
+  const run = (at: number) => ((now = at), asked.pop()!());
+  loop.request();
+  loop.request();
+  expect(asked).toHaveLength(1);
+  run(100);
+  expect(asked).toHaveLength(1);
+  run(116);
+  expect(asked).toHaveLength(0);
+  expect(loop.count).toBe(2);
+  moving = 1;
+  now = 5000;
+  loop.request();
+  run(5016);
+  expect(seen).toEqual([[null, 100], [16, 16], [null, 16]]);
+});

@@ -1,0 +1,91 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The probes of this page on their way: moved by keys, sent to the program, heard.
+import type { FromPage } from '../generated/protocol';
+import type { Probes } from '../probe/probes';
+import type { Walking } from '../probe/walking';
+import { Importance, type Words } from '../sound/announcer';
+import type { Feedback } from '../sound/feedback';
+import type { Surface } from '../surface';
+import type { Move } from './keys';
+import type { Narrator } from './narrator';
+
+export interface MotionPage {
+  connected(): boolean;
+  exaggeration(): number;
+  /** The name of what moves the first probe where this page does not. */
+  device(): string;
+  say(words: Words | string, importance: Importance): void;
+  send(message: FromPage): void;
+  /** Something moves: frames are needed. */
+  moves(): void;
+  draw(): void;
+}
+
+/** Milliseconds between two messages about where the probes are, at the least: many fingers on a fast screen are many messages. */
+const sendEvery = 12;
+
+export class ProbeMotion {
+  private sentAt = -Infinity;
+
+  constructor(
+    private readonly probes: Probes,
+    private readonly narrator: Narrator,
+    private readonly walking: Walking,
+    private readonly feedback: Feedback,
+    private readonly page: MotionPage,
+  ) {}
+
+  /** By a key, on a scene of a tenth of a metre; larger and smaller ones are stepped over alike. */
+  move(by: Move): void {
+    const { surface } = this.narrator;
+    if (surface === null) return;
+    const { own } = this.probes;
+    if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
+    // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
+    const way = this.walking.inScene({ x: by.x * surface.scale, y: by.y * surface.scale });
+    const free = own.current.step(way.x, way.y, by.press * Math.min(1, surface.scale), surface, performance.now());
+    this.page.moves();
+    this.page.say(() => this.probes.named(by.press !== 0 ? this.narrator.press() : `${free ? '' : 'Rim of the scene, '}${this.narrator.motion()}`), Importance.motion);
+  }
+
+  recentre(): void {
+    const { own } = this.probes;
+    own.current.recentre(performance.now());
+    this.walking.reset();
+    if (own.chosen === 0) this.page.send({ type: 'recentre' });
+    this.walking.stand();
+    this.page.moves();
+    this.page.say(this.probes.named('In the middle.'), Importance.answer);
+  }
+
+  /** Moves the marbles on and sends their places; true while they move. */
+  advance(now: number, passed: number | null): boolean {
+    const { surface } = this.narrator;
+    if (surface === null || !this.page.connected()) return false;
+    const { own } = this.probes;
+    if (own.several && now - this.sentAt < sendEvery) return true;
+    this.sentAt = now;
+    const moved = own.advance(Math.min(0.1, (passed ?? 16) / 1000), surface, this.page.exaggeration());
+    for (const probe of moved) {
+      const { place, press: press_m } = own.at(probe)!;
+      this.page.send({ type: 'pointer', probe, x_m: place.x, y_m: place.y, press_m });
+      this.feedback.moved(probe, place, surface, this.page.exaggeration());
+    }
+    if (moved.length > 0) this.page.draw();
+    return moved.length > 0;
+  }
+
+  /** What the program reports of the probes, as it is heard. */
+  hear(surface: Surface): void {
+    for (const one of this.probes.states) this.feedback.reported(one, surface);
+    if (!this.probes.own.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.page.exaggeration());
+    this.feedback.keep(this.probes.numbers);
+  }
+
+  /** The tone of the chosen probe's place: what sound is like here. */
+  sample(): void {
+    const { surface } = this.narrator;
+    if (surface !== null) this.feedback.moved(this.probes.own.chosen, this.narrator.place(), surface, this.page.exaggeration());
+  }
+}

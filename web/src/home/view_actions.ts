@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The picture is zoomed, moved and put back: by keys and buttons, and what is said of it.
+import { element } from '../dom';
+import type { Stage } from '../view/stage';
+
+export class ViewActions {
+  constructor(
+    private readonly stage: Stage,
+    private readonly say: (words: string) => void,
+  ) {}
+
+  zoom(factor: number): void {
+    this.stage.zoom(factor);
+    this.say(`Picture ${Math.round(100 * this.stage.magnification)} percent.`);
+  }
+  reset(): void {
+    this.stage.resetView();
+    this.say('The picture is as at first.');
+  }
+  /** From now on drags and arrows move the picture, or the probe again. */
+  toggleMoving(): void {
+    const moving = !this.stage.isMovingView;
+    this.stage.setViewMoving(moving);
+    element('move-view').setAttribute('aria-pressed', String(moving));
+    this.say(moving ? 'Arrows turn the picture, with Shift they shift it. C moves the probe again.' : 'Arrows move the probe.');
+  }
+}

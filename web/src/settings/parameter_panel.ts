@@ -1,0 +1,66 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The sliders of a law's parameters, made from what the program says of the law.
+import { element } from '../dom';
+import type { Parameter } from '../generated/protocol';
+import { figure, RangeInput } from './range_input';
+
+/** Metres are shown in millimetres. */
+export function scaleOf({ unit }: Pick<Parameter, 'unit'>): { scale: number; unit: string } {
+  return unit === 'm' ? { scale: 1000, unit: 'mm' } : { scale: 1, unit };
+}
+
+const idOf = (name: string) => `parameter-${name}`;
+
+export class ParameterPanel {
+  private readonly container = element('parameters');
+  private ranges: { parameter: Parameter; range: RangeInput }[] = [];
+
+  constructor(private readonly changed: (name: string, value: number) => void) {}
+
+  /** `used` and `set`: the values in use, and those of them that a person set, by name. */
+  show(parameters: readonly Parameter[], used: Readonly<Record<string, number>>, set: Readonly<Record<string, number>>, materials: number): void {
+    if (JSON.stringify(parameters) !== JSON.stringify(this.ranges.map(({ parameter }) => parameter))) this.build(parameters);
+    for (const { parameter, range } of this.ranges) {
+      const { scale, unit } = scaleOf(parameter);
+      const value = used[parameter.name] ?? parameter.min;
+      const differs = set[parameter.name] === undefined && materials > 1 && isOfMaterials(parameter.name) ? ', each region its own' : '';
+      range.show({
+        min: figure(parameter.min * scale),
+        max: figure(parameter.max * scale),
+        value: value * scale,
+        words: (shown) => `${shown}${unit === '' ? '' : ` ${unit}`}${differs}`,
+        disabled: null,
+      });
+    }
+  }
+
+  private build(parameters: readonly Parameter[]): void {
+    this.container.replaceChildren(...parameters.map(sliderElement));
+    this.ranges = parameters.map((parameter) => ({
+      parameter,
+      range: new RangeInput(idOf(parameter.name), (value) => this.changed(parameter.name, value / scaleOf(parameter).scale)),
+    }));
+  }
+}
+
+/** Every region of the scene has its own value of these. */
+function isOfMaterials(name: string): boolean {
+  return ['stiffness_N_per_m', 'damping_Ns_per_m', 'static_friction', 'dynamic_friction'].includes(name);
+}
+
+function sliderElement({ name, title }: Parameter): HTMLElement {
+  const row = document.createElement('div');
+  row.className = 'slider';
+  const label = document.createElement('label');
+  label.htmlFor = idOf(name);
+  label.textContent = title;
+  const value = document.createElement('span');
+  value.id = `${idOf(name)}-value`;
+  value.setAttribute('aria-hidden', 'true');
+  const input = document.createElement('input');
+  input.type = 'range';
+  input.id = idOf(name);
+  row.append(label, ' ', value, input);
+  return row;
+}

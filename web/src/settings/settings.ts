@@ -1,0 +1,33 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Everything that a person can set: values, without the elements that show them.
+import type { Law } from '../generated/protocol';
+import type { Material } from './materials';
+import type { Preferences } from './preferences';
+
+/** What the program keeps (protocol.json, "change"). */
+export interface TouchSettings {
+  law: string;
+  /** The law's parameters that are set, by name; the others are the scene's or the law's. */
+  set: Readonly<Record<string, number>>;
+  exaggeration: number;
+}
+
+export interface Settings {
+  touch: TouchSettings;
+  page: Preferences;
+  /** By label. */
+  materials: Material[];
+}
+
+/** Another law keeps the parameters that mean the same there. */
+export function withLaw(touch: TouchSettings, from: Law | undefined, to: Law): TouchSettings {
+  const same = to.parameters.filter(({ name, unit }) => from?.parameters.some((before) => before.name === name && before.unit === unit));
+  const set = Object.fromEntries(Object.entries(touch.set).filter(([name]) => same.some((parameter) => parameter.name === name)));
+  return { ...touch, law: to.name, set };
+}
+
+export function sameTouch(a: TouchSettings, b: TouchSettings): boolean {
+  const names = new Set([...Object.keys(a.set), ...Object.keys(b.set)]);
+  return a.law === b.law && a.exaggeration === b.exaggeration && [...names].every((name) => a.set[name] === b.set[name]);
+}

@@ -1,0 +1,48 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { beforeEach, describe, expect, it } from 'vitest';
+import { Surface } from '../surface';
+import { Camera, frontPose, leastZoom, mostZoom } from './camera';
+
+const surface = new Surface(2, 2, new Float32Array(4), 0.1, 0.08);
+let camera: Camera;
+beforeEach(() => {
+  camera = new Camera();
+});
+
+describe('the camera', () => {
+  it('turns all the way round, and says so within half a turn', () => {
+    camera.turnBy(170);
+    camera.turnBy(30);
+    expect(camera.pose.turn).toBe(-160);
+  });
+  it('keeps the place under the pointer where it is while it zooms', () => {
+    const place = { x: 0.03, y: -0.02 };
+    const offset = () => (place.x - camera.pose.centre.x) * camera.pose.zoom;
+    const before = offset();
+    camera.zoomBy(2, place, surface);
+    expect(offset()).toBeCloseTo(before, 12);
+    camera.zoomBy(0.5, place, surface);
+    expect(camera.pose.centre.x).toBeCloseTo(0, 12);
+  });
+  it('stays within its magnifications, and over the scene', () => {
+    for (let k = 0; k < 99; ++k) camera.zoomBy(2, null, surface);
+    expect(camera.pose.zoom).toBe(mostZoom);
+    for (let k = 0; k < 99; ++k) camera.zoomBy(0.5, null, surface);
+    expect(camera.pose.zoom).toBe(leastZoom);
+    camera.panBy(-9, 0, surface);
+    expect(camera.pose.centre).toEqual({ x: 0.05, y: 0 });
+  });
+  it('shifts the picture as it is seen, however it is turned', () => {
+    camera.turnBy(90);
+    camera.panBy(0.01, 0, surface);
+    expect(camera.pose.centre.x).toBeCloseTo(0, 12);
+    expect(camera.pose.centre.y).toBeCloseTo(-0.01, 12);
+  });
+  it('goes back to the front', () => {
+    camera.turnBy(45);
+    camera.zoomBy(3, null, surface);
+    camera.reset();
+    expect(camera.pose).toEqual(frontPose);
+  });
+});

@@ -1,0 +1,50 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// From where the scene is seen: turned about the upright axis, magnified, and shifted. The tilt is a setting of its own.
+import type { Place, Surface } from '../surface';
+
+export const leastZoom = 0.5;
+export const mostZoom = 12;
+
+export interface CameraPose {
+  /** Degrees, counter-clockwise as seen from above; -180 to 180. */
+  turn: number;
+  zoom: number;
+  /** What the middle of the picture shows. */
+  centre: Place;
+}
+
+export const frontPose: CameraPose = { turn: 0, zoom: 1, centre: { x: 0, y: 0 } };
+
+export class Camera {
+  private now = frontPose;
+
+  get pose(): CameraPose {
+    return this.now;
+  }
+  reset(): void {
+    this.now = frontPose;
+  }
+
+  turnBy(degrees: number): void {
+    const turn = this.now.turn + degrees;
+    this.now = { ...this.now, turn: turn - 360 * Math.round(turn / 360) };
+  }
+
+  /** `about` stays where it is in the picture. */
+  zoomBy(factor: number, about: Place | null, surface: Surface): void {
+    const zoom = Math.min(mostZoom, Math.max(leastZoom, this.now.zoom * factor));
+    const { centre } = this.now;
+    const share = 1 - this.now.zoom / zoom;
+    const moved = about === null ? centre : { x: centre.x + share * (about.x - centre.x), y: centre.y + share * (about.y - centre.y) };
+    this.now = { ...this.now, zoom, centre: surface.clamp(moved) };
+  }
+
+  /** Shifts the picture by metres of the scene, to the right and up as it is seen. */
+  panBy(right: number, up: number, surface: Surface): void {
+    const angle = (this.now.turn * Math.PI) / 180;
+    const { centre } = this.now;
+    const moved = { x: centre.x - right * Math.cos(angle) + up * Math.sin(angle), y: centre.y - right * Math.sin(angle) - up * Math.cos(angle) };
+    this.now = { ...this.now, centre: surface.clamp(moved) };
+  }
+}

@@ -1,0 +1,185 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The first minute of a newcomer, sighted or blind: focus, sound, help, sliders, sizes, and a page that rests.
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { keepPicture, launch, openMore, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
+
+let browser: Browser;
+let running: Running;
+let opened: Opened;
+
+beforeAll(async () => {
+  [browser, running] = await Promise.all([launch({ webgl: false }), startProgram()]);
+  opened = await openPage(browser, running.address);
+});
+afterAll(async () => {
+  await browser?.close();
+  await running?.stop();
+});
+
+it('the relief has the focus, so that the keys that are announced work', async () => {
+  const { page } = opened;
+  await says(page, 'ready to be touched. D describes it');
+  expect(await page.evaluate(() => document.activeElement?.id)).toBe('stage');
+  await page.keyboard.press('d');
+  await says(page, 'Highest point');
+});
+
+it('sound is offered until it runs, which takes one click', async () => {
+  const offer = (page: Page) => page.getByRole('button', { name: 'Turn on sound' });
+  const fresh = await opened.context.newPage();
+  await fresh.goto(new URL('/', running.address).href);
+  await fresh.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
+  expect(await offer(fresh).isVisible()).toBe(true);
+  await offer(fresh).click();
+  await offer(fresh).waitFor({ state: 'hidden' });
+  await fresh.close();
+});
+
+it('help opens at its top, with gestures and keys', async () => {
+  const { page } = opened;
+  await page.getByRole('button', { name: 'Help and keys' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.waitFor();
+  const title = (await dialog.getByRole('heading', { level: 2 }).boundingBox())!;
+  const box = (await dialog.boundingBox())!;
+  expect(title.y).toBeGreaterThanOrEqual(box.y);
+  expect(title.y + title.height).toBeLessThan(box.y + 120);
+  expect(await dialog.getByRole('row', { name: /^Further fingers/ }).count()).toBe(1);
+  await page.keyboard.press('Escape');
+});
+
+it('on a touch screen the line of hints names gestures, not keys', async () => {
+  const context = await browser.newContext({ hasTouch: true, isMobile: true, viewport: { width: 390, height: 844 }, storageState: await opened.context.storageState() });
+  const page = await context.newPage();
+  await page.goto(new URL('/', running.address).href);
+  await page.waitForFunction(() => document.getElementById('status')?.dataset.state === 'running');
+  expect(await page.locator('#stage-keys').innerText()).toMatch(/Drag a finger/);
+  expect(await page.locator('#stage-keys').innerText()).not.toMatch(/Shift/);
+  await keepPicture(page, 'touch-screen');
+  await page.getByRole('button', { name: 'Help and keys' }).click();
+  expect((await page.getByRole('dialog').getByRole('heading', { level: 2 }).boundingBox())!.y).toBeGreaterThanOrEqual(0);
+  await keepPicture(page, 'touch-screen-help');
+  await context.close();
+});
+
+it('a simple panel comes first, and the rest is found under more', async () => {
+  const { page } = opened;
+  for (const name of ['Volume', 'Depth']) expect(await page.getByRole('slider', { name, exact: true }).isVisible()).toBe(true);
+  expect(await page.getByLabel('Force law').isVisible()).toBe(false);
+  await openMore(page);
+  expect(await page.getByLabel('Force law').isVisible()).toBe(true);
+  await keepPicture(page, 'more');
+  expect(await violations(page)).toEqual([]);
+});
+
+/** Every slider's value is the number that it says. */
+async function slidersSayWhatTheyHold(page: Page): Promise<void> {
+  const sliders = await page.locator('input[type=range]:enabled').evaluateAll((all) =>
+    all.map((input) => ({ id: input.id, value: (input as HTMLInputElement).valueAsNumber, words: input.getAttribute('aria-valuetext') ?? '' })),
+  );
+  for (const { id, value, words } of sliders) expect(`${id} ${Number(/-?[\d.]+/.exec(words)?.[0])}`).toBe(`${id} ${value}`);
+  expect(sliders.length).toBeGreaterThan(5);
+}
+
+it('every slider holds the value that it says, whatever moves it', async () => {
+  const { page } = opened;
+  await openMore(page);
+  await slidersSayWhatTheyHold(page);
+  const stiffness = page.getByRole('slider', { name: 'Stiffness', exact: true });
+  expect(await stiffness.getAttribute('aria-valuetext')).toBe('500 N/m');
+  await stiffness.focus();
+  await page.keyboard.press('ArrowRight');
+  expect(await stiffness.getAttribute('aria-valuetext')).toBe('520 N/m');
+  await stiffness.click();
+  await slidersSayWhatTheyHold(page);
+  await page.getByRole('button', { name: 'Reset', exact: true }).click();
+  await page.waitForFunction(() => document.getElementById('parameter-stiffness_N_per_m')?.getAttribute('aria-valuetext') === '500 N/m');
+});
+
+describe('the page in every size', () => {
+  const sizes = [
+    { width: 1440, height: 900 },
+    { width: 1920, height: 1080 },
+    { width: 1280, height: 800 },
+    { width: 1024, height: 600 },
+  ];
+  it.each(sizes)('$width x $height shows all of it, and the picture fills its stage', async (size) => {
+    const { page } = opened;
+    await page.setViewportSize(size);
+    await page.waitForTimeout(300);
+    await keepPicture(page, `size-${size.width}x${size.height}`);
+    const boxes = await page.evaluate(() => {
+      const box = (selector: string) => document.querySelector(selector)!.getBoundingClientRect();
+      const [stage, footer, told] = [box('#stage'), box('footer'), box('.told')];
+      return { stage: [stage.width, stage.height], footer: footer.bottom, aboveFooter: told.bottom <= footer.top, scrolls: document.documentElement.scrollHeight > innerHeight };
+    });
+    expect(boxes).toMatchObject({ aboveFooter: true, scrolls: false });
+    expect(boxes.footer).toBeLessThanOrEqual(size.height + 0.5);
+    expect(boxes.stage[1]! / size.height).toBeGreaterThan(0.4);
+    // The relief reaches over the stage's height or its width, but for a rim.
+    const drawn = await page.locator('#stage canvas').evaluate((canvas) => {
+      const { width, height } = canvas as HTMLCanvasElement;
+      const pixels = (canvas as HTMLCanvasElement).getContext('2d')!.getImageData(0, 0, width, height).data;
+      const isInk = (x: number, y: number) => pixels[4 * (y * width + x) + 3]! > 0;
+      const count = (length: number, at: (k: number) => boolean) => Array.from({ length }, (_, k) => at(k)).filter(Boolean).length / length;
+      return [count(width, (x) => isInk(x, height >> 1)), count(height, (y) => isInk(width >> 1, y))];
+    });
+    expect(Math.max(...drawn)).toBeGreaterThan(0.9);
+  });
+});
+
+it('at rest the page asks for no animation frames', async () => {
+  const { page } = opened;
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.mouse.move(5, 5);
+  // Whatever moved has come to rest, and the plot is level, after the ten seconds that it shows at the most.
+  await page.evaluate(() => {
+    const counted = window as unknown as { framesAsked: number };
+    counted.framesAsked = 0;
+    const ask = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (callback) => {
+      counted.framesAsked += 1;
+      return ask(callback);
+    };
+  });
+  const asked = () => page.evaluate(() => (window as unknown as { framesAsked: number }).framesAsked);
+  let [before, resting] = [await asked(), 0];
+  for (let k = 0; k < 20 && resting < 2; ++k) {
+    await page.waitForTimeout(1000);
+    const now = await asked();
+    resting = now === before ? resting + 1 : 0;
+    before = now;
+  }
+  expect(resting).toBe(2);
+  await page.locator('#stage').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((count) => (window as unknown as { framesAsked: number }).framesAsked > count, before);
+});
+
+describe('a scene of contours', () => {
+  it('opens with the law that it is touched by, and the parameters of that law', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'palpable-contours-'));
+    const side = 64;
+    const rows = Array.from({ length: side }, (_, y) => Array.from({ length: side }, (_, x) => (Math.hypot(x - 32, y - 32) < 20 ? '200' : '30')).join(' '));
+    writeFileSync(join(folder, 'disc.pgm'), `P2\n${side} ${side}\n255\n${rows.join('\n')}\n`);
+    const own = await startProgram({ instead: ['touch', join(folder, 'disc.pgm')] });
+    try {
+      const { page, context } = await openPage(browser, own.address);
+      await openMore(page);
+      const law = page.getByLabel('Force law');
+      expect(await law.inputValue()).not.toBe('');
+      expect(await page.locator('#parameters input').count()).toBeGreaterThan(0);
+      await slidersSayWhatTheyHold(page);
+      await keepPicture(page, 'contours');
+      await context.close();
+    } finally {
+      await own.stop();
+      rmSync(folder, { recursive: true, force: true });
+    }
+  });
+});
