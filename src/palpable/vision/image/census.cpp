@@ -20,8 +20,8 @@ PALPABLE_VECTORIZE void add_darker(const std::uint8_t* __restrict other,
     bits[x] = static_cast<std::uint16_t>((unsigned{bits[x]} << 1U) | (other[x] < centre[x] ? 1U : 0U));
 }
 
-PALPABLE_VECTORIZE void add_alike(const std::uint8_t* __restrict difference, std::uint8_t limit, int width,
-                                  std::uint16_t* __restrict bits) {
+PALPABLE_VECTORIZE void add_similar(const std::uint8_t* __restrict difference, std::uint8_t limit, int width,
+                                    std::uint16_t* __restrict bits) {
   for (int x = 0; x < width; ++x)
     bits[x] = static_cast<std::uint16_t>((unsigned{bits[x]} << 1U) | (difference[x] < limit ? 1U : 0U));
 }
@@ -36,9 +36,18 @@ PALPABLE_VECTORIZE void append(std::uint16_t* __restrict bits, int width, std::u
 
 }  // namespace
 
-Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work) {
-  constexpr std::uint8_t kLevels = 16;
-  constexpr int kFewest = 16;
+std::vector<Parameter> parameters_of(CensusOptions& o) {
+  return {{"similar_levels",
+           &o.similar_levels,
+           {1, 255},
+           "levels",
+           "Pixels of the window that differ by less are compared"},
+          {"fewest_similar", &o.fewest_similar, {1, 63}, "px", "Where fewer are similar, all are compared"}};
+}
+
+Raster<std::uint64_t> similar_pixels_9x7(const ColourPlanes& picture, const CensusOptions& options,
+                                         const Work& work) {
+  const auto levels = static_cast<std::uint8_t>(options.similar_levels);
   constexpr std::uint64_t kAll = (std::uint64_t{1} << kCensusPixels) - 1;
   Raster<std::uint64_t> out(picture.width(), picture.height());
   const int width = out.width();
@@ -48,18 +57,18 @@ Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work) {
     for (int y = begin; y < end; ++y) {
       for (int v = -kCensusHalfY; v <= kCensusHalfY; ++v) {
         for (int u = -kCensusHalfX; u <= kCensusHalfX; ++u) {
-          // Beyond the border all counts, as the census repeats it.
+          // Beyond the border all pixels are compared, as the census repeats the border.
           std::fill(difference.begin(), difference.end(), std::uint8_t{0});
           const int first = std::max(0, -u);
           if (y + v >= 0 && y + v < out.height())
             colour_differences(picture, first, y, first + u, y + v, std::min(width, width - u) - first,
                                difference.data() + first);
-          add_alike(difference.data(), kLevels, width, bits.data());
+          add_similar(difference.data(), levels, width, bits.data());
         }
         append(bits.data(), width, out.row(y).data());
       }
-      for (std::uint64_t& alike : out.row(y))
-        if (std::popcount(alike) < kFewest) alike = kAll;
+      for (std::uint64_t& mask : out.row(y))
+        if (std::popcount(mask) < options.fewest_similar) mask = kAll;
     }
   });
   return out;
@@ -99,8 +108,6 @@ Raster<std::uint8_t> shrunk(const Raster<std::uint8_t>& picture, int factor) {
 }
 
 bool has_texture(const Raster<std::uint8_t>& picture, int x, int y) {
-  // Contrast that stands above the noise of an 8-bit picture.
-  constexpr int kLevels = 4;
   if (x < kCensusHalfX || y < kCensusHalfY || x >= picture.width() - kCensusHalfX ||
       y >= picture.height() - kCensusHalfY)
     return false;
@@ -108,7 +115,7 @@ bool has_texture(const Raster<std::uint8_t>& picture, int x, int y) {
   int spread = 0;
   for (int v = -kCensusHalfY; v <= kCensusHalfY; ++v)
     for (int u = -kCensusHalfX; u <= kCensusHalfX; ++u) spread += std::abs(picture(x + u, y + v) - centre);
-  return spread > kLevels * kCensusPixels;
+  return spread > kTextureLevels * kCensusPixels;
 }
 
 }  // namespace palpable::vision

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <vector>
 
 namespace palpable::vision {
 
@@ -20,25 +21,36 @@ inline constexpr int kCensusPixels = (2 * kCensusHalfX + 1) * (2 * kCensusHalfY 
 /// they are, whatever the exposure.
 Raster<std::uint64_t> census_9x7(const Raster<std::uint8_t>& grey, const Work& work);
 
-/// For each pixel, the bits of its census signature that stand for pixels of like colour, of its own surface
-/// mostly. Only they should count: else a strong edge beside a plain surface gives that surface the edge's
-/// disparity as far as the window reaches. Where hardly anything is alike, as in fine texture, all bits
-/// count.
-Raster<std::uint64_t> alike_9x7(const ColourPlanes& picture, const Work& work);
+/// Which pixels of a census window are compared (similar_pixels_9x7).
+struct CensusOptions {
+  /// Those that differ from the centre by less than this, in the channel that differs most; levels of 255, 1
+  /// … 255.
+  int similar_levels = 16;
+  /// Where fewer than this are similar, as in fine texture, all are compared; pixels, 1 … 63.
+  int fewest_similar = 16;
+};
+std::vector<Parameter> parameters_of(CensusOptions& options);
 
-/// A Hamming distance over the bits of `alike`, times census_scale(alike) / kCensusScaleUnit, compares with
-/// one over all bits. Few bits say little and are scaled less.
+/// For each pixel, a mask over its census signature: the bits of the pixels of similar colour, which mostly
+/// belong to the same surface. With all bits compared, a strong edge beside a plain surface would give that
+/// surface the edge's disparity as far as the window reaches.
+Raster<std::uint64_t> similar_pixels_9x7(const ColourPlanes& picture, const CensusOptions& options,
+                                         const Work& work);
+
+/// A Hamming distance over the bits of `mask`, which has at least one, times census_scale(mask) /
+/// kCensusScaleUnit, compares with one over all bits.
 inline constexpr int kCensusScaleUnit = 64;
-inline int census_scale(std::uint64_t alike) {
-  constexpr int kFewest = 16;
-  return kCensusScaleUnit * kCensusPixels / std::max(kFewest, std::popcount(alike));
-}
+inline int census_scale(std::uint64_t mask) { return kCensusScaleUnit * kCensusPixels / std::popcount(mask); }
 
-/// Whether the pixel's census window has contrast enough to be found again; false near the border.
+/// The contrast of a census window that stands above the noise of an 8-bit picture: the mean difference from
+/// the centre, in levels of 255.
+inline constexpr int kTextureLevels = 4;
+
+/// Whether the pixel's census window has more contrast than kTextureLevels; false near the border.
 bool has_texture(const Raster<std::uint8_t>& grey, int x, int y);
 
-/// The picture shrunk by a whole factor, each pixel the mean of factor x factor; a rest at the far borders is
-/// left.
+/// The picture shrunk by a whole factor, each pixel the mean of factor x factor; what is left over at the
+/// far borders is dropped.
 Raster<std::uint8_t> shrunk(const Raster<std::uint8_t>& grey, int factor);
 
 }  // namespace palpable::vision

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/cost/cost_volume.hpp"
 
+#include "palpable/core/check.hpp"
 #include "palpable/core/vectorize.hpp"
-#include "palpable/vision/stereo/cost/cross_window.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,32 +12,23 @@ namespace palpable::vision {
 namespace {
 
 constexpr int kLanes = 32;
-constexpr float kColourScale = 13.0F;
-constexpr float kCensusScale = 30.0F;
-/// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view.
-constexpr float kOutOfView = 0.6F;
-/// Small windows: enough against noise, little enough not to flatten slanted surfaces.
-constexpr CrossOptions kCross{.row_reach_px = 5,
-                              .column_reach_px = 5,
-                              .colour_limit = 19,
-                              .sure_reach_px = 2,
-                              .colour_limit_beyond = 5,
-                              .neighbour_limit = 19};
 
 struct CostTables {
   std::array<std::uint16_t, 256> colour{};
   std::array<std::uint16_t, 64> census{};
 
-  CostTables() {
+  explicit CostTables(const VolumeOptions& options) {
     const auto cost = [](float ratio) {
       return static_cast<std::uint16_t>(std::lround(kCostUnit * (1.0F - std::exp(-ratio))));
     };
-    for (std::size_t i = 0; i < colour.size(); ++i) colour[i] = cost(static_cast<float>(i) / kColourScale);
-    for (std::size_t i = 0; i < census.size(); ++i) census[i] = cost(static_cast<float>(i) / kCensusScale);
+    for (std::size_t i = 0; i < colour.size(); ++i)
+      colour[i] = cost(static_cast<float>(i) / options.colour_scale);
+    for (std::size_t i = 0; i < census.size(); ++i)
+      census[i] = cost(static_cast<float>(i) / options.census_scale);
   }
 };
 
-void fill_out_of_view(std::uint16_t* cost, int known, int stride) {
+void fill_out_of_view(std::uint16_t* cost, int known, int stride, float share) {
   if (known >= stride) return;
   if (known == 0) {
     std::fill(cost, cost + stride, static_cast<std::uint16_t>(kCostUnit));
@@ -51,7 +42,7 @@ void fill_out_of_view(std::uint16_t* cost, int known, int stride) {
   }
   const float mean = static_cast<float>(sum) / static_cast<float>(known);
   const auto low = static_cast<float>(least);
-  std::fill(cost + known, cost + stride, static_cast<std::uint16_t>(low + kOutOfView * (mean - low)));
+  std::fill(cost + known, cost + stride, static_cast<std::uint16_t>(low + share * (mean - low)));
 }
 
 PALPABLE_VECTORIZE
@@ -82,8 +73,22 @@ CostVolume::CostVolume(int width_, int height_, int disparities_)
       cost(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) *
            static_cast<std::size_t>(stride)) {}
 
-void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume& out, const Work& work) {
-  const CostTables tables;
+std::vector<Parameter> parameters_of(VolumeOptions& o) {
+  std::vector<Parameter> all{
+      {"colour_scale", &o.colour_scale, {1, 255}, "levels", "Colour difference that costs 1 - 1/e units"},
+      {"census_scale", &o.census_scale, {1, 63}, "bits", "Census distance that costs 1 - 1/e units"},
+      {"out_of_view", &o.out_of_view, {0, 1}, "", "Cost out of view: 0 = the pixel's least, 1 = its mean"}};
+  append_parameters(all, "census", parameters_of(o.census));
+  std::vector<Parameter> cross = parameters_of(o.cross);
+  for (Parameter& p : cross)
+    if (p.name == "row_reach_px" || p.name == "column_reach_px") p.range.most = kLongestVolumeArm;
+  append_parameters(all, "cross", std::move(cross));
+  return all;
+}
+
+void pixel_costs(const MatchView& reference, const MatchView& other, const VolumeOptions& options,
+                 CostVolume& out, const Work& work) {
+  const CostTables tables(options);
   parallel_for(work, out.height, 4, [&](int begin, int end) {
     const std::size_t row = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.stride);
     std::vector<std::uint8_t> colour(row);
@@ -100,18 +105,17 @@ void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume&
           const std::size_t i = at + static_cast<std::size_t>(d);
           cost[d] = static_cast<std::uint16_t>(tables.colour[colour[i]] + tables.census[census[i]]);
         }
-        fill_out_of_view(cost, known, out.stride);
+        fill_out_of_view(cost, known, out.stride, options.out_of_view);
       }
     }
   });
 }
 
-void average_over_crosses(const ColourPlanes& colour, CostVolume& volume, CostVolume& scratch,
-                          const Work& work) {
-  const Raster<CrossArms> arm_of = cross_arms(colour, kCross, work);
+void average_over_crosses(const ColourPlanes& colour, const CrossOptions& cross, CostVolume& volume,
+                          CostVolume& scratch, const Work& work) {
+  PALPABLE_CHECK(cross.row_reach_px <= kLongestVolumeArm);
+  const Raster<CrossArms> arm_of = cross_arms(colour, cross, work);
   const int stride = volume.stride;
-  // At most 11 costs of at most 2 units: the sum along a row fits 16 bits.
-  static_assert((2 * kCross.row_reach_px + 1) * 2 * kCostUnit <= 65535);
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {

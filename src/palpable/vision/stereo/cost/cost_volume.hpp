@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/stereo/cost/cross_window.hpp"
 #include "palpable/vision/stereo/cost/matching_cost.hpp"
 
 #include <cstddef>
@@ -34,16 +35,39 @@ struct CostVolume {
 
 inline constexpr int kCostUnit = 2048;
 
-/// AD-Census cost of Mei et al. 2011, eqs 1-3: 1 - exp(-colour difference/10) + 1 - exp(-Hamming
-/// distance/30), 0…2 units. Where x - d lies outside the other picture, a value between the pixel's least and
-/// its mean cost, so that being out of view neither attracts nor repels. The result is written into `out`,
-/// whose sizes say how many disparities are asked for.
-void pixel_costs(const MatchView& reference, const MatchView& other, CostVolume& out, const Work& work);
+/// How a volume's costs are made.
+struct VolumeOptions {
+  /// A colour difference of this costs 1 - 1/e units; levels of 255, 1 … 255.
+  float colour_scale = 13.0F;
+  /// A census distance of this costs 1 - 1/e units; bits, 1 … 63.
+  float census_scale = 30.0F;
+  /// Share of the way from the pixel's least (0) to its mean cost (1) that a match out of view costs; 0 … 1.
+  float out_of_view = kOutOfViewCost;
+  CensusOptions census = {};
+  /// Costs are averaged over these windows. Small ones: enough against noise, little enough not to flatten
+  /// slanted surfaces. An arm has at most kLongestVolumeArm pixels.
+  CrossOptions cross = {.row_reach_px = 5,
+                        .column_reach_px = 5,
+                        .colour_limit = 19,
+                        .sure_reach_px = 2,
+                        .colour_limit_beyond = 5,
+                        .neighbour_limit = 19};
+};
+/// The sum of a row's costs, of at most 2 units each, fits 16 bits.
+inline constexpr int kLongestVolumeArm = 7;
+static_assert((2 * kLongestVolumeArm + 1) * 2 * kCostUnit <= 65535);
+std::vector<Parameter> parameters_of(VolumeOptions& options);
 
-/// Averages the costs over each pixel's cross-shaped region of like colour (Zhang, Lu & Lafruit 2009), with
-/// arms of at most 5 pixels: enough against noise, little enough not to flatten slanted surfaces.
+/// AD-Census cost of Mei et al. 2011, eqs 1-3: 1 - exp(-colour difference / colour_scale) + 1 - exp(-Hamming
+/// distance / census_scale), 0…2 units. Where x - d lies outside the other picture, a value between the
+/// pixel's least and its mean cost. The result is written into `out`, whose sizes say how many disparities
+/// are asked for.
+void pixel_costs(const MatchView& reference, const MatchView& other, const VolumeOptions& options,
+                 CostVolume& out, const Work& work);
+
+/// Averages the costs over each pixel's cross-shaped region of similar colour (Zhang, Lu & Lafruit 2009).
 /// `scratch` has the volume's sizes and is overwritten.
-void average_over_crosses(const ColourPlanes& colour, CostVolume& volume, CostVolume& scratch,
-                          const Work& work);
+void average_over_crosses(const ColourPlanes& colour, const CrossOptions& cross, CostVolume& volume,
+                          CostVolume& scratch, const Work& work);
 
 }  // namespace palpable::vision

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <string>
 
 namespace palpable::vision {
 namespace {
@@ -91,6 +92,25 @@ PALPABLE_VECTORIZE void round_costs(const std::uint16_t* __restrict costs, std::
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(CrossOptions& o) {
+  return {
+      {"row_reach_px", &o.row_reach_px, {0, 40}, "px", "Longest arm of a window along the row"},
+      {"column_reach_px", &o.column_reach_px, {0, 40}, "px", "Longest arm of a window along the column"},
+      {"colour_limit", &o.colour_limit, {0, 255}, "levels", "An arm ends where a channel differs by more"},
+      {"sure_reach_px", &o.sure_reach_px, {0, 40}, "px", "Beyond it colour_limit_beyond holds"},
+      {"colour_limit_beyond", &o.colour_limit_beyond, {0, 255}, "levels", "The colour limit of long arms"},
+      {"neighbour_limit", &o.neighbour_limit, {0, 255}, "levels", "The colour limit of the next neighbour"}};
+}
+
+Result<void> check_window_size(const CrossOptions& options) {
+  const int pixels = (2 * options.row_reach_px + 1) * (2 * options.column_reach_px + 1);
+  if (pixels <= kMostWindowPixels) return {};
+  return Error{ErrorCode::usage,
+               "a window of these arms could have " + std::to_string(pixels) + " pixels, more than " +
+                   std::to_string(kMostWindowPixels),
+               "row_reach_px and column_reach_px"};
+}
+
 Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& options, const Work& work) {
   Raster<CrossArms> out(picture.width(), picture.height());
   struct Direction {
@@ -173,19 +193,27 @@ void CrossAggregator::next_row(std::uint16_t* out) {
   }
 }
 
-std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossOptions& window, float limit,
+std::vector<Parameter> parameters_of(AggregationOptions& o) {
+  std::vector<Parameter> all{
+      {"limit", &o.limit, {1, kLargestMatchingCost}, "cost", "Mean costs are cut off here"}};
+  append_parameters(all, "cost", parameters_of(o.cost));
+  append_parameters(all, "window", parameters_of(o.window));
+  return all;
+}
+
+std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const AggregationOptions& options,
                                            const Work& work) {
   const int height = input.left.height();
   const auto disparities = static_cast<std::size_t>(input.disparities);
   const std::size_t row = static_cast<std::size_t>(input.left.width()) * disparities;
   std::vector<std::uint8_t> out(row * static_cast<std::size_t>(height));
-  const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(cost.left_colour(), window, work);
+  const MatchingCost cost(input, options.cost, work);
+  const Raster<CrossArms> arms = cross_arms(cost.left_colour(), options.window, work);
   parallel_for(work, height, 16, [&](int begin, int end) {
-    CrossAggregator aggregator(cost, arms, input.disparities, window.column_reach_px, begin);
+    CrossAggregator aggregator(cost, arms, input.disparities, options.window.column_reach_px, begin);
     const auto stride = static_cast<std::size_t>(aggregator.stride());
     std::vector<std::uint16_t> costs(row / disparities * stride);
-    const auto most = static_cast<std::uint16_t>(limit * kMeanCostUnit);
+    const auto most = static_cast<std::uint16_t>(options.limit * kMeanCostUnit);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       aggregator.next_row(costs.data());
       std::uint8_t* to = out.data() + row * static_cast<std::size_t>(y);

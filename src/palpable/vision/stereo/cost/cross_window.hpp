@@ -12,18 +12,22 @@
 namespace palpable::vision {
 
 struct CrossOptions {
-  /// An arm along the row reaches at most so many pixels, one along the column so many (slopes mostly run
-  /// down a picture, and a window should see one disparity) …
+  /// The longest arm along the row; px, 0 … 40.
   int row_reach_px = 17;
+  /// The longest arm along the column, shorter: slopes mostly run down a picture, and a window should see one
+  /// disparity; px, 0 … 40.
   int column_reach_px = 6;
-  /// … while every channel stays within this of the centre (levels of 255) …
+  /// An arm goes on while every channel stays within this of the centre; levels of 255, 0 … 255.
   int colour_limit = 25;
-  /// … and beyond so many pixels, in either direction, within this.
+  /// Beyond this length it goes on within colour_limit_beyond only; px, 0 … 40.
   int sure_reach_px = 8;
+  /// Levels of 255, 0 … 255.
   int colour_limit_beyond = 8;
-  /// The next neighbour belongs within this: 255 makes sure that a window is never one pixel.
+  /// The next neighbour belongs within this: 255 makes sure that a window is never one pixel; levels, 0 …
+  /// 255.
   int neighbour_limit = 255;
 };
+std::vector<Parameter> parameters_of(CrossOptions& options);
 
 /// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour. The
 /// window's centre is wherever the pixel stands in its surface.
@@ -36,6 +40,8 @@ Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& op
 inline constexpr int kMeanCostUnit = 16;
 /// A window has at most so many pixels, so that its sum fits 16 bits.
 inline constexpr int kMostWindowPixels = 65535 / kLargestMatchingCost;
+/// Errors: usage, for arms that could make a larger window than an aggregator takes.
+Result<void> check_window_size(const CrossOptions& options);
 
 /// Aggregates matching costs over cross-shaped windows (along the row's arms, then along the column's),
 /// streaming down the picture: one scanline's disparity-space image at a time. One object a thread.
@@ -69,9 +75,19 @@ class CrossAggregator {
   std::vector<std::vector<std::uint32_t>> pixels_;  // ring: window pixels summed down the columns
 };
 
-/// The whole pair's costs over cross-shaped windows, cut off at `limit` (at most 255) and rounded:
-/// [(y * width + x) * disparities + d].
-std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const CrossOptions& window, float limit,
+/// How costs are averaged over small windows: against the noise of single pixels, surfaces being left to a
+/// smoothness term.
+struct AggregationOptions {
+  CostOptions cost = {};
+  CrossOptions window = {.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
+  /// Mean costs are cut off here; units of the matching cost, 1 … 144.
+  float limit = 60.0F;
+};
+std::vector<Parameter> parameters_of(AggregationOptions& options);
+
+/// The whole pair's costs over cross-shaped windows, cut off and rounded: [(y * width + x) * disparities +
+/// d].
+std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const AggregationOptions& options,
                                            const Work& work);
 
 }  // namespace palpable::vision

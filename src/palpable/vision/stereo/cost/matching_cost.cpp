@@ -3,7 +3,6 @@
 #include "palpable/vision/stereo/cost/matching_cost.hpp"
 
 #include "palpable/core/vectorize.hpp"
-#include "palpable/vision/image/census.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -16,7 +15,7 @@ namespace {
 }
 
 struct PixelRow {
-  const std::uint64_t *census, *alike;
+  const std::uint64_t *census, *similar;
   const std::uint8_t *r, *g, *b;
 };
 
@@ -25,11 +24,11 @@ PALPABLE_VECTORIZE void compare(const PixelRow& here, const PixelRow& there, int
   for (int x = 0; x < width; ++x) {
     const int first = width - 1 - x;
     const std::uint64_t signature = here.census[x];
-    const std::uint64_t alike = here.alike[x];
+    const std::uint64_t similar = here.similar[x];
     const std::uint64_t* __restrict other = there.census + first;
     for (int d = 0; d < stride; ++d)
-      census[d] = static_cast<std::uint8_t>(__builtin_popcountll((signature ^ other[d]) & alike));
-    const int scale = census_scale(alike);
+      census[d] = static_cast<std::uint8_t>(__builtin_popcountll((signature ^ other[d]) & similar));
+    const int scale = census_scale(similar);
     for (int d = 0; d < stride; ++d)
       census[d] = static_cast<std::uint8_t>(census[d] * scale / kCensusScaleUnit);
     const std::uint8_t* __restrict r = there.r + first;
@@ -63,26 +62,34 @@ PALPABLE_VECTORIZE void add_weighted(const std::uint8_t* __restrict colour, cons
   }
 }
 
-/// Where between the least (0) and the mean cost (1) of a pixel lies the cost of a match out of view: it
-/// neither attracts nor repels.
-constexpr float kOutOfView = 0.6F;
-
 /// Sets the costs of the disparities from `known` on, whose matches lie out of view.
-void fill_out_of_view(std::uint8_t* cost, int known, int stride) {
+void fill_out_of_view(std::uint8_t* cost, int known, int stride, float share) {
   std::uint8_t neutral = 0;
   if (known > 0) {
     const float mean = static_cast<float>(std::accumulate(cost, cost + known, 0)) / static_cast<float>(known);
     const auto least = static_cast<float>(*std::min_element(cost, cost + known));
-    neutral = static_cast<std::uint8_t>(least + kOutOfView * (mean - least));
+    neutral = static_cast<std::uint8_t>(least + share * (mean - least));
   }
   std::fill(cost + known, cost + stride, neutral);
 }
 
 }  // namespace
 
-MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work) {
+std::vector<Parameter> parameters_of(CostOptions& o) {
+  std::vector<Parameter> all{
+      {"census_weight", &o.census_weight, {0, 4}, "", "Weight of each census bit that differs"},
+      {"colour_limit", &o.colour_limit, {1, 255}, "levels", "The colour difference is cut off here"},
+      {"colour_weight", &o.colour_weight, {0, 8}, "", "Weight of each level of the colour difference"},
+      {"halvings", &o.halvings, {0, 4}, "", "The sum of both is halved so often"},
+      {"out_of_view", &o.out_of_view, {0, 1}, "", "Cost out of view: 0 = the pixel's least, 1 = its mean"}};
+  append_parameters(all, "census", parameters_of(o.census));
+  return all;
+}
+
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma,
+                     const CensusOptions& census, const Work& work) {
   MatchView view{colour_planes(picture), census_9x7(luma, work), {}};
-  view.alike = alike_9x7(view.colour, work);
+  view.similar = similar_pixels_9x7(view.colour, census, work);
   return view;
 }
 
@@ -99,7 +106,7 @@ void ReversedRow::assign(const MatchView& view, int y, int more) {
 
 void compare_row(const MatchView& view, int y, const ReversedRow& there, int stride, std::uint8_t* census,
                  std::uint8_t* colour) {
-  compare({view.census.row(y).data(), view.alike.row(y).data(), view.colour.r.row(y).data(),
+  compare({view.census.row(y).data(), view.similar.row(y).data(), view.colour.r.row(y).data(),
            view.colour.g.row(y).data(), view.colour.b.row(y).data()},
           {there.census.data(), nullptr, there.r.data(), there.g.data(), there.b.data()}, view.census.width(),
           stride, census, colour);
@@ -107,7 +114,7 @@ void compare_row(const MatchView& view, int y, const ReversedRow& there, int str
 
 MatchingCost::MatchingCost(const MatchInput& input, const CostOptions& options, const Work& work)
     : options_(options),
-      left_(match_view(input.left, input.left_grey, work)),
+      left_(match_view(input.left, input.left_grey, options.census, work)),
       right_{colour_planes(input.right), census_9x7(input.right_grey, work), {}, input.right_first} {}
 
 void MatchingCost::fill_row(int y, int stride, std::uint8_t* out) const {
@@ -124,7 +131,7 @@ void MatchingCost::fill_row(int y, int stride, std::uint8_t* out) const {
   const int last = std::min(left_.census.width(), right_.first + stride - 1);
   for (int x = 0; x < last; ++x)
     fill_out_of_view(out + static_cast<std::size_t>(x) * static_cast<std::size_t>(stride),
-                     std::max(0, x + 1 - right_.first), stride);
+                     std::max(0, x + 1 - right_.first), stride, options_.out_of_view);
 }
 
 }  // namespace palpable::vision

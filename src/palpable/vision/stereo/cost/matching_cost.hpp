@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/vision/image/colour_planes.hpp"
+#include "palpable/vision/image/census.hpp"
 #include "palpable/vision/stereo/problem/stereo_method.hpp"
 
 #include <cstdint>
@@ -15,25 +15,34 @@ struct MatchView {
   ColourPlanes colour;
   /// census_9x7 of its luma.
   Raster<std::uint64_t> census;
-  /// alike_9x7: which of the census' bits count.
-  Raster<std::uint64_t> alike;
+  /// similar_pixels_9x7: which of the census' bits are compared.
+  Raster<std::uint64_t> similar;
   /// The picture shows something from this column on; what would match before it is out of view.
   int first = 0;
 };
-MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma, const Work& work);
+MatchView match_view(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& luma,
+                     const CensusOptions& census, const Work& work);
 
-/// How the cost of a pixel pair is made: census distance over the pixels of like colour (robust to exposure)
-/// and truncated difference of colour (sharp at edges), added in 8 bits.
+/// The cost of a match that lies out of view, between the least (0) and the mean cost (1) of its pixel: it
+/// neither attracts nor repels.
+inline constexpr float kOutOfViewCost = 0.6F;
+
+/// How the cost of a pixel pair is made: census distance over the pixels of similar colour (robust to
+/// exposure) and truncated difference of colour (sharp at edges), added in 8 bits.
 struct CostOptions {
-  /// Weight of each of the 62 census bits that differ.
+  /// Weight of each of the 62 census bits that differ; 0 … 4.
   int census_weight = 2;
-  /// The greatest difference of the three channels, in levels of 255, is cut off here …
+  /// The greatest difference of the three channels is cut off here; levels of 255, 1 … 255.
   int colour_limit = 20;
-  /// … and weighted so.
+  /// Weight of each level of that difference; 0 … 8.
   int colour_weight = 2;
-  /// The sum is halved so often.
+  /// The sum is halved so often; 0 … 4.
   int halvings = 0;
+  /// Share of the way from the pixel's least (0) to its mean cost (1) that a match out of view costs; 0 … 1.
+  float out_of_view = kOutOfViewCost;
+  CensusOptions census = {};
 };
+std::vector<Parameter> parameters_of(CostOptions& options);
 
 /// Costs are cut off here: high enough for any that matters, low enough for sums over windows in 16 bits.
 inline constexpr int kLargestMatchingCost = 144;

@@ -11,13 +11,13 @@
 namespace palpable::vision {
 
 /// A picture made ready for normalised cross-correlation over 3 x 3 windows: each pixel's window mean and the
-/// inverse of its deviation. The border's pixels are repeated.
+/// inverse of its deviation. The border's pixels are repeated. `noise_levels` is the standard deviation of a
+/// pixel's noise, which must not pass for texture; levels of 255, > 0.
 class CorrelationPicture {
  public:
-  explicit CorrelationPicture(const Raster<std::uint8_t>& grey)
+  CorrelationPicture(const Raster<std::uint8_t>& grey, float noise_levels)
       : values_(grey.width() + 2, grey.height() + 2), mean_(grey.width(), grey.height()), scale_(mean_) {
-    // The noise of an 8-bit picture, two levels in each of nine pixels, must not pass for texture.
-    constexpr float kNoise = 9.0F * 4.0F;
+    const float noise = 9.0F * noise_levels * noise_levels;
     for (int y = 0; y < values_.height(); ++y)
       for (int x = 0; x < values_.width(); ++x)
         values_(x, y) = grey(std::clamp(x - 1, 0, grey.width() - 1), std::clamp(y - 1, 0, grey.height() - 1));
@@ -31,7 +31,7 @@ class CorrelationPicture {
             squares += values_(x + u, y + v) * values_(x + u, y + v);
           }
         mean_(x, y) = sum / 9.0F;
-        scale_(x, y) = 1.0F / std::sqrt(std::max(0.0F, squares - sum * sum / 9.0F) + kNoise);
+        scale_(x, y) = 1.0F / std::sqrt(std::max(0.0F, squares - sum * sum / 9.0F) + noise);
       }
     }
   }

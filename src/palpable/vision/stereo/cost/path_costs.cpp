@@ -10,17 +10,17 @@
 namespace palpable::vision {
 namespace {
 
-/// Before the first and after the last disparity of each pixel stands a guard above every path cost.
+/// Guard values before the first and after the last disparity of each pixel, above every path cost.
 constexpr int kGuard = 32;
-constexpr std::uint8_t kWall = 255;
+constexpr std::uint8_t kGuardCost = 255;
 
 /// One pixel of one path. `before` has a guard on each side. Sets `path` to the path costs less their least.
 template <SumState kState>
 [[gnu::always_inline]] inline void advance(const std::uint8_t* __restrict cost,
                                            const std::uint8_t* __restrict before, std::uint8_t large_step,
-                                           int count, std::uint8_t* __restrict path,
+                                           int small_step_share, int count, std::uint8_t* __restrict path,
                                            std::uint16_t* __restrict sum) {
-  const auto small_step = static_cast<std::uint8_t>(large_step * kSmallStepShare / 256);
+  const auto small_step = static_cast<std::uint8_t>(large_step * small_step_share / 256);
   std::uint8_t least = 255;
   for (int d = 0; d < count; ++d) {
     const std::uint8_t lower = before[d - 1];
@@ -43,13 +43,13 @@ template <SumState kState>
 }
 
 PALPABLE_VECTORIZE void advance_row(const std::uint8_t* cost, const std::uint8_t* steps_from_left, int width,
-                                    int stride, int direction, std::uint8_t* before, std::uint8_t* next,
-                                    std::uint16_t* sum) {
+                                    int stride, int small_step_share, int direction, std::uint8_t* before,
+                                    std::uint8_t* next, std::uint16_t* sum) {
   for (int n = 0; n < width; ++n) {
     const int x = direction > 0 ? n : width - 1 - n;
     const std::uint8_t step = n == 0 ? std::uint8_t{0} : steps_from_left[direction > 0 ? x : x + 1];
     const std::ptrdiff_t at = std::ptrdiff_t{x} * stride;
-    advance<SumState::goes_on>(cost + at, before, step, stride, next, sum + at);
+    advance<SumState::goes_on>(cost + at, before, step, small_step_share, stride, next, sum + at);
     std::swap(before, next);
   }
 }
@@ -62,27 +62,28 @@ struct Lane {
 };
 
 PALPABLE_VECTORIZE void advance_columns(const std::uint8_t* cost, const std::array<Lane, 3>& lanes, int width,
-                                        int stride, int pitch, SumState state, std::uint16_t* sum) {
+                                        int stride, int small_step_share, int pitch, SumState state,
+                                        std::uint16_t* sum) {
   for (int x = 0; x < width; ++x) {
     const std::ptrdiff_t at = std::ptrdiff_t{x} * stride;
     const std::ptrdiff_t from = std::ptrdiff_t{x} * pitch;
     const auto& [slanted, straight, other_way] = lanes;
     if (state == SumState::begins)
-      advance<SumState::begins>(cost + at, slanted.before + from, slanted.steps[x], stride,
+      advance<SumState::begins>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
                                 slanted.here + from, sum + at);
     else
-      advance<SumState::goes_on>(cost + at, slanted.before + from, slanted.steps[x], stride,
+      advance<SumState::goes_on>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
                                  slanted.here + from, sum + at);
     for (const Lane& lane : {straight, other_way})
-      advance<SumState::goes_on>(cost + at, lane.before + from, lane.steps[x], stride, lane.here + from,
-                                 sum + at);
+      advance<SumState::goes_on>(cost + at, lane.before + from, lane.steps[x], small_step_share, stride,
+                                 lane.here + from, sum + at);
   }
 }
 
 }  // namespace
 
-RowPaths::RowPaths(int stride) : stride_(stride) {
-  for (auto& path : path_) path.assign(static_cast<std::size_t>(stride + 2 * kGuard), kWall);
+RowPaths::RowPaths(int stride, int small_step_share) : stride_(stride), small_step_share_(small_step_share) {
+  for (auto& path : path_) path.assign(static_cast<std::size_t>(stride + 2 * kGuard), kGuardCost);
 }
 
 void RowPaths::add(const std::uint8_t* cost, const std::vector<std::uint8_t>& steps_from_left,
@@ -90,15 +91,17 @@ void RowPaths::add(const std::uint8_t* cost, const std::vector<std::uint8_t>& st
   const int width = static_cast<int>(steps_from_left.size());
   for (const int direction : {1, -1}) {
     std::fill_n(path_[0].begin() + kGuard, stride_, std::uint8_t{0});
-    advance_row(cost, steps_from_left.data(), width, stride_, direction, path_[0].data() + kGuard,
-                path_[1].data() + kGuard, sum);
+    advance_row(cost, steps_from_left.data(), width, stride_, small_step_share_, direction,
+                path_[0].data() + kGuard, path_[1].data() + kGuard, sum);
   }
 }
 
-ColumnPaths::ColumnPaths(int width, int stride) : width_(width), stride_(stride) {
+ColumnPaths::ColumnPaths(int width, int stride, int small_step_share)
+    : width_(width), stride_(stride), small_step_share_(small_step_share) {
   // A pixel more on each side, where slanted paths begin: all disparities cost the same there.
   for (Row* row : {&before_, &here_})
-    for (auto* path : {&row->from_left, &row->straight, &row->from_right}) path->assign(at(width + 1), kWall);
+    for (auto* path : {&row->from_left, &row->straight, &row->from_right})
+      path->assign(at(width + 1), kGuardCost);
 }
 
 std::size_t ColumnPaths::at(int x) const {
@@ -111,7 +114,7 @@ void ColumnPaths::add(const std::uint8_t* cost, const RowSteps& steps, SumState 
       {Lane{steps.before_left.data(), before_.from_left.data() + at(-1), here_.from_left.data() + at(0)},
        Lane{steps.before.data(), before_.straight.data() + at(0), here_.straight.data() + at(0)},
        Lane{steps.before_right.data(), before_.from_right.data() + at(1), here_.from_right.data() + at(0)}},
-      width_, stride_, stride_ + kGuard, state, sum);
+      width_, stride_, small_step_share_, stride_ + kGuard, state, sum);
   std::swap(before_, here_);
 }
 

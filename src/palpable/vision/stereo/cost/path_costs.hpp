@@ -12,11 +12,9 @@ namespace palpable::vision {
 /// Semi-global path costs (Hirschmueller 2008, eq. 13) in 8 bits, a row at a time, so that all stays in the
 /// cache and runs in vectors. Costs of a row are cost[x * stride + d], stride a multiple of 32; matching
 /// costs up to kLargestCost and steps up to kLargestStep. A step of one disparity costs a share of a larger
-/// step.
+/// step, in 256ths.
 inline constexpr int kLargestCost = 127;
 inline constexpr int kLargestStep = 127;
-/// Of 256: what a step of one disparity costs beside a larger one.
-inline constexpr int kSmallStepShare = 70;
 
 /// What leads to the pixels of a row from their neighbours before them: what a step of more than one
 /// disparity costs there.
@@ -32,18 +30,19 @@ enum class SumState { begins, goes_on };
 /// The two paths along a row: adds their costs to `sum`. steps_from_left[x] leads from x - 1 to x.
 class RowPaths {
  public:
-  explicit RowPaths(int stride);
+  RowPaths(int stride, int small_step_share);
   void add(const std::uint8_t* cost, const std::vector<std::uint8_t>& steps_from_left, std::uint16_t* sum);
 
  private:
   int stride_;
+  int small_step_share_;
   std::array<std::vector<std::uint8_t>, 2> path_;
 };
 
 /// The three paths that lead from row to row, straight and slanted, whichever way the rows are visited.
 class ColumnPaths {
  public:
-  ColumnPaths(int width, int stride);
+  ColumnPaths(int width, int stride, int small_step_share);
   /// The row next to the one before; the first one begins the paths. Adds the path costs to `sum`, or, where
   /// it begins, overwrites it.
   void add(const std::uint8_t* cost, const RowSteps& steps, SumState state, std::uint16_t* sum);
@@ -53,6 +52,7 @@ class ColumnPaths {
 
   int width_;
   int stride_;
+  int small_step_share_;
   /// Path costs less their least, between guards.
   struct Row {
     std::vector<std::uint8_t> from_left, straight, from_right;

@@ -4,28 +4,39 @@
 
 #include "palpable/core/vectorize.hpp"
 
+#include <cmath>
+
 namespace palpable::vision {
 namespace {
 
-constexpr int kSmallStep = kCostUnit;
-constexpr int kLargeStep = 3 * kCostUnit;
-constexpr int kEdge = 15;
-/// Stands before the first and after the last disparity; above every path cost, and stays so with kSmallStep
+/// The cost before the first and after the last disparity: above every path cost, also with a step's penalty
 /// added.
-constexpr std::uint16_t kWall = 40000;
+constexpr std::uint16_t kGuardCost = 40000;
 constexpr int kGuard = 32;
+/// The sum of four path costs, each at most a matching cost and a large step, fits 16 bits.
+constexpr int kLargestPenalty = 5;
+static_assert(4 * (2 + kLargestPenalty) * kCostUnit <= 65535);
 
 struct Penalties {
   std::uint16_t small_plain, large_plain, small_edge, large_edge;
 };
 
-Penalties penalties(bool edge_here) {
-  // Both pictures smooth: whole; one edge: a quarter; two: a tenth.
-  const auto share = [](int step, int divisor) { return static_cast<std::uint16_t>(step / divisor); };
-  if (edge_here)
-    return {share(kSmallStep, 4), share(kLargeStep, 4), share(kSmallStep, 10), share(kLargeStep, 10)};
-  return {share(kSmallStep, 1), share(kLargeStep, 1), share(kSmallStep, 4), share(kLargeStep, 4)};
-}
+/// The penalties where the reference picture has no edge, and where it has one.
+struct PenaltyTable {
+  Penalties plain, edge;
+
+  explicit PenaltyTable(const SgmOptions& options) {
+    const auto share = [](float units, int divisor) {
+      return static_cast<std::uint16_t>(static_cast<int>(std::lround(units * kCostUnit)) / divisor);
+    };
+    const int one = options.one_edge_divisor;
+    const int both = options.both_edges_divisor;
+    plain = {share(options.small_step, 1), share(options.large_step, 1), share(options.small_step, one),
+             share(options.large_step, one)};
+    edge = {share(options.small_step, one), share(options.large_step, one), share(options.small_step, both),
+            share(options.large_step, both)};
+  }
+};
 
 /// One pixel of one path. `before` and `path` have a guard value on each side; returns the path's least cost.
 /// other_edge[d] is all ones where the other picture has an edge there.
@@ -63,11 +74,11 @@ std::uint16_t begin_path(const std::uint16_t* __restrict cost, int count, std::u
 }
 
 /// 1 at (x, y) where the colour changes from the pixel at (x - dx, y - dy).
-Raster<std::uint8_t> edges(const ColourPlanes& colour, int dx, int dy) {
+Raster<std::uint8_t> edges(const ColourPlanes& colour, int levels, int dx, int dy) {
   Raster<std::uint8_t> out(colour.width(), colour.height());
   for (int y = dy; y < out.height(); ++y)
     for (int x = dx; x < out.width(); ++x)
-      out(x, y) = colour.difference(x, y, x - dx, y - dy) >= kEdge ? 1 : 0;
+      out(x, y) = colour.difference(x, y, x - dx, y - dy) >= levels ? 1 : 0;
   return out;
 }
 
@@ -80,14 +91,15 @@ void reversed_masks(const Raster<std::uint8_t>& edge, int y, std::vector<std::ui
 /// The state of one path: the costs of the last pixel and of this one, each between guards.
 class Path {
  public:
-  explicit Path(int stride) : before_(static_cast<std::size_t>(stride + 2 * kGuard), kWall), path_(before_) {}
+  explicit Path(int stride)
+      : before_(static_cast<std::size_t>(stride + 2 * kGuard), kGuardCost), path_(before_) {}
   void begin(const std::uint16_t* cost, int count, std::uint16_t* sum) {
     least_ = begin_path(cost, count, before_.data() + kGuard, sum);
   }
-  void advance(const std::uint16_t* cost, const std::uint16_t* other_edge, bool edge_here, int count,
+  void advance(const std::uint16_t* cost, const std::uint16_t* other_edge, Penalties penalties, int count,
                std::uint16_t* sum) {
-    least_ = step(cost, before_.data() + kGuard, least_, other_edge, penalties(edge_here), count,
-                  path_.data() + kGuard, sum);
+    least_ =
+        step(cost, before_.data() + kGuard, least_, other_edge, penalties, count, path_.data() + kGuard, sum);
     before_.swap(path_);
   }
 
@@ -98,9 +110,10 @@ class Path {
 };
 
 void aggregate_rows(const CostVolume& costs, const ColourPlanes& reference, const ColourPlanes& other,
-                    CostVolume& sums, const Work& work) {
-  const Raster<std::uint8_t> here = edges(reference, 1, 0);
-  const Raster<std::uint8_t> there = edges(other, 1, 0);
+                    const SgmOptions& options, CostVolume& sums, const Work& work) {
+  const PenaltyTable penalties(options);
+  const Raster<std::uint8_t> here = edges(reference, options.edge_levels, 1, 0);
+  const Raster<std::uint8_t> there = edges(other, options.edge_levels, 1, 0);
   const int w = costs.width;
   parallel_for(work, costs.height, 2, [&](int begin, int end) {
     Path path(costs.stride);
@@ -109,20 +122,22 @@ void aggregate_rows(const CostVolume& costs, const ColourPlanes& reference, cons
       reversed_masks(there, y, mask);
       path.begin(costs.at(0, y), costs.disparities, sums.at(0, y));
       for (int x = 1; x < w; ++x)
-        path.advance(costs.at(x, y), mask.data() + (w - 1 - x), here(x, y) != 0, costs.disparities,
-                     sums.at(x, y));
+        path.advance(costs.at(x, y), mask.data() + (w - 1 - x),
+                     here(x, y) != 0 ? penalties.edge : penalties.plain, costs.disparities, sums.at(x, y));
       path.begin(costs.at(w - 1, y), costs.disparities, sums.at(w - 1, y));
       for (int x = w - 2; x >= 0; --x)
-        path.advance(costs.at(x, y), mask.data() + (w - 2 - x), here(x + 1, y) != 0, costs.disparities,
+        path.advance(costs.at(x, y), mask.data() + (w - 2 - x),
+                     here(x + 1, y) != 0 ? penalties.edge : penalties.plain, costs.disparities,
                      sums.at(x, y));
     }
   });
 }
 
 void aggregate_columns(const CostVolume& costs, const ColourPlanes& reference, const ColourPlanes& other,
-                       CostVolume& sums, const Work& work) {
-  const Raster<std::uint8_t> here = edges(reference, 0, 1);
-  const Raster<std::uint8_t> there = edges(other, 0, 1);
+                       const SgmOptions& options, CostVolume& sums, const Work& work) {
+  const PenaltyTable penalties(options);
+  const Raster<std::uint8_t> here = edges(reference, options.edge_levels, 0, 1);
+  const Raster<std::uint8_t> there = edges(other, options.edge_levels, 0, 1);
   const int w = costs.width;
   const int h = costs.height;
   parallel_for(work, w, 16, [&](int begin, int end) {
@@ -138,7 +153,8 @@ void aggregate_columns(const CostVolume& costs, const ColourPlanes& reference, c
           if (n == 0)
             path.begin(costs.at(x, y), costs.disparities, sums.at(x, y));
           else
-            path.advance(costs.at(x, y), mask.data() + (w - 1 - x), here(x, edge_row) != 0, costs.disparities,
+            path.advance(costs.at(x, y), mask.data() + (w - 1 - x),
+                         here(x, edge_row) != 0 ? penalties.edge : penalties.plain, costs.disparities,
                          sums.at(x, y));
         }
       }
@@ -148,11 +164,24 @@ void aggregate_columns(const CostVolume& costs, const ColourPlanes& reference, c
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(SgmOptions& o) {
+  return {
+      {"small_step", &o.small_step, {0, kLargestPenalty}, "units", "Penalty for a step of one disparity"},
+      {"large_step", &o.large_step, {0, kLargestPenalty}, "units", "Penalty for a larger step"},
+      {"edge_levels", &o.edge_levels, {1, 255}, "levels", "Colour difference that is an edge"},
+      {"one_edge_divisor",
+       &o.one_edge_divisor,
+       {1, 100},
+       "",
+       "Divides penalties where one picture has an edge"},
+      {"both_edges_divisor", &o.both_edges_divisor, {1, 100}, "", "Divides penalties where both have one"}};
+}
+
 void aggregate_paths(const CostVolume& costs, const ColourPlanes& reference, const ColourPlanes& other,
-                     CostVolume& sums, const Work& work) {
+                     const SgmOptions& options, CostVolume& sums, const Work& work) {
   std::fill(sums.cost.begin(), sums.cost.end(), std::uint16_t{0});
-  aggregate_rows(costs, reference, other, sums, work);
-  aggregate_columns(costs, reference, other, sums, work);
+  aggregate_rows(costs, reference, other, options, sums, work);
+  aggregate_columns(costs, reference, other, options, sums, work);
 }
 
 Raster<float> least_cost_disparity(const CostVolume& costs, const Work& work) {

@@ -6,13 +6,26 @@
 
 namespace palpable::vision {
 
-/// Semi-global aggregation over four paths (left, right, up, down; Hirschmueller 2008, eq. 13) with the
-/// penalties of Mei et al. 2011 (section 3.3): 1 unit for a step of one disparity, 3 for more, a quarter of
-/// it where one of the pictures has an edge between the pixels, a tenth where both have. `sums` gets the sum
-/// of the four path costs in units of 1/kCostUnit and must have the volume's sizes. The same result for any
-/// number of threads.
+/// The penalties of semi-global matching (Mei et al. 2011, section 3.3).
+struct SgmOptions {
+  /// For a step of one disparity; units of the volume, 0 … 5.
+  float small_step = 1.0F;
+  /// For a larger step; units, 0 … 5.
+  float large_step = 3.0F;
+  /// Neighbours that differ by this much, in the channel that differs most, have an edge between them; levels
+  /// of 255, 1 … 255.
+  int edge_levels = 15;
+  /// The penalties are divided by this where one picture has an edge, and by that where both have; 1 … 100.
+  int one_edge_divisor = 4;
+  int both_edges_divisor = 10;
+};
+std::vector<Parameter> parameters_of(SgmOptions& options);
+
+/// Semi-global aggregation over four paths (left, right, up, down; Hirschmueller 2008, eq. 13). `sums` gets
+/// the sum of the four path costs in units of 1/kCostUnit and must have the volume's sizes. The same result
+/// for any number of threads.
 void aggregate_paths(const CostVolume& costs, const ColourPlanes& reference, const ColourPlanes& other,
-                     CostVolume& sums, const Work& work);
+                     const SgmOptions& options, CostVolume& sums, const Work& work);
 
 /// The disparity of least cost at each pixel, sub-pixel by the parabola through its neighbours.
 Raster<float> least_cost_disparity(const CostVolume& costs, const Work& work);

@@ -7,13 +7,12 @@
 
 namespace palpable::vision {
 
-Raster<float> surface_through(const Raster<int>& label_px, const Work& work) {
-  constexpr int kIterations = 40;
+Raster<float> membrane_through(const Raster<int>& label_px, int iterations, const Work& work) {
   constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   Raster<float> surface(label_px.width(), label_px.height());
   std::copy(label_px.values().begin(), label_px.values().end(), surface.values().begin());
   Raster<float> next = surface;
-  for (int i = 0; i < kIterations && !work.cancelled(); ++i) {
+  for (int i = 0; i < iterations && !work.cancelled(); ++i) {
     parallel_for(work, surface.height(), 32, [&](int begin, int end) {
       for (int y = begin; y < end; ++y) {
         for (int x = 0; x < surface.width(); ++x) {

@@ -21,8 +21,8 @@ float sub_pixel_offset(const Cost* costs, int d, int count) {
 }
 
 /// The smoothest surface that stays within half a pixel of whole disparities: a membrane, cut where
-/// neighbouring labels differ by more than one. What slanted surfaces lose to
-/// whole labels comes back without the noise that a parabola through a plain surface's costs would bring.
-Raster<float> surface_through(const Raster<int>& label_px, const Work& work);
+/// neighbouring labels differ by more than one. It restores the slopes that whole labels lose, without the
+/// noise that a parabola through a plain surface's costs would bring. `iterations` >= 0 of Jacobi's method.
+Raster<float> membrane_through(const Raster<int>& label_px, int iterations, const Work& work);
 
 }  // namespace palpable::vision

@@ -13,7 +13,7 @@
 namespace palpable::vision {
 namespace {
 
-/// What the votes of a row of pixels are made of: the row's colours, disparities and trust.
+/// A row's colours, disparities and trust.
 struct VoteRow {
   const std::uint8_t* r;
   const std::uint8_t* g;
@@ -38,8 +38,8 @@ inline int colour_difference(const VoteRow& p, const VoteRow& q, int x) {
 
 /// Adds the votes of the pixels of `other` for the pixels of `centre`, one for one.
 PALPABLE_VECTORIZE
-void add_votes(const VoteRow& centre, const VoteRow& other, float row_weight, float per_level, int count,
-               float* __restrict near, float* __restrict total) {
+void add_votes(const VoteRow& centre, const VoteRow& other, float row_weight, float per_level,
+               float support_px, int count, float* __restrict near, float* __restrict total) {
   const std::uint8_t* __restrict r0 = centre.r;
   const std::uint8_t* __restrict g0 = centre.g;
   const std::uint8_t* __restrict b0 = centre.b;
@@ -53,7 +53,7 @@ void add_votes(const VoteRow& centre, const VoteRow& other, float row_weight, fl
     const int difference = std::abs(r0[x] - r1[x]) + std::abs(g0[x] - g1[x]) + std::abs(b0[x] - b1[x]);
     const float weight = falloff(static_cast<float>(difference) * per_level) * row_weight * trust[x];
     total[x] += weight;
-    near[x] += std::fabs(d1[x] - d0[x]) <= 1.0F ? weight : 0.0F;
+    near[x] += std::fabs(d1[x] - d0[x]) <= support_px ? weight : 0.0F;
   }
 }
 
@@ -72,7 +72,7 @@ class ColumnVotes {
       by_distance_.push_back(std::exp(-static_cast<float>(v) / static_cast<float>(options.reach_px)));
   }
 
-  /// For each pixel of the row, the share of the votes around it that lie within one pixel of its disparity.
+  /// For each pixel of the row, the share of the votes around it that support its disparity.
   void shares(int y, std::vector<float>& out) {
     const int width = colour_.width();
     std::fill(near_.begin(), near_.end(), 0.0F);
@@ -81,19 +81,19 @@ class ColumnVotes {
       for (int u = -options_.half_width_px; u <= options_.half_width_px; ++u) {
         const int first = std::max(0, -u);
         const int count = std::min(width, width - u) - first;
-        add_votes(row(first, y), row(first + u, v), row_weight(v - y), per_level_, count,
+        add_votes(row(first, y), row(first + u, v), row_weight(v - y), per_level_, options_.support_px, count,
                   near_.data() + first, total_.data() + first);
       }
     for (std::size_t x = 0; x < out.size(); ++x) out[x] = near_[x] / total_[x];
   }
 
-  /// The weighted mean of the votes around (x, y) within one pixel of their weighted median.
+  /// The weighted mean of the votes around (x, y) near their weighted median.
   float reasonable(int x, int y) {
     const float median = weighted_median(collect(x, y));
     float sum = 0.0F;
     float weight = 0.0F;
     for (const Vote& vote : votes_) {
-      if (std::abs(vote.disparity_px - median) > 1.0F) continue;
+      if (std::abs(vote.disparity_px - median) > options_.support_px) continue;
       sum += vote.weight * vote.disparity_px;
       weight += vote.weight;
     }
@@ -169,13 +169,28 @@ class ColumnVotes {
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(ColumnOptions& o) {
+  return {
+      {"reach_px", &o.reach_px, {1, 60}, "px", "Rows above and below that vote"},
+      {"half_width_px", &o.half_width_px, {0, 10}, "px", "Columns beside that vote"},
+      {"colour_levels",
+       &o.colour_levels,
+       {1, 255},
+       "levels",
+       "Colour difference at which a weight falls by e"},
+      {"untrusted_weight", &o.untrusted_weight, {0.001, 1}, "", "Weight of an untrusted pixel"},
+      {"support_px", &o.support_px, {0.1, 10}, "px", "Disparities that differ by less support each other"},
+      {"outlier_share", &o.outlier_share, {0, 1}, "", "Less support makes an outlier"},
+      {"streak_share", &o.streak_share, {0, 1}, "", "Less support makes an outlier's neighbour one too"}};
+}
+
 void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& trusted,
                     const ColumnOptions& options, Raster<float>& disparity_px, const Work& work) {
   const Raster<float> before = disparity_px;
   const ColourPlanes colour = colour_planes(picture);
   Raster<float> trust(picture.width(), picture.height());
   for (std::size_t i = 0; i < trust.count(); ++i)
-    trust.values()[i] = trusted.values()[i] != 0 ? 1.0F : options.untrusted_vote;
+    trust.values()[i] = trusted.values()[i] != 0 ? 1.0F : options.untrusted_weight;
   parallel_for(work, picture.height(), 8, [&](int begin, int end) {
     ColumnVotes votes(colour, trust, before, options);
     std::vector<float> shares(static_cast<std::size_t>(picture.width()));
@@ -190,7 +205,7 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
           const int x = direction > 0 ? k : picture.width() - 1 - k;
           const auto i = static_cast<std::size_t>(x);
           const bool goes_on = in_streak && shares[i] < options.streak_share &&
-                               std::abs(before(x, y) - before(x - direction, y)) <= 1.0F;
+                               std::abs(before(x, y) - before(x - direction, y)) <= options.support_px;
           in_streak = shares[i] < options.outlier_share || goes_on;
           if (!in_streak || settled[i] != 0) continue;
           disparity_px(x, y) = votes.reasonable(x, y);

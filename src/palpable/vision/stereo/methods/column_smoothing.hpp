@@ -2,24 +2,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/core/work.hpp"
+
+#include <cstdint>
+#include <vector>
 
 namespace palpable::vision {
 
 struct ColumnOptions {
-  /// Rows above and below that vote, and columns beside.
+  /// Rows above and below that vote, and columns beside; px, 1 … 60 and 0 … 10.
   int reach_px = 10;
   int half_width_px = 1;
-  /// A neighbour's vote falls with its distance and with its difference of colour (levels of 255, mean of
-  /// channels).
+  /// A neighbour's weight falls with its distance and by e with this colour difference; levels of 255, mean
+  /// of the channels, 1 … 255.
   float colour_levels = 10.0F;
-  /// An untrusted pixel's vote counts only so much.
-  float untrusted_vote = 0.05F;
-  /// A disparity is an outlier when less than this share of the votes lies within one pixel of it …
+  /// The weight of an untrusted pixel; 0.001 … 1.
+  float untrusted_weight = 0.05F;
+  /// Disparities that differ by at most this support each other; px, 0.1 … 10.
+  float support_px = 1.0F;
+  /// A disparity is an outlier when less than this share of the weights supports it; 0 … 1 …
   float outlier_share = 0.4F;
-  /// … and its neighbours along the scanline, when they are alike and have less than this.
+  /// … and so are its neighbours along the scanline with its disparity, when less than this share does; 0
+  /// … 1.
   float streak_share = 0.6F;
 };
+std::vector<Parameter> parameters_of(ColumnOptions& options);
 
 /// Removes the streaks that matching each scanline by itself leaves, and keeps edges (Shi & Pai 1997,
 /// section 3.3): a disparity in the tail of its column's distribution is replaced by the weighted mean of the

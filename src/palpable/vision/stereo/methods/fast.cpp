@@ -5,38 +5,18 @@
 #include "palpable/core/vectorize.hpp"
 #include "palpable/vision/image/median.hpp"
 #include "palpable/vision/stereo/cost/least_cost.hpp"
-#include "palpable/vision/stereo/cost/matching_cost.hpp"
 #include "palpable/vision/stereo/cost/path_costs.hpp"
 #include "palpable/vision/stereo/cost/sub_pixel.hpp"
-#include "palpable/vision/stereo/occlusion/consistency.hpp"
-#include "palpable/vision/stereo/occlusion/left_right.hpp"
+#include "palpable/vision/stereo/occlusion/filling.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
 #include <array>
 #include <cmath>
 #include <memory>
+#include <string>
 
 namespace palpable::vision {
 namespace {
-
-/// Of the greatest colour difference of the three channels so much counts, and so much beside a census bit;
-/// half the sum of both is the cost.
-constexpr CostOptions kCost{.census_weight = 1, .colour_limit = 20, .colour_weight = 3, .halvings = 1};
-static_assert((63 + kCost.colour_limit * kCost.colour_weight) / 2 <= kLargestCost);
-/// Costs are averaged with those of neighbours 1, 2 and 4 columns and 1 and 2 rows away whose colour is
-/// alike.
-constexpr int kColumnPasses = 3;
-constexpr int kRowPasses = 2;
-constexpr int kReach = 1 << (kRowPasses - 1);
-constexpr int kRing = 2 * kReach + 1;
-constexpr std::uint8_t kAlike = 20;
-/// A large step between pixels of one colour, its least across an edge, and how fast it falls between.
-constexpr float kLargeStep = 120.0F;
-constexpr float kLeastLargeStep = 14.0F;
-constexpr float kLikeColour = 12.0F;
-/// Pictures are matched in an even number of stripes of at most half so many rows, the same for any number of
-/// threads; so many rows above and below lead its paths in.
-constexpr int kTwoStripes = 400;
-constexpr int kLeadIn = 12;
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -64,8 +44,11 @@ void differences_to(const ColourPlanes& colour, int y, int dx, int other_y, Byte
 /// have come up.
 class StripeMatcher {
  public:
-  StripeMatcher(const MatchingCost& costs, int disparities, int stride, int begin, int end)
-      : costs_(costs),
+  StripeMatcher(const MatchingCost& costs, const FastOptions& options, int disparities, int stride, int begin,
+                int end)
+      : options_(options),
+        reach_(1 << (options.column_passes - 1)),
+        costs_(costs),
         colour_(costs.left_colour()),
         width_(colour_.width()),
         height_(colour_.height()),
@@ -73,8 +56,8 @@ class StripeMatcher {
         stride_(stride),
         begin_(begin),
         end_(end),
-        first_(std::max(0, begin - kLeadIn)),
-        last_(std::min(height_, end + kLeadIn)),
+        first_(std::max(0, begin - options.lead_in_rows)),
+        last_(std::min(height_, end + options.lead_in_rows)),
         row_size_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(stride)),
         cost_(std::make_unique_for_overwrite<std::uint8_t[]>(row_size_ * rows(last_ - first_))),
         scratch_(row_size_),
@@ -86,18 +69,19 @@ class StripeMatcher {
         steps_from_left_(difference_),
         right_least_(static_cast<std::size_t>(width_ + stride)),
         right_best_(right_least_) {
-    for (Bytes& row : ring_) row.resize(row_size_);
+    ring_.assign(static_cast<std::size_t>(2 * reach_ + 1), Bytes(row_size_));
     for (std::size_t i = 0; i < step_.size(); ++i)
       step_[i] = static_cast<std::uint8_t>(std::lround(
-          std::max(kLeastLargeStep, kLargeStep * std::exp(-static_cast<float>(i) / kLikeColour))));
+          std::max(options.least_large_step,
+                   options.large_step * std::exp(-static_cast<float>(i) / options.step_colour_levels))));
   }
 
   void run(Raster<float>& left_px, Raster<float>& right_px) {
-    int next = std::max(0, first_ - kReach);
-    RowPaths row_paths(stride_);
-    ColumnPaths down(width_, stride_);
+    int next = std::max(0, first_ - reach_);
+    RowPaths row_paths(stride_, options_.small_step_share);
+    ColumnPaths down(width_, stride_, options_.small_step_share);
     for (int y = first_; y < last_; ++y) {
-      while (next <= std::min(y + kReach, height_ - 1)) add_row(next++);
+      while (next <= std::min(y + reach_, height_ - 1)) add_row(next++);
       smooth_columns(y);
       fill_steps(y);
       if (y >= end_) continue;
@@ -107,7 +91,7 @@ class StripeMatcher {
       to_steps(steps_from_left_);
       row_paths.add(cost_of(y), steps_from_left_, sum_of(y));
     }
-    ColumnPaths up(width_, stride_);
+    ColumnPaths up(width_, stride_, options_.small_step_share);
     for (int y = last_ - 1; y >= begin_; --y) {
       up.add(cost_of(y), seen_from_below(y), SumState::goes_on, sum_of(y));
       if (y < end_) choose(y, left_px.row(y), right_px.row(y));
@@ -123,21 +107,21 @@ class StripeMatcher {
                                    : beyond_.data();
   }
   RowSteps& steps_of(int y) { return steps_[static_cast<std::size_t>(y - first_)]; }
-  Bytes& ring(int y) { return ring_[static_cast<std::size_t>(y % kRing)]; }
+  Bytes& ring(int y) { return ring_[static_cast<std::size_t>(y) % ring_.size()]; }
   std::size_t at(int x) const { return static_cast<std::size_t>(x) * static_cast<std::size_t>(stride_); }
 
   /// Costs of row y, averaged along the row.
   void add_row(int y) {
     Bytes& out = ring(y);
     costs_.fill_row(y, stride_, out.data());
-    for (int pass = 0; pass < kColumnPasses; ++pass) {
+    for (int pass = 0; pass < options_.row_passes; ++pass) {
       const int reach = 1 << pass;
       differences_to(colour_, y, -reach, y, difference_);
       differences_to(colour_, y, reach, y, difference_too_);
       for (int x = 0; x < width_; ++x) {
         const auto i = static_cast<std::size_t>(x);
-        smooth(out.data() + at(difference_[i] < kAlike ? x - reach : x), out.data() + at(x),
-               out.data() + at(difference_too_[i] < kAlike ? x + reach : x), stride_,
+        smooth(out.data() + at(difference_[i] < options_.similar_levels ? x - reach : x), out.data() + at(x),
+               out.data() + at(difference_too_[i] < options_.similar_levels ? x + reach : x), stride_,
                scratch_.data() + at(x));
       }
       out.swap(scratch_);
@@ -147,16 +131,18 @@ class StripeMatcher {
   /// Sets the costs of row y from those in the ring, averaged along the columns.
   void smooth_columns(int y) {
     const std::uint8_t* from = ring(y).data();
-    std::uint8_t* to = kRowPasses % 2 == 0 ? scratch_.data() : cost_of(y);
-    std::uint8_t* other = kRowPasses % 2 == 0 ? cost_of(y) : scratch_.data();
-    for (int pass = 0; pass < kRowPasses; ++pass) {
+    std::uint8_t* to = options_.column_passes % 2 == 0 ? scratch_.data() : cost_of(y);
+    std::uint8_t* other = options_.column_passes % 2 == 0 ? cost_of(y) : scratch_.data();
+    for (int pass = 0; pass < options_.column_passes; ++pass) {
       const int reach = 1 << pass;
       differences_to(colour_, y, 0, y - reach, difference_);
       differences_to(colour_, y, 0, y + reach, difference_too_);
       for (int x = 0; x < width_; ++x) {
         const auto i = static_cast<std::size_t>(x);
-        smooth((difference_[i] < kAlike ? ring(y - reach).data() : from) + at(x), from + at(x),
-               (difference_too_[i] < kAlike ? ring(y + reach).data() : from) + at(x), stride_, to + at(x));
+        smooth((difference_[i] < options_.similar_levels ? ring(y - reach).data() : from) + at(x),
+               from + at(x),
+               (difference_too_[i] < options_.similar_levels ? ring(y + reach).data() : from) + at(x),
+               stride_, to + at(x));
       }
       from = to;
       std::swap(to, other);
@@ -201,14 +187,16 @@ class StripeMatcher {
           static_cast<float>(right_best_[static_cast<std::size_t>(width_ - 1 - x)] - x);
   }
 
+  const FastOptions& options_;
+  int reach_;  // of the averages along the column
   const MatchingCost& costs_;
   const ColourPlanes& colour_;
   int width_, height_, disparities_, stride_;
-  /// The stripe's rows, and with those that lead in.
+  /// The stripe's rows; and with those at which its paths begin.
   int begin_, end_, first_, last_;
   std::size_t row_size_;
   std::array<std::uint8_t, 256> step_{};  // by colour difference
-  std::array<Bytes, kRing> ring_;
+  std::vector<Bytes> ring_;
   std::unique_ptr<std::uint8_t[]> cost_;  // large, and all of it is overwritten first
   Bytes scratch_;
   std::unique_ptr<std::uint16_t[]> sum_;
@@ -220,29 +208,73 @@ class StripeMatcher {
 
 }  // namespace
 
-Result<MatchOutput> match_fast(const MatchInput& input, const StereoOptions&, const Work& work) {
+std::vector<Parameter> parameters_of(FastOptions& o) {
+  std::vector<Parameter> all{
+      {"row_passes", &o.row_passes, {0, 5}, "", "Passes of averaging along the row"},
+      {"column_passes", &o.column_passes, {1, 4}, "", "Passes of averaging along the column"},
+      {"similar_levels",
+       &o.similar_levels,
+       {1, 255},
+       "levels",
+       "Neighbours that differ by less are averaged"},
+      {"large_step",
+       &o.large_step,
+       {1, kLargestStep},
+       "cost",
+       "Penalty of a step of more than one disparity"},
+      {"step_colour_levels",
+       &o.step_colour_levels,
+       {1, 255},
+       "levels",
+       "Colour difference at which it falls by e"},
+      {"least_large_step", &o.least_large_step, {0, kLargestStep}, "cost", "Its least value"},
+      {"small_step_share",
+       &o.small_step_share,
+       {0, 256},
+       "1/256",
+       "Penalty of a step of one disparity beside it"},
+      {"stripe_rows", &o.stripe_rows, {16, 4096}, "px", "Most rows of a stripe"},
+      {"lead_in_rows", &o.lead_in_rows, {0, 200}, "px", "Rows beside a stripe at which its paths begin"},
+      {"medians", &o.medians, {0, 10}, "", "3 x 3 medians at the end"}};
+  append_parameters(all, "cost", parameters_of(o.cost));
+  return all;
+}
+
+Result<void> check(const FastOptions& options) {
+  if (auto ok = check_ranges(options); !ok) return ok;
+  const CostOptions& cost = options.cost;
+  const int most = (63 * cost.census_weight + cost.colour_limit * cost.colour_weight) >> cost.halvings;
+  if (most <= kLargestCost) return {};
+  return Error{
+      ErrorCode::usage,
+      "the largest cost would be " + std::to_string(most) + ", more than " + std::to_string(kLargestCost),
+      "cost"};
+}
+
+Result<MatchOutput> match_fast(const MatchInput& input, const FastOptions& options, const Work& work) {
+  if (const auto ok = check(options); !ok) return ok.error();
   const int w = input.left.width();
   const int h = input.left.height();
   const int stride = whole_vectors(input.disparities);
-  const MatchingCost costs(input, kCost, work);
+  const MatchingCost costs(input, options.cost, work);
   MatchOutput out{Raster<float>(w, h), {}};
   Raster<float> right_px(w, h);
-  const int stripes = 2 * ((h + kTwoStripes - 1) / kTwoStripes);
+  const int two_stripes = 2 * options.stripe_rows;
+  const int stripes = 2 * ((h + two_stripes - 1) / two_stripes);
   const auto row = [&](int stripe) { return h * stripe / stripes; };
   parallel_for(work, stripes, 1, [&](int begin, int end) {
     for (int stripe = begin; stripe < end && !work.cancelled(); ++stripe)
-      StripeMatcher(costs, input.disparities, stride, row(stripe), row(stripe + 1))
+      StripeMatcher(costs, options, input.disparities, stride, row(stripe), row(stripe + 1))
           .run(out.disparity_px, right_px);
   });
   if (work.cancelled()) return Work::interrupted();
 
-  hide_before(input.right_first, right_px);
-  out.confidence = agreement(out.disparity_px, right_px);
+  mask_columns_before(input.right_first, right_px);
+  out.confidence = left_right_check(out.disparity_px, right_px);
   Raster<std::uint8_t> trusted(w, h);
   for (std::size_t i = 0; i < trusted.count(); ++i) trusted.values()[i] = out.confidence.values()[i] > 0.0F;
-  fill_from_behind(trusted, out.disparity_px);
-  // Twice: specks of a few pixels go too, and corners stay sharper than under one wide median.
-  for (int pass = 0; pass < 2; ++pass) out.disparity_px = median_3x3(out.disparity_px, work);
+  fill_from_background(trusted, out.disparity_px);
+  for (int pass = 0; pass < options.medians; ++pass) out.disparity_px = median_3x3(out.disparity_px, work);
   return out;
 }
 

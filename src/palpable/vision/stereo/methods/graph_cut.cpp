@@ -1,11 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/cost/cross_window.hpp"
+#include "palpable/vision/stereo/methods/graph_cut.hpp"
+
 #include "palpable/vision/stereo/cost/sub_pixel.hpp"
 #include "palpable/vision/stereo/methods/label_expansion.hpp"
-#include "palpable/vision/stereo/occlusion/consistency.hpp"
+#include "palpable/vision/stereo/occlusion/filling.hpp"
 #include "palpable/vision/stereo/problem/picture_pyramid.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,29 +16,21 @@
 namespace palpable::vision {
 namespace {
 
-// In units of the matching cost.
-constexpr float kDataLimit = 60.0F;
-constexpr float kTruncation_px = 2.0F;
-constexpr float kSmoothness = 32.0F;
-constexpr float kSmoothnessAcrossEdges = 3.0F;
-constexpr float kEdgeLevels = 8.0F;
-/// The data term is a mean over a window no larger than this, within alike colour: it quietens the noise of
-/// single pixels and leaves the surfaces to the smoothness term.
-constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
-
-/// Smoothness between two pixels: strong where they look alike.
-float smoothness(Rgb8 a, Rgb8 b) {
+/// Smoothness between two pixels: strong where their colours are similar.
+float smoothness(const GraphCutOptions& options, Rgb8 a, Rgb8 b) {
   const int difference = std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
-  return kSmoothnessAcrossEdges + (kSmoothness - kSmoothnessAcrossEdges) *
-                                      std::exp(-static_cast<float>(difference) / (3.0F * kEdgeLevels));
+  return options.edge_smoothness +
+         (options.smoothness - options.edge_smoothness) *
+             std::exp(-static_cast<float>(difference) / (3.0F * options.edge_levels));
 }
 
-void fill_smoothness(const Raster<Rgb8>& picture, GridEnergy& energy, const Work& work) {
+void fill_smoothness(const Raster<Rgb8>& picture, const GraphCutOptions& options, GridEnergy& energy,
+                     const Work& work) {
   constexpr float kDiagonal = 0.70710678F;
   for (auto* weight : {&energy.right, &energy.down, &energy.down_right, &energy.down_left})
     *weight = Raster<float>(energy.width, energy.height);
   const auto between = [&](int x, int y, int u, int v) {
-    return picture.contains(u, v) ? smoothness(picture(x, y), picture(u, v)) : 0.0F;
+    return picture.contains(u, v) ? smoothness(options, picture(x, y), picture(u, v)) : 0.0F;
   };
   parallel_for(work, energy.height, 16, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
@@ -52,14 +44,14 @@ void fill_smoothness(const Raster<Rgb8>& picture, GridEnergy& energy, const Work
   });
 }
 
-GridEnergy make_energy(const MatchInput& input, const Work& work) {
+GridEnergy make_energy(const MatchInput& input, const GraphCutOptions& options, const Work& work) {
   GridEnergy energy;
   energy.width = input.left.width();
   energy.height = input.left.height();
   energy.labels = input.disparities;
-  energy.truncation = kTruncation_px;
-  fill_smoothness(input.left, energy, work);
-  energy.data = aggregated_costs(input, kWindow, kDataLimit, work);
+  energy.truncation = options.truncation_px;
+  fill_smoothness(input.left, options, energy, work);
+  energy.data = aggregated_costs(input, options.data, work);
   return energy;
 }
 
@@ -82,12 +74,11 @@ Raster<int> cheapest(const GridEnergy& energy, const Raster<int>& coarse, int re
 }
 
 /// In each cell: the labels that the coarse solution has near it, doubled, and one to each side; and those
-/// that are the cheapest of several of its pixels, which brings back what the coarse picture could not
-/// resolve.
-Candidates candidates_from(const GridEnergy& energy, const Raster<int>& coarse) {
+/// that are the cheapest of several of its pixels.
+Candidates candidates_from(const GridEnergy& energy, const GraphCutOptions& options,
+                           const Raster<int>& coarse) {
   constexpr int kCell = Candidates::kCell;
-  constexpr int kBeside_px = 8;
-  constexpr int kSeveral = 12;
+  const int reach = options.candidate_reach_px;
   const Raster<int> cheap = cheapest(energy, {}, 0);
   Candidates out(energy.width, energy.height, energy.labels);
   std::vector<int> votes(static_cast<std::size_t>(energy.labels));
@@ -99,11 +90,11 @@ Candidates candidates_from(const GridEnergy& energy, const Raster<int>& coarse) 
         for (int x = column * kCell; x < std::min(energy.width, (column + 1) * kCell); ++x)
           ++votes[static_cast<std::size_t>(cheap(x, y))];
       for (int d = 0; d < energy.labels; ++d)
-        if (votes[static_cast<std::size_t>(d)] >= kSeveral) flags[d] = 1;
-      const int right = std::min(coarse.width(), ((column + 1) * kCell + kBeside_px) / 2);
-      const int bottom = std::min(coarse.height(), ((row + 1) * kCell + kBeside_px) / 2);
-      for (int y = std::max(0, (row * kCell - kBeside_px) / 2); y < bottom; ++y)
-        for (int x = std::max(0, (column * kCell - kBeside_px) / 2); x < right; ++x)
+        if (votes[static_cast<std::size_t>(d)] >= options.candidate_pixels) flags[d] = 1;
+      const int right = std::min(coarse.width(), ((column + 1) * kCell + reach) / 2);
+      const int bottom = std::min(coarse.height(), ((row + 1) * kCell + reach) / 2);
+      for (int y = std::max(0, (row * kCell - reach) / 2); y < bottom; ++y)
+        for (int x = std::max(0, (column * kCell - reach) / 2); x < right; ++x)
           for (int d = std::max(0, 2 * coarse(x, y) - 1);
                d <= std::min(energy.labels - 1, 2 * coarse(x, y) + 1); ++d)
             flags[d] = 1;
@@ -119,30 +110,27 @@ struct Solution {
 
 /// From coarse to fine: the smallest pictures try every label everywhere, the others those that came up
 /// there.
-Solution solve(const MatchInput& input, int level, const Work& work) {
-  constexpr int kFewLabels = 10;
-  constexpr int kFewPixels = 64;
-  constexpr int kPasses = 2;
-  Solution out{{}, make_energy(input, work)};
+Solution solve(const MatchInput& input, const GraphCutOptions& options, int level, const Work& work) {
+  Solution out{{}, make_energy(input, options, work)};
   const GridEnergy& energy = out.energy;
   if (work.cancelled()) return out;
-  if (energy.labels <= kFewLabels || std::min(energy.width, energy.height) < kFewPixels) {
+  if (energy.labels <= options.few_disparities ||
+      std::min(energy.width, energy.height) < options.few_pixels) {
     Candidates all(energy.width, energy.height, energy.labels);
     std::fill(all.flags.begin(), all.flags.end(), std::uint8_t{1});
     out.label = cheapest(energy, {}, 0);
-    expand_labels(energy, all, kPasses, out.label, work);
+    expand_labels(energy, all, options.passes, out.label, work);
     return out;
   }
-  const Raster<int> coarse = solve(halved(input), level + 1, work).label;
+  const Raster<int> coarse = solve(halved(input), options, level + 1, work).label;
   if (work.cancelled()) return out;
   work.report(level == 0 ? 0.5 : 0.2, "cutting the graph");
   out.label = cheapest(energy, coarse, 1);
-  expand_labels(energy, candidates_from(energy, coarse), kPasses, out.label, work);
+  expand_labels(energy, candidates_from(energy, options, coarse), options.passes, out.label, work);
   return out;
 }
 
-/// What a nearer surface covers in the right picture, or what it does not show, is hidden there: its
-/// disparity is not to be trusted.
+/// 0 where a nearer surface covers the pixel in the right picture, or where that picture does not show it.
 Raster<std::uint8_t> seen_by_both(const Raster<int>& label, int right_first) {
   Raster<std::uint8_t> seen(label.width(), label.height());
   std::vector<int> nearest(static_cast<std::size_t>(label.width()));
@@ -162,12 +150,43 @@ Raster<std::uint8_t> seen_by_both(const Raster<int>& label, int right_first) {
 
 }  // namespace
 
-Result<MatchOutput> match_graph_cut(const MatchInput& input, const StereoOptions&, const Work& work) {
-  const Solution solution = solve(input, 0, work);
+std::vector<Parameter> parameters_of(GraphCutOptions& o) {
+  std::vector<Parameter> all{
+      {"smoothness", &o.smoothness, {0, 500}, "cost", "Smoothness of neighbours of one colour"},
+      {"edge_smoothness", &o.edge_smoothness, {0, 500}, "cost", "Smoothness across the strongest edge"},
+      {"edge_levels", &o.edge_levels, {0.1, 255}, "levels", "Colour difference at which it falls by e"},
+      {"truncation_px", &o.truncation_px, {1, 100}, "px", "Disparities that differ by more cost no more"},
+      {"few_disparities", &o.few_disparities, {2, 1000}, "", "So few are all tried everywhere"},
+      {"few_pixels",
+       &o.few_pixels,
+       {8, 10000},
+       "px",
+       "A short side below which all labels are tried everywhere"},
+      {"passes", &o.passes, {1, 20}, "", "Expansion moves over all labels"},
+      {"candidate_reach_px", &o.candidate_reach_px, {0, 100}, "px", "Reach of the coarser solution's labels"},
+      {"candidate_pixels",
+       &o.candidate_pixels,
+       {1, 256},
+       "px",
+       "Pixels of a cell that make their cheapest label one"},
+      {"membrane_iterations", &o.membrane_iterations, {0, 1000}, "", "Iterations of the membrane"}};
+  append_parameters(all, "data", parameters_of(o.data));
+  return all;
+}
+
+Result<void> check(const GraphCutOptions& options) {
+  if (auto ok = check_ranges(options); !ok) return ok;
+  return check_window_size(options.data.window);
+}
+
+Result<MatchOutput> match_graph_cut(const MatchInput& input, const GraphCutOptions& options,
+                                    const Work& work) {
+  if (const auto ok = check(options); !ok) return ok.error();
+  const Solution solution = solve(input, options, 0, work);
   if (work.cancelled()) return Work::interrupted();
   const Raster<int>& label = solution.label;
-  MatchOutput output{surface_through(label, work), {}};
-  fill_from_behind(seen_by_both(label, input.right_first), output.disparity_px);
+  MatchOutput output{membrane_through(label, options.membrane_iterations, work), {}};
+  fill_from_background(seen_by_both(label, input.right_first), output.disparity_px);
   return output;
 }
 

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/match.hpp"
 
-#include "palpable/vision/stereo/methods/best.hpp"
-#include "palpable/vision/stereo/methods/fast.hpp"
-#include "palpable/vision/stereo/methods/pyramid.hpp"
-#include "palpable/vision/stereo/methods/segments.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/problem/stereo_method.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
@@ -21,16 +17,39 @@ namespace {
 struct MethodEntry {
   StereoMethod method;
   std::string_view name;
-  MethodFunction function;
+  std::string_view summary;
+  Result<MatchOutput> (*function)(const MatchInput&, const StereoOptions&, const Work&);
+  std::vector<Parameter> (*parameters)(StereoOptions&);
+  Result<void> (*check)(const StereoOptions&);
 };
 
+/// One method: its own function and its own options.
+template <auto kMatch, auto kOptions>
+constexpr MethodEntry entry(StereoMethod method, std::string_view name, std::string_view summary) {
+  return {method,
+          name,
+          summary,
+          [](const MatchInput& input, const StereoOptions& options, const Work& work) {
+            return kMatch(input, options.*kOptions, work);
+          },
+          [](StereoOptions& options) { return parameters_of(options.*kOptions); },
+          [](const StereoOptions& options) { return check(options.*kOptions); }};
+}
+
 constexpr std::array kMethods{
-    MethodEntry{StereoMethod::scanline, "scanline", match_scanline},
-    MethodEntry{StereoMethod::graph_cut, "graph-cut", match_graph_cut},
-    MethodEntry{StereoMethod::segments, "segments", match_segments},
-    MethodEntry{StereoMethod::pyramid, "pyramid", match_pyramid},
-    MethodEntry{StereoMethod::fast, "fast", match_fast},
-    MethodEntry{StereoMethod::best, "best", match_best},
+    entry<match_scanline, &StereoOptions::scanline>(
+        StereoMethod::scanline, "scanline",
+        "Least-cost paths along scanlines with occlusions (Shi & Pai 1997)"),
+    entry<match_graph_cut, &StereoOptions::graph_cut>(StereoMethod::graph_cut, "graph-cut",
+                                                      "Expansion moves by minimum cuts (Park & Howard 2012)"),
+    entry<match_segments, &StereoOptions::segments>(StereoMethod::segments, "segments",
+                                                    "Planes of colour segments (Hong & Chen 2004)"),
+    entry<match_pyramid, &StereoOptions::pyramid>(
+        StereoMethod::pyramid, "pyramid", "Normalised correlation from coarse to fine (Beeler et al. 2010)"),
+    entry<match_fast, &StereoOptions::fast>(StereoMethod::fast, "fast",
+                                            "Semi-global matching in 8 bits, for live use"),
+    entry<match_best, &StereoOptions::best>(StereoMethod::best, "best",
+                                            "Semi-global search over slanted planes, for files"),
 };
 
 const MethodEntry& entry_of(StereoMethod method) {
@@ -59,22 +78,22 @@ void mirror(MatchInput& input) {
 }
 
 /// Where an exchanged pair's first picture stays the reference: mirrored, it is the left one of its pair.
-Result<MatchOutput> match_mirrored(MatchInput& input, MethodFunction function, const StereoOptions& options,
+Result<MatchOutput> match_mirrored(MatchInput& input, const MethodEntry& method, const StereoOptions& options,
                                    const Work& work) {
   mirror(input);
-  Result<MatchOutput> output = function(input, options, work);
+  Result<MatchOutput> output = method.function(input, options, work);
   if (!output) return output;
   for (Raster<float>* map : {&output->disparity_px, &output->confidence})
     for (int y = 0; y < map->height(); ++y) std::reverse(map->row(y).begin(), map->row(y).end());
   return output;
 }
 
-Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction function,
+Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& method,
                                    const StereoOptions& options, const Work& work) {
   Exposure exposure;
   MatchInput input = prepare_pictures(pair, work, &exposure);
-  work.report(0.0, "looking at the pair");
-  DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, work);
+  work.report(0.0, "measuring the pair");
+  DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, options.range, work);
   const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
   std::vector<std::string> notes = pair_notes(range, offset, contrast_beyond_grain(input.left_grey));
   if (exposure.differs && agree(range)) notes.push_back(sentence_of(exposure));
@@ -91,7 +110,7 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction functi
   input.disparities = range.max_px - range.min_px + 1;
   input.right_first = std::max(0, range.min_px);
   Result<MatchOutput> output =
-      exchanged ? match_mirrored(input, function, options, work) : function(input, options, work);
+      exchanged ? match_mirrored(input, method, options, work) : method.function(input, options, work);
   if (!output) return output.error();
   for (float& d : output->disparity_px.values()) d += static_cast<float>(range.min_px);
   return StereoMatch{
@@ -101,6 +120,19 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, MethodFunction functi
 }  // namespace
 
 std::string_view name_of(StereoMethod method) { return entry_of(method).name; }
+
+std::string_view summary_of(StereoMethod method) { return entry_of(method).summary; }
+
+std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method) {
+  std::vector<Parameter> all = entry_of(method).parameters(options);
+  append_parameters(all, "range", parameters_of(options.range));
+  return all;
+}
+
+Result<void> check(const StereoOptions& options, StereoMethod method) {
+  if (auto ok = check_ranges(options.range); !ok) return ok;
+  return entry_of(method).check(options);
+}
 
 std::optional<StereoMethod> stereo_method_from(std::string_view name) {
   for (const MethodEntry& entry : kMethods)
@@ -117,14 +149,14 @@ std::vector<StereoMethod> available_stereo_methods() {
 Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                           const Work& work) {
   if (const auto sizes = check_sizes(pair); !sizes) return sizes.error();
-  const MethodFunction function = entry_of(method).function;
+  if (const auto ok = check(options, method); !ok) return ok.error();
   if (options.max_disparity_px < 0 || options.max_disparity_px >= pair.left.width)
     return Error{ErrorCode::usage,
                  "the greatest disparity must lie between 1 and the picture's width less one, " +
                      std::to_string(pair.left.width - 1) + " pixels",
                  {}};
   try {
-    return match_prepared(pair, function, options, work);
+    return match_prepared(pair, entry_of(method), options, work);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::failed, "there is not enough memory to match pictures of this size", {}};
   }

@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/vision/stereo/methods/stereo_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 
 #include <optional>
@@ -18,8 +19,11 @@ std::optional<StereoMethod> stereo_method_from(std::string_view name);
 /// The methods that this program holds.
 std::vector<StereoMethod> available_stereo_methods();
 
-/// Runs one method with the same parameters for every picture. Errors: invalid_input for sizes that differ or
-/// are too small, interrupted. Long work: reports progress, polls cancel.
+/// One sentence on how the method works.
+std::string_view summary_of(StereoMethod method);
+
+/// Runs one method. Errors: invalid_input for sizes that differ or are too small, usage for options out of
+/// their ranges, interrupted. Long work: reports progress, polls cancel.
 Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                           const Work& work);
 

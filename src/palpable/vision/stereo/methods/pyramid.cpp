@@ -3,8 +3,7 @@
 #include "palpable/vision/stereo/methods/pyramid.hpp"
 
 #include "palpable/vision/stereo/cost/normalised_correlation.hpp"
-#include "palpable/vision/stereo/occlusion/colour_votes.hpp"
-#include "palpable/vision/stereo/occlusion/consistency.hpp"
+#include "palpable/vision/stereo/occlusion/filling.hpp"
 #include "palpable/vision/stereo/problem/picture_pyramid.hpp"
 
 #include <algorithm>
@@ -20,12 +19,11 @@ namespace palpable::vision {
 namespace {
 
 constexpr int kUnmatched = -1;
-constexpr int kLeastSide = 128;
 
 /// The disparities tried at a pixel, each once.
-class Tried {
+class CandidateList {
  public:
-  explicit Tried(int disparities) : seen_(static_cast<std::size_t>(disparities), 0) {}
+  explicit CandidateList(int disparities) : seen_(static_cast<std::size_t>(disparities), 0) {}
   void clear() {
     for (const int d : list_) seen_[static_cast<std::size_t>(d)] = 0;
     list_.clear();
@@ -80,7 +78,7 @@ Raster<int> first_match(const View& view, const Raster<int>& coarse, const Work&
   const int height = view.own.height();
   Raster<int> out(width, height, kUnmatched);
   parallel_for(work, height, 8, [&](int begin, int end) {
-    Tried tried(view.disparities);
+    CandidateList tried(view.disparities);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       for (int x = 0; x < width; ++x) {
         tried.clear();
@@ -133,18 +131,17 @@ Raster<std::uint8_t> constrained(const View& view, const Raster<int>& map, const
 
 /// Pixels that break a constraint are matched again near the disparities of their neighbours that keep them
 /// all.
-Raster<int> rematched(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept,
+Raster<int> rematched(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept, int reach,
                       const Work& work) {
-  constexpr int kReach = 4;
   Raster<int> out = map;
   parallel_for(work, map.height(), 8, [&](int begin, int end) {
-    Tried tried(view.disparities);
+    CandidateList tried(view.disparities);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       for (int x = 0; x < map.width(); ++x) {
         if (kept(x, y) != 0) continue;
         tried.clear();
-        for (int v = std::max(0, y - kReach); v <= std::min(map.height() - 1, y + kReach); ++v)
-          for (int u = std::max(0, x - kReach); u <= std::min(map.width() - 1, x + kReach); ++u)
+        for (int v = std::max(0, y - reach); v <= std::min(map.height() - 1, y + reach); ++v)
+          for (int u = std::max(0, x - reach); u <= std::min(map.width() - 1, x + reach); ++u)
             if (kept(u, v) != 0) tried.add_around(map(u, v));
         if (!tried.list().empty()) out(x, y) = best_of(view, x, y, tried.list());
       }
@@ -153,7 +150,7 @@ Raster<int> rematched(const View& view, const Raster<int>& map, const Raster<std
   return out;
 }
 
-/// Both pictures' maps of one size, with what keeps the constraints; the rest filled from behind.
+/// Both pictures' maps of one size, with what keeps the constraints; the rest filled from the background.
 struct Maps {
   Raster<int> left;
   Raster<int> right;
@@ -164,51 +161,51 @@ void fill(Raster<int>& map, const Raster<std::uint8_t>& kept) {
   Raster<float> filled(map.width(), map.height());
   for (std::size_t i = 0; i < map.count(); ++i)
     filled.values()[i] = static_cast<float>(std::max(0, map.values()[i]));
-  fill_from_behind(kept, filled);
+  fill_from_background(kept, filled);
   for (std::size_t i = 0; i < map.count(); ++i) map.values()[i] = static_cast<int>(filled.values()[i]);
 }
 
 /// How well a match that keeps the constraints correlates; others have no vote.
-Raster<float> trust(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept,
+Raster<float> trust(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept, float least,
                     const Work& work) {
-  constexpr float kLeast = 0.05F;
   Raster<float> out(map.width(), map.height());
   parallel_for(work, out.height(), 8, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < out.width(); ++x)
-        if (kept(x, y) != 0) out(x, y) = std::max(kLeast, 1.0F - 2.0F * view.error(x, y, map(x, y)));
+        if (kept(x, y) != 0) out(x, y) = std::max(least, 1.0F - 2.0F * view.error(x, y, map(x, y)));
   });
   return out;
 }
 
-Maps match_level(const MatchInput& input, const Work& work) {
-  const bool is_coarsest =
-      std::min(input.left.width(), input.left.height()) < 2 * kLeastSide || input.disparities < 8;
+Maps match_level(const MatchInput& input, const PyramidOptions& options, const Work& work) {
+  const bool is_coarsest = std::min(input.left.width(), input.left.height()) < 2 * options.coarsest_side_px ||
+                           input.disparities < options.coarsest_disparities;
   Maps coarse;
-  if (!is_coarsest) coarse = match_level(halved(input), work);
+  if (!is_coarsest) coarse = match_level(halved(input), options, work);
   if (work.cancelled()) return coarse;
-  const CorrelationPicture left(input.left_grey);
-  const CorrelationPicture right(input.right_grey);
+  const CorrelationPicture left(input.left_grey, options.noise_levels);
+  const CorrelationPicture right(input.right_grey, options.noise_levels);
   const View from_left{left, right, 1, input.disparities, input.right_first};
   const View from_right{right, left, -1, input.disparities, input.right_first};
   Maps out{first_match(from_left, coarse.left, work), first_match(from_right, coarse.right, work), {}};
-  constexpr int kRounds = 3;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < options.rematch_rounds; ++round) {
     const Raster<std::uint8_t> kept_left = constrained(from_left, out.left, out.right);
     const Raster<std::uint8_t> kept_right = constrained(from_right, out.right, out.left);
-    Raster<int> again = rematched(from_left, out.left, kept_left, work);
-    out.right = rematched(from_right, out.right, kept_right, work);
+    Raster<int> again = rematched(from_left, out.left, kept_left, options.rematch_reach_px, work);
+    out.right = rematched(from_right, out.right, kept_right, options.rematch_reach_px, work);
     out.left = std::move(again);
   }
   out.kept = constrained(from_left, out.left, out.right);
   const Raster<std::uint8_t> kept_right = constrained(from_right, out.right, out.left);
   fill(out.left, out.kept);
   fill(out.right, kept_right);
-  // What breaks a constraint, and what noise has left on plain surfaces, is settled by what it looks like.
-  out.left = voted(colour_planes(input.left), out.left, trust(from_left, out.left, out.kept, work),
-                   input.disparities, VoteOptions{}, work);
-  out.right = voted(colour_planes(input.right), out.right, trust(from_right, out.right, kept_right, work),
-                    input.disparities, VoteOptions{}, work);
+  // Pixels that break a constraint, and noise on plain surfaces, take the disparity of similar pixels around.
+  out.left = weighted_median(colour_planes(input.left), out.left,
+                             trust(from_left, out.left, out.kept, options.least_trust, work),
+                             input.disparities, options.median, work);
+  out.right = weighted_median(colour_planes(input.right), out.right,
+                              trust(from_right, out.right, kept_right, options.least_trust, work),
+                              input.disparities, options.median, work);
   return out;
 }
 
@@ -222,10 +219,8 @@ std::pair<float, float> photometric(float before, float here, float after) {
   return {0.5F, std::max(0.0F, here - after)};
 }
 
-/// d' = (w_p d_p + w_s d_s) / (w_p + w_s), over the whole map, so many times.
+/// d' = (w_p d_p + w_s d_s) / (w_p + w_s), over the whole map, options.iterations times.
 void refine(const View& view, const PyramidOptions& options, Raster<float>& map, const Work& work) {
-  // Where whole disparities differ by two a surface ends: it is not drawn towards its neighbour.
-  constexpr float kStep_px = 1.5F;
   Raster<float> next = map;
   for (int i = 0; i < options.iterations && !work.cancelled(); ++i) {
     parallel_for(work, map.height(), 8, [&](int begin, int end) {
@@ -243,7 +238,7 @@ void refine(const View& view, const PyramidOptions& options, Raster<float>& map,
           }
           const auto beside = [&](int u, int v) {
             const float there = map(u, v);
-            return std::abs(there - d) <= kStep_px ? there : d;
+            return std::abs(there - d) <= options.surface_px ? there : d;
           };
           const float left = beside(x - 1, y);
           const float right = beside(x + 1, y);
@@ -265,19 +260,18 @@ void refine(const View& view, const PyramidOptions& options, Raster<float>& map,
 
 /// Cochran & Medioni 1992: a step in disparity belongs on an edge of the picture. Each step moves along its
 /// scanline to the strongest edge within reach.
-void move_steps_to_edges(const Raster<std::uint8_t>& grey, Raster<float>& map) {
-  constexpr int kReach = 4;
-  constexpr int kLeastContrast = 12;
+void move_steps_to_edges(const Raster<std::uint8_t>& grey, int reach, int least_contrast,
+                         Raster<float>& map) {
   for (int y = 0; y < map.height(); ++y) {
     const auto row = map.row(y);
     const std::vector<float> before(row.begin(), row.end());
     const auto contrast = [&](int x) { return std::abs(grey(x + 1, y) - grey(x, y)); };
-    for (int x = kReach; x + kReach + 1 < map.width(); ++x) {
+    for (int x = reach; x + reach + 1 < map.width(); ++x) {
       const auto i = static_cast<std::size_t>(x);
       if (std::abs(before[i + 1] - before[i]) <= 1.0F) continue;
       int edge = x;
-      for (int u = x - kReach; u <= x + kReach; ++u)
-        if (contrast(u) > std::max(contrast(edge), kLeastContrast)) edge = u;
+      for (int u = x - reach; u <= x + reach; ++u)
+        if (contrast(u) > std::max(contrast(edge), least_contrast)) edge = u;
       for (int u = edge + 1; u <= x; ++u) row[static_cast<std::size_t>(u)] = before[i + 1];
       for (int u = x + 1; u <= edge; ++u) row[static_cast<std::size_t>(u)] = before[i];
     }
@@ -286,19 +280,54 @@ void move_steps_to_edges(const Raster<std::uint8_t>& grey, Raster<float>& map) {
 
 }  // namespace
 
-Result<MatchOutput> match_pyramid(const MatchInput& input, const StereoOptions& all_options,
-                                  const Work& work) {
-  const PyramidOptions& options = all_options.pyramid;
+std::vector<Parameter> parameters_of(PyramidOptions& o) {
+  std::vector<Parameter> all{
+      {"surface_weight",
+       &o.surface_weight,
+       {0.001, 100},
+       "",
+       "Weight of a smooth surface; the picture has 0 to 1"},
+      {"iterations", &o.iterations, {0, 1000}, "", "Rounds of the refinement"},
+      {"surface_px",
+       &o.surface_px,
+       {0.1, 100},
+       "px",
+       "Neighbours that differ by more are on another surface"},
+      {"edge_reach_px",
+       &o.edge_reach_px,
+       {0, 60},
+       "px",
+       "With features: steps of disparity move at most so far"},
+      {"edge_levels", &o.edge_levels, {0, 255}, "levels", "With features: least contrast of an edge"},
+      {"coarsest_side_px", &o.coarsest_side_px, {8, 10000}, "px", "Least short side of the coarsest picture"},
+      {"coarsest_disparities", &o.coarsest_disparities, {2, 1000}, "", "Its least number of disparities"},
+      {"rematch_rounds",
+       &o.rematch_rounds,
+       {0, 20},
+       "",
+       "Rounds in which inconsistent pixels are matched again"},
+      {"rematch_reach_px", &o.rematch_reach_px, {1, 30}, "px", "How far around their candidates come from"},
+      {"noise_levels", &o.noise_levels, {0.1, 50}, "levels", "Standard deviation of a pixel's noise"},
+      {"least_trust", &o.least_trust, {0.001, 1}, "", "Least weight of a consistent match"}};
+  append_parameters(all, "median", parameters_of(o.median));
+  return all;
+}
+
+Result<void> check(const PyramidOptions& options) { return check_ranges(options); }
+
+Result<MatchOutput> match_pyramid(const MatchInput& input, const PyramidOptions& options, const Work& work) {
+  if (const auto ok = check(options); !ok) return ok.error();
   work.report(0.1, "matching from coarse to fine");
-  const Maps maps = match_level(input, work);
+  const Maps maps = match_level(input, options, work);
   if (work.cancelled()) return Work::interrupted();
   MatchOutput output{Raster<float>(maps.left.width(), maps.left.height()), {}};
   for (std::size_t i = 0; i < maps.left.count(); ++i)
     output.disparity_px.values()[i] = static_cast<float>(maps.left.values()[i]);
-  if (options.edges == PyramidEdges::features) move_steps_to_edges(input.left_grey, output.disparity_px);
+  if (options.edges == PyramidEdges::features)
+    move_steps_to_edges(input.left_grey, options.edge_reach_px, options.edge_levels, output.disparity_px);
   work.report(0.7, "refining");
-  const CorrelationPicture left(input.left_grey);
-  const CorrelationPicture right(input.right_grey);
+  const CorrelationPicture left(input.left_grey, options.noise_levels);
+  const CorrelationPicture right(input.right_grey, options.noise_levels);
   refine({left, right, 1, input.disparities, input.right_first}, options, output.disparity_px, work);
   if (work.cancelled()) return Work::interrupted();
   return output;

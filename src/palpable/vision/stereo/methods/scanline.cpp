@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/scanline.hpp"
 
-#include "palpable/vision/stereo/cost/cross_window.hpp"
-#include "palpable/vision/stereo/methods/column_smoothing.hpp"
-#include "palpable/vision/stereo/methods/scanline_path.hpp"
-#include "palpable/vision/stereo/occlusion/consistency.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/occlusion/filling.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
 #include <algorithm>
 #include <span>
@@ -23,12 +20,12 @@ namespace {
 class ScanlineMatcher {
  public:
   ScanlineMatcher(const MatchInput& input, const MatchingCost& cost, const Raster<CrossArms>& arms,
-                  int first_row)
+                  const ScanlineMapOptions& options, int first_row)
       : input_(input),
         columns_(static_cast<std::size_t>(input.left.width())),
-        aggregator_(cost, arms, input.disparities, CrossOptions{}.column_reach_px, first_row),
+        aggregator_(cost, arms, input.disparities, options.window.column_reach_px, first_row),
         count_(static_cast<std::size_t>(aggregator_.stride())),
-        path_(input.left.width(), input.disparities, aggregator_.stride(), PathOptions{}),
+        path_(input.left.width(), input.disparities, aggregator_.stride(), options.path),
         costs_(columns_ * count_),
         mirrored_(columns_ * count_),
         right_px_(columns_),
@@ -43,7 +40,7 @@ class ScanlineMatcher {
     mirror(y);
     path_.find(mirrored_, mirrored_grey_, right_px_, occluded_right_);
     std::reverse(right_px_.begin(), right_px_.end());
-    mark_mutual(disparity_px, right_px_, input_.right_first, trusted);
+    left_right_check_row(disparity_px, right_px_, input_.right_first, trusted);
     for (std::size_t x = 0; x < columns_; ++x)
       if (occluded_[x] != 0) trusted[x] = 0;
   }
@@ -77,16 +74,35 @@ class ScanlineMatcher {
 
 }  // namespace
 
-ScanlineMap scanline_map(const MatchInput& input, const Work& work) {
+std::vector<Parameter> parameters_of(ScanlineMapOptions& o) {
+  std::vector<Parameter> all;
+  append_parameters(all, "cost", parameters_of(o.cost));
+  append_parameters(all, "window", parameters_of(o.window));
+  append_parameters(all, "path", parameters_of(o.path));
+  return all;
+}
+
+std::vector<Parameter> parameters_of(ScanlineOptions& o) {
+  std::vector<Parameter> all;
+  append_parameters(all, "map", parameters_of(o.map));
+  append_parameters(all, "columns", parameters_of(o.columns));
+  return all;
+}
+
+Result<void> check(const ScanlineOptions& options) {
+  if (auto ok = check_ranges(options); !ok) return ok;
+  return check_window_size(options.map.window);
+}
+
+ScanlineMap scanline_map(const MatchInput& input, const ScanlineMapOptions& options, const Work& work) {
   const int width = input.left.width();
   const int height = input.left.height();
-  const CrossOptions cross;
-  const MatchingCost cost(input, CostOptions{}, work);
-  const Raster<CrossArms> arms = cross_arms(cost.left_colour(), cross, work);
+  const MatchingCost cost(input, options.cost, work);
+  const Raster<CrossArms> arms = cross_arms(cost.left_colour(), options.window, work);
   ScanlineMap out{Raster<float>(width, height), Raster<std::uint8_t>(width, height)};
   // Each part begins with the rows above it that its windows reach into: parts must not be too small.
-  parallel_for(work, height, 4 * cross.column_reach_px, [&](int begin, int end) {
-    ScanlineMatcher matcher(input, cost, arms, begin);
+  parallel_for(work, height, std::max(1, 4 * options.window.column_reach_px), [&](int begin, int end) {
+    ScanlineMatcher matcher(input, cost, arms, options, begin);
     for (int y = begin; y < end && !work.cancelled(); ++y) {
       matcher.next_row(y, out.disparity_px.row(y), out.trusted.row(y));
       if (begin == 0 && y % 16 == 0) work.report(static_cast<double>(y) / end, "matching scanlines");
@@ -95,11 +111,13 @@ ScanlineMap scanline_map(const MatchInput& input, const Work& work) {
   return out;
 }
 
-Result<MatchOutput> match_scanline(const MatchInput& input, const StereoOptions&, const Work& work) {
-  ScanlineMap map = scanline_map(input, work);
+Result<MatchOutput> match_scanline(const MatchInput& input, const ScanlineOptions& options,
+                                   const Work& work) {
+  if (const auto ok = check(options); !ok) return ok.error();
+  ScanlineMap map = scanline_map(input, options.map, work);
   if (work.cancelled()) return Work::interrupted();
-  fill_from_behind(map.trusted, map.disparity_px);
-  smooth_columns(input.left, map.trusted, ColumnOptions{}, map.disparity_px, work);
+  fill_from_background(map.trusted, map.disparity_px);
+  smooth_columns(input.left, map.trusted, options.columns, map.disparity_px, work);
   return MatchOutput{std::move(map.disparity_px), {}};
 }
 

@@ -2,18 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/vision/stereo/cost/cross_window.hpp"
+#include "palpable/vision/stereo/methods/column_smoothing.hpp"
+#include "palpable/vision/stereo/methods/scanline_path.hpp"
 #include "palpable/vision/stereo/problem/stereo_method.hpp"
+
+#include <vector>
 
 namespace palpable::vision {
 
-/// What the paths of all scanlines say, before anything is filled or smoothed.
+/// How the path of every scanline is found.
+struct ScanlineMapOptions {
+  CostOptions cost = {};
+  CrossOptions window = {};
+  PathOptions path = {};
+};
+std::vector<Parameter> parameters_of(ScanlineMapOptions& options);
+
+/// The paths of all scanlines, before anything is filled or smoothed.
 struct ScanlineMap {
   Raster<float> disparity_px;
   /// 1 where both cameras see the pixel and the right picture's path agrees.
   Raster<std::uint8_t> trusted;
 };
 
-/// The paths alone; other methods begin with them. Half done when the work was cancelled.
-ScanlineMap scanline_map(const MatchInput& input, const Work& work);
+/// The paths alone; other methods begin with them. Incomplete when the work was cancelled. The options are
+/// valid (check_window_size() for the window).
+ScanlineMap scanline_map(const MatchInput& input, const ScanlineMapOptions& options, const Work& work);
+
+/// The parts of the method `scanline`.
+struct ScanlineOptions {
+  ScanlineMapOptions map = {};
+  ColumnOptions columns = {};
+};
+std::vector<Parameter> parameters_of(ScanlineOptions& options);
+/// Errors: usage, for a parameter out of its range or a window that is too large.
+Result<void> check(const ScanlineOptions& options);
+
+/// The method `scanline` (Shi & Pai 1997): every scanline's least-cost path, hidden pixels filled from the
+/// background, streaks removed. No pixel is left unknown. Errors: usage (check()), interrupted. The same
+/// bytes for every number of threads.
+Result<MatchOutput> match_scanline(const MatchInput& input, const ScanlineOptions& options, const Work& work);
 
 }  // namespace palpable::vision

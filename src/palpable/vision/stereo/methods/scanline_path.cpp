@@ -103,6 +103,21 @@ Cost path_units(float matching_costs) { return static_cast<Cost>(units(matching_
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(PathOptions& o) {
+  return {{"step_down", &o.step_down, {0, 200}, "cost", "Step of one disparity down"},
+          {"step_up", &o.step_up, {0, 200}, "cost", "Step of one disparity up"},
+          {"jump", &o.jump, {0, 200}, "cost", "Jump between pixels of one brightness"},
+          {"edge_levels",
+           &o.edge_levels,
+           {0.1, 255},
+           "levels",
+           "Difference in brightness that halves a jump's cost"},
+          {"occluded", &o.occluded, {0, 200}, "cost", "A pixel that only the left camera sees"},
+          {"control_cost", &o.control_cost, {0, 144}, "cost", "Largest cost of a ground control point"},
+          {"control_ratio", &o.control_ratio, {1, 100}, "", "All other disparities cost more by this factor"},
+          {"control", &o.control, {0, 200}, "cost", "Leaving a ground control point"}};
+}
+
 ScanlinePath::ScanlinePath(int width, int disparities, int stride, const PathOptions& options)
     : width_(width), disparities_(disparities), stride_(stride), options_(options) {
   const auto columns = static_cast<std::size_t>(width);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -11,22 +13,23 @@ namespace palpable::vision {
 
 /// Costs of the moves of a scanline's path through its disparity-space image, in units of the matching cost.
 struct PathOptions {
-  /// A step of one disparity between neighbouring pixels, as slanted surfaces take it: down, and up, which
-  /// uses a pixel of the right picture twice.
+  /// A step of one disparity between neighbouring pixels, as on slanted surfaces: down, and up, which
+  /// uses a pixel of the right picture twice; 0 … 200.
   float step_down = 24.0F;
   float step_up = 80.0F;
-  /// A jump, where both pixels look alike; a step of edge_levels in brightness between them halves it.
+  /// A jump between pixels of one brightness; 0 … 200.
   float jump = 40.0F;
+  /// A difference in brightness that halves it; levels of 255, 0.1 … 255.
   float edge_levels = 6.0F;
-  /// Each pixel that only the left camera sees, in place of a matching cost.
+  /// Each pixel that only the left camera sees, in place of a matching cost; 0 … 200.
   float occluded = 68.0F;
-  /// A ground control point's cost must be below this, and that of every other disparity this many times
-  /// higher …
+  /// A ground control point's cost is below this (0 … 144), and that of every other disparity higher by this
+  /// factor (1 … 100); then leaving it costs control; 0 … 200.
   float control_cost = 20.0F;
   float control_ratio = 1.4F;
-  /// … then leaving it costs this much.
   float control = 20.0F;
 };
+std::vector<Parameter> parameters_of(PathOptions& options);
 
 /// The least-cost path through one scanline's disparity-space image under ordering and occlusion constraints
 /// (Shi & Pai 1997, section 2.1; Intille & Bobick 1994). Moves from column to column: stay or step by one

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/segment_planes.hpp"
 
-#include "palpable/vision/stereo/cost/cross_window.hpp"
-#include "palpable/vision/stereo/methods/scanline.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 
 #include <opencv2/core.hpp>
@@ -16,13 +14,6 @@
 
 namespace palpable::vision {
 namespace {
-
-constexpr CrossOptions kWindow{.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
-constexpr float kDataLimit = 60.0F;
-constexpr std::size_t kMostPlanes = 300;
-/// Smoothness for each pixel of a border between segments of different planes, in units of the matching cost.
-constexpr double kBorder = 36.0;
-constexpr double kBorderLevels = 12.0;
 
 struct Pixel {
   int x, y;
@@ -40,7 +31,7 @@ double median_of(const Raster<float>& disparity_px, const std::vector<Pixel>& pi
 
 /// One reweighted least-squares step; pixels more than `reach_px` from the plane do not count.
 SegmentPlane refitted(const SegmentPlane& plane, const Raster<float>& disparity_px,
-                      const std::vector<Pixel>& pixels, double reach_px) {
+                      const std::vector<Pixel>& pixels, double reach_px, const SegmentPlaneOptions& options) {
   cv::Matx33d normal = cv::Matx33d::zeros();
   cv::Vec3d right{0.0, 0.0, 0.0};
   SegmentPlane out = plane;
@@ -53,54 +44,49 @@ SegmentPlane refitted(const SegmentPlane& plane, const Raster<float>& disparity_
     const cv::Vec3d v{1.0, p.x - plane.x0, p.y - plane.y0};
     normal += weight * v * v.t();
     right += weight * residual * v;
-    if (std::abs(residual) <= 1.0) ++out.support;
+    if (std::abs(residual) <= options.support_px) ++out.support;
   }
-  // Ridge regression: neighbouring disparities share most of their windows, and so their errors of about half
-  // a pixel; some forty pixels of a window tell no more of a slope than one, and slopes beyond a tenth or two
-  // are rare: 40 (0.5 / 0.15)^2.
-  constexpr double kStiffness = 500.0;
   normal(0, 0) += 1e-6;
-  normal(1, 1) += kStiffness;
-  normal(2, 2) += kStiffness;
-  right[1] -= kStiffness * plane.slope_x;
-  right[2] -= kStiffness * plane.slope_y;
+  normal(1, 1) += options.slope_ridge;
+  normal(2, 2) += options.slope_ridge;
+  right[1] -= options.slope_ridge * plane.slope_x;
+  right[2] -= options.slope_ridge * plane.slope_y;
   const cv::Vec3d step = normal.solve(right, cv::DECOMP_CHOLESKY);
-  constexpr double kSteepest = 0.7;
   out.at_middle += step[0];
-  out.slope_x = std::clamp(plane.slope_x + step[1], -kSteepest, kSteepest);
-  out.slope_y = std::clamp(plane.slope_y + step[2], -kSteepest, kSteepest);
+  out.slope_x = std::clamp(plane.slope_x + step[1], -options.steepest, options.steepest);
+  out.slope_y = std::clamp(plane.slope_y + step[2], -options.steepest, options.steepest);
   return out;
 }
 
-SegmentPlane fit_plane(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels) {
+SegmentPlane fit_plane(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels,
+                       const SegmentPlaneOptions& options) {
   SegmentPlane plane;
   for (const Pixel p : pixels) {
     plane.x0 += p.x / static_cast<double>(pixels.size());
     plane.y0 += p.y / static_cast<double>(pixels.size());
   }
   plane.at_middle = median_of(disparity_px, pixels);
-  for (const double reach_px : {6.0, 4.0, 3.0, 2.0, 1.5, 1.5})
-    plane = refitted(plane, disparity_px, pixels, reach_px);
+  for (const double reach_px : options.fit_reach_px)
+    plane = refitted(plane, disparity_px, pixels, reach_px, options);
   return plane;
 }
 
-/// Planes that a plane of more support says already are left out: those that differ by less than half a pixel
-/// at the middle and in its surroundings.
-std::vector<SegmentPlane> distinct(std::vector<SegmentPlane> planes) {
+/// The planes without those that hardly differ from one of more support.
+std::vector<SegmentPlane> distinct(std::vector<SegmentPlane> planes, const SegmentPlaneOptions& options) {
   std::stable_sort(planes.begin(), planes.end(),
                    [](const SegmentPlane& a, const SegmentPlane& b) { return a.support > b.support; });
   std::vector<SegmentPlane> out;
   for (const SegmentPlane& plane : planes) {
-    constexpr double kAround_px = 20.0;
     const bool known = std::any_of(out.begin(), out.end(), [&](const SegmentPlane& other) {
       const double there =
           other.at_middle + other.slope_x * (plane.x0 - other.x0) + other.slope_y * (plane.y0 - other.y0);
-      return std::abs(there - plane.at_middle) + kAround_px * std::abs(other.slope_x - plane.slope_x) +
-                 kAround_px * std::abs(other.slope_y - plane.slope_y) <
-             0.5;
+      return std::abs(there - plane.at_middle) +
+                 options.same_radius_px * std::abs(other.slope_x - plane.slope_x) +
+                 options.same_radius_px * std::abs(other.slope_y - plane.slope_y) <
+             options.same_px;
     });
     if (!known) out.push_back(plane);
-    if (out.size() == kMostPlanes) break;
+    if (out.size() == static_cast<std::size_t>(options.most_planes)) break;
   }
   return out;
 }
@@ -120,7 +106,7 @@ struct SegmentGraph {
 };
 
 SegmentGraph make_graph(const MatchInput& input, const ColourSegments& segments,
-                        const Raster<std::uint8_t>& trusted) {
+                        const Raster<std::uint8_t>& trusted, const SegmentPlaneOptions& options) {
   SegmentGraph graph;
   const auto count = static_cast<std::size_t>(segments.count);
   graph.all.resize(count);
@@ -133,7 +119,9 @@ SegmentGraph make_graph(const MatchInput& input, const ColourSegments& segments,
     const Rgb8 p = input.left(x, y);
     const Rgb8 q = input.left(u, v);
     const double levels = (std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b)) / 3.0;
-    borders[std::minmax(a, b)] += kBorder * (0.2 + 0.8 * std::exp(-levels / kBorderLevels));
+    borders[std::minmax(a, b)] +=
+        options.border_cost *
+        (options.least_border + (1.0 - options.least_border) * std::exp(-levels / options.border_levels));
   };
   for (int y = 0; y < input.left.height(); ++y) {
     for (int x = 0; x < input.left.width(); ++x) {
@@ -158,9 +146,9 @@ SegmentGraph make_graph(const MatchInput& input, const ColourSegments& segments,
 }
 
 /// The matching cost at a disparity between whole ones; beyond the volume's ends twice the limit.
-double cost_at(const std::uint8_t* costs, int disparities, double d) {
+double cost_at(const std::uint8_t* costs, int disparities, double limit, double d) {
   const int last = disparities - 1;
-  if (d < -0.5 || d > last + 0.5) return static_cast<double>(kDataLimit) * 2.0;
+  if (d < -0.5 || d > last + 0.5) return limit * 2.0;
   const double inside = std::clamp(d, 0.0, static_cast<double>(last));
   const int below = std::min(static_cast<int>(inside), last - 1);
   const double t = inside - below;
@@ -168,7 +156,7 @@ double cost_at(const std::uint8_t* costs, int disparities, double d) {
 }
 
 /// costs[segment * planes + plane]: C(S, P) = sum of c over the segment's pixels times e^(1 - s/n), where s
-/// of its n trusted pixels lie within a pixel of the plane. A sum that exceeds the least so far by so much
+/// of its n trusted pixels support the plane. A sum that exceeds the least so far by so much
 /// that the plane can never be chosen is left where it is.
 std::vector<double> plane_costs(const MatchInput& input, const std::vector<std::uint8_t>& volume,
                                 const SegmentGraph& graph, const Raster<float>& disparity_px,
@@ -180,12 +168,14 @@ std::vector<double> plane_costs(const MatchInput& input, const std::vector<std::
     double sum = 0.0;
     for (const Pixel p : graph.all[s]) {
       const std::size_t at = static_cast<std::size_t>(p.y) * width + static_cast<std::size_t>(p.x);
-      sum += cost_at(volume.data() + at * disparities, input.disparities, plane.at(p.x, p.y));
+      sum += cost_at(volume.data() + at * disparities, input.disparities, limit, plane.at(p.x, p.y));
       if (sum >= most) return sum;
     }
     int support = 0;
     for (const Pixel p : graph.trusted[s])
-      support += std::abs(static_cast<double>(disparity_px(p.x, p.y)) - plane.at(p.x, p.y)) < 1.0 ? 1 : 0;
+      support +=
+          std::abs(static_cast<double>(disparity_px(p.x, p.y)) - plane.at(p.x, p.y)) < options.support_px ? 1
+                                                                                                          : 0;
     const auto n = std::max<std::size_t>(1, graph.trusted[s].size());
     return sum * std::exp(1.0 - support / static_cast<double>(n));
   };
@@ -248,10 +238,9 @@ bool expand_plane(const SegmentGraph& graph, const std::vector<double>& costs, s
 
 /// Expansion moves over the segments (Boykov, Veksler & Zabih 2001) with a Potts term.
 void expand_planes(const SegmentGraph& graph, const std::vector<double>& costs, std::size_t planes,
-                   std::vector<std::size_t>& plane_of, const Work& work) {
-  constexpr int kRounds = 3;
+                   int rounds, std::vector<std::size_t>& plane_of, const Work& work) {
   bool changed = true;
-  for (int round = 0; round < kRounds && changed; ++round) {
+  for (int round = 0; round < rounds && changed; ++round) {
     changed = false;
     for (std::size_t alpha = 0; alpha < planes && !work.cancelled(); ++alpha)
       changed = expand_plane(graph, costs, planes, alpha, plane_of) || changed;
@@ -273,7 +262,8 @@ std::vector<std::size_t> cheapest_planes(const std::vector<double>& costs, std::
 /// surface settle it together.
 std::vector<SegmentPlane> regrouped(const SegmentGraph& graph, const Raster<float>& disparity_px,
                                     const std::vector<SegmentPlane>& planes,
-                                    const std::vector<std::size_t>& plane_of) {
+                                    const std::vector<std::size_t>& plane_of,
+                                    const SegmentPlaneOptions& options) {
   PixelLists members(planes.size());
   for (std::size_t s = 0; s < plane_of.size(); ++s) {
     auto& of_plane = members[plane_of[s]];
@@ -281,37 +271,83 @@ std::vector<SegmentPlane> regrouped(const SegmentGraph& graph, const Raster<floa
   }
   std::vector<SegmentPlane> out = planes;
   for (std::size_t k = 0; k < planes.size(); ++k)
-    if (members[k].size() >= 40)
-      for (int i = 0; i < 3; ++i) out[k] = refitted(out[k], disparity_px, members[k], 1.5);
+    if (members[k].size() >= static_cast<std::size_t>(options.refit_pixels))
+      for (int i = 0; i < options.refit_steps; ++i)
+        out[k] = refitted(out[k], disparity_px, members[k], options.refit_reach_px, options);
   return out;
 }
 
 }  // namespace
 
-Result<SegmentPlanes> find_segment_planes(const MatchInput& input, const Work& work) {
-  constexpr std::size_t kLeastTrusted = 20;
-  constexpr int kTimes = 2;
-  const ScanlineMap map = scanline_map(input, work);
+std::vector<Parameter> parameters_of(SegmentPlaneOptions& o) {
+  std::vector<Parameter> all{
+      {"least_trusted", &o.least_trusted, {3, 100000}, "px", "Fewer trusted pixels offer no plane"},
+      {"support_px", &o.support_px, {0.1, 10}, "px", "A pixel within this supports a plane"},
+      {"slope_ridge", &o.slope_ridge, {0, 1e6}, "", "Ridge of the slopes' regression"},
+      {"steepest", &o.steepest, {0, 4}, "px/px", "The steepest slope"},
+      {"same_px", &o.same_px, {0, 10}, "px", "Planes that differ by less are one"},
+      {"same_radius_px", &o.same_radius_px, {0, 1000}, "px", "Where they are compared"},
+      {"most_planes", &o.most_planes, {1, 10000}, "", "Planes that are kept"},
+      {"border_cost", &o.border_cost, {0, 1000}, "cost", "Smoothness for each pixel of a border"},
+      {"border_levels", &o.border_levels, {0.1, 255}, "levels", "Colour difference at which it falls by e"},
+      {"least_border", &o.least_border, {0, 1}, "", "Its least share"},
+      {"expansion_rounds", &o.expansion_rounds, {1, 20}, "", "Rounds of expansion moves"},
+      {"assignments", &o.assignments, {1, 20}, "", "How often planes are assigned"},
+      {"refit_pixels", &o.refit_pixels, {3, 1e6}, "px", "Trusted pixels that a plane is fitted again to"},
+      {"refit_steps", &o.refit_steps, {0, 20}, "", "Steps of that fit"},
+      {"refit_reach_px", &o.refit_reach_px, {0.1, 100}, "px", "Pixels further away do not count in it"},
+      {"segments.radius_px", &o.segments.radius_px, {1, 50}, "px", "The mean shift's window"},
+      {"segments.colour_levels",
+       &o.segments.colour_levels,
+       {1, 100},
+       "levels",
+       "The mean shift's window in colour"},
+      {"segments.same_levels",
+       &o.segments.same_levels,
+       {1, 255},
+       "levels",
+       "Shifted colours that differ by less join"},
+      {"segments.least_pixels",
+       &o.segments.least_pixels,
+       {1, 100000},
+       "px",
+       "Smaller segments join a neighbour"}};
+  for (std::size_t i = 0; i < o.fit_reach_px.size(); ++i)
+    all.push_back({"fit_reach_px." + std::to_string(i),
+                   &o.fit_reach_px[i],
+                   {0.1, 100},
+                   "px",
+                   "Pixels further from the plane do not count in this step of a fit"});
+  append_parameters(all, "scanlines", parameters_of(o.scanlines));
+  append_parameters(all, "data", parameters_of(o.data));
+  return all;
+}
+
+Result<SegmentPlanes> find_segment_planes(const MatchInput& input, const SegmentPlaneOptions& options,
+                                          const Work& work) {
+  const ScanlineMap map = scanline_map(input, options.scanlines, work);
   if (work.cancelled()) return Work::interrupted();
-  Result<ColourSegments> segments = segment_by_colour(input.left, SegmentOptions{});
+  Result<ColourSegments> segments = segment_by_colour(input.left, options.segments);
   if (!segments) return segments.error();
-  const SegmentGraph graph = make_graph(input, *segments, map.trusted);
-  const std::vector<std::uint8_t> volume = aggregated_costs(input, kWindow, kDataLimit, work);
+  const SegmentGraph graph = make_graph(input, *segments, map.trusted, options);
+  const std::vector<std::uint8_t> volume = aggregated_costs(input, options.data, work);
 
   std::vector<SegmentPlane> planes;
   for (const auto& pixels : graph.trusted)
-    if (pixels.size() >= kLeastTrusted) planes.push_back(fit_plane(map.disparity_px, pixels));
-  if (planes.empty()) planes.push_back({});  // nothing to go by: all lies at infinity
-  planes = distinct(std::move(planes));
+    if (pixels.size() >= static_cast<std::size_t>(options.least_trusted))
+      planes.push_back(fit_plane(map.disparity_px, pixels, options));
+  if (planes.empty()) planes.push_back({});  // without any trusted pixel all lies at infinity
+  planes = distinct(std::move(planes), options);
 
   std::vector<std::size_t> plane_of;
-  for (int time = 0; time < kTimes; ++time) {
+  for (int time = 0; time < options.assignments; ++time) {
     if (work.cancelled()) return Work::interrupted();
-    const std::vector<double> costs = plane_costs(input, volume, graph, map.disparity_px, planes, work);
+    const std::vector<double> costs =
+        plane_costs(input, volume, graph, map.disparity_px, planes, options, work);
     if (work.cancelled()) return Work::interrupted();
     plane_of = cheapest_planes(costs, graph.all.size(), planes.size());
-    expand_planes(graph, costs, planes.size(), plane_of, work);
-    planes = regrouped(graph, map.disparity_px, planes, plane_of);
+    expand_planes(graph, costs, planes.size(), options.expansion_rounds, plane_of, work);
+    planes = regrouped(graph, map.disparity_px, planes, plane_of, options);
   }
   if (work.cancelled()) return Work::interrupted();
   return SegmentPlanes{std::move(*segments), std::move(planes), std::move(plane_of)};

@@ -3,17 +3,14 @@
 #include "palpable/vision/stereo/methods/segments.hpp"
 
 #include "palpable/vision/image/median.hpp"
-#include "palpable/vision/stereo/methods/segment_planes.hpp"
-#include "palpable/vision/stereo/occlusion/left_right.hpp"
-#include "palpable/vision/stereo/planes/plane_search.hpp"
-#include "palpable/vision/stereo/planes/plane_votes.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 // Hong & Chen 2004 as Gomez 2012 describes it (segment_planes), for each of the two pictures; then borders
-// are settled pixel by pixel (docs/stereo.md).
+// are refined pixel by pixel (docs/stereo.md).
 namespace palpable::vision {
 namespace {
 
@@ -26,20 +23,20 @@ struct View {
   PlaneMap map;
 };
 
-MatchInput seen_in_mirror(const MatchInput& input) {
+MatchInput mirrored_pair(const MatchInput& input) {
   return {mirrored(input.right),     mirrored(input.left), mirrored(input.right_grey),
           mirrored(input.left_grey), input.disparities,    0};
 }
 
 /// The two views' planes, one view a thread: half of the work runs on one.
-Result<void> find_planes(std::array<View, 2>& views, const Work& work) {
+Result<void> find_planes(std::array<View, 2>& views, const SegmentPlaneOptions& options, const Work& work) {
   std::array<Result<void>, 2> done;
   Work each = work;
   each.threads = std::max(1U, work.thread_count() / 2);
   each.progress = {};
   parallel_for(work, 2, 1, [&](int begin, int end) {
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k) {
-      Result<SegmentPlanes> found = find_segment_planes(views[k].input, each);
+      Result<SegmentPlanes> found = find_segment_planes(views[k].input, options, each);
       if (found)
         views[k].surfaces = std::move(*found);
       else
@@ -96,63 +93,83 @@ void propose_planes(const SegmentPlanes& surfaces, PlaneCandidates& out, const W
   });
 }
 
-/// The other view's disparities in its own frame; what it does not show before column `first` hides all
-/// behind it.
+/// The other view's disparities in its own frame; columns before `first`, which it does not show, count as
+/// infinitely near.
 Raster<float> seen_from_other(const View& other, int first) {
   Raster<float> out = mirrored(other.map.disparity);
-  hide_before(first, out);
+  mask_columns_before(first, out);
   return out;
 }
 
 /// Colour segments end where the colour does, surfaces often beside it: each pixel chooses once more among
 /// the planes of the segments around it, knowing what the other picture shows.
-void settle_borders(std::array<View, 2>& views, int right_first, const Work& work) {
-  constexpr int kRounds = 3;
-  /// What it costs to leave one's segment, in units of the matching cost.
-  constexpr float kLeave = 0.2F;
+void refine_borders(std::array<View, 2>& views, const SegmentsOptions& options, int right_first,
+                    const Work& work) {
   const MatchInput& input = views[0].input;
   const int w = input.left.width();
   const int h = input.left.height();
   {
     CostVolume scratch(w, h, input.disparities);
     for (View& view : views) {
-      view.picture = match_view(view.input.left, view.input.left_grey, work);
+      view.picture = match_view(view.input.left, view.input.left_grey, options.volume.census, work);
       view.costs = CostVolume(w, h, input.disparities);
-      MatchView there = match_view(view.input.right, view.input.right_grey, work);
+      MatchView there = match_view(view.input.right, view.input.right_grey, options.volume.census, work);
       there.first = view.input.right_first;
-      pixel_costs(view.picture, there, view.costs, work);
-      average_over_crosses(view.picture.colour, view.costs, scratch, work);
+      pixel_costs(view.picture, there, options.volume, view.costs, work);
+      average_over_crosses(view.picture.colour, options.volume.cross, view.costs, scratch, work);
       view.map = map_of(view.surfaces);
     }
   }
   PlaneCandidates candidates(w, h);
-  for (int round = 0; round < kRounds; ++round)
+  for (int round = 0; round < options.border_rounds; ++round)
     for (std::size_t k = 0; k < views.size() && !work.cancelled(); ++k) {
       View& view = views[k];
       const Raster<float> seen = seen_from_other(views[1 - k], k == 0 ? right_first : 0);
       propose_planes(view.surfaces, candidates, work);
-      plane_costs(view.costs, {&seen, 0.0F}, candidates, work);
+      plane_costs(view.costs, {&seen, 0.0F}, options.costs, candidates, work);
       for (std::size_t own = 0; own < candidates.cost.size(); own += PlaneCandidates::kCount)
-        candidates.cost[own] -= kLeave;
-      choose_planes(view.picture.colour, candidates, view.map, work);
+        candidates.cost[own] -= options.leave_cost;
+      choose_planes(view.picture.colour, options.smoothness, candidates, view.map, work);
     }
 }
 
 }  // namespace
 
-Result<MatchOutput> match_segments(const MatchInput& input, const StereoOptions&, const Work& work) {
+std::vector<Parameter> parameters_of(SegmentsOptions& o) {
+  std::vector<Parameter> all{
+      {"border_rounds", &o.border_rounds, {0, 20}, "", "Rounds in which pixels choose among nearby planes"},
+      {"leave_cost", &o.leave_cost, {0, 4}, "units", "What it costs a pixel to leave its segment's plane"}};
+  append_parameters(all, "planes", parameters_of(o.planes));
+  append_parameters(all, "volume", parameters_of(o.volume));
+  append_parameters(all, "costs", parameters_of(o.costs));
+  append_parameters(all, "smoothness", parameters_of(o.smoothness));
+  append_parameters(all, "background", parameters_of(o.background));
+  append_parameters(all, "contradicted", parameters_of(o.contradicted));
+  return all;
+}
+
+Result<void> check(const SegmentsOptions& options) {
+  if (auto ok = check_ranges(options); !ok) return ok;
+  if (auto ok = check_window_size(options.planes.scanlines.window); !ok) return ok;
+  return check_window_size(options.planes.data.window);
+}
+
+Result<MatchOutput> match_segments(const MatchInput& input, const SegmentsOptions& options,
+                                   const Work& work) {
+  if (const auto ok = check(options); !ok) return ok.error();
   std::array<View, 2> views;
   views[0].input = input;
-  views[1].input = seen_in_mirror(input);
-  work.report(0.05, "cutting the pictures into segments");
-  if (const Result<void> found = find_planes(views, work); !found) return found.error();
-  work.report(0.5, "settling borders");
-  settle_borders(views, input.right_first, work);
+  views[1].input = mirrored_pair(input);
+  work.report(0.05, "segmenting the pictures");
+  if (const Result<void> found = find_planes(views, options.planes, work); !found) return found.error();
+  work.report(0.5, "refining borders");
+  refine_borders(views, options, input.right_first, work);
   if (work.cancelled()) return Work::interrupted();
   View& left = views[0];
   const Raster<float> seen_right = seen_from_other(views[1], input.right_first);
-  carry_behind(left.picture.colour, seen_right, left.map, work);
-  Raster<float> disparity_px = settled(left.picture.colour, seen_right, left.map, work);
+  continue_background(left.picture.colour, seen_right, options.background, left.map, work);
+  Raster<float> disparity_px =
+      replace_contradicted(left.picture.colour, seen_right, options.contradicted, left.map, work);
   if (work.cancelled()) return Work::interrupted();
   const auto last = static_cast<float>(input.disparities - 1);
   for (float& d : disparity_px.values()) d = std::clamp(d, 0.0F, last);

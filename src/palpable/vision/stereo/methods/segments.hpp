@@ -2,11 +2,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/vision/stereo/cost/cost_volume.hpp"
+#include "palpable/vision/stereo/methods/segment_planes.hpp"
+#include "palpable/vision/stereo/planes/plane_search.hpp"
+#include "palpable/vision/stereo/planes/plane_votes.hpp"
 #include "palpable/vision/stereo/problem/stereo_method.hpp"
+
+#include <vector>
 
 namespace palpable::vision {
 
-/// Hong & Chen's method as Gomez describes it: planes for segments of one colour, chosen by graph cuts.
-Result<MatchOutput> match_segments(const MatchInput& input, const StereoOptions& options, const Work& work);
+/// The parts of the method `segments`.
+struct SegmentsOptions {
+  SegmentPlaneOptions planes = {};
+  /// Rounds in which pixels choose among the planes of the segments around; 0 … 20.
+  int border_rounds = 3;
+  /// What it costs a pixel to leave its segment's plane; units of the volume, 0 … 4.
+  float leave_cost = 0.2F;
+  VolumeOptions volume = {};
+  PlaneCostOptions costs = {};
+  PlaneSmoothnessOptions smoothness = {};
+  BackgroundOptions background = {};
+  PlaneVoteWindow contradicted = kContradictedWindow;
+};
+std::vector<Parameter> parameters_of(SegmentsOptions& options);
+/// Errors: usage, for a parameter out of its range or a window that is too large.
+Result<void> check(const SegmentsOptions& options);
+
+/// The method `segments`, Hong & Chen's as Gomez describes it: planes for segments of one colour, chosen by
+/// graph cuts. No pixel is left unknown. Errors: usage (check()), interrupted, failed where the picture is
+/// too large for the segmentation. The same bytes for every number of threads.
+Result<MatchOutput> match_segments(const MatchInput& input, const SegmentsOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -3,6 +3,7 @@
 #include "palpable/vision/stereo/planes/photometric_shift.hpp"
 
 #include "palpable/core/vectorize.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 #include "palpable/vision/stereo/planes/surface_window.hpp"
 
 #include <algorithm>
@@ -12,36 +13,19 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kRounds = 2;
-/// Where a shift is measured: pixels of one plane agree about it almost whatever their colour.
-constexpr FitWindow kMeasured{.radius_px = 4, .step_px = 1, .like_colour = 30.0F};
-constexpr FitWindow kCarried{.radius_px = 6, .step_px = 2};
-constexpr float kMost_px = 0.5F;
-/// The shift that is expected where nothing is measured: 0, with this deviation.
-constexpr float kExpected_px = 0.3F;
-/// Variance of luma that no shift explains: noise and rounding of both pictures.
-constexpr float kNoise2 = 2.0F;
-/// Neighbouring pixels err alike: so large a share of them counts as independent.
-constexpr float kIndependent = 0.25F;
-/// Differences of luma count half from here on.
-constexpr float kHalfResidual = 10.0F;
-constexpr float kLeastWeight = 1.0F;
-constexpr float kLeastGradient2 = 1e-3F;
-constexpr float kAgreement_px = 1.0F;
-
-/// What the pictures say at each pixel of the map: by how much the left one is brighter than the right one
-/// at the match, how fast the right one's luma changes there, and whether both see the same there, 0 or 1.
+/// The measurement at each pixel of the map: by how much the left picture is brighter than the right one at
+/// the match, the right one's gradient of luma there, and whether both views agree, 0 or 1.
 struct Evidence {
   Raster<float> residual, gradient, weight;
   Evidence(int w, int h) : residual(w, h), gradient(w, h), weight(w, h) {}
 };
 
-/// Whether the four pixels from `first` on all see a surface at this disparity. One of a nearer thing's among
-/// them would mix its colour in.
+/// Whether the four pixels from `first` on, which the cubic reads, all see a surface at this disparity. One
+/// of a nearer surface would mix its colour in.
 bool all_see(const Raster<float>& other_disparity, int first, int y, float disparity) {
   for (int x = first; x < first + 4; ++x) {
     const float seen = other_disparity(std::clamp(x, 0, other_disparity.width() - 1), y);
-    if (!(std::fabs(seen - disparity) <= kAgreement_px)) return false;
+    if (!(std::fabs(seen - disparity) <= kLeftRightTolerance_px)) return false;
   }
   return true;
 }
@@ -80,8 +64,8 @@ PALPABLE_VECTORIZE
 void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float* __restrict weight,
                  const float* __restrict rise, const float* __restrict residual,
                  const float* __restrict gradient, float* __restrict w, float* __restrict e1,
-                 float* __restrict g1, float* __restrict eg, float* __restrict gg, float* __restrict ee) {
-  constexpr float kPerResidual2 = 1.0F / (kHalfResidual * kHalfResidual);
+                 float* __restrict g1, float* __restrict eg, float* __restrict gg, float* __restrict ee,
+                 float per_residual2) {
   const auto dx = static_cast<float>(offset.x);
   const auto dy = static_cast<float>(offset.y);
   const float* __restrict sx = centre.slope_x;
@@ -89,7 +73,7 @@ void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float
   for (int x = 0; x < count; ++x) {
     const float g = gradient[x];
     const float e = residual[x] + g * (sx[x] * dx + sy[x] * dy - rise[x]);
-    const float v = weight[x] / (1.0F + e * e * kPerResidual2);
+    const float v = weight[x] / (1.0F + e * e * per_residual2);
     w[x] += v;
     e1[x] += v * e;
     g1[x] += v * g;
@@ -100,33 +84,35 @@ void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float
 }
 
 /// Row y: moves the disparities by what the sums say and sets how much each counts from now on, 0…1.
-void shift_row(const Sums& sums, int y, const Raster<float>& seen, PlaneMap& map, Raster<float>& trust) {
-  constexpr float kPerExpected2 = 1.0F / (kExpected_px * kExpected_px);
+void shift_row(const Sums& sums, const PhotometricShiftOptions& options, int y, const Raster<float>& seen,
+               PlaneMap& map, Raster<float>& trust) {
+  const float per_expected2 = 1.0F / (options.expected_px * options.expected_px);
   for (int x = 0; x < map.disparity.width(); ++x) {
     const auto i = static_cast<std::size_t>(x);
     const float total = sums.of[0][i];
     trust(x, y) = 0.0F;
-    if (total < kLeastWeight) continue;
+    if (total < options.least_weight) continue;
     const float e = sums.of[1][i] / total;
     const float g = sums.of[2][i] / total;
     const float eg = sums.of[3][i] / total - e * g;
     const float gg = sums.of[4][i] / total - g * g;
     const float ee = sums.of[5][i] / total - e * e;
-    if (gg < kLeastGradient2) continue;
-    const float unexplained = std::max(0.0F, ee - eg * eg / gg) + kNoise2;
+    if (gg < options.least_gradient_variance) continue;
+    const float unexplained = std::max(0.0F, ee - eg * eg / gg) + options.noise_variance;
     // The inverse of the shift's variance, and its share beside that of the expected shift.
-    const float information = kIndependent * total * gg / unexplained;
-    const float share = information / (information + kPerExpected2);
-    map.disparity(x, y) += std::clamp(-share * eg / gg, -kMost_px, kMost_px);
+    const float information = options.independent_share * total * gg / unexplained;
+    const float share = information / (information + per_expected2);
+    map.disparity(x, y) += std::clamp(-share * eg / gg, -options.largest_px, options.largest_px);
     trust(x, y) = share * seen(x, y);
   }
 }
 
-void measure(const ColourPlanes& colour, const Evidence& evidence, PlaneMap& map, Raster<float>& trust,
-             const Work& work) {
+void measure(const ColourPlanes& colour, const Evidence& evidence, const PhotometricShiftOptions& options,
+             PlaneMap& map, Raster<float>& trust, const Work& work) {
   const PlaneMap before = map;
+  const float per_residual2 = 1.0F / (options.half_weight_residual * options.half_weight_residual);
   sum_over_surfaces<6>(
-      colour, before, evidence.weight, kMeasured, work,
+      colour, before, evidence.weight, options.measured, work,
       [&](Place first, Offset offset, int count, const float* weights, const float* rises, Sums& sums) {
         const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
         const auto there = [&](const Raster<float>& raster) {
@@ -134,16 +120,44 @@ void measure(const ColourPlanes& colour, const Evidence& evidence, PlaneMap& map
         };
         add_to_sums(surface_row(colour, before, evidence.weight, first.x, first.y), offset, count, weights,
                     rises, there(evidence.residual), there(evidence.gradient), sum(0), sum(1), sum(2), sum(3),
-                    sum(4), sum(5));
+                    sum(4), sum(5), per_residual2);
       },
-      [&](const Sums& sums, int y) { shift_row(sums, y, evidence.weight, map, trust); });
+      [&](const Sums& sums, int y) { shift_row(sums, options, y, evidence.weight, map, trust); });
 }
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(PhotometricShiftOptions& o) {
+  std::vector<Parameter> all{
+      {"rounds", &o.rounds, {0, 20}, "", "Rounds of measuring and fitting"},
+      {"largest_px", &o.largest_px, {0, 2}, "px", "The largest shift"},
+      {"expected_px", &o.expected_px, {0.01, 10}, "px", "Standard deviation of an unmeasured shift"},
+      {"noise_variance",
+       &o.noise_variance,
+       {0.01, 1000},
+       "levels²",
+       "Variance of luma that no shift explains"},
+      {"independent_share", &o.independent_share, {0.001, 1}, "", "Share of pixels with independent errors"},
+      {"half_weight_residual",
+       &o.half_weight_residual,
+       {1, 255},
+       "levels",
+       "Luma difference at which a weight is half"},
+      {"least_weight", &o.least_weight, {0, 1000}, "", "Sum of weights below which nothing is measured"},
+      {"least_gradient_variance",
+       &o.least_gradient_variance,
+       {0, 1000},
+       "levels²/px²",
+       "Variance of the gradient below which nothing is measured"}};
+  append_parameters(all, "measured", parameters_of(o.measured));
+  append_parameters(all, "carried", parameters_of(o.carried));
+  append_parameters(all, "fit", parameters_of(o.fit));
+  return all;
+}
+
 void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
                           const Raster<std::uint8_t>& other, const Raster<float>& other_disparity,
-                          PlaneMap& map, const Work& work) {
+                          const PhotometricShiftOptions& options, PlaneMap& map, const Work& work) {
   const int w = luma.width();
   const int h = luma.height();
   const Raster<float> before = map.disparity;
@@ -158,17 +172,17 @@ void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>
   });
   Evidence evidence(w, h);
   Raster<float> trust(w, h);
-  for (int round = 0; round < kRounds && !work.cancelled(); ++round) {
+  for (int round = 0; round < options.rounds && !work.cancelled(); ++round) {
     evidence.weight = seen;
     parallel_for(work, h, 8, [&](int begin, int end) {
       for (int y = begin; y < end; ++y) compare_row(luma, other, map.disparity, y, evidence);
     });
-    measure(colour, evidence, map, trust, work);
-    map = fit_planes(colour, map, trust, kCarried, work);
+    measure(colour, evidence, options, map, trust, work);
+    map = fit_planes(colour, map, trust, options.carried, options.fit, work);
     for (std::size_t i = 0; i < before.count(); ++i) {
       const float b = before.values()[i];
       float& d = map.disparity.values()[i];
-      d = std::clamp(d, b - kMost_px, b + kMost_px);
+      d = std::clamp(d, b - options.largest_px, b + options.largest_px);
     }
   }
 }

@@ -39,7 +39,7 @@ PlaneMap shifted_map(const SyntheticScene& scene, const Work& work = {}) {
   const MatchInput input = prepare_pictures(render(scene), work);
   PlaneMap map = terraces(scene);
   shift_between_pixels(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
-                       map, work);
+                       {}, map, work);
   return map;
 }
 
@@ -56,7 +56,8 @@ TEST(PhotometricShift, BearsADifferenceInBrightness) {
   Raster<std::uint8_t> brighter = input.right_grey;
   for (std::uint8_t& v : brighter.values()) v = static_cast<std::uint8_t>(std::min(255, v + 20));
   PlaneMap map = terraces(scene);
-  shift_between_pixels(colour_planes(input.left), input.left_grey, brighter, seen_from_right(scene), map, {});
+  shift_between_pixels(colour_planes(input.left), input.left_grey, brighter, seen_from_right(scene), {}, map,
+                       {});
   EXPECT_LE(bad_fraction(scene, map.disparity, 0.25, 4), 0.02);
 }
 
@@ -65,7 +66,7 @@ TEST(PhotometricShift, LeavesAPlainPictureAsItIs) {
   const Raster<std::uint8_t> plain(scene.width, scene.height, std::uint8_t{90});
   PlaneMap map = terraces(scene);
   const PlaneMap before = map;
-  shift_between_pixels({plain, plain, plain}, plain, plain, seen_from_right(scene), map, {});
+  shift_between_pixels({plain, plain, plain}, plain, plain, seen_from_right(scene), {}, map, {});
   for (std::size_t i = 0; i < map.disparity.count(); ++i)
     ASSERT_EQ(map.disparity.values()[i], before.disparity.values()[i]);
 }
@@ -78,7 +79,7 @@ TEST(PhotometricShift, MovesNothingByMoreThanHalfAPixel) {
   for (float& d : map.disparity.values()) d += 1.0F;
   const PlaneMap before = map;
   shift_between_pixels(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
-                       map, {});
+                       {}, map, {});
   for (std::size_t i = 0; i < map.disparity.count(); ++i)
     ASSERT_LE(std::fabs(map.disparity.values()[i] - before.disparity.values()[i]), 0.5F + 1e-5F);
 }

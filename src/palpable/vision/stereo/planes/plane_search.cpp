@@ -14,73 +14,17 @@ namespace {
 constexpr int kCount = PlaneCandidates::kCount;
 constexpr int kPaths = 8;
 
-// Costs in the units of the matching cost (0…2).
-constexpr float kStep_per_px = 0.6F;
-constexpr float kLargestStep = 3.0F;
-constexpr float kLikeColour = 12.0F;
-constexpr float kLeastTie = 0.08F;
-constexpr float kDiagonalTie = 0.7F;
-constexpr float kSlopeCost = 0.2F;
-constexpr float kConflictCost = 0.7F;
-constexpr float kBelowLeast_per_px = 0.5F;
-/// Disparities of the two views agree up to this; from there the charges rise over half a pixel.
-constexpr float kAgreement_px = 1.0F;
-constexpr float kRamp_px = 0.5F;
-
 /// A vector of all candidates of a pixel.
 using Lanes = float __attribute__((vector_size(sizeof(float) * kCount)));
 using LaneMasks = int __attribute__((vector_size(sizeof(int) * kCount)));
 
-std::uint32_t mixed(std::uint32_t a) {
-  a = (a ^ (a >> 16)) * 0x7feb352dU;
-  a = (a ^ (a >> 15)) * 0x846ca68bU;
-  return a ^ (a >> 16);
-}
-
-/// Reproducible draws for one pixel and round.
-class Draws {
- public:
-  explicit Draws(std::uint32_t start) : state_(start) {}
-  int up_to(int largest) { return 1 + static_cast<int>(next() % static_cast<std::uint32_t>(largest)); }
-  float unit() { return static_cast<float>(static_cast<int>(next() % 2001U) - 1000) / 1000.0F; }
-
- private:
-  std::uint32_t next() { return state_ = mixed(state_ + 0x9e3779b9U); }
-  std::uint32_t state_;
-};
-
-/// Writes one pixel's candidates.
-class Writer {
- public:
-  Writer(PlaneCandidates& out, int x, int y) : out_(out), x_(x), y_(y), at_(out.at(x, y)) {}
-  void add(float disparity, float slope_x, float slope_y) {
-    out_.disparity[at_] = disparity;
-    out_.slope_x[at_] = slope_x;
-    out_.slope_y[at_] = slope_y;
-    ++at_;
-  }
-  /// The plane of (px, py), or of the nearest pixel inside, carried on to this pixel.
-  void add_from(const PlaneMap& map, int px, int py) {
-    px = std::clamp(px, 0, out_.width - 1);
-    py = std::clamp(py, 0, out_.height - 1);
-    const float sx = map.slope_x(px, py);
-    const float sy = map.slope_y(px, py);
-    add(map.disparity(px, py) + sx * static_cast<float>(x_ - px) + sy * static_cast<float>(y_ - py), sx, sy);
-  }
-
- private:
-  PlaneCandidates& out_;
-  int x_, y_;
-  std::size_t at_;
-};
-
 /// The cost at a disparity between those of the volume (Catmull-Rom), in units; linear beyond its ends.
-float cost_at(const std::uint16_t* cost, int count, float disparity) {
+float cost_at(const std::uint16_t* cost, int count, float disparity, float beyond_range_per_px) {
   constexpr float kUnit = 1.0F / kCostUnit;
   const auto value = [&](int d) { return static_cast<float>(cost[std::clamp(d, 0, count - 1)]) * kUnit; };
-  if (!(disparity >= 0.0F)) return value(0) - kBelowLeast_per_px * disparity;
+  if (!(disparity >= 0.0F)) return value(0) - beyond_range_per_px * disparity;
   const auto last = static_cast<float>(count - 1);
-  if (disparity > last) return value(count - 1) + kBelowLeast_per_px * (disparity - last);
+  if (disparity > last) return value(count - 1) + beyond_range_per_px * (disparity - last);
   const int d = static_cast<int>(disparity);
   const float t = disparity - static_cast<float>(d);
   const float a = value(d - 1);
@@ -90,19 +34,22 @@ float cost_at(const std::uint16_t* cost, int count, float disparity) {
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
 }
 
-float seen_from_other(const OtherView& other, int x, int y, float disparity, float cost) {
+/// A candidate's cost with what the other view says about it.
+float cost_with_other_view(const OtherView& other, const PlaneCostOptions& options, int x, int y,
+                           float disparity, float cost) {
   if (other.disparity == nullptr)
-    return static_cast<float>(x) - disparity < static_cast<float>(other.first) - 0.5F ? kHiddenCost : cost;
+    return static_cast<float>(x) - disparity < static_cast<float>(other.first) - 0.5F ? options.hidden_cost
+                                                                                      : cost;
   const int there = static_cast<int>(std::floor(static_cast<float>(x) - disparity + 0.5F));
   if (there < 0 || there >= other.disparity->width()) {
-    cost = kHiddenCost;
+    cost = options.hidden_cost;
   } else {
     const float in_front = (*other.disparity)(there, y) - disparity;
-    const float hidden = std::clamp((in_front - kAgreement_px) / kRamp_px, 0.0F, 1.0F);
-    const float conflict = std::clamp((-in_front - kAgreement_px) / kRamp_px, 0.0F, 1.0F);
-    cost += (kHiddenCost - cost) * hidden + kConflictCost * conflict;
+    const float hidden = std::clamp((in_front - options.agreement_px) / options.ramp_px, 0.0F, 1.0F);
+    const float conflict = std::clamp((-in_front - options.agreement_px) / options.ramp_px, 0.0F, 1.0F);
+    cost += (options.hidden_cost - cost) * hidden + options.conflict_cost * conflict;
   }
-  return cost + kBelowLeast_per_px * std::max(0.0F, other.least_px - disparity);
+  return cost + options.beyond_range_per_px * std::max(0.0F, other.least_px - disparity);
 }
 
 /// The rows of candidates that a sweep looks at.
@@ -125,10 +72,13 @@ struct SweepRow {
   float* sum;
   const PathRow* path_before;
   PathRow* path;
-  /// Tie to the predecessor for each of the four directions, width values each; negative = there is none.
-  const float* tie;
+  /// Smoothness weight to the predecessor for each of the four directions, width values each; negative =
+  /// there is none.
+  const float* weight;
   int width;
   int direction;
+  float step_per_px;
+  float largest_step;
 };
 
 /// The least of them, by halves: one after the other each would wait for the last.
@@ -169,10 +119,10 @@ void sweep_row(const SweepRow& row) {
     for (int k = 0; k < 4; ++k) {
       const int step_x = k < 2 ? row.direction : k == 2 ? 0 : -row.direction;
       const int step_y = k == 0 ? 0 : row.direction;
-      const float tie = row.tie[static_cast<std::size_t>(k) * static_cast<std::size_t>(row.width) +
-                                static_cast<std::size_t>(x)];
+      const float weight = row.weight[static_cast<std::size_t>(k) * static_cast<std::size_t>(row.width) +
+                                      static_cast<std::size_t>(x)];
       Lanes path = cost;
-      if (tie >= 0.0F) {
+      if (weight >= 0.0F) {
         const auto from = static_cast<std::size_t>(x - step_x);
         const auto slot =
             static_cast<std::size_t>(k == 0 ? 0 : k - 1) * static_cast<std::size_t>(row.width) + from;
@@ -184,7 +134,7 @@ void sweep_row(const SweepRow& row) {
         const float least = k == 0 ? least_beside : row.path_before->least[slot];
         const auto dx = static_cast<float>(step_x);
         const auto dy = static_cast<float>(step_y);
-        const float per_px = 0.5F * kStep_per_px * tie;
+        const float per_px = 0.5F * row.step_per_px * weight;
         const Lanes carried_back = disparity - (slope_x * dx + slope_y * dy);
         // The source's planes carried on to here, all at once: the loop then takes one of each as a scalar.
         Lanes source_d, source_sx, source_sy;
@@ -194,7 +144,7 @@ void sweep_row(const SweepRow& row) {
         const Lanes carried = source_d + (source_sx * dx + source_sy * dy);
         float carried_on[kCount];
         std::memcpy(carried_on, &carried, sizeof carried);
-        Lanes best = zero + (least + kLargestStep * tie);
+        Lanes best = zero + (least + row.largest_step * weight);
         for (int i = 0; i < kCount; ++i) {
           const Lanes ahead = carried_on[i] - disparity;
           const Lanes behind = d[i] - carried_back;
@@ -223,39 +173,43 @@ void sweep_row(const SweepRow& row) {
   }
 }
 
-class TieTable {
+/// Smoothness weights by colour difference.
+class SmoothnessWeights {
  public:
-  TieTable() {
-    for (std::size_t i = 0; i < tie_.size(); ++i)
-      tie_[i] = std::max(kLeastTie, std::exp(-static_cast<float>(i) / kLikeColour));
+  explicit SmoothnessWeights(const PlaneSmoothnessOptions& options) : diagonal_(options.diagonal_weight) {
+    for (std::size_t i = 0; i < by_colour_.size(); ++i)
+      by_colour_[i] =
+          std::max(options.least_weight, std::exp(-static_cast<float>(i) / options.colour_levels));
   }
-  /// Ties of row y to its predecessors in a sweep of this direction.
+  /// The weights of row y to its predecessors in a sweep of this direction.
   void fill_row(const ColourPlanes& colour, int y, int direction, std::vector<float>& out) const {
     const int w = colour.width();
     for (int k = 0; k < 4; ++k) {
       const int step_x = k < 2 ? direction : k == 2 ? 0 : -direction;
       const int from_y = k == 0 ? y : y - direction;
       for (int x = 0; x < w; ++x) {
-        float& tie = out[static_cast<std::size_t>(k * w + x)];
-        tie = -1.0F;
+        float& weight = out[static_cast<std::size_t>(k * w + x)];
+        weight = -1.0F;
         if (!colour.r.contains(x - step_x, from_y)) continue;
-        tie = tie_[static_cast<std::size_t>(colour.difference(x, y, x - step_x, from_y))];
-        if (k == 1 || k == 3) tie *= kDiagonalTie;
+        weight = by_colour_[static_cast<std::size_t>(colour.difference(x, y, x - step_x, from_y))];
+        if (k == 1 || k == 3) weight *= diagonal_;
       }
     }
   }
 
  private:
-  std::array<float, 256> tie_{};
+  std::array<float, 256> by_colour_{};
+  float diagonal_;
 };
 
-void sweep(const ColourPlanes& colour, const TieTable& ties, int direction, PlaneCandidates& candidates,
-           std::vector<float>& sum) {
+void sweep(const ColourPlanes& colour, const PlaneSmoothnessOptions& options, int direction,
+           PlaneCandidates& candidates, std::vector<float>& sum) {
+  const SmoothnessWeights weights(options);
   const int w = candidates.width;
   const int h = candidates.height;
   PathRow before(w);
   PathRow path(w);
-  std::vector<float> tie(static_cast<std::size_t>(w) * 4);
+  std::vector<float> weight(static_cast<std::size_t>(w) * 4);
   const auto row_at = [&](int y) {
     const std::size_t at = candidates.at(0, y);
     return RowOfCandidates{candidates.disparity.data() + at, candidates.slope_x.data() + at,
@@ -263,71 +217,45 @@ void sweep(const ColourPlanes& colour, const TieTable& ties, int direction, Plan
   };
   for (int n = 0; n < h; ++n) {
     const int y = direction > 0 ? n : h - 1 - n;
-    ties.fill_row(colour, y, direction, tie);
+    weights.fill_row(colour, y, direction, weight);
     const std::size_t at = candidates.at(0, y);
     sweep_row({row_at(y), row_at(n == 0 ? y : y - direction), candidates.cost.data() + at, sum.data() + at,
-               &before, &path, tie.data(), w, direction});
+               &before, &path, weight.data(), w, direction, options.step_per_px, options.largest_step});
     std::swap(before, path);
   }
 }
 
 }  // namespace
 
-PlaneCandidates::PlaneCandidates(int width_, int height_) : width(width_), height(height_) {
-  const std::size_t n = at(0, height_);
-  for (auto* values : {&disparity, &slope_x, &slope_y, &cost, &path_sum[0], &path_sum[1]}) values->resize(n);
+std::vector<Parameter> parameters_of(PlaneCostOptions& o) {
+  return {
+      {"slope_cost", &o.slope_cost, {0, 5}, "units", "Cost per unit of slope"},
+      {"hidden_cost", &o.hidden_cost, {0, 4}, "units", "Cost of a pixel hidden from the other camera"},
+      {"conflict_cost", &o.conflict_cost, {0, 4}, "units", "Cost of what the other camera should have seen"},
+      {"beyond_range_per_px", &o.beyond_range_per_px, {0, 5}, "units", "Cost per pixel beyond the range"},
+      {"agreement_px",
+       &o.agreement_px,
+       {0.1, 5},
+       "px",
+       "Disparities of both views that differ by less agree"},
+      {"ramp_px", &o.ramp_px, {0.01, 5}, "px", "Hidden and conflict cost set in over this"}};
 }
 
-void propose_planes(const ColourPlanes& colour, const KnownPlanes& known, int round, PlaneCandidates& out,
-                    const Work& work) {
-  // Far neighbours by turns nearer and further, so that a plane crosses large untextured areas in few rounds.
-  constexpr std::array kReach_px{2, 6, 14, 4, 20, 9, 3, 30};
-  const int reach = kReach_px[static_cast<std::size_t>(round) % kReach_px.size()];
-  const float change = std::max(0.06F, 0.5F * std::pow(0.6F, static_cast<float>(round)));
-  const PlaneMap fine = fit_planes(colour, known.now, known.trust, {3, 1}, work);
-  const PlaneMap broad = fit_planes(colour, known.now, known.trust, {12, 3}, work);
-  const RegionPlanes of_region = planes_of_regions(known.regions, fine, known.trust, work);
-  parallel_for(work, out.height, 4, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < out.width; ++x) {
-        Draws draws(static_cast<std::uint32_t>(y * out.width + x) * 64U + static_cast<std::uint32_t>(round) +
-                    static_cast<std::uint32_t>(work.seed) * 0x85ebca6bU);
-        Writer candidates(out, x, y);
-        candidates.add_from(known.now, x, y);
-        candidates.add_from(fine, x, y);
-        candidates.add_from(broad, x, y);
-        candidates.add_from(known.start, x, y);
-        const int near = draws.up_to(3);
-        const int far = draws.up_to(reach);
-        for (const auto& [from, away] : {std::pair{&fine, near}, std::pair{&broad, far}}) {
-          candidates.add_from(*from, x - away, y);
-          candidates.add_from(*from, x + away, y);
-          candidates.add_from(*from, x, y - away);
-          candidates.add_from(*from, x, y + away);
-        }
-        for (const RegionPlane& plane : of_region[static_cast<std::size_t>(known.regions.of_pixel(x, y))])
-          candidates.add(plane.at(x, y), plane.slope_x, plane.slope_y);
-        const float shift = draws.unit();
-        candidates.add(fine.disparity(x, y) + shift * change, fine.slope_x(x, y), fine.slope_y(x, y));
-        if (known.across != nullptr && std::isfinite(known.across->disparity(x, y))) {
-          candidates.add_from(*known.across, x, y);
-          continue;
-        }
-        const float shift_2 = 0.5F * draws.unit();
-        const float turn_x = 0.2F * draws.unit();
-        const float turn_y = 0.2F * draws.unit();
-        candidates.add(known.now.disparity(x, y) + shift_2 * change,
-                       known.now.slope_x(x, y) + turn_x * change, known.now.slope_y(x, y) + turn_y * change);
-      }
-  });
+std::vector<Parameter> parameters_of(PlaneSmoothnessOptions& o) {
+  return {
+      {"step_per_px", &o.step_per_px, {0, 10}, "units", "Cost per pixel that neighbouring planes lie apart"},
+      {"largest_step", &o.largest_step, {0, 20}, "units", "The smoothness cost is truncated here"},
+      {"colour_levels", &o.colour_levels, {1, 255}, "levels", "Colour difference at which it falls by e"},
+      {"least_weight", &o.least_weight, {0, 1}, "", "Weight across the strongest edge"},
+      {"diagonal_weight", &o.diagonal_weight, {0, 1}, "", "Weight of diagonal neighbours"}};
 }
 
-float matching_cost_at(const CostVolume& volume, int x, int y, float disparity) {
-  return cost_at(volume.at(x, y), volume.disparities, disparity);
+float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, float beyond_range_per_px) {
+  return cost_at(volume.at(x, y), volume.disparities, disparity, beyond_range_per_px);
 }
 
-void plane_costs(const CostVolume& volume, const OtherView& other, PlaneCandidates& candidates,
-                 const Work& work) {
+void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
+                 PlaneCandidates& candidates, const Work& work) {
   parallel_for(work, volume.height, 4, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < volume.width; ++x) {
@@ -335,19 +263,21 @@ void plane_costs(const CostVolume& volume, const OtherView& other, PlaneCandidat
         const std::size_t at = candidates.at(x, y);
         for (std::size_t k = at; k < at + kCount; ++k) {
           const float d = candidates.disparity[k];
-          const float own = seen_from_other(other, x, y, d, cost_at(cost, volume.disparities, d));
-          candidates.cost[k] =
-              own + kSlopeCost * (std::fabs(candidates.slope_x[k]) + std::fabs(candidates.slope_y[k]));
+          const float own = cost_with_other_view(
+              other, options, x, y, d, cost_at(cost, volume.disparities, d, options.beyond_range_per_px));
+          candidates.cost[k] = own + options.slope_cost * (std::fabs(candidates.slope_x[k]) +
+                                                           std::fabs(candidates.slope_y[k]));
         }
       }
   });
 }
 
-void choose_planes(const ColourPlanes& colour, PlaneCandidates& candidates, PlaneMap& out, const Work& work) {
-  const TieTable ties;
+void choose_planes(const ColourPlanes& colour, const PlaneSmoothnessOptions& options,
+                   PlaneCandidates& candidates, PlaneMap& out, const Work& work) {
   parallel_for(work, 2, 1, [&](int begin, int end) {
     for (int way = begin; way < end; ++way)
-      sweep(colour, ties, way == 0 ? 1 : -1, candidates, candidates.path_sum[static_cast<std::size_t>(way)]);
+      sweep(colour, options, way == 0 ? 1 : -1, candidates,
+            candidates.path_sum[static_cast<std::size_t>(way)]);
   });
   parallel_for(work, candidates.height, 8, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)

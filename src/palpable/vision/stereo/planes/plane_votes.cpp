@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/plane_votes.hpp"
 
-#include "palpable/vision/stereo/occlusion/left_right.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,42 +20,30 @@ struct Vote {
   float disparity, slope_x, slope_y, weight;
 };
 
-/// Which pixels vote and how much they weigh: every `step_px`th up to `reach_px` away.
-struct Electorate {
-  int reach_px;
-  int step_px;
-  float near_px;
-  /// All votes together must weigh so much.
-  float fewest;
-};
-
-/// Of the votes' weights, sorted by disparity, so much lies below the winner: behind what hides it the
-/// further third is right; where nothing does, neither side is likelier.
-constexpr float kBehind = 0.35F, kMedian = 0.5F;
-
 /// The other picture's disparity at the match; NaN where that lies outside it.
 float seen_at(const Raster<float>& other_disparity, Pixel p, float disparity) {
   const int there = static_cast<int>(std::floor(static_cast<float>(p.x) - disparity + 0.5F));
   return other_disparity.contains(there, p.y) ? other_disparity(there, p.y) : NAN;
 }
 
-/// One pixel's poll; keeps its memory from pixel to pixel.
-class Poll {
+/// The vote on one pixel; keeps its memory from pixel to pixel.
+class PlaneVoting {
  public:
-  explicit Poll(Electorate who) : who_(who) {
-    for (int i = 0; i <= 2 * who.reach_px; ++i)
-      near_.push_back(std::exp(-static_cast<float>(i) / who.near_px));
+  explicit PlaneVoting(const PlaneVoteWindow& window) : window_(window) {
+    for (int i = 0; i <= 2 * window.reach_px; ++i)
+      near_.push_back(std::exp(-static_cast<float>(i) / window.distance_px));
   }
 
-  /// The winner among the planes of pixels whose weight is above 0; alike(difference) weighs their colours,
-  /// admitted(disparity) says which votes count; the quantile is kBehind or kMedian. Weight 0: too few.
+  /// The winner among the planes of pixels whose weight is above 0; alike(difference) is the weight of a
+  /// colour difference, admitted(disparity) says which votes count, `quantile` of their weights lies below
+  /// the winner. Weight 0: too few.
   template <class Alike, class Admitted>
   Vote winner(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight, Pixel p,
               const Alike& alike, const Admitted& admitted, float quantile) {
     votes_.clear();
     float total = 0.0F;
-    for (int dy = -who_.reach_px; dy <= who_.reach_px; dy += who_.step_px)
-      for (int dx = -who_.reach_px; dx <= who_.reach_px; dx += who_.step_px) {
+    for (int dy = -window_.reach_px; dy <= window_.reach_px; dy += window_.step_px)
+      for (int dx = -window_.reach_px; dx <= window_.reach_px; dx += window_.step_px) {
         const int u = p.x + dx;
         const int v = p.y + dy;
         if (!weight.contains(u, v) || weight(u, v) <= 0.0F) continue;
@@ -67,7 +55,7 @@ class Poll {
         total += vote.weight;
         votes_.push_back(vote);
       }
-    if (total < who_.fewest) return {};
+    if (total < window_.least_weight) return {};
     std::sort(votes_.begin(), votes_.end(),
               [](const Vote& a, const Vote& b) { return a.disparity < b.disparity; });
     float sum = 0.0F;
@@ -79,31 +67,52 @@ class Poll {
   }
 
  private:
-  Electorate who_;
+  PlaneVoteWindow window_;
   std::vector<float> near_;
   std::vector<Vote> votes_;
 };
 
 }  // namespace
 
-void carry_behind(const ColourPlanes& colour, const Raster<float>& other_disparity, PlaneMap& map,
-                  const Work& work) {
-  constexpr Electorate kAround{.reach_px = 20, .step_px = 2, .near_px = 12.0F, .fewest = 1.0F};
-  constexpr float kLikeColour = 20.0F;
-  constexpr float kBehind_px = 1.0F;
-  constexpr float kCarriedWeight = 0.5F;
+std::vector<Parameter> parameters_of(PlaneVoteWindow& w) {
+  return {{"reach_px", &w.reach_px, {1, 60}, "px", "Reach of the window to each side"},
+          {"step_px", &w.step_px, {1, 16}, "px", "Every n-th row and column of the window is used"},
+          {"distance_px", &w.distance_px, {1, 200}, "px", "Distance at which a weight falls by e"},
+          {"colour_levels", &w.colour_levels, {1, 255}, "levels", "Colour scale of the weights"},
+          {"least_weight", &w.least_weight, {0, 1000}, "", "Sum of weights below which nothing is decided"}};
+}
+
+std::vector<Parameter> parameters_of(BackgroundOptions& o) {
+  std::vector<Parameter> all{
+      {"behind_px", &o.behind_px, {0, 10}, "px", "A surface hides what lies behind it by more"},
+      {"filled_weight", &o.filled_weight, {0, 1}, "", "Weight of pixels filled earlier"},
+      {"hidden_quantile",
+       &o.hidden_quantile,
+       {0, 1},
+       "",
+       "Share of the votes below the winner, for hidden pixels"},
+      {"out_of_view_quantile", &o.out_of_view_quantile, {0, 1}, "", "The same, for pixels out of view"}};
+  append_parameters(all, "window", parameters_of(o.window));
+  append_parameters(all, "slopes", parameters_of(o.slopes));
+  append_parameters(all, "fit", parameters_of(o.fit));
+  return all;
+}
+
+void continue_background(const ColourPlanes& colour, const Raster<float>& other_disparity,
+                         const BackgroundOptions& options, PlaneMap& map, const Work& work) {
   const auto hidden = [&](Pixel p, float disparity) {
-    // Out of view is nothing seen (NaN) or infinitely near: true as well.
+    // Out of view it is NaN or infinite: true as well.
     const float in_front = seen_at(other_disparity, p, disparity);
-    return !(in_front <= disparity + kBehind_px);
+    return !(in_front <= disparity + options.behind_px);
   };
-  const auto alike = [](int difference) {
-    const float c = static_cast<float>(difference) / kLikeColour;
+  const auto alike = [&](int difference) {
+    const float c = static_cast<float>(difference) / options.window.colour_levels;
     return 1.0F / (1.0F + c * c);
   };
-  Raster<float> weight = agreement(map.disparity, other_disparity);
-  // One pixel's slope is noise, which would be carried far: those of wide windows on the same surface.
-  const PlaneMap wide = fit_planes(colour, map, weight, {24, 4}, work);
+  Raster<float> weight = left_right_check(map.disparity, other_disparity);
+  // One pixel's slope is noisy, and would be continued far: slopes come from wide windows on the same
+  // surface.
+  const PlaneMap wide = fit_planes(colour, map, weight, options.slopes, options.fit, work);
   for (std::size_t i = 0; i < weight.count(); ++i) {
     if (!(weight.values()[i] > 0.0F)) continue;
     map.slope_x.values()[i] = wide.slope_x.values()[i];
@@ -116,13 +125,13 @@ void carry_behind(const ColourPlanes& colour, const Raster<float>& other_dispari
   for (bool reached = true; reached && !work.cancelled();) {
     std::vector<Vote> found(left.size());
     parallel_for(work, static_cast<int>(left.size()), 256, [&](int begin, int end) {
-      Poll poll(kAround);
+      PlaneVoting voting(options.window);
       for (int i = begin; i < end; ++i) {
         const Pixel p = left[static_cast<std::size_t>(i)];
         const bool in_view = std::isfinite(seen_at(other_disparity, p, map.disparity(p.x, p.y)));
-        found[static_cast<std::size_t>(i)] = poll.winner(
+        found[static_cast<std::size_t>(i)] = voting.winner(
             colour, map, weight, p, alike, [&](float d) { return hidden(p, d); },
-            in_view ? kBehind : kMedian);
+            in_view ? options.hidden_quantile : options.out_of_view_quantile);
       }
     });
     std::vector<Pixel> rest;
@@ -135,29 +144,30 @@ void carry_behind(const ColourPlanes& colour, const Raster<float>& other_dispari
       map.disparity(x, y) = found[i].disparity;
       map.slope_x(x, y) = found[i].slope_x;
       map.slope_y(x, y) = found[i].slope_y;
-      weight(x, y) = kCarriedWeight;
+      weight(x, y) = options.filled_weight;
     }
     reached = rest.size() < left.size();
     left.swap(rest);
   }
 }
 
-Raster<float> settled(const ColourPlanes& colour, const Raster<float>& other_disparity, const PlaneMap& map,
-                      const Work& work) {
-  constexpr Electorate kAround{.reach_px = 15, .step_px = 2, .near_px = 12.0F, .fewest = 0.5F};
-  constexpr float kLikeColour = 10.0F;
-  const auto alike = [](int difference) { return std::exp(-static_cast<float>(difference) / kLikeColour); };
-  const Raster<float> agreed = agreement(map.disparity, other_disparity);
+Raster<float> replace_contradicted(const ColourPlanes& colour, const Raster<float>& other_disparity,
+                                   const PlaneVoteWindow& window, const PlaneMap& map, const Work& work) {
+  constexpr float kMedian = 0.5F;
+  const auto alike = [&](int difference) {
+    return std::exp(-static_cast<float>(difference) / window.colour_levels);
+  };
+  const Raster<float> agreed = left_right_check(map.disparity, other_disparity);
   Raster<float> out = map.disparity;
   parallel_for(work, out.height(), 4, [&](int begin, int end) {
-    Poll poll(kAround);
+    PlaneVoting voting(window);
     for (int y = begin; y < end && !work.cancelled(); ++y)
       for (int x = 0; x < out.width(); ++x) {
         const Pixel p{x, y};
         const float d = map.disparity(x, y);
         // Only what the other picture shows further away contradicts.
         if (agreed(x, y) > 0.0F || !(seen_at(other_disparity, p, d) <= d)) continue;
-        const Vote vote = poll.winner(
+        const Vote vote = voting.winner(
             colour, map, agreed, p, alike, [](float) { return true; }, kMedian);
         if (vote.weight > 0.0F) out(x, y) = vote.disparity;
       }

@@ -50,10 +50,10 @@ PlaneMap map_with(const Hidden& hidden_px) {
   return map;
 }
 
-TEST(PlaneVotes, CarryTheWallOnBehindTheBoardThatHidesIt) {
+TEST(PlaneVotes, ContinueTheWallBehindTheBoardThatHidesIt) {
   // As the search leaves it: a slope between the wall and the board.
   PlaneMap map = map_with([](int x) { return 11.0F + 0.5F * static_cast<float>(x - kBoard + 18); });
-  carry_behind(grey(), seen_from_right(), map, {});
+  continue_background(grey(), seen_from_right(), {}, map, {});
   int hidden = 0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
@@ -63,15 +63,16 @@ TEST(PlaneVotes, CarryTheWallOnBehindTheBoardThatHidesIt) {
   EXPECT_EQ(hidden, 21 * kHeight);
 }
 
-TEST(PlaneVotes, SettleWhatStandsBeforeWhatTheOtherViewSees) {
+TEST(PlaneVotes, ReplaceADisparityThatTheOtherViewContradicts) {
   PlaneMap map = map_with(wall_px);
   map.disparity(20, 20) = 14.0F;
-  EXPECT_NEAR(settled(grey(), seen_from_right(), map, {})(20, 20), wall_px(20), 0.01F);
+  EXPECT_NEAR(replace_contradicted(grey(), seen_from_right(), kContradictedWindow, map, {})(20, 20),
+              wall_px(20), 0.01F);
 }
 
-TEST(PlaneVotes, LeaveAloneWhatIsHiddenOrAgreed) {
+TEST(PlaneVotes, KeepWhatIsHiddenOrConfirmed) {
   const PlaneMap map = map_with([](int x) { return wall_px(x) - 3.0F; });
-  const Raster<float> after = settled(grey(), seen_from_right(), map, {});
+  const Raster<float> after = replace_contradicted(grey(), seen_from_right(), kContradictedWindow, map, {});
   for (int y = 0; y < kHeight; ++y)
     for (int x = 20; x < kWidth; ++x) EXPECT_EQ(after(x, y), map.disparity(x, y)) << x << ", " << y;
 }

@@ -12,13 +12,6 @@
 namespace palpable::vision {
 namespace {
 
-constexpr float kLeastWeight = 3.0F;
-/// Added to the variances, in square pixels: a slope needs a base to stand on.
-constexpr float kRidge_px2 = 0.05F;
-constexpr float kSteepest = 1.5F;
-/// A surface that falls off faster to the right is hidden from the other camera.
-constexpr float kSteepestRise = 0.9F;
-
 /// The weighted sums of the normal equations.
 using Sums = RowSums<9>;
 
@@ -46,26 +39,26 @@ void add_to_sums(const float* __restrict weight, const float* __restrict rise, O
   }
 }
 
-void solve(const Sums& sums, const PlaneMap& map, int y, PlaneMap& out) {
+void solve(const Sums& sums, const PlaneMap& map, const PlaneFitOptions& fit, int y, PlaneMap& out) {
   for (int x = 0; x < map.disparity.width(); ++x) {
     const auto i = static_cast<std::size_t>(x);
     const float weight = sums.of[0][i];
     out.disparity(x, y) = map.disparity(x, y);
     out.slope_x(x, y) = map.slope_x(x, y);
     out.slope_y(x, y) = map.slope_y(x, y);
-    if (weight <= kLeastWeight) continue;
+    if (weight <= fit.least_weight) continue;
     const float mx = sums.of[1][i] / weight;
     const float my = sums.of[2][i] / weight;
     const float mz = sums.of[6][i] / weight;
-    const float xx = sums.of[3][i] / weight - mx * mx + kRidge_px2;
+    const float xx = sums.of[3][i] / weight - mx * mx + fit.ridge_px2;
     const float xy = sums.of[4][i] / weight - mx * my;
-    const float yy = sums.of[5][i] / weight - my * my + kRidge_px2;
+    const float yy = sums.of[5][i] / weight - my * my + fit.ridge_px2;
     const float xz = sums.of[7][i] / weight - mx * mz;
     const float yz = sums.of[8][i] / weight - my * mz;
     const float determinant = xx * yy - xy * xy;
     if (!(determinant > 0.0F)) continue;
-    const float sx = std::clamp((yy * xz - xy * yz) / determinant, -kSteepest, kSteepestRise);
-    const float sy = std::clamp((xx * yz - xy * xz) / determinant, -kSteepest, kSteepest);
+    const float sx = std::clamp((yy * xz - xy * yz) / determinant, -fit.steepest, fit.steepest_rise);
+    const float sy = std::clamp((xx * yz - xy * xz) / determinant, -fit.steepest, fit.steepest);
     out.slope_x(x, y) = sx;
     out.slope_y(x, y) = sy;
     out.disparity(x, y) += mz - sx * mx - sy * my;
@@ -74,7 +67,32 @@ void solve(const Sums& sums, const PlaneMap& map, int y, PlaneMap& out) {
 
 }  // namespace
 
-PlaneMap planes_across(const PlaneMap& map, const Work& work) {
+std::vector<Parameter> parameters_of(FitWindow& w) {
+  return {
+      {"radius_px", &w.radius_px, {1, 60}, "px", "Reach of the window to each side"},
+      {"step_px", &w.step_px, {1, 16}, "px", "Every n-th row and column of the window is used"},
+      {"half_weight_levels",
+       &w.half_weight_levels,
+       {1, 255},
+       "levels",
+       "Colour difference at which a weight is half"},
+      {"tolerance_px", &w.tolerance_px, {0.05, 10}, "px", "Departure from the plane at which a weight is 0"},
+      {"tolerance_per_px",
+       &w.tolerance_per_px,
+       {0, 1},
+       "px",
+       "How much it grows with each pixel of distance"}};
+}
+
+std::vector<Parameter> parameters_of(PlaneFitOptions& o) {
+  return {
+      {"least_weight", &o.least_weight, {0, 100}, "", "Sum of weights below which a plane stays as it is"},
+      {"ridge_px2", &o.ridge_px2, {0, 10}, "px²", "Added to the variances of the window's coordinates"},
+      {"steepest", &o.steepest, {0, 4}, "px/px", "Steepest slope of disparity"},
+      {"steepest_rise", &o.steepest_rise, {0, 0.99}, "px/px", "Steepest rise of disparity to the right"}};
+}
+
+PlaneMap planes_in_other_view(const PlaneMap& map, const PlaneFitOptions& fit, const Work& work) {
   const int w = map.disparity.width();
   PlaneMap out(w, map.disparity.height());
   std::fill(out.disparity.values().begin(), out.disparity.values().end(), NAN);
@@ -86,10 +104,10 @@ PlaneMap planes_across(const PlaneMap& map, const Work& work) {
         const int there = static_cast<int>(std::floor(place + 0.5F));
         if (there < 0 || there >= w || out.disparity(there, y) > d) continue;
         // d as a function of its place: by d' / (1 - d') and mirrored along a row.
-        const float stretch = 1.0F / (1.0F - std::min(map.slope_x(x, y), kSteepestRise));
-        const float sx = std::clamp(-map.slope_x(x, y) * stretch, -kSteepest, kSteepestRise);
+        const float stretch = 1.0F / (1.0F - std::min(map.slope_x(x, y), fit.steepest_rise));
+        const float sx = std::clamp(-map.slope_x(x, y) * stretch, -fit.steepest, fit.steepest_rise);
         out.slope_x(there, y) = sx;
-        out.slope_y(there, y) = std::clamp(map.slope_y(x, y) * stretch, -kSteepest, kSteepest);
+        out.slope_y(there, y) = std::clamp(map.slope_y(x, y) * stretch, -fit.steepest, fit.steepest);
         out.disparity(there, y) = d + sx * (static_cast<float>(there) - place);
       }
   });
@@ -97,7 +115,7 @@ PlaneMap planes_across(const PlaneMap& map, const Work& work) {
 }
 
 PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
-                    FitWindow window, const Work& work) {
+                    const FitWindow& window, const PlaneFitOptions& fit, const Work& work) {
   PlaneMap out(colour.width(), colour.height());
   sum_over_surfaces<9>(
       colour, map, weight, window, work,
@@ -106,7 +124,7 @@ PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raste
         add_to_sums(weights, rises, offset, count, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6),
                     sum(7), sum(8));
       },
-      [&](const Sums& sums, int y) { solve(sums, map, y, out); });
+      [&](const Sums& sums, int y) { solve(sums, map, fit, y, out); });
   return out;
 }
 

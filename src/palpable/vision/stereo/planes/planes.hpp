@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
+
+#include <vector>
 
 namespace palpable::vision {
 
@@ -18,24 +21,45 @@ struct PlaneMap {
       : disparity(width, height), slope_x(width, height), slope_y(width, height) {}
 };
 
+/// A window around a pixel whose pixels are weighted by how likely they belong to its surface.
 struct FitWindow {
-  /// The window reaches this many pixels to each side,
+  /// The window's reach to each side; px, 1 … 60.
   int radius_px = 3;
-  /// and takes every so-manieth.
+  /// Every n-th row and column of it is used; px, 1 … 16.
   int step_px = 1;
-  /// What differs by so many levels, in the channel that differs most, counts half.
-  float like_colour = 12.0F;
+  /// The colour difference, in the channel that differs most, at which a weight is half; levels of 255, 1 …
+  /// 255.
+  float half_weight_levels = 12.0F;
+  /// A disparity that departs from the centre's plane by this has no weight; px, 0.05 … 10 …
+  float tolerance_px = 1.0F;
+  /// … and by this more for each pixel of distance (city block); px, 0 … 1.
+  float tolerance_per_px = 0.04F;
 };
+std::vector<Parameter> parameters_of(FitWindow& window);
 
-/// The planes of one view of a pair as the other sees them: each moved to the pixel where it matches, its
-/// slopes those over the other picture, the nearest where several fall; NaN where none does. Views are kept
-/// as matching wants them, each the other's mirror image: (x, y) here matches (width - 1 - x + d, y) there.
-PlaneMap planes_across(const PlaneMap& map, const Work& work);
+/// Limits of fitted planes.
+struct PlaneFitOptions {
+  /// A window whose weights sum to this or less leaves the plane as it is; 0 … 100.
+  float least_weight = 3.0F;
+  /// Added to the variances of the window's coordinates, against slopes from too small a base; px², 0 … 10.
+  float ridge_px2 = 0.05F;
+  /// The steepest slope; px of disparity per px, 0 … 4.
+  float steepest = 1.5F;
+  /// The steepest rise to the right, beyond which a surface is hidden from the other camera; px per px, 0 …
+  /// 0.99.
+  float steepest_rise = 0.9F;
+};
+std::vector<Parameter> parameters_of(PlaneFitOptions& options);
 
-/// Fits a plane at each pixel to the disparities around it, each weighted by how alike its colour is, how
-/// little it departs from the plane that the pixel has now (none beyond about a pixel), and by `weight`, 0…1.
-/// Where too little supports it the plane stays as it is.
+/// The planes of one view of a pair in the other view's frame: each moved to the pixel where it matches, its
+/// slopes those over the other picture, the nearest where several fall; NaN where none does. Both views are
+/// oriented as left pictures, each the other's mirror image: (x, y) here matches (width - 1 - x + d, y)
+/// there.
+PlaneMap planes_in_other_view(const PlaneMap& map, const PlaneFitOptions& fit, const Work& work);
+
+/// Fits a plane at each pixel to the disparities around it by weighted least squares; the weights are the
+/// window's and `weight`, 0…1. Where too little supports it the plane stays as it is.
 PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
-                    FitWindow window, const Work& work);
+                    const FitWindow& window, const PlaneFitOptions& fit, const Work& work);
 
 }  // namespace palpable::vision

@@ -10,11 +10,6 @@
 namespace palpable::vision {
 namespace {
 
-constexpr float kOnPlane_px = 0.7F;
-/// Planes tried, and pixels asked about them, of each region.
-constexpr std::size_t kTried = 24;
-constexpr std::size_t kAsked = 400;
-
 struct Pixel {
   int x, y;
 };
@@ -25,14 +20,14 @@ RegionPlane plane_at(const PlaneMap& map, Pixel p) {
   return {map.disparity(p.x, p.y) - sx * static_cast<float>(p.x) - sy * static_cast<float>(p.y), sx, sy};
 }
 
-/// A plane and how many of the asked pixels lie on it, by their weights.
+/// A plane and how many of the sampled pixels lie on it, by their weights.
 struct Supported {
   RegionPlane plane;
   float support = 0.0F;
 };
 
-/// The asked pixels of one region.
-struct Asked {
+/// The sampled pixels of one region.
+struct Sample {
   std::vector<Pixel> pixels;
   std::vector<float> weight;
   const PlaneMap& map;
@@ -43,43 +38,56 @@ struct Asked {
   }
 };
 
-Supported most_supported(const Asked& asked) {
+Supported most_supported(const Sample& sample, const RegionPlaneOptions& options) {
   Supported best;
-  const std::size_t step = std::max<std::size_t>(1, asked.pixels.size() / kTried);
-  for (std::size_t i = step / 2; i < asked.pixels.size(); i += step) {
-    if (asked.weight[i] <= 0.0F) continue;
-    const RegionPlane plane = plane_at(asked.map, asked.pixels[i]);
+  const std::size_t step =
+      std::max<std::size_t>(1, sample.pixels.size() / static_cast<std::size_t>(options.tried_planes));
+  for (std::size_t i = step / 2; i < sample.pixels.size(); i += step) {
+    if (sample.weight[i] <= 0.0F) continue;
+    const RegionPlane plane = plane_at(sample.map, sample.pixels[i]);
     float sum = 0.0F;
-    for (std::size_t j = 0; j < asked.pixels.size(); ++j)
-      sum += asked.weight[j] * std::max(0.0F, 1.0F - asked.off(j, plane) / kOnPlane_px);
+    for (std::size_t j = 0; j < sample.pixels.size(); ++j)
+      sum += sample.weight[j] * std::max(0.0F, 1.0F - sample.off(j, plane) / options.on_plane_px);
     if (sum > best.support) best = {plane, sum};
   }
   return best;
 }
 
 std::array<RegionPlane, 2> planes_of(const std::vector<Pixel>& pixels, const PlaneMap& map,
-                                     const Raster<float>& trust) {
-  Asked asked{{}, {}, map};
-  const std::size_t step = std::max<std::size_t>(1, pixels.size() / kAsked);
+                                     const Raster<float>& trust, const RegionPlaneOptions& options) {
+  Sample sample{{}, {}, map};
+  const std::size_t step =
+      std::max<std::size_t>(1, pixels.size() / static_cast<std::size_t>(options.sampled_pixels));
   for (std::size_t i = step / 2; i < pixels.size(); i += step) {
-    asked.pixels.push_back(pixels[i]);
-    asked.weight.push_back(trust(pixels[i].x, pixels[i].y));
+    sample.pixels.push_back(pixels[i]);
+    sample.weight.push_back(trust(pixels[i].x, pixels[i].y));
   }
-  const Supported first = most_supported(asked);
+  const Supported first = most_supported(sample, options);
   if (first.support <= 0.0F) {
     const RegionPlane any = plane_at(map, pixels.front());
     return {any, any};
   }
-  for (std::size_t j = 0; j < asked.pixels.size(); ++j)
-    if (asked.off(j, first.plane) < kOnPlane_px) asked.weight[j] = 0.0F;
-  const Supported second = most_supported(asked);
+  for (std::size_t j = 0; j < sample.pixels.size(); ++j)
+    if (sample.off(j, first.plane) < options.on_plane_px) sample.weight[j] = 0.0F;
+  const Supported second = most_supported(sample, options);
   return {first.plane, second.support > 0.0F ? second.plane : first.plane};
 }
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(RegionPlaneOptions& o) {
+  return {
+      {"on_plane_px", &o.on_plane_px, {0.05, 10}, "px", "A pixel lies on a plane when it departs by less"},
+      {"tried_planes", &o.tried_planes, {1, 1000}, "", "Planes tried in each region"},
+      {"sampled_pixels",
+       &o.sampled_pixels,
+       {1, 100000},
+       "px",
+       "Pixels of a region that planes are compared with"}};
+}
+
 RegionPlanes planes_of_regions(const Regions& regions, const PlaneMap& map, const Raster<float>& trust,
-                               const Work& work) {
+                               const RegionPlaneOptions& options, const Work& work) {
   std::vector<std::vector<Pixel>> pixels(static_cast<std::size_t>(regions.count()));
   for (int y = 0; y < regions.of_pixel.height(); ++y)
     for (int x = 0; x < regions.of_pixel.width(); ++x)
@@ -87,7 +95,7 @@ RegionPlanes planes_of_regions(const Regions& regions, const PlaneMap& map, cons
   RegionPlanes out(pixels.size());
   parallel_for(work, regions.count(), 16, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      out[i] = planes_of(pixels[i], map, trust);
+      out[i] = planes_of(pixels[i], map, trust, options);
   });
   return out;
 }

@@ -20,14 +20,25 @@ struct RegionPlane {
   }
 };
 
+/// How a region's planes are found.
+struct RegionPlaneOptions {
+  /// A pixel lies on a plane when its disparity departs by less; px, 0.05 … 10.
+  float on_plane_px = 0.7F;
+  /// Planes tried in each region; 1 … 1000.
+  int tried_planes = 24;
+  /// Pixels of each region that the planes are compared with; 1 … 100000.
+  int sampled_pixels = 400;
+};
+std::vector<Parameter> parameters_of(RegionPlaneOptions& options);
+
 /// The two planes that most of a region's pixels lie on; the same one twice where there is one.
 using RegionPlanes = std::vector<std::array<RegionPlane, 2>>;
 
 /// The planes of every region, out of those that the pixels of the map have; `trust` weighs the pixels, 0 …
-/// 1. A surface that has spread beyond its edge over a piece of a region of one colour is thereby offered the
-/// plane that most of the region lies on, at all its pixels at once; pixel by pixel it would not shrink. The
-/// same result for any number of threads.
+/// 1. Where a surface has spread beyond its edge into a region of one colour, every pixel of the region
+/// thereby gets the plane of the region's majority as a candidate; pixel by pixel the surface would not
+/// shrink. The same result for any number of threads.
 RegionPlanes planes_of_regions(const Regions& regions, const PlaneMap& map, const Raster<float>& trust,
-                               const Work& work);
+                               const RegionPlaneOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -28,7 +28,7 @@ Regions one_region() { return {Raster<std::int32_t>(kWidth, kHeight, 0), {kWidth
 
 TEST(RegionPlanes, AreTheTwoThatMostPixelsLieOn) {
   const RegionPlanes planes =
-      planes_of_regions(one_region(), slope_and_board(), Raster<float>(kWidth, kHeight, 1.0F), {});
+      planes_of_regions(one_region(), slope_and_board(), Raster<float>(kWidth, kHeight, 1.0F), {}, {});
   ASSERT_EQ(planes.size(), 1U);
   EXPECT_NEAR(planes[0][0].at(50, 10), 7.5F, 1e-4F);
   EXPECT_NEAR(planes[0][1].at(5, 10), 20.0F, 1e-4F);
@@ -38,14 +38,14 @@ TEST(RegionPlanes, CountOnlyTrustedPixels) {
   Raster<float> trust(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 40; x < kWidth; ++x) trust(x, y) = 1.0F;
-  const RegionPlanes planes = planes_of_regions(one_region(), slope_and_board(), trust, {});
+  const RegionPlanes planes = planes_of_regions(one_region(), slope_and_board(), trust, {}, {});
   EXPECT_NEAR(planes[0][0].at(5, 10), 20.0F, 1e-4F);
   EXPECT_NEAR(planes[0][1].at(5, 10), 20.0F, 1e-4F);
 }
 
 TEST(RegionPlanes, AreAPixelsOwnWhereNoneIsTrusted) {
   const RegionPlanes planes =
-      planes_of_regions(one_region(), slope_and_board(), Raster<float>(kWidth, kHeight), {});
+      planes_of_regions(one_region(), slope_and_board(), Raster<float>(kWidth, kHeight), {}, {});
   EXPECT_NEAR(planes[0][0].at(0, 0), 3.0F, 1e-4F);
 }
 

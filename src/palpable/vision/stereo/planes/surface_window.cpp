@@ -7,13 +7,6 @@
 #include <cmath>
 
 namespace palpable::vision {
-namespace {
-
-/// How far a disparity may lie from the plane: at the centre, and more for each pixel of distance.
-constexpr float kTolerance_px = 1.0F;
-constexpr float kTolerancePerPixel_px = 0.04F;
-
-}  // namespace
 
 SurfaceRow surface_row(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight, int x,
                        int y) {
@@ -23,13 +16,13 @@ SurfaceRow surface_row(const ColourPlanes& colour, const PlaneMap& map, const Ra
 }
 
 PALPABLE_VECTORIZE
-void surface_weights(const SurfaceRow& centre, const SurfaceRow& other, Offset offset, float like_colour,
-                     int count, float* __restrict weight, float* __restrict rise) {
+void surface_weights(const SurfaceRow& centre, const SurfaceRow& other, Offset offset,
+                     const FitWindow& window, int count, float* __restrict weight, float* __restrict rise) {
   const auto dx = static_cast<float>(offset.x);
   const auto dy = static_cast<float>(offset.y);
   const float per_tolerance =
-      1.0F / (kTolerance_px + kTolerancePerPixel_px * (std::fabs(dx) + std::fabs(dy)));
-  const float per_colour2 = 1.0F / (like_colour * like_colour);
+      1.0F / (window.tolerance_px + window.tolerance_per_px * (std::fabs(dx) + std::fabs(dy)));
+  const float per_colour2 = 1.0F / (window.half_weight_levels * window.half_weight_levels);
   const float* __restrict d0 = centre.disparity;
   const float* __restrict d1 = other.disparity;
   const float* __restrict sx = centre.slope_x;

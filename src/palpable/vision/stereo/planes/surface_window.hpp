@@ -35,12 +35,11 @@ struct SurfaceRow {
 SurfaceRow surface_row(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight, int x,
                        int y);
 
-/// How much the pixels at `offset` from those of `centre` count for them: their own weight, times how alike
-/// their colour is, times how little they depart from the centre's plane (none beyond about a pixel of
-/// disparity). `like_colour`: as in FitWindow. `rise[i]`: by how much the disparity there is greater than the
-/// centre's. Runs in vectors.
-void surface_weights(const SurfaceRow& centre, const SurfaceRow& other, Offset offset, float like_colour,
-                     int count, float* weight, float* rise);
+/// How much the pixels at `offset` from those of `centre` count for them: their own weight, times how similar
+/// their colour is, times how little they depart from the centre's plane (as `window` says). `rise[i]`: by
+/// how much the disparity there is greater than the centre's. Runs in vectors.
+void surface_weights(const SurfaceRow& centre, const SurfaceRow& other, Offset offset,
+                     const FitWindow& window, int count, float* weight, float* rise);
 
 /// Sums of a row, one value a pixel each.
 template <std::size_t kSums>
@@ -57,7 +56,7 @@ struct RowSums {
 /// Calls add(offset, first, count) for every offset of the window around row y: the pixels first …
 /// first + count - 1 of the row have a pixel at that offset inside the picture.
 template <class Add>
-void over_window(FitWindow window, int width, int height, int y, const Add& add) {
+void over_window(const FitWindow& window, int width, int height, int y, const Add& add) {
   for (int dy = -window.radius_px; dy <= window.radius_px; dy += window.step_px) {
     if (y + dy < 0 || y + dy >= height) continue;
     for (int dx = -window.radius_px; dx <= window.radius_px; dx += window.step_px) {
@@ -73,7 +72,7 @@ void over_window(FitWindow window, int width, int height, int y, const Add& add)
 /// offset, whose weights and rises are as surface_weights() says.
 template <std::size_t kSums, class Add, class Done>
 void sum_over_surfaces(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight,
-                       FitWindow window, const Work& work, const Add& add, const Done& done) {
+                       const FitWindow& window, const Work& work, const Add& add, const Done& done) {
   const int w = colour.width();
   const int h = colour.height();
   parallel_for(work, h, 8, [&](int begin, int end) {
@@ -84,8 +83,8 @@ void sum_over_surfaces(const ColourPlanes& colour, const PlaneMap& map, const Ra
       sums.clear();
       over_window(window, w, h, y, [&](Offset offset, int first, int count) {
         surface_weights(surface_row(colour, map, weight, first, y),
-                        surface_row(colour, map, weight, first + offset.x, y + offset.y), offset,
-                        window.like_colour, count, weights.data(), rises.data());
+                        surface_row(colour, map, weight, first + offset.x, y + offset.y), offset, window,
+                        count, weights.data(), rises.data());
         add(Place{first, y}, offset, count, weights.data(), rises.data(), sums);
       });
       done(sums, y);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/result.hpp"
-#include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 
 #include <cstdint>
@@ -31,11 +29,5 @@ struct MatchOutput {
   Raster<float> disparity_px;
   Raster<float> confidence;
 };
-
-/// One method a file. Errors: interrupted (work.cancel was set); the same bytes for every thread count.
-using MethodFunction = Result<MatchOutput> (*)(const MatchInput&, const StereoOptions&, const Work&);
-
-Result<MatchOutput> match_scanline(const MatchInput& input, const StereoOptions& options, const Work& work);
-Result<MatchOutput> match_graph_cut(const MatchInput& input, const StereoOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -17,7 +17,6 @@
 namespace palpable::vision {
 namespace {
 
-constexpr int kCoarseWidth = 224;
 constexpr int kHalfX = kCensusHalfX;
 constexpr int kHalfY = kCensusHalfY;
 constexpr int kNoMatch = std::numeric_limits<int>::min();
@@ -42,10 +41,8 @@ struct RowMatches {
         distance(forth.size()) {}
 };
 
-void match_row(const Raster<std::uint64_t>& left, const Raster<std::uint64_t>& right, int y,
+void match_row(const Raster<std::uint64_t>& left, const Raster<std::uint64_t>& right, int y, int unique_bits,
                RowMatches& row) {
-  // Of the 62 bits; the next best elsewhere must differ by so many more.
-  constexpr int kUnique = 3;
   constexpr std::uint16_t kUnlike = 64;
   constexpr std::uint16_t kNowhere = 65535;
   const int count = left.width() - 2 * kHalfX;
@@ -58,25 +55,21 @@ void match_row(const Raster<std::uint64_t>& left, const Raster<std::uint64_t>& r
     keep_least(row.distance.data(), static_cast<std::uint16_t>(x), count, row.back_cost.data() + kHalfX,
                row.back.data() + kHalfX);
     const LeastCost least = least_cost(row.distance.data(), count);
-    if (least.elsewhere >= least.cost + kUnique) row.forth[static_cast<std::size_t>(x)] = kHalfX + least.at;
+    if (least.elsewhere >= least.cost + unique_bits)
+      row.forth[static_cast<std::size_t>(x)] = kHalfX + least.at;
   }
 }
 
-/// The bins of the histogram (bin d + width holds coarse disparity d) that stand out from chance.
-struct Standing {
+/// The bins of the histogram (bin d + width holds coarse disparity d) that exceed chance.
+struct OccupiedBins {
   int low = 0;
   int high = 0;
   double matches = 0.0;
 };
 
-/// The range grows from the histogram's peak: over bins that follow closely on a small share of the matches,
-/// over a gap only to a larger share, and to disparities behind infinity (which real pairs rarely have, but
-/// repeated patterns feign) only on a large one.
-std::optional<Standing> standing_out(const std::vector<int>& histogram, int width) {
-  constexpr double kShareClose = 0.001;
-  constexpr double kShareApart = 0.003;
-  constexpr double kShareBehind = 0.03;
-  constexpr int kGap = 6;
+/// The range as it grows from the histogram's peak.
+std::optional<OccupiedBins> occupied_bins(const std::vector<int>& histogram, const RangeOptions& options,
+                                          int width) {
   const auto three = [&](int d) {
     double sum = 0.0;
     for (int k = std::max(-width, d - 1); k <= std::min(width, d + 1); ++k)
@@ -87,12 +80,14 @@ std::optional<Standing> standing_out(const std::vector<int>& histogram, int widt
   const int peak =
       static_cast<int>(std::max_element(histogram.begin(), histogram.end()) - histogram.begin()) - width;
   if (three(peak) < 10.0) return std::nullopt;
-  Standing found{peak, peak, 0.0};
+  OccupiedBins found{peak, peak, 0.0};
   const bool peak_in_front = peak >= 0;
   const auto grow = [&](int& end, int direction) {
     for (int d = peak; std::abs(d) <= 3 * width / 4; d += direction) {
       const bool other_side = peak_in_front ? d < -1 : d > 1;
-      const double share = other_side ? kShareBehind : std::abs(d - end) > kGap ? kShareApart : kShareClose;
+      const double share = other_side                             ? options.share_behind_infinity
+                           : std::abs(d - end) > options.gap_bins ? options.share_beyond_gap
+                                                                  : options.share;
       if (histogram[static_cast<std::size_t>(d + width)] > 0 && three(d) >= std::max(5.0, share * all))
         end = d;
     }
@@ -106,20 +101,38 @@ std::optional<Standing> standing_out(const std::vector<int>& histogram, int widt
 
 /// Keeps of a row's matches those that a neighbour along the row or in the rows beside it confirms within one
 /// pixel.
-bool confirmed(const Raster<int>& matches, int x, int y) {
+bool confirmed(const Raster<int>& matches, int least, int x, int y) {
   const int d = matches(x, y);
-  int friends = 0;
+  int agreeing = 0;
   for (int v = std::max(0, y - 1); v <= std::min(matches.height() - 1, y + 1); ++v)
     for (int u = std::max(0, x - 2); u <= std::min(matches.width() - 1, x + 2); ++u)
-      if (matches(u, v) != kNoMatch && std::abs(matches(u, v) - d) <= 1) ++friends;
-  return friends >= 5;  // itself among them
+      if (matches(u, v) != kNoMatch && std::abs(matches(u, v) - d) <= 1) ++agreeing;
+  return agreeing >= least;
 }
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(RangeOptions& o) {
+  return {
+      {"coarse_width_px", &o.coarse_width_px, {32, 2048}, "px", "Width of the reduced pair"},
+      {"rows", &o.rows, {8, 2048}, "", "Rows of it that are matched"},
+      {"unique_bits", &o.unique_bits, {0, 63}, "bits", "How much worse the next best match is"},
+      {"agreeing_neighbours",
+       &o.agreeing_neighbours,
+       {1, 15},
+       "",
+       "Neighbours that must agree, itself included"},
+      {"share", &o.share, {0, 1}, "", "Share of the matches in a bin of the range"},
+      {"gap_bins", &o.gap_bins, {0, 100}, "bins", "A longer gap needs a larger share"},
+      {"share_beyond_gap", &o.share_beyond_gap, {0, 1}, "", "The share beyond a gap"},
+      {"share_behind_infinity", &o.share_behind_infinity, {0, 1}, "", "The share behind infinity"},
+      {"far_margin_divisor", &o.far_margin_divisor, {1, 1000}, "", "The far margin: the range over this"},
+      {"near_margin_divisor", &o.near_margin_divisor, {1, 1000}, "", "The near margin: the range over this"}};
+}
+
 DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
-                                    const Work& work) {
-  const int factor = std::max(1, (left.width() + kCoarseWidth / 2) / kCoarseWidth);
+                                    const RangeOptions& options, const Work& work) {
+  const int factor = std::max(1, (left.width() + options.coarse_width_px / 2) / options.coarse_width_px);
   const Raster<std::uint8_t> small = shrunk(left, factor);
   const Raster<std::uint64_t> l = census_9x7(small, work);
   const Raster<std::uint64_t> r = census_9x7(shrunk(right, factor), work);
@@ -128,9 +141,7 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
   DisparityRange range{0, std::max(1, left.width() / 8), 0.0, 0.0};
   if (width <= 2 * kHalfX + 2 || height <= 2 * kHalfY) return range;
 
-  // So many rows tell enough of a taller picture.
-  constexpr int kRows = 64;
-  const int step = std::max(1, (height - 2 * kHalfY) / kRows);
+  const int step = std::max(1, (height - 2 * kHalfY) / options.rows);
   const int rows = (height - 2 * kHalfY + step - 1) / step;
   Raster<int> matches(width, rows, kNoMatch);
   std::vector<int> textured(static_cast<std::size_t>(rows));
@@ -142,7 +153,7 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
       for (int x = 0; x < width; ++x)
         textured[static_cast<std::size_t>(i)] += row.textured[static_cast<std::size_t>(x)] =
             has_texture(small, x, y) ? 1 : 0;
-      match_row(l, r, y, row);
+      match_row(l, r, y, options.unique_bits, row);
       for (int x = kHalfX; x < width - kHalfX; ++x) {
         const int to = row.forth[static_cast<std::size_t>(x)];
         if (to >= 0 && std::abs(row.back[static_cast<std::size_t>(to)] - x) <= 1) matches(x, i) = x - to;
@@ -153,18 +164,18 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
   const int all_textured = std::accumulate(textured.begin(), textured.end(), 0);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < width; ++x)
-      if (matches(x, y) != kNoMatch && confirmed(matches, x, y))
+      if (matches(x, y) != kNoMatch && confirmed(matches, options.agreeing_neighbours, x, y))
         ++histogram[static_cast<std::size_t>(matches(x, y) + width)];
   range.textured = static_cast<double>(all_textured) / (static_cast<double>(width) * rows);
-  const std::optional<Standing> standing = standing_out(histogram, width);
-  if (!standing) return range;
-  range.agreement = standing->matches / std::max(1, all_textured);
+  const std::optional<OccupiedBins> bins = occupied_bins(histogram, options, width);
+  if (!bins) return range;
+  range.agreement = bins->matches / std::max(1, all_textured);
   // A margin for what the small copy could not resolve, and for surfaces too plain to be matched there.
-  const int spread = standing->high - standing->low;
-  const int low = (standing->low - 1) * factor - factor / 2 - spread * factor / 4;
-  const bool all_in_front = standing->low >= -1;
+  const int spread = bins->high - bins->low;
+  const int low = (bins->low - 1) * factor - factor / 2 - spread * factor / options.far_margin_divisor;
+  const bool all_in_front = bins->low >= -1;
   range.min_px = all_in_front ? std::max(0, low) : low;
-  range.max_px = (standing->high + 1) * factor + factor / 2 + spread * factor / 16;
+  range.max_px = (bins->high + 1) * factor + factor / 2 + spread * factor / options.near_margin_divisor;
   range.max_px = std::clamp(range.max_px, range.min_px + 1, left.width() - 1);
   range.min_px = std::max(range.min_px, 1 - left.width());
   return range;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/occlusion/left_right.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 
 #include "palpable/core/quantile.hpp"
 
@@ -11,20 +11,31 @@
 
 namespace palpable::vision {
 
-Raster<float> agreement(const Raster<float>& disparity, const Raster<float>& other) {
-  constexpr float kAgreement_px = 1.0F;
+Raster<float> left_right_check(const Raster<float>& disparity, const Raster<float>& other) {
   Raster<float> out(disparity.width(), disparity.height());
   for (int y = 0; y < out.height(); ++y)
     for (int x = 0; x < out.width(); ++x) {
       const float d = disparity(x, y);
       if (!std::isfinite(d)) continue;
       const int there = static_cast<int>(std::floor(static_cast<float>(x) - d + 0.5F));
-      if (other.contains(there, y) && std::fabs(other(there, y) - d) <= kAgreement_px) out(x, y) = 1.0F;
+      if (other.contains(there, y) && std::fabs(other(there, y) - d) <= kLeftRightTolerance_px)
+        out(x, y) = 1.0F;
     }
   return out;
 }
 
-void hide_before(int first, Raster<float>& other) {
+void left_right_check_row(std::span<const float> left_px, std::span<const float> right_px, int right_first,
+                          std::span<std::uint8_t> confirmed) {
+  const auto width = static_cast<std::ptrdiff_t>(left_px.size());
+  for (std::ptrdiff_t x = 0; x < width; ++x) {
+    const auto i = static_cast<std::size_t>(x);
+    const std::ptrdiff_t to = x - std::lround(left_px[i]);
+    confirmed[i] = to >= right_first && to < width &&
+                   std::abs(right_px[static_cast<std::size_t>(to)] - left_px[i]) <= kLeftRightTolerance_px;
+  }
+}
+
+void mask_columns_before(int first, Raster<float>& other) {
   for (int y = 0; y < other.height(); ++y)
     std::fill_n(other.row(y).begin(), std::min(first, other.width()), std::numeric_limits<float>::infinity());
 }

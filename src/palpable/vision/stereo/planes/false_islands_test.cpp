@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/planes/islands.hpp"
+#include "palpable/vision/stereo/planes/false_islands.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,20 +36,20 @@ PlaneMap map_with_island() {
   return map;
 }
 
-TEST(Islands, ThatWouldHideWhatBothCamerasSeeAreTakenBack) {
+TEST(FalseIslands, ThatWouldHideWhatBothCamerasSeeAreTakenBack) {
   PlaneMap map = map_with_island();
   PlaneMap start = map;
-  remove_feigned_islands(costs([](int, int) { return false; }, true), map, start);
+  remove_false_islands(costs([](int, int) { return false; }, true), {}, {}, map, start);
   for (const float d : map.disparity.values()) ASSERT_EQ(d, kGround_px);
   for (const float d : start.disparity.values()) ASSERT_EQ(d, kGround_px);
 }
 
-TEST(Islands, ThatHideTheGroundBehindThemStay) {
+TEST(FalseIslands, ThatHideTheGroundBehindThemStay) {
   PlaneMap map = map_with_island();
   PlaneMap start = map;
   const Raster<float> before = map.disparity;
   const auto hidden = [](int x, int y) { return !on_island(x, y) && on_island(x + 8, y); };
-  remove_feigned_islands(costs(hidden, false), map, start);
+  remove_false_islands(costs(hidden, false), {}, {}, map, start);
   EXPECT_EQ(map.disparity, before);
   EXPECT_EQ(start.disparity, before);
 }

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/occlusion/colour_votes.hpp"
+#include "palpable/vision/stereo/occlusion/weighted_median.hpp"
 
 #include <array>
 #include <cmath>
@@ -9,10 +9,10 @@
 namespace palpable::vision {
 namespace {
 
-/// The votes for each disparity, kept between pixels so that only what was touched is cleared.
-class Ballot {
+/// Weights by disparity, kept between pixels so that only what was used is cleared.
+class WeightHistogram {
  public:
-  explicit Ballot(int disparities) : weight_(static_cast<std::size_t>(disparities)) {}
+  explicit WeightHistogram(int disparities) : weight_(static_cast<std::size_t>(disparities)) {}
 
   void add(int disparity, float weight) {
     weight_[static_cast<std::size_t>(disparity)] += weight;
@@ -21,7 +21,7 @@ class Ballot {
     high_ = std::max(high_, disparity);
   }
   bool empty() const { return total_ <= 0.0F; }
-  /// The weighted median; clears the votes.
+  /// The weighted median; clears the weights.
   int median() {
     float sum = 0.0F;
     int at = low_;
@@ -46,8 +46,20 @@ class Ballot {
 
 }  // namespace
 
-Raster<int> voted(const ColourPlanes& picture, const Raster<int>& disparity_px, const Raster<float>& trust,
-                  int disparities, const VoteOptions& options, const Work& work) {
+std::vector<Parameter> parameters_of(WeightedMedianOptions& o) {
+  return {{"reach_px", &o.reach_px, {0, 60}, "px", "Reach of the window to each side"},
+          {"step_px", &o.step_px, {1, 8}, "px", "Every n-th row and column of the window is used"},
+          {"colour_levels",
+           &o.colour_levels,
+           {1, 255},
+           "levels",
+           "Colour difference at which a weight falls by e"},
+          {"distance_px", &o.distance_px, {1, 200}, "px", "Distance at which a weight falls by e"}};
+}
+
+Raster<int> weighted_median(const ColourPlanes& picture, const Raster<int>& disparity_px,
+                            const Raster<float>& trust, int disparities, const WeightedMedianOptions& options,
+                            const Work& work) {
   std::array<float, 256> by_colour{};
   for (std::size_t i = 0; i < by_colour.size(); ++i)
     by_colour[i] = std::exp(-static_cast<float>(i) / options.colour_levels);
@@ -56,7 +68,7 @@ Raster<int> voted(const ColourPlanes& picture, const Raster<int>& disparity_px, 
     by_distance.push_back(std::exp(-static_cast<float>(i) / options.distance_px));
   Raster<int> out = disparity_px;
   parallel_for(work, out.height(), 8, [&](int begin, int end) {
-    Ballot ballot(disparities);
+    WeightHistogram weights(disparities);
     for (int y = begin; y < end && !work.cancelled(); ++y)
       for (int x = 0; x < out.width(); ++x) {
         for (int v = y - options.reach_px; v <= y + options.reach_px; v += options.step_px)
@@ -64,11 +76,11 @@ Raster<int> voted(const ColourPlanes& picture, const Raster<int>& disparity_px, 
             if (!trust.contains(u, v)) continue;
             if (trust(u, v) <= 0.0F) continue;
             const int apart = std::abs(u - x) + std::abs(v - y);
-            ballot.add(disparity_px(u, v),
-                       by_colour[static_cast<std::size_t>(picture.difference(x, y, u, v))] *
-                           by_distance[static_cast<std::size_t>(apart)] * trust(u, v));
+            weights.add(disparity_px(u, v),
+                        by_colour[static_cast<std::size_t>(picture.difference(x, y, u, v))] *
+                            by_distance[static_cast<std::size_t>(apart)] * trust(u, v));
           }
-        if (!ballot.empty()) out(x, y) = ballot.median();
+        if (!weights.empty()) out(x, y) = weights.median();
       }
   });
   return out;

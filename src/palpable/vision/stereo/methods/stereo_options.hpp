@@ -1,0 +1,39 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/vision/stereo/methods/best.hpp"
+#include "palpable/vision/stereo/methods/fast.hpp"
+#include "palpable/vision/stereo/methods/graph_cut.hpp"
+#include "palpable/vision/stereo/methods/pyramid.hpp"
+#include "palpable/vision/stereo/methods/scanline.hpp"
+#include "palpable/vision/stereo/methods/segments.hpp"
+#include "palpable/vision/stereo/problem/stereo.hpp"
+#include "palpable/vision/stereo/range/disparity_range.hpp"
+
+#include <vector>
+
+namespace palpable::vision {
+
+/// What match() is told: the range of disparities, and the options of each method. docs/stereo.md says on
+/// which pictures the defaults were chosen.
+struct StereoOptions {
+  /// Disparities 0 … max_disparity_px are searched; 0 = found automatically (find_disparity_range).
+  int max_disparity_px = 0;
+  RangeOptions range = {};
+  ScanlineOptions scanline = {};
+  GraphCutOptions graph_cut = {};
+  SegmentsOptions segments = {};
+  PyramidOptions pyramid = {};
+  FastOptions fast = {};
+  BestOptions best = {};
+};
+
+/// The parameters of one method, and those of the range (`range.…`).
+std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method);
+/// Errors: usage, for a parameter of this method or of the range out of its range.
+Result<void> check(const StereoOptions& options, StereoMethod method);
+
+}  // namespace palpable::vision
