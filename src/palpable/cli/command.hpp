@@ -50,6 +50,7 @@ void add_fit(Program& program);
 void add_fit_shapes(Program& program);
 void add_info(Program& program);
 void add_make(Program& program);
+void add_methods(Program& program);
 void add_probe(Program& program);
 void add_rectify(Program& program);
 void add_sample(Program& program);

@@ -24,12 +24,14 @@ struct Arguments {
   int iterations = vision::PyramidOptions{}.iterations;
 };
 
-vision::StereoOptions options_of(const Arguments& arguments) {
-  vision::StereoOptions options;
-  options.max_disparity_px = arguments.stereo.max_disparity_px;
-  options.pyramid.surface_weight = static_cast<float>(arguments.surface_weight);
-  options.pyramid.iterations = arguments.iterations;
-  if (arguments.features) options.pyramid.edges = vision::PyramidEdges::features;
+Result<vision::StereoOptions> options_of(const Arguments& arguments, vision::StereoMethod method) {
+  auto options = stereo_options(arguments.stereo, method);
+  if (!options) return options;
+  const Arguments none;
+  if (arguments.surface_weight != none.surface_weight)
+    options->pyramid.surface_weight = static_cast<float>(arguments.surface_weight);
+  if (arguments.iterations != none.iterations) options->pyramid.iterations = arguments.iterations;
+  if (arguments.features) options->pyramid.edges = vision::PyramidEdges::features;
   return options;
 }
 
@@ -65,6 +67,8 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   const auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
   if (const auto ok = only_of_pyramid(arguments, *method); !ok) return ok.error();
+  const auto options = options_of(arguments, *method);
+  if (!options) return options.error();
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
   for (const std::string& note : ready->notes) console.note(note);
@@ -72,7 +76,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
     return written.error();
 
   const auto begin = std::chrono::steady_clock::now();
-  const auto match = vision::match(ready->pair, *method, options_of(arguments), console.work());
+  const auto match = vision::match(ready->pair, *method, *options, console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   for (const std::string& note : match->notes) console.note(note);
@@ -114,6 +118,7 @@ void add_depth(Program& program) {
   options.text("--rectified", arguments->rectified,
                "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
   add_stereo_options(options, arguments->stereo);
+  add_parameter_options(options, arguments->stereo);
   options.under("The method pyramid");
   options.flag("--features", arguments->features, "Move steps of disparity to the picture's edges");
   options.number("--surface-weight", arguments->surface_weight, {0.001, 100.0},

@@ -33,10 +33,11 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
   auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
   if (arguments.stereo.method.empty()) method = vision::StereoMethod::fast;
+  const auto options = stereo_options(arguments.stereo, *method);
+  if (!options) return options.error();
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
-  const auto match =
-      vision::match_confirmed(ready->pair, *method, {arguments.stereo.max_disparity_px}, console.work());
+  const auto match = vision::match_confirmed(ready->pair, *method, *options, console.work());
   if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   std::vector<std::string> notes = ready->notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
@@ -76,6 +77,7 @@ void add_fit(Program& program) {
   options.text("-o,--output", arguments->output, "Picture of where it will feel wrong (.png, .svg, .pdf)");
   options.flag("--speak", arguments->speak, "Say the sentence aloud");
   add_stereo_options(options, arguments->stereo);
+  add_parameter_options(options, arguments->stereo);
 }
 
 }  // namespace palpable::cli

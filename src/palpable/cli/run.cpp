@@ -138,6 +138,7 @@ void describe(Program& program) {
   add_study_tracing(program);
   add_study_trajectories(program);
   add_devices(program);
+  add_methods(program);
   add_doctor(program);
 }
 

@@ -7,6 +7,8 @@
 #include "palpable/sources/input/input.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +28,12 @@ void add_stereo_options(Options& options, StereoArguments& arguments) {
       "How the pair is matched: scanline, graph-cut, segments, pyramid, fast or best; else best, and "
       "touch begins with fast");
   add_pair_options(options, arguments);
+}
+
+void add_parameter_options(Options& options, StereoArguments& arguments) {
+  options.under("Stereo pairs");
+  options.texts("--set", arguments.parameters,
+                "NAME=VALUE: a parameter of the method (palpable methods NAME lists them); may be repeated");
 }
 
 void add_pair_options(Options& options, StereoArguments& arguments) {
@@ -109,6 +117,39 @@ Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments) {
                fmt::format("there is no method {}{}; there are {}", arguments.method,
                            meant ? ", did you mean " + *meant + "?" : "", fmt::join(names, ", ")),
                "--method"};
+}
+
+Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method) {
+  vision::StereoOptions options;
+  options.max_disparity_px = arguments.max_disparity_px;
+  const std::vector<Parameter> known = vision::parameters_of(options, method);
+  for (const std::string& given : arguments.parameters) {
+    const auto refused = [&](std::string why) {
+      return Error{ErrorCode::usage, std::move(why), "--set " + given};
+    };
+    const std::size_t equals = given.find('=');
+    if (equals == std::string::npos) return refused("a parameter is set as NAME=VALUE");
+    const std::string name = given.substr(0, equals);
+    double value = 0.0;
+    const char* const last = given.data() + given.size();
+    const auto [end, error] = std::from_chars(given.data() + equals + 1, last, value);
+    if (error != std::errc{} || end != last) return refused("the value is not a number");
+    const auto parameter =
+        std::find_if(known.begin(), known.end(), [&](const Parameter& p) { return p.name == name; });
+    if (parameter == known.end()) {
+      std::vector<std::string> names;
+      for (const Parameter& p : known) names.push_back(p.name);
+      const auto meant = suggestion(name, names);
+      return refused(fmt::format("the method {} has no parameter {}{}; palpable methods {} lists them",
+                                 vision::name_of(method), name, meant ? ", did you mean " + *meant + "?" : "",
+                                 vision::name_of(method)));
+    }
+    if (const auto set = set_parameter(*parameter, value); !set)
+      return refused(fmt::format("{} {}", name, set.error().message));
+  }
+  if (const auto ok = vision::check(options, method); !ok)
+    return Error{ErrorCode::usage, ok.error().sentence(), "--set"};
+  return options;
 }
 
 }  // namespace palpable::cli

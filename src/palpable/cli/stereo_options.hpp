@@ -5,7 +5,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/options.hpp"
 #include "palpable/session/make/stereo_input.hpp"
-#include "palpable/vision/stereo/problem/stereo.hpp"
+#include "palpable/vision/stereo/methods/stereo_options.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -24,6 +24,8 @@ struct StereoArguments {
   /// Empty: the command chooses.
   std::string method;
   int max_disparity_px = 0;
+  /// NAME=VALUE, as `palpable methods` lists them.
+  std::vector<std::string> parameters;
   std::string calibration;
   std::string rectify = "auto";
   std::optional<double> moved_mm;
@@ -34,6 +36,9 @@ void add_pair_arguments(Options& options, StereoArguments& arguments);
 
 /// Adds --method, --max-disparity, --calibration, --rectify, --moved and --layout.
 void add_stereo_options(Options& options, StereoArguments& arguments);
+
+/// Adds --set.
+void add_parameter_options(Options& options, StereoArguments& arguments);
 
 /// The same without --method, for commands that run every method or one of their own.
 void add_pair_options(Options& options, StereoArguments& arguments);
@@ -57,5 +62,9 @@ Json rectification_json(const session::ReadyPair& ready);
 
 /// The method asked for, or session::default_method(). Errors: usage, for a method that there is not.
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);
+
+/// The options of this method as --max-disparity and --set say. Errors: usage, for an unknown name, a value
+/// that is no number, or one out of its range.
+Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method);
 
 }  // namespace palpable::cli

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kWidth = 12;
 constexpr int kStride = 32;
+constexpr int kSmallStepShare = 70;
 
 /// Hirschmueller's eq. 13 along one path, as written, less the least of each pixel.
 std::vector<int> path_by_definition(const std::vector<std::uint8_t>& cost,
@@ -55,7 +56,7 @@ TEST(RowPathCosts, AreTheDefinitionsBothWays) {
   steps[4] = 12;
   steps[9] = kLargestStep;
   std::vector<std::uint16_t> sum(cost.size());
-  RowPaths(kStride).add(cost.data(), steps, sum.data());
+  RowPaths(kStride, kSmallStepShare).add(cost.data(), steps, sum.data());
 
   // Leftwards the same path runs over the mirrored row.
   std::vector<std::uint8_t> mirrored(cost.size());
@@ -74,7 +75,7 @@ TEST(RowPathCosts, AreTheDefinitionsBothWays) {
           << x << ' ' << d;
 }
 
-TEST(ColumnPathCosts, CarryWhatTheRowBeforeSaysToARowThatSaysNothing) {
+TEST(ColumnPathCosts, CarryTheRowBeforeIntoARowWithoutTexture) {
   std::vector<std::uint8_t> telling(static_cast<std::size_t>(kWidth * kStride), 100);
   for (int x = 0; x < kWidth; ++x) telling[static_cast<std::size_t>(x * kStride + 9)] = 0;
   const std::vector<std::uint8_t> plain(telling.size(), 50);
@@ -83,7 +84,7 @@ TEST(ColumnPathCosts, CarryWhatTheRowBeforeSaysToARowThatSaysNothing) {
     std::fill(s->begin(), s->end(), std::uint8_t{60});
   std::vector<std::uint16_t> first(telling.size());
   std::vector<std::uint16_t> second(telling.size());
-  ColumnPaths paths(kWidth, kStride);
+  ColumnPaths paths(kWidth, kStride, kSmallStepShare);
   paths.add(telling.data(), steps, SumState::begins, first.data());
   paths.add(plain.data(), steps, SumState::goes_on, second.data());
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(least_at(second.data() + x * kStride, kStride), 9) << x;
@@ -95,8 +96,8 @@ TEST(ColumnPathCosts, OverwriteASumThatBegins) {
   const RowSteps steps(kWidth);
   std::vector<std::uint16_t> clean(cost.size());
   std::vector<std::uint16_t> used(cost.size(), 1234);
-  ColumnPaths(kWidth, kStride).add(cost.data(), steps, SumState::goes_on, clean.data());
-  ColumnPaths(kWidth, kStride).add(cost.data(), steps, SumState::begins, used.data());
+  ColumnPaths(kWidth, kStride, kSmallStepShare).add(cost.data(), steps, SumState::goes_on, clean.data());
+  ColumnPaths(kWidth, kStride, kSmallStepShare).add(cost.data(), steps, SumState::begins, used.data());
   EXPECT_EQ(used, clean);
 }
 

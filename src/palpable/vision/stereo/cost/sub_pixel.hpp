@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/core/work.hpp"
 
 #include <algorithm>
 

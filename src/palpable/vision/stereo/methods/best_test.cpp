@@ -100,8 +100,7 @@ TEST(Best, AnswersForATinyPictureAndForOneWithoutTexture) {
     input.left = input.right = Raster<Rgb8>(width, height, Rgb8{90, 90, 90});
     input.left_grey = input.right_grey = Raster<std::uint8_t>(width, height, 90);
     input.disparities = 5;
-    for (const MethodFunction method : {&match_best, &match_fast}) {
-      const auto found = method(input, {}, {});
+    for (const auto& found : {match_best(input, {}, {}), match_fast(input, {}, {})}) {
       ASSERT_TRUE(found);
       ASSERT_EQ(found->disparity_px.width(), width);
       for (const float d : found->disparity_px.values()) {

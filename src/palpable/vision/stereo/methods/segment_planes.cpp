@@ -160,7 +160,9 @@ double cost_at(const std::uint8_t* costs, int disparities, double limit, double 
 /// that the plane can never be chosen is left where it is.
 std::vector<double> plane_costs(const MatchInput& input, const std::vector<std::uint8_t>& volume,
                                 const SegmentGraph& graph, const Raster<float>& disparity_px,
-                                const std::vector<SegmentPlane>& planes, const Work& work) {
+                                const std::vector<SegmentPlane>& planes, const SegmentPlaneOptions& options,
+                                const Work& work) {
+  const auto limit = static_cast<double>(options.data.limit);
   std::vector<double> out(graph.all.size() * planes.size());
   const auto disparities = static_cast<std::size_t>(input.disparities);
   const auto width = static_cast<std::size_t>(input.left.width());

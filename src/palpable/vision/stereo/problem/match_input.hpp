@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/problem/levels.hpp"
 #include "palpable/vision/stereo/problem/stereo_method.hpp"
 

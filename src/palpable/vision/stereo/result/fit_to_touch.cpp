@@ -6,7 +6,7 @@
 #include "palpable/vision/image/census.hpp"
 #include "palpable/vision/image/colour_planes.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
-#include "palpable/vision/stereo/occlusion/left_right.hpp"
+#include "palpable/vision/stereo/occlusion/left_right_check.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 
@@ -135,7 +135,7 @@ Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method,
   if (!forth || method == StereoMethod::fast) return forth;
   auto back = match({mirror_image(pair.right), mirror_image(pair.left), {}}, method, options, work);
   if (!back) return back;
-  forth->confidence = agreement(forth->disparity.disparity_px, mirrored(back->disparity.disparity_px));
+  forth->confidence = left_right_check(forth->disparity.disparity_px, mirrored(back->disparity.disparity_px));
   return forth;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/work.hpp"
+#include "palpable/vision/stereo/methods/stereo_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 
 #include <cstdint>

@@ -1,0 +1,446 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "stereo_scenes.hpp"
+
+#include "palpable/core/work.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace palpable::bench {
+namespace {
+
+constexpr int kWidth = 320;
+constexpr int kHeight = 240;
+/// Rays per pixel along each axis: edges become mixed pixels, as a camera's do.
+constexpr int kRays = 3;
+/// The cameras: focal length in pixels, baseline 1, so that disparity = kFocal_px / depth.
+constexpr double kFocal_px = 320.0;
+
+using Colour = std::array<double, 3>;
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  /// SplitMix64.
+  std::uint64_t next() {
+    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15U);
+    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
+    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
+    return z ^ (z >> 31U);
+  }
+  double unit() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+  double between(double least, double most) { return least + (most - least) * unit(); }
+  int count(int least, int most) { return least + static_cast<int>(unit() * (most - least + 1)); }
+  double normal() {
+    double sum = -6.0;
+    for (int i = 0; i < 12; ++i) sum += unit();
+    return sum;
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+double hash_at(std::int64_t i, std::int64_t j, std::uint64_t kind) {
+  return Random(static_cast<std::uint64_t>(i) * 0x9E3779B1U ^
+                static_cast<std::uint64_t>(j) * 0xC2B2AE3D27D4EB4FU ^ kind * 0x165667B19E3779F9U)
+      .unit();
+}
+
+/// Smooth noise of about one feature per unit, 0 … 1.
+double value_noise(double u, double v, std::uint64_t kind) {
+  const double i = std::floor(u), j = std::floor(v);
+  const auto smooth = [](double t) { return t * t * (3.0 - 2.0 * t); };
+  const double s = smooth(u - i), t = smooth(v - j);
+  const auto at = [&](int di, int dj) {
+    return hash_at(static_cast<std::int64_t>(i) + di, static_cast<std::int64_t>(j) + dj, kind);
+  };
+  const double top = at(0, 0) + s * (at(1, 0) - at(0, 0));
+  const double bottom = at(0, 1) + s * (at(1, 1) - at(0, 1));
+  return top + t * (bottom - top);
+}
+
+enum class Pattern { rough, plain, text, tiles, stripes };
+
+struct Texture {
+  Pattern pattern = Pattern::rough;
+  Colour colour{0.5, 0.5, 0.5};
+  /// How much the pattern changes the level.
+  double contrast = 0.3;
+  /// The size of a feature, or a pattern's period; px.
+  double scale_px = 4.0;
+  std::uint64_t seed = 0;
+
+  Colour at(double x, double y) const {
+    const double shade = pattern == Pattern::plain ? contrast * (value_noise(x / 90.0, y / 90.0, seed) - 0.5)
+                                                   : contrast * level(x, y);
+    Colour out = colour;
+    for (std::size_t c = 0; c < 3; ++c)
+      out[c] =
+          std::clamp(out[c] + shade * (0.8 + 0.4 * hash_at(static_cast<std::int64_t>(c), 7, seed)), 0.0, 1.0);
+    return out;
+  }
+
+ private:
+  double level(double x, double y) const {
+    const double u = x / scale_px, v = y / scale_px;
+    const double grain = 0.15 * (value_noise(u * 2.1, v * 2.1, seed + 5) - 0.5);
+    switch (pattern) {
+      case Pattern::tiles: {
+        const bool joint = u - std::floor(u) < 0.15 || v - std::floor(v) < 0.15;
+        return (joint ? -0.6 : 0.3) + grain;
+      }
+      case Pattern::stripes:
+        return 0.5 * std::sin(2.0 * 3.14159265358979 * u) + grain;
+      case Pattern::text: {
+        // Lines of signs that repeat every five: each sign is a 4 x 6 bitmap.
+        const auto line = static_cast<std::int64_t>(std::floor(v / 1.6));
+        const double in_line = v / 1.6 - static_cast<double>(line);
+        const auto sign = static_cast<std::int64_t>(std::floor(u));
+        if (in_line > 0.62) return 0.3 + grain;
+        const auto column = static_cast<std::int64_t>((u - std::floor(u)) * 4.99);
+        const auto row = static_cast<std::int64_t>(in_line / 0.62 * 6.0);
+        const std::int64_t letter = ((sign % 5) + 5) % 5;
+        return (column < 4 && hash_at(letter * 8 + column, row, seed) > 0.5 ? -0.7 : 0.3) + grain;
+      }
+      default:
+        return 0.6 * (value_noise(u, v, seed) - 0.5) + 0.5 * (value_noise(u * 2.3, v * 2.3, seed + 1) - 0.5) +
+               0.4 * (value_noise(u / 5.0, v / 5.0, seed + 2) - 0.5);
+    }
+  }
+};
+
+/// Where a planar surface ends, in the left picture: a rotated rectangle or ellipse around (x, y).
+struct Outline {
+  enum class Shape { everywhere, rectangle, ellipse } shape = Shape::everywhere;
+  double x = 0.0, y = 0.0, half_width = 0.0, half_height = 0.0, angle = 0.0;
+
+  bool contains(double px, double py) const {
+    if (shape == Shape::everywhere) return true;
+    const double c = std::cos(angle), s = std::sin(angle);
+    const double u = (c * (px - x) + s * (py - y)) / half_width,
+                 v = (c * (py - y) - s * (px - x)) / half_height;
+    return shape == Shape::rectangle ? std::abs(u) <= 1.0 && std::abs(v) <= 1.0 : u * u + v * v <= 1.0;
+  }
+};
+
+/// A plane d = d0 + slope_x (x - x0) + slope_y (y - y0) inside an outline; or a ball or upright cylinder.
+struct Surface {
+  enum class Form { plane, ball, cylinder } form = Form::plane;
+  double x0 = 0.0, y0 = 0.0, d0 = 0.0, slope_x = 0.0, slope_y = 0.0;
+  Outline outline;
+  double radius_px = 0.0;
+  Texture texture;
+};
+
+/// Where a ray of a camera meets a surface: its disparity, and its place in the left picture.
+struct Hit {
+  double disparity_px = 0.0;
+  double x = 0.0;
+  std::size_t surface = 0;
+};
+
+/// camera_x: 0 for the left camera, 1 for the right one; (x, y) is a place in its picture.
+std::optional<double> disparity_along(const Surface& s, double camera_x, double x, double y) {
+  if (s.form == Surface::Form::plane) {
+    // A ray of the right camera meets the plane where x_left = x + d.
+    const double d = (s.d0 + s.slope_x * (x - s.x0) + s.slope_y * (y - s.y0)) / (1.0 - camera_x * s.slope_x);
+    if (d <= 0.1 || !s.outline.contains(x + camera_x * d, y)) return std::nullopt;
+    return d;
+  }
+  // The centre lies at the depth of d0; the ray is (camera_x, 0, 0) + t (u, v, 1), t being the depth.
+  const double depth = kFocal_px / s.d0, r = s.radius_px / s.d0;
+  const double cx = (s.x0 - kWidth / 2.0) / s.d0 - camera_x, cy = (s.y0 - kHeight / 2.0) / s.d0;
+  const double u = (x - kWidth / 2.0) / kFocal_px, v = (y - kHeight / 2.0) / kFocal_px;
+  const bool ball = s.form == Surface::Form::ball;
+  const double a = u * u + 1.0 + (ball ? v * v : 0.0), b = u * cx + depth + (ball ? v * cy : 0.0),
+               c = cx * cx + depth * depth + (ball ? cy * cy : 0.0) - r * r;
+  const double root = b * b - a * c;
+  if (root < 0.0) return std::nullopt;
+  const double t = (b - std::sqrt(root)) / a;
+  if (t <= 0.0) return std::nullopt;
+  const double d = kFocal_px / t;
+  return s.outline.contains(x + camera_x * d, y) ? std::optional(d) : std::nullopt;
+}
+
+Hit first_hit(const std::vector<Surface>& surfaces, double camera_x, double x, double y) {
+  Hit hit;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const auto d = disparity_along(surfaces[i], camera_x, x, y);
+    if (d && *d > hit.disparity_px) hit = {*d, x + camera_x * *d, i};
+  }
+  return hit;
+}
+
+/// How the right camera and both sensors differ from ideal ones.
+struct Degradation {
+  double noise = 1.0 / 255.0;
+  double gain = 1.0, offset = 0.0, gamma = 1.0;
+  /// The right camera's picture lies lower by this, and by more towards the right edge.
+  double lower_px = 0.0, roll_px = 0.0;
+};
+
+Colour random_colour(Random& random, double least, double most) {
+  const double level = random.between(least, most);
+  Colour out{};
+  for (double& c : out) c = std::clamp(level + random.between(-0.12, 0.12), 0.0, 1.0);
+  return out;
+}
+
+Texture rough(Random& random) {
+  return {Pattern::rough, random_colour(random, 0.25, 0.75), random.between(0.15, 0.5),
+          random.between(2.0, 9.0), random.next()};
+}
+
+Surface wall(Random& random, double disparity_px) {
+  Surface s;
+  s.x0 = kWidth / 2.0;
+  s.y0 = kHeight / 2.0;
+  s.d0 = disparity_px;
+  s.slope_x = random.between(-0.012, 0.012);
+  s.slope_y = random.between(-0.005, 0.01);
+  s.texture = rough(random);
+  return s;
+}
+
+/// A floor that begins at a row of the picture and comes nearer towards its bottom.
+Surface floor_from(Random& random, double row, double disparity_px, double slope) {
+  Surface s;
+  s.y0 = row;
+  s.d0 = disparity_px;
+  s.slope_y = slope;
+  s.outline = {Outline::Shape::rectangle, kWidth / 2.0, row + 200.0, 400.0, 200.0, 0.0};
+  s.texture = rough(random);
+  return s;
+}
+
+Surface board(Random& random, double disparity_px, double half_size_px, double slope) {
+  Surface s;
+  s.x0 = random.between(30.0, kWidth - 20.0);
+  s.y0 = random.between(25.0, kHeight - 25.0);
+  s.d0 = disparity_px;
+  s.slope_x = random.between(-slope, slope);
+  s.slope_y = random.between(-slope, slope);
+  s.outline = {random.unit() < 0.5 ? Outline::Shape::rectangle : Outline::Shape::ellipse,
+               s.x0,
+               s.y0,
+               random.between(0.6, 1.0) * half_size_px,
+               random.between(0.6, 1.2) * half_size_px,
+               random.between(-1.5, 1.5)};
+  s.texture = rough(random);
+  return s;
+}
+
+/// A room with some boards: what every kind of scene begins with.
+std::vector<Surface> room(Random& random, int boards, double slope) {
+  const double far = random.between(4.0, 9.0);
+  std::vector<Surface> out{wall(random, far),
+                           floor_from(random, random.between(140.0, 190.0), far, random.between(0.08, 0.3))};
+  for (int i = 0; i < boards; ++i)
+    out.push_back(board(random, random.between(far + 4.0, 36.0), random.between(14.0, 45.0), slope));
+  return out;
+}
+
+void add_curved(Random& random, std::vector<Surface>& out) {
+  for (int i = 0; i < 5; ++i) {
+    Surface s = board(random, random.between(14.0, 34.0), 20.0, 0.0);
+    s.form = i % 2 == 0 ? Surface::Form::ball : Surface::Form::cylinder;
+    s.radius_px = random.between(18.0, 60.0);
+    s.outline = {};
+    if (s.form == Surface::Form::cylinder)
+      s.outline = {Outline::Shape::rectangle, s.x0, s.y0, 400.0, random.between(30.0, 90.0), 0.0};
+    out.push_back(s);
+  }
+}
+
+void add_rods(Random& random, std::vector<Surface>& out) {
+  for (int i = 0; i < 14; ++i) {
+    Surface s = board(random, random.between(14.0, 40.0), 10.0, 0.02);
+    s.outline = {
+        Outline::Shape::rectangle,  s.x0, s.y0, random.between(0.8, 2.6), random.between(40.0, 120.0),
+        random.between(-1.45, 1.45)};
+    s.texture.contrast *= 0.4;
+    out.push_back(s);
+  }
+}
+
+/// Everything dark and nearly of one colour, with little texture.
+void darken(Random& random, std::vector<Surface>& out) {
+  const Colour common = random_colour(random, 0.05, 0.12);
+  for (Surface& s : out) {
+    for (std::size_t c = 0; c < 3; ++c)
+      s.texture.colour[c] = std::clamp(common[c] + random.between(-0.025, 0.025), 0.02, 1.0);
+    s.texture.contrast = random.between(0.03, 0.1);
+  }
+}
+
+void repeat_patterns(Random& random, std::vector<Surface>& out) {
+  constexpr std::array kPatterns{Pattern::text, Pattern::tiles, Pattern::stripes};
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    if (i != 0 && random.unit() < 0.25) continue;
+    out[i].texture.pattern = kPatterns[static_cast<std::size_t>(random.count(0, 2))];
+    out[i].texture.scale_px = random.between(6.0, 16.0);
+    out[i].texture.contrast = random.between(0.2, 0.5);
+  }
+}
+
+void add_leaves(Random& random, std::vector<Surface>& out) {
+  const double middle = random.between(16.0, 28.0);
+  for (int i = 0; i < 220; ++i) {
+    Surface s = board(random, middle + random.between(-8.0, 8.0), 10.0, 0.25);
+    s.outline.shape = Outline::Shape::ellipse;
+    s.outline.half_width = random.between(2.0, 5.0);
+    s.outline.half_height = random.between(5.0, 14.0);
+    const double green = random.between(0.25, 0.6);
+    s.texture.colour = {0.6 * green, green, 0.35 * green};
+    s.texture.contrast = 0.15;
+    out.push_back(s);
+  }
+}
+
+/// A fence: near pickets, between which the far wall shows in strips, many of them hidden from one camera.
+void add_fence(Random& random, std::vector<Surface>& out) {
+  const double disparity_px = random.between(24.0, 40.0), slope = random.between(-0.03, 0.03);
+  Texture texture = rough(random);
+  double x = random.between(0.0, 15.0);
+  while (x < kWidth + 10.0) {
+    Surface s;
+    const double half = random.between(4.0, 12.0);
+    s.x0 = kWidth / 2.0;
+    s.y0 = kHeight / 2.0;
+    s.d0 = disparity_px;
+    s.slope_x = slope;
+    s.outline = {Outline::Shape::rectangle,   x,  random.between(90.0, 150.0), half,
+                 random.between(80.0, 110.0), 0.0};
+    s.texture = texture;
+    out.push_back(s);
+    x += 2.0 * half + random.between(8.0, 38.0);
+  }
+}
+
+struct Description {
+  std::vector<Surface> surfaces;
+  Degradation degradation;
+};
+
+Description describe(SceneKind kind, Random& random) {
+  Description out;
+  std::vector<Surface>& s = out.surfaces;
+  s = room(random, random.count(4, 7), kind == SceneKind::slanted ? 0.35 : 0.06);
+  switch (kind) {
+    case SceneKind::slanted:
+      s[0].slope_x = random.between(-0.05, 0.05);
+      break;
+    case SceneKind::curved:
+      add_curved(random, s);
+      break;
+    case SceneKind::rods:
+      add_rods(random, s);
+      break;
+    case SceneKind::dark_edges:
+      darken(random, s);
+      break;
+    case SceneKind::repeated:
+      repeat_patterns(random, s);
+      break;
+    case SceneKind::plain:
+      for (Surface& surface : s)
+        if (random.unit() < 0.75) surface.texture.pattern = Pattern::plain;
+      break;
+    case SceneKind::foliage:
+      add_leaves(random, s);
+      break;
+    case SceneKind::hidden:
+      add_fence(random, s);
+      break;
+    case SceneKind::exposure:
+      out.degradation.gain = random.between(0.45, 0.8);
+      out.degradation.offset = random.between(-0.03, 0.06);
+      out.degradation.gamma = random.between(0.85, 1.2);
+      break;
+    case SceneKind::noise:
+      out.degradation.noise = random.between(4.0, 10.0) / 255.0;
+      break;
+    case SceneKind::vertical:
+      out.degradation.lower_px = random.unit() < 0.5 ? 0.5 : -0.5;
+      out.degradation.roll_px = random.between(-0.3, 0.3);
+      break;
+  }
+  return out;
+}
+
+/// A camera's picture, in whole levels of 255.
+Image picture_of(const Description& scene, double camera_x, std::uint64_t noise_seed) {
+  const Degradation& right = scene.degradation;
+  const Degradation ideal{.noise = right.noise};
+  const Degradation& d = camera_x > 0.0 ? right : ideal;
+  Image out{kWidth, kHeight, 3, 8, std::vector<float>(static_cast<std::size_t>(kWidth) * kHeight * 3)};
+  parallel_for({}, kHeight, 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      Random noise(noise_seed * 1000003U + static_cast<std::uint64_t>(y));
+      for (int x = 0; x < kWidth; ++x) {
+        Colour sum{};
+        for (int k = 0; k < kRays * kRays; ++k) {
+          const double px = x + (k % kRays + 0.5) / kRays - 0.5;
+          const double py =
+              y + (k / kRays + 0.5) / kRays - 0.5 - d.lower_px - d.roll_px * (px / kWidth - 0.5);
+          const Hit hit = first_hit(scene.surfaces, camera_x, px, py);
+          const Colour c = scene.surfaces[hit.surface].texture.at(hit.x, py);
+          for (std::size_t i = 0; i < 3; ++i) sum[i] += c[i] / (kRays * kRays);
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double exposed = d.gain * std::pow(sum[i], d.gamma) + d.offset + d.noise * noise.normal();
+          out.samples[(static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)) * 3 + i] =
+              static_cast<float>(std::round(std::clamp(exposed, 0.0, 1.0) * 255.0) / 255.0);
+        }
+      }
+    }
+  });
+  return out;
+}
+
+}  // namespace
+
+std::string_view name_of(SceneKind kind) {
+  constexpr std::array<std::string_view, kSceneKinds> kNames{"slanted",  "curved", "rods",    "dark-edges",
+                                                             "repeated", "plain",  "foliage", "hidden",
+                                                             "exposure", "noise",  "vertical"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+StereoScene render_scene(SceneKind kind, std::uint32_t seed) {
+  Random random(static_cast<std::uint64_t>(kind) * 1000U + seed);
+  const Description description = describe(kind, random);
+  StereoScene out{std::string(name_of(kind)) + "-" + std::to_string(seed),
+                  kind,
+                  {picture_of(description, 0.0, 2 * random.next()),
+                   picture_of(description, 1.0, 2 * random.next() + 1),
+                   {}},
+                  Raster<float>(kWidth, kHeight),
+                  Raster<std::uint8_t>(kWidth, kHeight)};
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const Hit hit = first_hit(description.surfaces, 0.0, x, y);
+      out.truth_px(x, y) = static_cast<float>(hit.disparity_px);
+      const double there = x - hit.disparity_px;
+      if (there < 0.0) continue;
+      const Hit seen = first_hit(description.surfaces, 1.0, there, y);
+      out.seen_by_both(x, y) =
+          seen.surface == hit.surface && std::abs(seen.disparity_px - hit.disparity_px) < 1e-6 ? 1 : 0;
+    }
+  return out;
+}
+
+std::vector<StereoScene> tuning_set(int seeds_per_kind) {
+  std::vector<StereoScene> out;
+  for (int kind = 0; kind < kSceneKinds; ++kind)
+    for (int seed = 1; seed <= seeds_per_kind; ++seed)
+      out.push_back(render_scene(static_cast<SceneKind>(kind), static_cast<std::uint32_t>(seed)));
+  return out;
+}
+
+}  // namespace palpable::bench

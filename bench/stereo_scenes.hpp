@@ -1,0 +1,50 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/raster.hpp"
+#include "palpable/vision/stereo/problem/stereo.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Rendered stereo scenes with exact disparities, on which the parameters of the stereo methods are chosen. No
+// test uses them. docs/stereo.md says which seeds.
+namespace palpable::bench {
+
+/// What a scene is made difficult by.
+enum class SceneKind {
+  slanted,
+  curved,
+  rods,
+  dark_edges,
+  repeated,
+  plain,
+  foliage,
+  hidden,
+  exposure,
+  noise,
+  vertical
+};
+inline constexpr int kSceneKinds = 11;
+std::string_view name_of(SceneKind kind);
+
+struct StereoScene {
+  std::string name;
+  SceneKind kind{};
+  vision::StereoPair pair;
+  /// The left picture's disparity at each pixel's centre; px.
+  Raster<float> truth_px;
+  /// 1 where the right picture shows the same place of the same surface.
+  Raster<std::uint8_t> seen_by_both;
+};
+
+/// Renders one scene of 320 x 240 pixels; the same bytes for the same kind and seed.
+StereoScene render_scene(SceneKind kind, std::uint32_t seed);
+
+/// The tuning set: the seeds 1 … seeds_per_kind of every kind.
+std::vector<StereoScene> tuning_set(int seeds_per_kind);
+
+}  // namespace palpable::bench
