@@ -117,13 +117,20 @@ struct Texture {
 /// Where a planar surface ends, in the left picture: a rotated rectangle or ellipse around (x, y).
 struct Outline {
   enum class Shape { everywhere, rectangle, ellipse } shape = Shape::everywhere;
-  double x = 0.0, y = 0.0, half_width = 0.0, half_height = 0.0, angle = 0.0;
+  double x = 0.0, y = 0.0, half_width = 0.0, half_height = 0.0;
+  /// Of the rotation.
+  double cosine = 1.0, sine = 0.0;
 
+  Outline turned(double angle) const {
+    Outline out = *this;
+    out.cosine = std::cos(angle);
+    out.sine = std::sin(angle);
+    return out;
+  }
   bool contains(double px, double py) const {
     if (shape == Shape::everywhere) return true;
-    const double c = std::cos(angle), s = std::sin(angle);
-    const double u = (c * (px - x) + s * (py - y)) / half_width,
-                 v = (c * (py - y) - s * (px - x)) / half_height;
+    const double u = (cosine * (px - x) + sine * (py - y)) / half_width,
+                 v = (cosine * (py - y) - sine * (px - x)) / half_height;
     return shape == Shape::rectangle ? std::abs(u) <= 1.0 && std::abs(v) <= 1.0 : u * u + v * v <= 1.0;
   }
 };
@@ -213,7 +220,7 @@ Surface floor_from(Random& random, double row, double disparity_px, double slope
   s.y0 = row;
   s.d0 = disparity_px;
   s.slope_y = slope;
-  s.outline = {Outline::Shape::rectangle, kWidth / 2.0, row + 200.0, 400.0, 200.0, 0.0};
+  s.outline = {Outline::Shape::rectangle, kWidth / 2.0, row + 200.0, 400.0, 200.0};
   s.texture = rough(random);
   return s;
 }
@@ -225,12 +232,12 @@ Surface board(Random& random, double disparity_px, double half_size_px, double s
   s.d0 = disparity_px;
   s.slope_x = random.between(-slope, slope);
   s.slope_y = random.between(-slope, slope);
-  s.outline = {random.unit() < 0.5 ? Outline::Shape::rectangle : Outline::Shape::ellipse,
-               s.x0,
-               s.y0,
-               random.between(0.6, 1.0) * half_size_px,
-               random.between(0.6, 1.2) * half_size_px,
-               random.between(-1.5, 1.5)};
+  s.outline.shape = random.unit() < 0.5 ? Outline::Shape::rectangle : Outline::Shape::ellipse;
+  s.outline.x = s.x0;
+  s.outline.y = s.y0;
+  s.outline.half_width = random.between(0.6, 1.0) * half_size_px;
+  s.outline.half_height = random.between(0.6, 1.2) * half_size_px;
+  s.outline = s.outline.turned(random.between(-1.5, 1.5));
   s.texture = rough(random);
   return s;
 }
@@ -252,7 +259,7 @@ void add_curved(Random& random, std::vector<Surface>& out) {
     s.radius_px = random.between(18.0, 60.0);
     s.outline = {};
     if (s.form == Surface::Form::cylinder)
-      s.outline = {Outline::Shape::rectangle, s.x0, s.y0, 400.0, random.between(30.0, 90.0), 0.0};
+      s.outline = {Outline::Shape::rectangle, s.x0, s.y0, 400.0, random.between(30.0, 90.0)};
     out.push_back(s);
   }
 }
@@ -260,9 +267,10 @@ void add_curved(Random& random, std::vector<Surface>& out) {
 void add_rods(Random& random, std::vector<Surface>& out) {
   for (int i = 0; i < 14; ++i) {
     Surface s = board(random, random.between(14.0, 40.0), 10.0, 0.02);
-    s.outline = {
-        Outline::Shape::rectangle,  s.x0, s.y0, random.between(0.8, 2.6), random.between(40.0, 120.0),
-        random.between(-1.45, 1.45)};
+    s.outline.shape = Outline::Shape::rectangle;
+    s.outline.half_width = random.between(0.8, 2.6);
+    s.outline.half_height = random.between(40.0, 120.0);
+    s.outline = s.outline.turned(random.between(-1.45, 1.45));
     s.texture.contrast *= 0.4;
     out.push_back(s);
   }
@@ -314,8 +322,8 @@ void add_fence(Random& random, std::vector<Surface>& out) {
     s.y0 = kHeight / 2.0;
     s.d0 = disparity_px;
     s.slope_x = slope;
-    s.outline = {Outline::Shape::rectangle,   x,  random.between(90.0, 150.0), half,
-                 random.between(80.0, 110.0), 0.0};
+    s.outline = {Outline::Shape::rectangle, x, random.between(90.0, 150.0), half,
+                 random.between(80.0, 110.0)};
     s.texture = texture;
     out.push_back(s);
     x += 2.0 * half + random.between(8.0, 38.0);
@@ -334,6 +342,7 @@ Description describe(SceneKind kind, Random& random) {
   switch (kind) {
     case SceneKind::slanted:
       s[0].slope_x = random.between(-0.05, 0.05);
+      s[0].d0 += std::abs(s[0].slope_x) * kWidth / 2.0;
       break;
     case SceneKind::curved:
       add_curved(random, s);

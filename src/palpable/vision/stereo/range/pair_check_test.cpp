@@ -1,0 +1,66 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/range/pair_check.hpp"
+
+#include "palpable/vision/stereo/problem/synthetic_pair.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+Raster<std::uint8_t> textured(int lower_px, int left_px) {
+  Raster<std::uint8_t> out(240, 160);
+  for (int y = 0; y < 160; ++y)
+    for (int x = 0; x < 240; ++x)
+      out(x, y) = static_cast<std::uint8_t>(std::lround(255.0 * texture(x + left_px, y - lower_px, 0)));
+  return out;
+}
+
+TEST(VerticalOffset, IsHowMuchLowerTheRightPictureLies) {
+  const VerticalOffset offset = measure_vertical_offset(textured(0, 0), textured(4, 9), {});
+  EXPECT_GT(offset.found, 50);
+  EXPECT_EQ(offset.median_px, 4.0);
+  EXPECT_EQ(offset.spread_px, 4.0);
+}
+
+TEST(VerticalOffset, OfAlignedPicturesIsNothing) {
+  const VerticalOffset offset = measure_vertical_offset(textured(0, 0), textured(0, 9), {});
+  EXPECT_EQ(offset.median_px, 0.0);
+  EXPECT_EQ(offset.spread_px, 0.0);
+}
+
+TEST(PairNotes, AreNoneForAGoodPair) {
+  EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2).empty());
+}
+
+TEST(PairNotes, SayWhatIsWrongWithItsFigure) {
+  const auto says = [](const DisparityRange& range, const VerticalOffset& offset, double contrast,
+                       const char* words) {
+    const auto notes = pair_notes(range, offset, contrast);
+    return notes.size() == 1 && notes.front().find(words) != std::string::npos;
+  };
+  EXPECT_TRUE(says({2, 30, 0.6, 0.9}, {5.0, 6.0, 150}, 1.2, "5 pixels lower"));
+  EXPECT_TRUE(says({2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 1.2, "3.0 %"));
+  EXPECT_TRUE(says({-30, 1, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2, "exchanged"));
+  EXPECT_TRUE(says({2, 30, 0.6, 0.01}, {0.0, 0.0, 150}, 1.2, "1.0 %"));
+  EXPECT_TRUE(says({2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 0.25, "grain"));
+}
+
+TEST(ContrastBeyondGrain, IsAboutAQuarterOfNoisesAndMostOfAPictures) {
+  Raster<std::uint8_t> noise(160, 120), smooth(160, 120);
+  std::uint32_t state = 1;
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x) {
+      state = state * 1664525U + 1013904223U;
+      noise(x, y) = static_cast<std::uint8_t>(state >> 24U);
+      smooth(x, y) = static_cast<std::uint8_t>(std::lround(255.0 * texture(x / 10.0, y / 10.0, 0)));
+    }
+  EXPECT_NEAR(contrast_beyond_grain(noise), 0.25, 0.08);
+  EXPECT_GT(contrast_beyond_grain(smooth), 1.0);
+}
+
+}  // namespace
+}  // namespace palpable::vision
