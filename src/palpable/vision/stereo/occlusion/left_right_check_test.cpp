@@ -27,8 +27,7 @@ bool seen_by_both(int x) { return x >= 2 && (x < 6 || x > 9); }
 
 TEST(LeftRightCheck, ConfirmsWhatBothCamerasSee) {
   const Raster<float> confirmed = left_right_check(left_view(), right_view());
-  for (int x = 0; x < 24; ++x)
-    EXPECT_EQ(confirmed(x, 0), seen_by_both(x) ? 1.0F : 0.0F) << x;
+  for (int x = 0; x < 24; ++x) EXPECT_EQ(confirmed(x, 0), seen_by_both(x) ? 1.0F : 0.0F) << x;
 }
 
 TEST(LeftRightCheck, OfARowIsTheSame) {
