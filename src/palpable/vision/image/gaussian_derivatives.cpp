@@ -80,7 +80,7 @@ void convolve_both(const float* const* behind, const float* const* ahead, const 
   }
 }
 
-/// The image's rows around row y; beyond its border the outermost goes on.
+/// The image's rows around row y; beyond its border the outermost is repeated.
 void rows_around(const Raster<float>& image, int y, Neighbours& out) {
   for (std::size_t k = 0; k < out.ahead.size(); ++k) {
     const int step = static_cast<int>(k);

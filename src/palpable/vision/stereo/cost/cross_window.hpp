@@ -17,9 +17,9 @@ struct CrossOptions {
   /// The longest arm along the column, shorter: slopes mostly run down a picture, and a window should see one
   /// disparity; px, 0 … 40.
   int column_reach_px = 6;
-  /// An arm goes on while every channel stays within this of the centre; levels of 255, 0 … 255.
+  /// An arm continues while every channel stays within this of the centre; levels of 255, 0 … 255.
   int colour_limit = 25;
-  /// Beyond this length it goes on within colour_limit_beyond only; px, 0 … 40.
+  /// Beyond this length it continues within colour_limit_beyond only; px, 0 … 40.
   int sure_reach_px = 8;
   /// Levels of 255, 0 … 255.
   int colour_limit_beyond = 8;

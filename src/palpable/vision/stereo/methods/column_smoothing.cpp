@@ -194,10 +194,10 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
   parallel_for(work, picture.height(), 8, [&](int begin, int end) {
     ColumnVotes votes(colour, trust, before, options);
     std::vector<float> shares(static_cast<std::size_t>(picture.width()));
-    std::vector<std::uint8_t> settled(shares.size());
+    std::vector<std::uint8_t> done(shares.size());
     for (int y = begin; y < end; ++y) {
       votes.shares(y, shares);
-      std::fill(settled.begin(), settled.end(), std::uint8_t{0});
+      std::fill(done.begin(), done.end(), std::uint8_t{0});
       // From each outlier along the scanline, both ways, as far as the streak goes.
       for (const int direction : {1, -1}) {
         bool in_streak = false;
@@ -207,9 +207,9 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
           const bool goes_on = in_streak && shares[i] < options.streak_share &&
                                std::abs(before(x, y) - before(x - direction, y)) <= options.support_px;
           in_streak = shares[i] < options.outlier_share || goes_on;
-          if (!in_streak || settled[i] != 0) continue;
+          if (!in_streak || done[i] != 0) continue;
           disparity_px(x, y) = votes.reasonable(x, y);
-          settled[i] = 1;
+          done[i] = 1;
         }
       }
     }

@@ -77,7 +77,7 @@ LevelCurve::LevelCurve(const Quantiles& from, const Quantiles& to) : identity_(f
 
 float LevelCurve::operator()(float level) const {
   if (identity_) return level;
-  // Beyond its ends the curve goes on in parallel.
+  // Beyond its ends the curve continues with slope 1.
   if (level < from_.front()) return clip(to_.front() + (level - from_.front()));
   if (level > from_.back()) return clip(to_.back() + (level - from_.back()));
   const auto [first, past] = std::equal_range(from_.begin(), from_.end(), level);
