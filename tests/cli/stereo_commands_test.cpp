@@ -208,6 +208,43 @@ TEST_F(StereoCommands, AnOptionOfAnotherMethodIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(path("d.pfm")));
 }
 
+TEST_F(StereoCommands, AMethodsParametersAreListedAndSet) {
+  const Outcome all = palpable({"methods", "--json"});
+  EXPECT_EQ(all.json()["methods"].size(), 6U);
+  const Outcome fast = palpable({"methods", "fast", "--json"});
+  const auto parameters = fast.json()["parameters"];
+  const auto medians = std::find_if(parameters.begin(), parameters.end(),
+                                    [](const auto& p) { return p["name"] == "medians"; });
+  ASSERT_NE(medians, parameters.end());
+  EXPECT_EQ((*medians)["default"], 2);
+  EXPECT_EQ((*medians)["most"], 10);
+
+  const auto disparity = [&](const std::string& set) {
+    const Outcome depth = palpable({"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"),
+                                    "--method", "fast", "--set", set});
+    EXPECT_EQ(depth.exit_code, 0) << depth.err;
+    return read_text(path("d.pfm"));
+  };
+  EXPECT_TRUE(disparity("medians=2") == disparity("large_step=120"));  // both are the defaults
+  EXPECT_FALSE(disparity("medians=0") == disparity("medians=2"));
+}
+
+TEST_F(StereoCommands, AParameterThatThereIsNotOrThatMayNotBeIsRefused) {
+  const auto refused = [&](const std::string& set, const std::string& words) {
+    const Outcome depth = palpable({"depth", path("left.png"), path("right.png"), "-o", path("new.pfm"),
+                                    "--method", "fast", "--set", set});
+    EXPECT_EQ(depth.exit_code, 2) << set;
+    EXPECT_THAT(depth.err, HasSubstr(words)) << set;
+    EXPECT_FALSE(std::filesystem::exists(path("new.pfm")));
+  };
+  refused("mediens=3", "did you mean medians?");
+  refused("medians=11", "must lie between 0 and 10");
+  refused("medians=2.5", "must be a whole number");
+  refused("medians", "NAME=VALUE");
+  refused("medians=two", "not a number");
+  refused("cost.colour_limit=255", "more than 127");
+}
+
 TEST_F(StereoCommands, ScoreAsksForTheScaleOfAnEightBitTruth) {
   Raster<Rgb8> truth(160, 120);
   for (Rgb8& c : truth.values()) c = {40, 40, 40};
