@@ -8,10 +8,16 @@
 #include "palpable/sculpt/solid/test_solids.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <random>
+#include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -235,6 +241,116 @@ TEST(MeshSolid, CutsWhatOthersCrossWithoutCuttingItSmall) {
   }
   // Top and bottom, the slab's sides, and the towers' sides above the slab.
   EXPECT_NEAR(area_m2, 2.0 * 4.0 + 4.0 * 2.0 * 0.1 + 16.0 * 4.0 * 0.3 * 0.3, 1e-6);
+}
+
+TEST(MeshSolid, GainsNoSolidWhereItClosesAWindingRim) {
+  // A U whose lower ends stand at different heights, without a floor. Its notch is outside of it; a fan
+  // around the middle of its rim would fill a part of the notch.
+  const std::array<Vec3, 8> outline{{{0, 0, 0},
+                                     {3, 0, 0.3},
+                                     {3, 3, 0},
+                                     {2.8, 3, 0.2},
+                                     {2.8, 0.2, 0},
+                                     {0.2, 0.2, 0.3},
+                                     {0.2, 3, 0},
+                                     {0, 3, 0.2}}};
+  Mesh mesh;
+  for (const Vec3 p : outline) mesh.vertices_m.push_back(p);
+  for (const Vec3 p : outline) mesh.vertices_m.push_back({p.x, p.y, 1.0});
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const std::uint32_t next = (i + 1) % 8;
+    mesh.triangles.push_back({i, next, 8 + next});
+    mesh.triangles.push_back({i, 8 + next, 8 + i});
+  }
+  const auto solid = solid_from_mesh(mesh, 0.006, {});
+  ASSERT_TRUE(solid) << solid.error().sentence();
+  EXPECT_EQ(solid->repair.closed_holes, 2U);
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> x(0.3, 2.7), y(0.3, 2.9), z(-0.5, 1.5);
+  DistanceSource::Hint hint;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p{x(random), y(random), z(random)};
+    ASSERT_GT(solid->distance->at(p, hint).distance_m, 0.099) << p.x << " " << p.y << " " << p.z;
+  }
+  for (const double side : {0.1, 2.9})
+    EXPECT_NEAR(solid->distance->at({side, 1.5, 0.6}, hint).distance_m, -0.1, 1e-3);
+}
+
+TEST(MeshSolid, FillsNoSpaceOutsideAScannedBunny) {
+  const char* data = std::getenv("PALPABLE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
+  std::ifstream file(std::filesystem::path(data) / "mesh/objects/stanford-bunny.obj");
+  if (!file) GTEST_SKIP() << "the bunny is not there";
+  Mesh mesh;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind;
+    words >> kind;
+    if (kind == "v")
+      words >> mesh.vertices_m.emplace_back().x >> mesh.vertices_m.back().y >> mesh.vertices_m.back().z;
+    if (kind != "f") continue;
+    auto& t = mesh.triangles.emplace_back();
+    for (std::uint32_t& v : t) {
+      std::string corner;
+      words >> corner;
+      v = static_cast<std::uint32_t>(std::stoul(corner)) - 1;
+    }
+  }
+  const Box box = bounds_of(mesh);
+  const Vec3 size = box.size_m(), middle = 0.5 * (box.least_m + box.most_m);
+  for (Vec3& v : mesh.vertices_m) v = 0.1 / std::max({size.x, size.y, size.z}) * (v - middle);
+  const auto solid = solid_from_mesh(mesh, 0.1 / 512, {});
+  ASSERT_TRUE(solid) << solid.error().sentence();
+  EXPECT_EQ(solid->repair.closed_holes, 5U);
+  EXPECT_EQ(solid->repair.inner, 0U);
+  DistanceSource::Hint hint;
+  // 1 mm below its lowest place.
+  EXPECT_NEAR(solid->distance->at({0.008217, -0.050654, 0.025594}, hint).distance_m, 0.0027, 2e-4);
+}
+
+TEST(MeshSolid, KeepsStripsOfSmallFacetsThatOthersCover) {
+  // A wall of facets of 1 mm, half of its last column covered by a second body; the finest cells are 2 mm.
+  constexpr int kFacets = 10;
+  constexpr double kSide = 0.01, kCovered = 0.0046;
+  Mesh wall = box_mesh({0, 0, 0}, {kSide, kSide, 0.002});
+  std::erase_if(wall.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return wall.vertices_m[v].z == 0.002; });
+  });
+  for (int row = 0; row < kFacets; ++row)
+    for (int column = 0; column < kFacets; ++column) {
+      const auto first = static_cast<std::uint32_t>(wall.vertices_m.size());
+      const double step = kSide / kFacets;
+      for (const int corner : {0, 1, 2, 3})
+        wall.vertices_m.push_back({step * (column + corner % 2), step * (row + corner / 2), 0.002});
+      wall.triangles.push_back({first, first + 1, first + 3});
+      wall.triangles.push_back({first, first + 3, first + 2});
+    }
+  const Mesh mesh = together(wall, box_mesh({-0.001, -0.001, 0.001}, {kCovered, kSide + 0.001, 0.004}));
+  const TriangleTree tree(mesh);
+  const SolidSurface surface = surface_of(mesh, tree, 0.002, {});
+  double top_m2 = 0.0;
+  for (const auto& t : surface.mesh.triangles) {
+    const Vec3 a = surface.mesh.vertices_m[t[0]];
+    const Vec3 area = 0.5 * cross(surface.mesh.vertices_m[t[1]] - a, surface.mesh.vertices_m[t[2]] - a);
+    if (std::abs(a.z - 0.002) < 1e-9 && area.z > 0.99 * norm(area)) top_m2 += area.z;
+  }
+  EXPECT_NEAR(top_m2, (kSide - kCovered) * kSide, 1e-10);
+}
+
+TEST(MeshSolid, TellsTheSideOfAThinPlateFromFarAway) {
+  constexpr double kThickness = 4e-6;
+  const Vec3 low{-0.05, -0.05, 0}, high{0.05, 0.05, kThickness};
+  const auto solid = solid_from_mesh(box_mesh(low, high), 2e-4, {});
+  ASSERT_TRUE(solid) << solid.error().sentence();
+  std::mt19937_64 random(13);
+  std::uniform_real_distribution<double> uniform(-0.06, 0.06);
+  DistanceSource::Hint hint;
+  for (int i = 0; i < 5000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p{x, y, z};
+    const double truth_m = box_distance(p, low, high);
+    ASSERT_NEAR(solid->distance->at(p, hint).distance_m, truth_m, 1e-5 + 1e-3 * std::abs(truth_m));
+  }
 }
 
 TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {

@@ -125,6 +125,7 @@ class MeshDistance final : public DistanceSource {
     const Box box = bounds_of(whole);
     // Files keep single precision: what touches there may be apart by its last digit.
     touching_m_ = 2e-7 * norm(box.most_m - box.least_m);
+    normals_tell_m_ = touching_m_ / TriangleTree::kNearestSlack;
   }
 
   models::FieldSample at(Vec3 p, Hint& hint) const override {
@@ -143,16 +144,14 @@ class MeshDistance final : public DistanceSource {
   models::FieldSample sample_at(Vec3 p, const NearestTriangle& near, const Hint& hint) const {
     const Vec3 way = p - near.point_m;
     const Vec3 there = joints_.at(near.triangle, near.part);
-    if (near.part == TrianglePart::face) return {dot(way, there), there};
     const double distance = std::sqrt(near.squared_distance_m2);
+    if (near.part == TrianglePart::face && distance <= normals_tell_m_) return {dot(way, there), there};
     if (distance <= touching_m_) return {0.0, joints_.face(near.triangle)};
-    const double sign = is_inside(p, way, there, hint) ? -1.0 : 1.0;
-    return {sign * distance, (sign / distance) * way};
-  }
-
-  bool is_inside(Vec3 p, Vec3 way, Vec3 there, const Hint& hint) const {
+    const bool by_normal = joints_.all_closed() && distance <= normals_tell_m_;
     const TriangleTree& whole = whole_ ? *whole_ : tree_;
-    return joints_.all_closed() ? is_behind(whole, p, way, there, hint) : is_behind(whole, p, hint);
+    const bool inside = by_normal ? is_behind(whole, p, way, there, hint) : is_behind(whole, p, hint);
+    const double sign = inside ? -1.0 : 1.0;
+    return {sign * distance, (sign / distance) * way};
   }
 
   TriangleTree tree_;
@@ -161,6 +160,9 @@ class MeshDistance final : public DistanceSource {
   std::optional<TriangleTree> whole_;
   Box bounds_;
   double touching_m_ = 0.0;
+  /// Farther away, one side of a thin sheet may have been taken for the nearest triangle instead of the
+  /// other: there the winding number tells the side of a place.
+  double normals_tell_m_ = 0.0;
 };
 
 }  // namespace

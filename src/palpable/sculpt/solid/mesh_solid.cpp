@@ -5,6 +5,7 @@
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 #include "palpable/sculpt/solid/smooth_surface.hpp"
 #include "palpable/sculpt/solid/surface_cut.hpp"
+#include "palpable/sculpt/triangles/hole_closing.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
@@ -60,6 +61,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
   solid.repair.triangles = whole.triangles.size();
   solid.repair.turned_parts = orient_outwards(whole, work.seed);
+  const std::size_t first_added = whole.triangles.size();
   solid.repair.closed_holes = close_holes(whole);
   if (work.cancelled()) return Work::interrupted();
   // Given back before the distance makes its own: of millions of triangles it takes gigabytes.
@@ -67,12 +69,16 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   // What rays told of parts that were still open may be wrong.
   if (solid.repair.closed_holes > 0) {
     const std::size_t turned = turn_inside_out_parts(whole, *tree);
-    if (turned > 0) tree.emplace(whole);
+    if (turned > 0) {
+      // A part that shares walls with others leaves their common rims open when it is turned.
+      solid.repair.closed_holes += close_holes(whole);
+      tree.emplace(whole);
+    }
     solid.repair.turned_parts += turned;
   }
   work.report(0.02, "finding the solid's surface");
   if (work.cancelled()) return Work::interrupted();
-  if (is_watertight(whole) && is_own_surface(whole, *tree, work.seed)) {
+  if (is_watertight(whole) && is_own_surface(whole, *tree, first_added, work)) {
     tree.reset();
     if (rounding_m > 0.0) solid.distance = rounded(whole, finest_m, rounding_m, solid.repair);
     if (!solid.distance) solid.distance = mesh_distance(whole, whole);

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -176,8 +175,12 @@ class Cutter {
     }
     const Vec3 span = extent(polygon);
     const double widest_m = std::max({span.x, span.y, span.z});
-    if (inside.empty() || widest_m <= finest_m_) return looker_.sides_at(middle(polygon), normal_);
-    constexpr std::size_t kMany = 48;
+    // Where few lines cross a small piece it is cut along them: told by its middle, a strip of it would be
+    // lost.
+    constexpr std::size_t kFew = 8, kMany = 48;
+    const bool is_small = widest_m <= finest_m_;
+    if (inside.empty() || (is_small && inside.size() > kFew))
+      return looker_.sides_at(middle(polygon), normal_);
     std::optional<std::pair<Polygon, Polygon>> parts;
     // Very many lines are parted by place first, so that each is tried against few pieces.
     if (inside.size() > kMany) {
@@ -236,20 +239,32 @@ Mesh mesh_of(const std::vector<Corners>& triangles) {
 
 }  // namespace
 
-bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::uint64_t seed) {
-  constexpr std::size_t kLooks = 1500;
+bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t first_added, const Work& work) {
   const Looker looker(tree, size_of(mesh));
-  std::mt19937_64 random(seed);
   const std::size_t count = mesh.triangles.size();
-  std::uniform_real_distribution<double> uniform(0.0, 1.0);
-  for (std::size_t i = 0; i < kLooks; ++i) {
-    const Corners c = corners_of(mesh, count <= kLooks / 4 ? i % count : random() % count);
-    double u = uniform(random), v = uniform(random);
-    if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-    const Vec3 place = c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0]);
-    if (looker.sides_at(place, normal_of(c)) != Sides::surface) return false;
+  // What was added may cross what was there: both are tested at more places.
+  std::vector<char> is_suspect(count);
+  for (std::size_t i = first_added; i < count; ++i) {
+    const Corners corners = corners_of(mesh, i);
+    const Box box = bounds_of(std::span(corners));
+    tree.visit_box(box.least_m, box.most_m, [&](std::uint32_t other) { is_suspect[other] = 1; });
   }
-  return true;
+  std::atomic<bool> is_own{true};
+  constexpr int kGrain = 256;
+  parallel_for(work, static_cast<int>(count), kGrain, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      if (!is_own.load(std::memory_order_relaxed) || work.cancelled()) return;
+      const Corners c = corners_of(mesh, i);
+      const Vec3 normal = normal_of(c), middle = (c[0] + c[1] + c[2]) / 3.0;
+      bool fits = looker.sides_at(middle, normal) == Sides::surface;
+      constexpr double kOutwards = 0.9;
+      for (std::size_t k = 0; is_suspect[i] != 0 && fits && k < 3; ++k)
+        for (const Vec3 border : {c[k], 0.5 * (c[k] + c[(k + 1) % 3])})
+          fits = fits && looker.sides_at(middle + kOutwards * (border - middle), normal) == Sides::surface;
+      if (!fits) is_own = false;
+    }
+  });
+  return is_own;
 }
 
 SolidSurface surface_of(const Mesh& mesh, const TriangleTree& tree, double finest_m, const Work& work) {

@@ -7,7 +7,6 @@
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <cstddef>
-#include <cstdint>
 
 namespace palpable::sculpt {
 
@@ -20,9 +19,10 @@ struct SolidSurface {
   std::size_t inner = 0;
 };
 
-/// Whether a sample of the triangles, spread over all, has the solid behind and nothing before it: then the
-/// mesh is its solid's surface already.
-bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::uint64_t seed);
+/// Whether the solid lies behind every triangle and nothing before it, by the winding number: then the mesh
+/// is its solid's surface already. Asked at the middle of each triangle; of those from `first_added` on, and
+/// of all that come near them, at six places more. `tree` holds the mesh. All threads; polls cancel.
+bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t first_added, const Work& work);
 
 /// Leaves out what lies inside the solid. `tree` holds the mesh. Pieces smaller than `finest_m` are not cut
 /// further. Long work: all threads, polls cancel (then the surface is not whole).

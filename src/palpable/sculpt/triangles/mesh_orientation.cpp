@@ -8,9 +8,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <map>
 #include <random>
-#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -296,52 +294,6 @@ std::size_t turn_inside_out_parts(Mesh& mesh, const TriangleTree& tree) {
     ++turned;
   }
   return turned;
-}
-
-std::size_t close_holes(Mesh& mesh) {
-  // What is left of an edge when those that run to and fro along it are taken from each other: walls that two
-  // bodies share end there together, and are no rim.
-  std::unordered_map<std::uint64_t, int> upwards;
-  const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) upwards[edge_key(t[k], t[(k + 1) % 3])] += step(t[k], t[(k + 1) % 3]);
-  // Rim edges by the vertex where they start, in a fixed order.
-  std::multimap<std::uint32_t, std::uint32_t> rim;
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-      int& left = upwards[edge_key(from, to)];
-      if (left * step(from, to) <= 0) continue;
-      rim.emplace(from, to);
-      left -= step(from, to);
-    }
-  std::size_t closed = 0;
-  const auto close = [&](std::span<const std::uint32_t> loop) {
-    if (loop.size() < 3) return;
-    Vec3 centre;
-    for (const std::uint32_t v : loop) centre += mesh.vertices_m[v] / static_cast<double>(loop.size());
-    const auto middle = static_cast<std::uint32_t>(mesh.vertices_m.size());
-    mesh.vertices_m.push_back(centre);
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], middle});
-    ++closed;
-  };
-  // As many rims end at a vertex as start there, so each way along them comes back to where it has been.
-  while (!rim.empty()) {
-    std::vector<std::uint32_t> way{rim.begin()->first};
-    for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find(way.back())) {
-      const std::uint32_t next = edge->second;
-      rim.erase(edge);
-      const auto before = std::find(way.begin(), way.end(), next);
-      if (before == way.end()) {
-        way.push_back(next);
-      } else {
-        close({before, way.end()});
-        way.erase(before + 1, way.end());
-      }
-    }
-  }
-  return closed;
 }
 
 }  // namespace palpable::sculpt

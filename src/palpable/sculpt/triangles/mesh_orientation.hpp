@@ -24,8 +24,4 @@ std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed);
 /// before. `tree` holds the mesh as it was. Returns how many.
 std::size_t turn_inside_out_parts(Mesh& mesh, const TriangleTree& tree);
 
-/// Closes each rim by a fan around its centre: a loop of edges along which more triangles run one way than
-/// the other. Where bodies share walls, their common rim is closed. Returns how many.
-std::size_t close_holes(Mesh& mesh);
-
 }  // namespace palpable::sculpt

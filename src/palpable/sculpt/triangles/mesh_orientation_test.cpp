@@ -3,6 +3,7 @@
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
 
 #include "palpable/sculpt/solid/test_solids.hpp"
+#include "palpable/sculpt/triangles/hole_closing.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>

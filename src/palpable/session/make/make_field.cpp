@@ -229,7 +229,16 @@ Result<Solid> solid_from_file(const MakeOptions& options, const sources::Input& 
 struct Sampled {
   models::Model model;
   std::string method;
+  /// One sentence each, for the person.
+  std::vector<std::string> notes;
 };
+
+/// The greatest error is of one place: of a mesh that was repaired badly it shows what the 99 % hide.
+std::string note_on(const models::FieldErrors& errors) {
+  return fmt::format(
+      "The field's measured error near the surface is at most {:.0f} um; 99 % of it is below {:.1f} um.",
+      1e6 * errors.max_m, 1e6 * errors.p99_m);
+}
 
 template <class Distance>
 Result<models::Model> model_of(Distance distance, const Solid& solid) {
@@ -246,8 +255,10 @@ Result<Sampled> sampled_densely(const Solid& solid, const MakeOptions& options, 
   auto model = model_of(*std::move(distance), solid);
   if (!model) return model.error();
   const bool paper = options.field_keeping == FieldKeeping::paper;
-  return Sampled{*std::move(model), fmt::format("{} cells, dense{}", options.field.resolution,
-                                                paper ? ", distance and force by fast marching" : "")};
+  return Sampled{*std::move(model),
+                 fmt::format("{} cells, dense{}", options.field.resolution,
+                             paper ? ", distance and force by fast marching" : ""),
+                 {}};
 }
 
 Result<Sampled> sampled(const Solid& solid, const MakeOptions& options, const Work& work) {
@@ -261,11 +272,13 @@ Result<Sampled> sampled(const Solid& solid, const MakeOptions& options, const Wo
     field_options.most_bytes = std::min(field_options.most_bytes, *free_bytes / kWhileBuilding);
   auto distance = sculpt::field_from_source(*solid.distance, field_options, work);
   if (!distance) return distance.error();
-  const double bound_m = distance->errors().bound_m;
+  const models::FieldErrors errors = distance->errors();
   auto model = model_of(*std::move(distance), solid);
   if (!model) return model.error();
-  return Sampled{*std::move(model),
-                 fmt::format("{} cells, error bound {:.1f} um", field_options.resolution, 1e6 * bound_m)};
+  return Sampled{
+      *std::move(model),
+      fmt::format("{} cells, error bound {:.1f} um", field_options.resolution, 1e6 * errors.bound_m),
+      {note_on(errors)}};
 }
 
 }  // namespace
@@ -282,7 +295,9 @@ Result<MadeScene> field_from_file(const MakeOptions& options, const sources::Inp
   for (const auto& name : input.files) scene.source.inputs.push_back(name.string());
   scene.source.made_by = options.made_by;
   scene.model = std::move(field->model);
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(solid->notes)};
+  std::vector<std::string> notes = std::move(solid->notes);
+  notes.insert(notes.end(), field->notes.begin(), field->notes.end());
+  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};
 }
 
 Result<MadeScene> field_from_relief(const MadeScene& made, const models::Relief& relief,
@@ -296,6 +311,7 @@ Result<MadeScene> field_from_relief(const MadeScene& made, const models::Relief&
   scene.model = std::move(field->model);
   std::vector<std::string> notes = made.notes;
   notes.insert(notes.end(), solid->notes.begin(), solid->notes.end());
+  notes.insert(notes.end(), field->notes.begin(), field->notes.end());
   return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};
 }
 

@@ -1,0 +1,235 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/triangles/hole_closing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <unordered_map>
+#include <utility>
+
+namespace palpable::sculpt {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// What a triangulation costs: its sharpest fold, and then its area.
+struct Weight {
+  double fold = 0.0;
+  double area_m2 = 0.0;
+
+  bool is_less_than(const Weight& other) const {
+    // Folds that differ by their rounding are the same.
+    constexpr double kSame = 1e-9;
+    if (fold < other.fold - kSame) return true;
+    return fold <= other.fold + kSame && area_m2 < other.area_m2;
+  }
+};
+
+/// Of a triangle without an area: more than of any other.
+constexpr double kDegenerate = 3.0;
+
+/// How far the cosine between two neighbours' normals is below that of 120 degrees. A lid meets walls at
+/// about 90 degrees: turns up to there must not decide.
+double fold_between(Vec3 a, Vec3 b) {
+  constexpr double kLeastCosine = -0.5;
+  if (squared_norm(a) == 0.0 || squared_norm(b) == 0.0) return 0.0;
+  return std::max(0.0, kLeastCosine - dot(a, b));
+}
+
+/// Dynamic programming over the parts of a rim from one of its places to a later one.
+class Triangulation {
+ public:
+  Triangulation(std::span<const Vec3> rim, std::span<const Vec3> normals)
+      : rim_(rim), normals_(normals), count_(rim.size()), parts_(count_ * count_) {
+    for (std::size_t span = 2; span < count_; ++span)
+      for (std::size_t from = 0; from + span < count_; ++from) solve(from, from + span);
+  }
+  /// Appends the triangles of the whole rim.
+  void collect(std::vector<Triangle>& triangles) const {
+    std::vector<std::pair<std::size_t, std::size_t>> left{{0, count_ - 1}};
+    while (!left.empty()) {
+      const auto [from, to] = left.back();
+      left.pop_back();
+      if (to - from < 2) continue;
+      const Part& best = part(from, to);
+      if (squared_norm(best.normal) > 0.0)
+        triangles.push_back({static_cast<std::uint32_t>(to), static_cast<std::uint32_t>(best.middle),
+                             static_cast<std::uint32_t>(from)});
+      left.emplace_back(from, best.middle);
+      left.emplace_back(best.middle, to);
+    }
+  }
+
+ private:
+  /// The best triangulation of the places `from` to `to`, and its triangle at the edge that joins these two.
+  struct Part {
+    Weight weight;
+    Vec3 normal;
+    std::size_t middle = 0;
+  };
+  const Part& part(std::size_t from, std::size_t to) const { return parts_[from * count_ + to]; }
+  Vec3 normal_across(std::size_t from, std::size_t to) const {
+    return to - from == 1 ? normals_[from] : part(from, to).normal;
+  }
+
+  void solve(std::size_t from, std::size_t to) {
+    Part best;
+    best.weight.fold = std::numeric_limits<double>::infinity();
+    for (std::size_t middle = from + 1; middle < to; ++middle) {
+      const Vec3 doubled = cross(rim_[middle] - rim_[to], rim_[from] - rim_[to]);
+      const double length = norm(doubled);
+      const Weight &before = part(from, middle).weight, &after = part(middle, to).weight;
+      Weight weight{std::max(before.fold, after.fold), before.area_m2 + after.area_m2 + 0.5 * length};
+      Vec3 normal;
+      if (length > 0.0) {
+        normal = doubled / length;
+        weight.fold = std::max({weight.fold, fold_between(normal, normal_across(from, middle)),
+                                fold_between(normal, normal_across(middle, to))});
+        if (from == 0 && to == count_ - 1)
+          weight.fold = std::max(weight.fold, fold_between(normal, normals_[count_ - 1]));
+      } else {
+        weight.fold = kDegenerate;
+      }
+      if (weight.is_less_than(best.weight)) best = {weight, normal, middle};
+    }
+    parts_[from * count_ + to] = best;
+  }
+
+  std::span<const Vec3> rim_, normals_;
+  std::size_t count_;
+  std::vector<Part> parts_;
+};
+
+/// A rim whose triangles take too long is divided: the work grows with the cube of its places.
+constexpr std::size_t kMostPlaces = 256;
+
+/// The shortest chord that leaves at least a quarter of the places on each side.
+std::pair<std::size_t, std::size_t> shortest_chord(std::span<const Vec3> rim) {
+  const std::size_t count = rim.size();
+  std::pair<std::size_t, std::size_t> best{0, count / 2};
+  double least2 = std::numeric_limits<double>::infinity();
+  for (std::size_t from = 0; from < count; ++from)
+    for (std::size_t to = from + count / 4; to < std::min(count, from + count - count / 4); ++to) {
+      const double length2 = squared_norm(rim[to] - rim[from]);
+      if (length2 < least2) least2 = length2, best = {from, to};
+    }
+  return best;
+}
+
+void add_triangles(std::span<const Vec3> rim, std::span<const Vec3> normals,
+                   std::span<const std::uint32_t> names, std::vector<Triangle>& triangles) {
+  if (rim.size() <= kMostPlaces) {
+    std::vector<Triangle> own;
+    Triangulation(rim, normals).collect(own);
+    for (const Triangle& t : own) triangles.push_back({names[t[0]], names[t[1]], names[t[2]]});
+    return;
+  }
+  const auto [from, to] = shortest_chord(rim);
+  for (const bool inner : {true, false}) {
+    std::vector<Vec3> places, across;
+    std::vector<std::uint32_t> own;
+    const std::size_t begin = inner ? from : to, count = inner ? to - from + 1 : rim.size() - to + from + 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t at = (begin + i) % rim.size();
+      places.push_back(rim[at]);
+      across.push_back(i + 1 < count ? normals[at] : Vec3{});
+      own.push_back(names[at]);
+    }
+    add_triangles(places, across, own, triangles);
+  }
+}
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
+}
+
+/// The end of an edge on a rim, and the triangle that it belongs to.
+struct RimEdge {
+  std::uint32_t to = 0, triangle = 0;
+};
+/// By the vertex where they start, in a fixed order.
+using Rim = std::multimap<std::uint32_t, RimEdge>;
+
+Rim rim_of(const Mesh& mesh) {
+  // What is left of an edge when those that run to and fro along it are taken from each other: walls that two
+  // bodies share end there together, and are no rim.
+  std::unordered_map<std::uint64_t, int> upwards;
+  const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
+  for (const Triangle& t : mesh.triangles)
+    for (std::size_t k = 0; k < 3; ++k) upwards[edge_key(t[k], t[(k + 1) % 3])] += step(t[k], t[(k + 1) % 3]);
+  Rim rim;
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = mesh.triangles[i][k], to = mesh.triangles[i][(k + 1) % 3];
+      int& left = upwards[edge_key(from, to)];
+      if (left * step(from, to) <= 0) continue;
+      rim.emplace(from, RimEdge{to, i});
+      left -= step(from, to);
+    }
+  return rim;
+}
+
+Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3 a = mesh.vertices_m[t[0]];
+  return unit(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+}
+
+/// A vertex of a rim and the normal at the edge that starts there.
+struct RimPlace {
+  std::uint32_t vertex = 0;
+  Vec3 normal;
+};
+
+/// Returns the number of triangles added.
+std::size_t close(Mesh& mesh, std::span<const RimPlace> loop) {
+  const std::size_t before = mesh.triangles.size();
+  std::vector<Vec3> rim, normals;
+  std::vector<std::uint32_t> names;
+  for (const RimPlace& place : loop) {
+    rim.push_back(mesh.vertices_m[place.vertex]);
+    normals.push_back(place.normal);
+    names.push_back(place.vertex);
+  }
+  add_triangles(rim, normals, names, mesh.triangles);
+  return mesh.triangles.size() - before;
+}
+
+}  // namespace
+
+std::vector<Triangle> triangulated_hole(std::span<const Vec3> rim, std::span<const Vec3> normals) {
+  std::vector<std::uint32_t> names(rim.size());
+  std::iota(names.begin(), names.end(), 0U);
+  std::vector<Triangle> triangles;
+  add_triangles(rim, normals, names, triangles);
+  return triangles;
+}
+
+std::size_t close_holes(Mesh& mesh) {
+  Rim rim = rim_of(mesh);
+  std::size_t closed = 0;
+  // As many rims end at a vertex as start there, so each way along them comes back to where it has been.
+  while (!rim.empty()) {
+    std::vector<RimPlace> way{{rim.begin()->first, {}}};
+    for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find(way.back().vertex)) {
+      const RimEdge next = edge->second;
+      way.back().normal = normal_of(mesh, next.triangle);
+      rim.erase(edge);
+      const auto before = std::find_if(way.begin(), way.end(),
+                                       [&](const RimPlace& place) { return place.vertex == next.to; });
+      if (before == way.end()) {
+        way.push_back({next.to, {}});
+        continue;
+      }
+      const auto length = static_cast<std::size_t>(way.end() - before);
+      // Slits without an area, where one edge meets several in a row, are no holes.
+      if (length >= 3 && close(mesh, std::span<const RimPlace>(way).last(length)) > 0) ++closed;
+      way.erase(before + 1, way.end());
+    }
+  }
+  return closed;
+}
+
+}  // namespace palpable::sculpt
