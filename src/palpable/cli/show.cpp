@@ -8,6 +8,7 @@
 #include "palpable/draw/height_view.hpp"
 #include "palpable/draw/marks_view.hpp"
 #include "palpable/draw/section_view.hpp"
+#include "palpable/draw/solid_view.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 
@@ -25,6 +26,7 @@ struct Arguments {
   std::string view;
   LawArguments law;
   std::optional<double> cut_mm;
+  draw::SolidViewOptions solid;
   bool picture = false;
 };
 
@@ -133,8 +135,18 @@ Result<draw::Figure> field_section(const Arguments& arguments, const models::Sce
   return draw::field_section_figure(field, cut_m, heading_of(arguments, scene, "cut from left to right"));
 }
 
+Result<draw::Figure> solid_picture(const Arguments& arguments, const models::Scene& scene) {
+  const draw::Heading heading = heading_of(arguments, scene, "solid");
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
+    return draw::solid_figure(*field, arguments.solid, heading);
+  if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
+    return draw::solid_figure(*dense, arguments.solid, heading);
+  return Error{ErrorCode::usage, "only a scene with a field has this view", "--view"};
+}
+
 Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene& scene,
                                 const models::Relief& relief) {
+  if (arguments.view == "solid") return solid_picture(arguments, scene);
   if (arguments.view == "contours") return contours_picture(arguments, scene);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
       field != nullptr && arguments.view == "section")
@@ -188,10 +200,14 @@ void add_show(Program& program) {
                   [arguments](Console& /*console*/) { return show(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
-  options.choice("--view", arguments->view, {"relief", "depth", "force", "section", "contours", "regions"},
-                 "What is drawn");
+  options.choice("--view", arguments->view,
+                 {"relief", "depth", "force", "section", "solid", "contours", "regions"}, "What is drawn");
   options.number("--at", arguments->cut_mm, {-500.0, 500.0},
                  "Section: where to cut, mm above the middle (else through the top)");
+  options.number("--turn", arguments->solid.azimuth_deg, {-180.0, 180.0},
+                 "Solid: seen from so many degrees to the right of its front");
+  options.number("--tilt", arguments->solid.elevation_deg, {-89.0, 89.0},
+                 "Solid: seen from so many degrees above");
   options.flag("--picture", arguments->picture, "Relief: lay the scene's picture on it");
   add_law_options(options, arguments->law);
 }

@@ -3,16 +3,15 @@
 #include "palpable/draw/figure.hpp"
 
 #include "palpable/core/read_file.hpp"
-#include "palpable/draw/canvas.hpp"
 #include "palpable/draw/force_view.hpp"
 #include "palpable/draw/height_view.hpp"
 #include "palpable/draw/section_view.hpp"
 #include "palpable/draw/sheet.hpp"
+#include "palpable/draw/test_pixels.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -42,29 +41,6 @@ models::Relief hill() {
     }
   return *models::Relief::from_samples(std::move(height), 0.1 / 160);
 }
-
-/// The colour in the middle of `area`, painted by `figure` on an image of its size.
-Rgb8 colour_at(const Figure& figure, Spot spot) {
-  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, figure.width_px, figure.height_px),
-      &cairo_surface_destroy);
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()),
-                                                                   &cairo_destroy);
-  Canvas canvas(context.get());
-  canvas.fill({0.0, 0.0, static_cast<double>(figure.width_px), static_cast<double>(figure.height_px)},
-              {255, 255, 255});
-  figure.paint(canvas);
-  EXPECT_STREQ(cairo_status_to_string(cairo_status(context.get())), "no error has occurred");
-  cairo_surface_flush(surface.get());
-  const auto* row = reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface.get()) +
-                                                           static_cast<std::ptrdiff_t>(spot.y) *
-                                                               cairo_image_surface_get_stride(surface.get()));
-  const std::uint32_t p = row[static_cast<std::ptrdiff_t>(spot.x)];
-  return {static_cast<std::uint8_t>(p >> 16U), static_cast<std::uint8_t>(p >> 8U),
-          static_cast<std::uint8_t>(p)};
-}
-
-double luma(Rgb8 c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; }
 
 TEST_F(Figures, AreWrittenInTheFormatThatTheNameEndsIn) {
   const auto relief = hill();
