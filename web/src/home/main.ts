@@ -171,6 +171,7 @@ class TouchPage implements KeyTarget {
     this.stage.set(settings.touch.exaggeration, settings.page);
     this.voice.set(settings.page.speech);
     this.feedback.set(settings.page);
+    this.readouts.redraw();
     element<HTMLButtonElement>('undo').disabled = !this.store.canUndo;
     element<HTMLButtonElement>('redo').disabled = !this.store.canRedo;
     if (this.store.wasUsed) document.cookie = preferencesCookie(settings.page);

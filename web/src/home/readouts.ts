@@ -21,6 +21,10 @@ export class Readouts {
   private renewing = false;
   private plottedAt = -Infinity;
 
+  constructor() {
+    new ResizeObserver(() => this.plot.draw()).observe(element('plot'));
+  }
+
   setDevice(device: string): void {
     this.device = device;
   }
@@ -37,6 +41,11 @@ export class Readouts {
       this.renewing = false;
       this.renew(performance.now());
     }, figuresEvery);
+  }
+
+  /** In the colours of now. */
+  redraw(): void {
+    this.plot.draw();
   }
 
   stance({ x, y, heading }: Stance): void {
