@@ -5,5 +5,7 @@
 /** Milliseconds between two updates of figures: ten a second can be read, and leave the machine to the servo. */
 export const figuresEvery = 100;
 
-/** Metres as millimetres with one digit after the point. */
-export const millimetreFigure = (metres: number) => (metres * 1000).toFixed(1).replace(/^-0\.0$/, '0.0');
+/** Metres as millimetres with one digit after the point, with two on scenes smaller than 50 mm (`scale`: Surface.scale). */
+export function millimetreFigure(metres: number, scale = 1): string {
+  return (metres * 1000).toFixed(scale < 0.5 ? 2 : 1).replace(/^-(0\.0+)$/, '$1');
+}

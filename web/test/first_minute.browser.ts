@@ -183,3 +183,28 @@ describe('a scene of contours', () => {
     }
   });
 });
+
+describe('scenes of other sizes', () => {
+  it.each([
+    { millimetres: 5, step: '0.05\u00A0mm', position: '0.25, 0.00' },
+    { millimetres: 1000, step: '10\u00A0mm', position: '50.0, 0.0' },
+  ])('$millimetres mm: steps, marble and camera follow', async ({ millimetres, step, position }) => {
+    const folder = mkdtempSync(join(tmpdir(), 'palpable-size-'));
+    const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => `v ${x} ${y} ${z}`)));
+    const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`);
+    writeFileSync(join(folder, 'box.obj'), [...corners, ...faces, ''].join('\n'));
+    const own = await startProgram({ instead: ['touch', join(folder, 'box.obj'), '--resolution', '32', '--size', `${millimetres}x${millimetres}x${millimetres}`] });
+    try {
+      const { page, context } = await openPage(browser, own.address);
+      expect(await page.locator('#step-fine').textContent()).toBe(step);
+      await page.keyboard.press('Shift+ArrowRight');
+      await page.waitForFunction((wanted) => document.getElementById('read-position')?.textContent === wanted, position);
+      await page.waitForFunction(() => Number(document.getElementById('read-force')?.textContent) > 0.05);
+      await keepPicture(page, `scene-of-${millimetres}-mm`);
+      await context.close();
+    } finally {
+      await own.stop();
+      rmSync(folder, { recursive: true, force: true });
+    }
+  });
+});

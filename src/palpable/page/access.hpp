@@ -13,7 +13,7 @@ namespace palpable::page {
 /// 128 bits of the operating system's randomness as 32 hexadecimal digits. Errors: no randomness to be had.
 Result<std::string> random_secret();
 
-/// Compares without telling by its time how much was right.
+/// Compares in a time that does not depend on how much of it is right.
 bool same_secret(std::string_view a, std::string_view b);
 
 /// The value of the cookie `name` in a Cookie header's value; empty if it is not there.

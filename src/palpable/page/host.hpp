@@ -55,7 +55,7 @@ class PageHost {
   virtual void change(const protocol::Change& change) = 0;
   /// Likewise, for one material.
   virtual void edit(const protocol::Edit& edit) = 0;
-  /// Writes the scene into a file, later; a notice tells where, or why not.
+  /// Writes the scene into a file, later; a notice says where, or why not.
   virtual void save() = 0;
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;

@@ -20,7 +20,7 @@ Reply not_from_here() {
 
 }  // namespace
 
-// Browsers share cookies between the ports of a host: the name tells two sessions apart.
+// Browsers share cookies between the ports of a host: the name keeps two sessions apart.
 std::string RequestHandler::cookie_name() const { return "palpable_" + std::to_string(port_); }
 
 bool RequestHandler::admitted(const Request& request) const {

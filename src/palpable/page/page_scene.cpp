@@ -23,7 +23,7 @@ std::string name_of(const models::Scene& scene) {
   return name.empty() ? models::kind_of(scene.model) : name;
 }
 
-// Sampled where the page's points stand: the same surface that is felt, not its control values.
+// Sampled at the page's points: the surface that is touched, not its control values.
 Raster<float> sampled(const models::Relief& relief) {
   const int longest = std::max(relief.samples_m().width(), relief.samples_m().height());
   const double shrink = std::min(1.0, static_cast<double>(kLongestSide) / longest);

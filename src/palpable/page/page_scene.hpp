@@ -12,8 +12,8 @@
 
 namespace palpable::page {
 
-/// A scene as the page shows it: heights as they are felt, at most 640 on the longer side. Kinds of models
-/// that have no height over each place show a level surface at their base.
+/// A scene as the page shows it: heights of the surface that is touched, at most 640 on the longer side.
+/// Kinds of models that have no height over each place show a level surface at their base.
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
                                             const std::string& name);
 

@@ -10,7 +10,7 @@ namespace palpable::page {
 enum class Verdict { accept, drop, disconnect };
 
 struct RateLimits {
-  /// Ten probes told sixty times a second, and pages for the rest.
+  /// Ten probes sixty times a second, and room for the rest.
   double per_s = 1000.0;
   double burst = 1000.0;
   /// After so many messages dropped without a pause of a second, the client is disconnected.

@@ -30,7 +30,7 @@ namespace websocket = boost::beast::websocket;
 using tcp = boost::asio::ip::tcp;
 using Json = nlohmann::json;
 
-// A touch without a servo: remembers what it was told. Used by the server's thread, then read by the test.
+// A touch without a servo: remembers what it was sent. Used by the server's thread, then read by the test.
 class FakeHost final : public PageHost {
  public:
   FakeHost() {
@@ -148,9 +148,9 @@ Response ask(const ServedPage& page, http::verb method, const std::string& targe
   return parser.release();
 }
 
-// What the server answers to a wish for a WebSocket.
-unsigned knock(const ServedPage& page, const std::string& cookie, const std::string& origin,
-               const std::string& host = {}) {
+// What the server answers to a request for a WebSocket.
+unsigned upgrade_status(const ServedPage& page, const std::string& cookie, const std::string& origin,
+                        const std::string& host = {}) {
   return ask(page, http::verb::get, "/socket", {},
              {{http::field::cookie, cookie},
               {http::field::origin, origin},
@@ -170,10 +170,10 @@ std::string cookie_of(const ServedPage& page) {
 }
 
 // A page as the server sees one.
-class Visitor {
+class TestPage {
  public:
-  explicit Visitor(const ServedPage& page) : Visitor(page, cookie_of(page)) {}
-  Visitor(const ServedPage& page, const std::string& cookie) {
+  explicit TestPage(const ServedPage& page) : TestPage(page, cookie_of(page)) {}
+  TestPage(const ServedPage& page, const std::string& cookie) {
     socket_.next_layer().connect(tcp::endpoint(asio::ip::address_v4::loopback(), page.port));
     socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
       request.set(http::field::origin, page.own_origin());
@@ -239,61 +239,61 @@ TEST(PageServer, RefusesForeignHostsAndOrigins) {
           .result_int(),
       403U);
   const std::string cookie = cookie_of(page);
-  EXPECT_EQ(knock(page, cookie, "http://evil.example"), 403U);
-  EXPECT_EQ(knock(page, cookie, {}), 403U);
-  EXPECT_EQ(knock(page, cookie, page.own_origin(), "rebound.example"), 403U);
-  EXPECT_EQ(knock(page, {}, page.own_origin()), 401U);
-  EXPECT_EQ(knock(page, cookie + "0", page.own_origin()), 401U);
-  EXPECT_EQ(knock(page, cookie, page.own_origin()), 101U);
+  EXPECT_EQ(upgrade_status(page, cookie, "http://evil.example"), 403U);
+  EXPECT_EQ(upgrade_status(page, cookie, {}), 403U);
+  EXPECT_EQ(upgrade_status(page, cookie, page.own_origin(), "rebound.example"), 403U);
+  EXPECT_EQ(upgrade_status(page, {}, page.own_origin()), 401U);
+  EXPECT_EQ(upgrade_status(page, cookie + "0", page.own_origin()), 401U);
+  EXPECT_EQ(upgrade_status(page, cookie, page.own_origin()), 101U);
 }
 
-TEST(PageServer, TellsTheSceneThenStatesAndObeys) {
+TEST(PageServer, SendsTheSceneThenStatesAndCarriesOutMessages) {
   const ServedPage page;
-  Visitor visitor(page);
-  EXPECT_EQ(Json::parse(visitor.read())["type"], "hello");
-  EXPECT_EQ(Json::parse(visitor.read())["laws"][0]["name"], "proxy");
-  EXPECT_EQ(Json::parse(visitor.read())["type"], "scene");
-  EXPECT_EQ(visitor.read().substr(0, 4), "PLP1");
-  EXPECT_EQ(Json::parse(visitor.read())["type"], "settings");
-  visitor.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
-  Json state = visitor.read_until("state");
-  while (!state.is_null() && state["probes"][0]["x_m"] != 0.03) state = visitor.read_until("state");
+  TestPage client(page);
+  EXPECT_EQ(Json::parse(client.read())["type"], "hello");
+  EXPECT_EQ(Json::parse(client.read())["laws"][0]["name"], "proxy");
+  EXPECT_EQ(Json::parse(client.read())["type"], "scene");
+  EXPECT_EQ(client.read().substr(0, 4), "PLP1");
+  EXPECT_EQ(Json::parse(client.read())["type"], "settings");
+  client.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
+  Json state = client.read_until("state");
+  while (!state.is_null() && state["probes"][0]["x_m"] != 0.03) state = client.read_until("state");
   EXPECT_EQ(state["probes"][0]["x_m"], 0.03);
   const auto change = [](const std::string& law, int serial) {
     return R"({"type":"change","serial":)" + std::to_string(serial) + R"(,"law":")" + law +
            R"(","parameters":[],"exaggeration":2})";
   };
-  visitor.send(change("fly", 5));
-  EXPECT_EQ(visitor.read_until("notice")["text"], "there is no such law");
-  const Json refused = visitor.read_until("settings");
+  client.send(change("fly", 5));
+  EXPECT_EQ(client.read_until("notice")["text"], "there is no such law");
+  const Json refused = client.read_until("settings");
   EXPECT_EQ(refused["exaggeration"], 0.0);
   EXPECT_EQ(refused["answers"], 5);
-  visitor.send(change("proxy", 6));
-  EXPECT_EQ(visitor.read_until("settings")["exaggeration"], 2.0);
+  client.send(change("proxy", 6));
+  EXPECT_EQ(client.read_until("settings")["exaggeration"], 2.0);
 }
 
 TEST(PageServer, SendsAStateASecondWhileNothingChanges) {
   const ServedPage page;
-  Visitor visitor(page);
-  const Json first = visitor.read_until("state");
-  const Json second = visitor.read_until("state");
+  TestPage client(page);
+  const Json first = client.read_until("state");
+  const Json second = client.read_until("state");
   // The host is asked 60 times a second; its clock counts the questions.
   EXPECT_GT(second["t_s"].get<double>() - first["t_s"].get<double>(), 10.0);
-  visitor.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
-  EXPECT_EQ(visitor.read_until("state")["probes"][0]["x_m"], 0.03);
+  client.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
+  EXPECT_EQ(client.read_until("state")["probes"][0]["x_m"], 0.03);
 }
 
 TEST(PageServer, SaysWhichPageMovedAProbe) {
   const ServedPage page;
   const std::string cookie = cookie_of(page);
-  Visitor first(page, cookie);
-  Visitor second(page, cookie);
+  TestPage first(page, cookie);
+  TestPage second(page, cookie);
   const Json one = first.read_until("hello")["page"];
   const Json other = second.read_until("hello")["page"];
   EXPECT_NE(one, other);
   EXPECT_TRUE(first.read_until("state")["probes"][0]["page"].is_null());
-  const auto comes = [](Visitor& visitor, const Json& mover) {
-    for (Json state = visitor.read_until("state"); !state.is_null(); state = visitor.read_until("state"))
+  const auto comes = [](TestPage& client, const Json& mover) {
+    for (Json state = client.read_until("state"); !state.is_null(); state = client.read_until("state"))
       if (state["probes"][0]["page"] == mover) return true;
     return false;
   };
@@ -311,10 +311,10 @@ void wait_until_lifted(const FakeHost& host, int wanted) {
 TEST(PageServer, LiftsTheProbesOfAPageThatLeavesAndNoOthers) {
   const ServedPage page;
   const std::string cookie = cookie_of(page);
-  Visitor stays(page, cookie);
+  TestPage stays(page, cookie);
   stays.send(R"({"type":"pointer","probe":2,"x_m":0,"y_m":0,"press_m":0})");
   {
-    Visitor leaves(page, cookie);
+    TestPage leaves(page, cookie);
     leaves.send(R"({"type":"pointer","probe":0,"x_m":0,"y_m":0,"press_m":0})");
     leaves.send(R"({"type":"pointer","probe":1,"x_m":0,"y_m":0,"press_m":0})");
     leaves.send(R"({"type":"pointer","probe":4,"x_m":0,"y_m":0,"press_m":0})");
@@ -327,36 +327,36 @@ TEST(PageServer, LiftsTheProbesOfAPageThatLeavesAndNoOthers) {
   wait_until_lifted(page.host, (1 << 4) + (1 << 1) + (1 << 2));
 }
 
-TEST(PageServer, ShowsJunkOutWithAReason) {
+TEST(PageServer, DisconnectsAPageThatSendsJunkWithAReason) {
   const ServedPage page;
   const std::string cookie = cookie_of(page);
-  Visitor text(page, cookie);
+  TestPage text(page, cookie);
   text.send("not json");
   auto reason = text.read_to_the_end();
   EXPECT_EQ(reason.code, websocket::close_code::policy_error);
   EXPECT_EQ(reason.reason, "the message is not a JSON object, or too deep");
-  Visitor binary(page, cookie);
+  TestPage binary(page, cookie);
   binary.send("PLP1", true);
   EXPECT_EQ(binary.read_to_the_end().code, websocket::close_code::unknown_data);
-  Visitor big(page, cookie);
+  TestPage big(page, cookie);
   big.send(std::string(100000, ' '));
   // The server refuses it by its length alone and closes with the rest unread: where the kernel answers that
   // with a reset, the reason does not arrive, but the end does.
   EXPECT_THAT(big.read_to_the_end().code,
               testing::AnyOf(websocket::close_code::too_big, websocket::close_code::none));
-  Visitor after(page, cookie);
+  TestPage after(page, cookie);
   after.send("not json");
   EXPECT_EQ(after.read_to_the_end().code, websocket::close_code::policy_error);
 }
 
-TEST(PageServer, DropsAFloodThenShowsItOut) {
+TEST(PageServer, DropsAFloodThenDisconnectsIt) {
   ServeOptions options;
   options.rate = {.per_s = 100, .burst = 20, .most_drops = 100};
   const ServedPage page(options);
-  Visitor visitor(page);
-  for (int i = 0; i < 2000 && !visitor.failed(); ++i)
-    visitor.send(R"({"type":"pointer","probe":0,"x_m":0,"y_m":0,"press_m":0})");
-  EXPECT_EQ(visitor.read_to_the_end().reason, "too many messages");
+  TestPage client(page);
+  for (int i = 0; i < 2000 && !client.failed(); ++i)
+    client.send(R"({"type":"pointer","probe":0,"x_m":0,"y_m":0,"press_m":0})");
+  EXPECT_EQ(client.read_to_the_end().reason, "too many messages");
   EXPECT_LT(page.host.moves, 1000);
 }
 
@@ -366,9 +366,9 @@ TEST(PageServer, TellsAPageBeyondTheLimitOfTheLimit) {
   const ServedPage page(options);
   const std::string cookie = cookie_of(page);
   {
-    Visitor first(page, cookie);
+    TestPage first(page, cookie);
     ASSERT_EQ(Json::parse(first.read())["type"], "hello");
-    EXPECT_EQ(knock(page, cookie, page.own_origin()), 503U);
+    EXPECT_EQ(upgrade_status(page, cookie, page.own_origin()), 503U);
     const auto refused = ask(page, http::verb::get, "/session", {}, {{http::field::cookie, cookie}});
     EXPECT_EQ(refused.result_int(), 503U);
     EXPECT_EQ(refused.body(),
@@ -409,14 +409,14 @@ TEST(PageServer, SaysThatAPortIsInUse) {
                 ": in use by another program; choose another with --port, or leave it out for any free one");
 }
 
-TEST(PageServer, SaysGoodbyeWhenTheSessionEnds) {
-  std::optional<Visitor> visitor;
+TEST(PageServer, SaysThatTheSessionHasEnded) {
+  std::optional<TestPage> client;
   {
     const ServedPage page;
-    visitor.emplace(page);
-    ASSERT_EQ(Json::parse(visitor->read())["type"], "hello");
+    client.emplace(page);
+    ASSERT_EQ(Json::parse(client->read())["type"], "hello");
   }
-  EXPECT_EQ(visitor->read_to_the_end().reason, "the session has ended");
+  EXPECT_EQ(client->read_to_the_end().reason, "the session has ended");
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // The page of a touch: wires the socket, the stage, the settings, the keys, what is heard and what is said.
 import type { HeightsFrame, PictureFrame } from '../codec';
 import { element } from '../dom';
-import { protocolVersion, type Hello, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
+import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
 import { pace, turnBy } from '../probe/explorer';
 import { bindPointers } from '../probe/pointers';
 import { ProbeActions } from '../probe/probe_actions';
@@ -17,16 +17,18 @@ import { SettingsStore } from '../settings/settings_store';
 import { Importance } from '../sound/announcer';
 import { Feedback } from '../sound/feedback';
 import { Voice } from '../sound/voice';
-import { Surface } from '../surface';
+import type { Surface } from '../surface';
 import { TracePanel } from '../trace/trace_panel';
 import { Stage } from '../view/stage';
+import { bindButtons, bindWindow } from './bindings';
 import { Connection, type Loss } from './connection';
 import { FrameLoop } from './frame_loop';
 import { fillHelp, showHelp, showSteps } from './help';
-import { press, undoKey, type KeyTarget, type Move } from './keys';
+import { press, type KeyTarget, type Move } from './keys';
 import { Narrator } from './narrator';
 import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
+import { SceneFrames } from './scene_frames';
 import { ViewActions } from './view_actions';
 
 const initial: Settings = { touch: { law: '', set: {}, exaggeration: 1 }, page: readPreferences(document.cookie), materials: [] };
@@ -52,7 +54,8 @@ class TouchPage implements KeyTarget {
   private readonly readouts = new Readouts();
   private readonly probes = new Probes();
   private readonly own = this.probes.own;
-  private readonly narrator = new Narrator(this.probes, () => this.exaggeration());
+  private readonly loaded = new SceneFrames();
+  private readonly narrator = new Narrator(this.loaded, this.probes, () => this.exaggeration());
   private readonly actions = new ProbeActions(this.probes, {
     surface: () => this.surface,
     say: (words, importance) => this.voice.say(words, importance),
@@ -75,6 +78,7 @@ class TouchPage implements KeyTarget {
     overlay: (points) => this.stage.line(points),
   });
   private readonly motion = new ProbeMotion(this.probes, this.narrator, this.walking, this.feedback, {
+    surface: () => this.surface,
     connected: () => this.connected,
     exaggeration: () => this.exaggeration(),
     device: () => this.hello?.device ?? 'a device',
@@ -85,16 +89,13 @@ class TouchPage implements KeyTarget {
   });
   private readonly picture = new ViewActions(this.stage, (words) => this.voice.say(words, Importance.answer));
   private hello: Hello | null = null;
-  private image: PictureFrame | null = null;
-  private cells: PictureFrame | null = null;
   private paused = false;
   /** While the program is not, nothing is felt, moved or heard. */
   private connected = false;
 
   start(): void {
     this.bindStage();
-    this.bindButtons();
-    this.bindWindow();
+    this.bindAll();
     fillHelp();
     this.apply();
     void this.connection.run();
@@ -237,7 +238,7 @@ class TouchPage implements KeyTarget {
         this.controls.setLaws(message.laws);
         return this.materials.show(this.store.settings, this.controls.law());
       case 'scene':
-        this.narrator.scene = message;
+        this.loaded.scene = message;
         element('scene-name').textContent = message.name;
         this.trace.scene(message.kind, message.width_m, message.depth_m);
         this.controls.offerCells(message.cells !== null);
@@ -271,24 +272,19 @@ class TouchPage implements KeyTarget {
   }
 
   private receiveRaster(frame: HeightsFrame | PictureFrame): void {
-    const { scene } = this;
-    if (scene === null || frame.scene !== scene.scene) return;
+    const first = this.surface === null;
+    if (!this.loaded.take(frame)) return;
+    const { scene, surface, picture, cells } = this.loaded;
+    if (surface === null || scene === null) return;
     if (frame.kind === 'heights') {
-      const first = this.surface === null;
-      this.narrator.surface = new Surface(frame.columns, frame.rows, frame.heights, scene.width_m, scene.depth_m);
-      this.image = this.cells = null;
-      this.own.setScale(this.narrator.surface.scale);
-      showSteps(this.narrator.surface.scale);
+      this.own.setScale(surface.scale);
+      this.readouts.scale = surface.scale;
+      showSteps(surface.scale);
       this.stage.element.setAttribute('aria-label', `Relief of ${scene.name} to touch`);
       if (first) this.ready(scene.name);
-    } else if (frame.kind === 'cells') {
-      this.cells = frame;
-    } else {
-      this.image = frame;
     }
-    if (this.surface === null || (scene.has_picture && this.image === null)) return;
-    if (scene.cells !== null && this.cells === null) return;
-    this.stage.show(this.surface, this.image, this.cells);
+    if (!this.loaded.isComplete) return;
+    this.stage.show(surface, picture, cells);
     this.walking.show();
     this.showProbes();
   }
@@ -316,10 +312,10 @@ class TouchPage implements KeyTarget {
   // The probes.
 
   private get surface(): Surface | null {
-    return this.narrator.surface;
+    return this.loaded.surface;
   }
-  private get scene(): Narrator['scene'] {
-    return this.narrator.scene;
+  private get scene(): Scene | null {
+    return this.loaded.scene;
   }
   private exaggeration(): number {
     return this.store.settings.touch.exaggeration;
@@ -370,7 +366,7 @@ class TouchPage implements KeyTarget {
     void this.feedback.sound.wake().then(() => this.offerSound());
   }
 
-  private bindButtons(): void {
+  private bindAll(): void {
     const actions: Record<string, () => void> = {
       pause: () => this.pause(),
       recentre: () => this.recentre(),
@@ -393,11 +389,12 @@ class TouchPage implements KeyTarget {
       'region-here': () => this.editHere(),
       save: () => this.connection.send({ type: 'save' }),
     };
-    for (const [id, act] of Object.entries(actions))
-      element(id).addEventListener('click', () => {
-        act();
-        this.wake();
-      });
+    bindButtons(actions, () => this.wake());
+    bindWindow({
+      visibilityChanged: (visible) => this.connection.send({ type: 'visible', visible }),
+      coloursChanged: () => this.apply(),
+      undoOrRedo: (which) => this.undoOrRedo(which),
+    });
   }
 
   private editHere(): void {
@@ -409,18 +406,6 @@ class TouchPage implements KeyTarget {
     this.store.reset();
     this.apply();
     this.voice.say('All settings are as at the start.', Importance.answer);
-  }
-
-  private bindWindow(): void {
-    document.addEventListener('visibilitychange', () => this.connection.send({ type: 'visible', visible: !document.hidden }));
-    for (const query of ['(prefers-color-scheme: dark)', '(prefers-contrast: more)', '(forced-colors: active)'])
-      matchMedia(query).addEventListener('change', () => this.apply());
-    document.addEventListener('keydown', (event) => {
-      const which = undoKey(event);
-      if (which === null) return;
-      event.preventDefault();
-      this.undoOrRedo(which);
-    });
   }
 }
 

@@ -1,35 +1,37 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // What the page says of the chosen probe and of the scene, when asked and while the probe moves.
-import type { ProbeState, Scene } from '../generated/protocol';
+import type { ProbeState } from '../generated/protocol';
 import type { Probes } from '../probe/probes';
 import { motionWords, noScene, positionWords, sceneWords } from '../sound/describe';
 import type { Place, Surface } from '../surface';
+import type { SceneFrames } from './scene_frames';
 
 export class Narrator {
-  scene: Scene | null = null;
-  surface: Surface | null = null;
-
   constructor(
+    private readonly frames: SceneFrames,
     private readonly probes: Probes,
     private readonly exaggeration: () => number,
   ) {}
 
   /** What D says. */
   describe(): string {
-    if (this.surface === null || this.scene === null) return noScene;
-    return sceneWords(this.surface, this.scene.name, this.exaggeration(), this.place());
+    const { surface, scene } = this.frames;
+    if (surface === null || scene === null) return noScene;
+    return sceneWords(surface, scene.name, this.exaggeration(), this.place());
   }
   /** What P says. */
   where(): string {
-    if (this.surface === null) return noScene;
-    const { height, slope } = this.ground(this.surface);
-    return this.probes.named(positionWords(this.place(), height, slope, this.label(), this.surface));
+    const { surface } = this.frames;
+    if (surface === null) return noScene;
+    const { height, slope } = this.ground(surface);
+    return this.probes.named(positionWords(this.place(), height, slope, this.label(), surface));
   }
   /** What the surface is like under the chosen probe. */
   motion(): string {
-    if (this.surface === null) return '';
-    const { height, slope } = this.ground(this.surface);
+    const { surface } = this.frames;
+    if (surface === null) return '';
+    const { height, slope } = this.ground(surface);
     return motionWords(height, slope, this.label());
   }
   press(): string {
@@ -43,7 +45,7 @@ export class Narrator {
   }
   /** Empty where the region has no name. */
   labelOf(state: ProbeState | undefined): string {
-    return (state && this.scene?.labels[state.label]) ?? '';
+    return (state && this.frames.scene?.labels[state.label]) ?? '';
   }
 
   private label(): string {

@@ -11,6 +11,7 @@ import type { Move } from './keys';
 import type { Narrator } from './narrator';
 
 export interface MotionPage {
+  surface(): Surface | null;
   connected(): boolean;
   exaggeration(): number;
   /** The name of what moves the first probe where this page does not. */
@@ -38,7 +39,7 @@ export class ProbeMotion {
 
   /** By a key, on a scene of a tenth of a metre; larger and smaller ones are stepped over alike. */
   move(by: Move): void {
-    const { surface } = this.narrator;
+    const surface = this.page.surface();
     if (surface === null) return;
     const { own } = this.probes;
     if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
@@ -61,7 +62,7 @@ export class ProbeMotion {
 
   /** Moves the marbles on and sends their places; true while they move. */
   advance(now: number, passed: number | null): boolean {
-    const { surface } = this.narrator;
+    const surface = this.page.surface();
     if (surface === null || !this.page.connected()) return false;
     const { own } = this.probes;
     if (own.several && now - this.sentAt < sendEvery) return true;
@@ -85,7 +86,7 @@ export class ProbeMotion {
 
   /** The tone of the chosen probe's place: what sound is like here. */
   sample(): void {
-    const { surface } = this.narrator;
+    const surface = this.page.surface();
     if (surface !== null) this.feedback.moved(this.probes.own.chosen, this.narrator.place(), surface, this.page.exaggeration());
   }
 }

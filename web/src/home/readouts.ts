@@ -16,6 +16,8 @@ export class Readouts {
   private readonly plot = new ForcePlot(element<HTMLCanvasElement>('plot'));
   private readonly calm = matchMedia('(prefers-reduced-motion: reduce)');
   private device = '';
+  /** Of the surface. */
+  scale = 1;
   private rate = 0;
   private shown: ProbeState | null = null;
   private renewing = false;
@@ -82,10 +84,11 @@ export class Readouts {
   private renew(now: number): void {
     if (this.shown === null) return;
     const { x_m, y_m, surface_m } = this.shown;
-    write('read-position', `${millimetreFigure(x_m)}, ${millimetreFigure(y_m)}`);
-    write('read-height', millimetreFigure(surface_m));
+    write('read-position', `${millimetreFigure(x_m, this.scale)}, ${millimetreFigure(y_m, this.scale)}`);
+    write('read-height', millimetreFigure(surface_m, this.scale));
     write('read-force', newtons(this.shown).toFixed(2));
-    const parts = [`Force ${Math.round(this.rate)} times a second`, this.device];
+    // Rounded, so that it changes only when it means something: each change is drawn.
+    const parts = [`Force ${10 * Math.round(this.rate / 10)} times a second`, this.device];
     write('rates', parts.filter((part) => part !== '').join(' · '));
     write('plot-words', `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`);
     if (now - this.plottedAt < (this.calm.matches ? calmPlotEvery : plotEvery) || this.plot.isLevel()) return;

@@ -71,7 +71,7 @@ export class ProbeActions implements ProbesTarget {
     const now = performance.now();
     if (now - this.shownAt < figuresEvery) return;
     this.shownAt = now;
-    this.panel.show(this.probes.states);
+    this.panel.show(this.probes.states, this.page.surface()?.scale);
   }
   /** Nothing is known any more. */
   blank(): void {

@@ -37,12 +37,12 @@ export class ProbesPanel {
   }
 
   /** A row for each, once there are several. Cells are kept, so that a reading cursor stays where it is. */
-  show(states: readonly ProbeState[]): void {
+  show(states: readonly ProbeState[], scale = 1): void {
     element('probe-table').hidden = states.length < 2;
     while (this.rows.rows.length > states.length) this.rows.deleteRow(-1);
     while (this.rows.rows.length < states.length) this.rows.append(emptyRow());
     states.forEach((one, k) => {
-      const figures = [one.probe + 1, `${millimetreFigure(one.x_m)}, ${millimetreFigure(one.y_m)}`, millimetreFigure(one.surface_m), newtons(one).toFixed(2)];
+      const figures = [one.probe + 1, `${millimetreFigure(one.x_m, scale)}, ${millimetreFigure(one.y_m, scale)}`, millimetreFigure(one.surface_m, scale), newtons(one).toFixed(2)];
       figures.forEach((figure, column) => {
         const cell = this.rows.rows[k]!.cells[column]!;
         if (cell.textContent !== String(figure)) cell.textContent = String(figure);

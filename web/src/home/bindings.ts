@@ -1,0 +1,33 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Binds the page's buttons and the window's events to what they do.
+import { element } from '../dom';
+import { undoKey } from './keys';
+
+/** By the buttons' ids; `after` is called after each. */
+export function bindButtons(actions: Readonly<Record<string, () => void>>, after: () => void): void {
+  for (const [id, act] of Object.entries(actions))
+    element(id).addEventListener('click', () => {
+      act();
+      after();
+    });
+}
+
+export interface WindowTarget {
+  visibilityChanged(visible: boolean): void;
+  /** The system's colours or contrast have changed. */
+  coloursChanged(): void;
+  undoOrRedo(which: 'undo' | 'redo'): void;
+}
+
+export function bindWindow(target: WindowTarget): void {
+  document.addEventListener('visibilitychange', () => target.visibilityChanged(!document.hidden));
+  for (const query of ['(prefers-color-scheme: dark)', '(prefers-contrast: more)', '(forced-colors: active)'])
+    matchMedia(query).addEventListener('change', () => target.coloursChanged());
+  document.addEventListener('keydown', (event) => {
+    const which = undoKey(event);
+    if (which === null) return;
+    event.preventDefault();
+    target.undoOrRedo(which);
+  });
+}

@@ -1,0 +1,35 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+import { expect, it } from 'vitest';
+import type { HeightsFrame, PictureFrame } from '../codec';
+import type { Scene } from '../generated/protocol';
+import { SceneFrames } from './scene_frames';
+
+const scene: Scene = {
+  type: 'scene', scene: 2, name: 'cone', kind: 'relief', width_m: 0.1, depth_m: 0.1, lowest_m: 0, highest_m: 0.01, has_picture: true, cells: null, labels: [],
+};
+const heights: HeightsFrame = { kind: 'heights', scene: 2, columns: 2, rows: 2, heights: new Float32Array(4) };
+const picture: PictureFrame = { kind: 'picture', scene: 2, columns: 1, rows: 1, rgb: new Uint8Array(3) };
+
+it('a scene is complete when its heights and its picture are there, of this scene and no other', () => {
+  const frames = new SceneFrames();
+  expect(frames.take(heights)).toBe(false);
+  frames.scene = scene;
+  expect(frames.take({ ...heights, scene: 1 })).toBe(false);
+  expect(frames.take(heights)).toBe(true);
+  expect(frames.surface?.width).toBe(0.1);
+  expect(frames.isComplete).toBe(false);
+  frames.take(picture);
+  expect(frames.isComplete).toBe(true);
+  frames.take(heights);
+  expect(frames.isComplete).toBe(false);
+});
+
+it('a field is complete with its cells', () => {
+  const frames = new SceneFrames();
+  frames.scene = { ...scene, has_picture: false, cells: 'The field has 8 cells.' };
+  frames.take(heights);
+  expect(frames.isComplete).toBe(false);
+  frames.take({ ...picture, kind: 'cells' });
+  expect(frames.isComplete).toBe(true);
+});

@@ -1,0 +1,31 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A scene arrives in parts: its description, then its heights, its picture and its cells. Here they come together.
+import type { HeightsFrame, PictureFrame } from '../codec';
+import type { Scene } from '../generated/protocol';
+import { Surface } from '../surface';
+
+export class SceneFrames {
+  scene: Scene | null = null;
+  surface: Surface | null = null;
+  picture: PictureFrame | null = null;
+  cells: PictureFrame | null = null;
+
+  /** Takes a frame; false if it belongs to another scene. */
+  take(frame: HeightsFrame | PictureFrame): boolean {
+    if (this.scene === null || frame.scene !== this.scene.scene) return false;
+    if (frame.kind === 'heights') {
+      this.surface = new Surface(frame.columns, frame.rows, frame.heights, this.scene.width_m, this.scene.depth_m);
+      this.picture = this.cells = null;
+    } else {
+      this[frame.kind] = frame;
+    }
+    return true;
+  }
+
+  /** Whether nothing is missing that the scene has. */
+  get isComplete(): boolean {
+    const { scene, surface, picture, cells } = this;
+    return scene !== null && surface !== null && (!scene.has_picture || picture !== null) && (scene.cells === null || cells !== null);
+  }
+}
