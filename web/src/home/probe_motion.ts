@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The probes of this page on their way: moved by keys, sent to the program, heard.
 import type { FromPage } from '../generated/protocol';
+import { pressScale } from '../probe/page_probe';
 import type { Probes } from '../probe/probes';
 import type { Walking } from '../probe/walking';
 import { Importance, type Words } from '../sound/announcer';
@@ -45,7 +46,7 @@ export class ProbeMotion {
     if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
     // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
     const way = this.walking.inScene({ x: by.x * surface.scale, y: by.y * surface.scale });
-    const free = own.current.step(way.x, way.y, by.press * Math.min(1, surface.scale), surface, performance.now());
+    const free = own.current.step(way.x, way.y, by.press * pressScale(surface.scale), surface, performance.now());
     this.page.moves();
     this.page.say(() => this.probes.named(by.press !== 0 ? this.narrator.press() : `${free ? '' : 'Rim of the scene, '}${this.narrator.motion()}`), Importance.motion);
   }

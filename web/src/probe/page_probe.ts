@@ -9,6 +9,9 @@ const usualPress = 0.0015;
 const deepest = 0.004;
 const highest = -0.02;
 
+/** Less deep on small scenes, but never so little that nothing is felt. */
+export const pressScale = (scale: number) => Math.min(1, Math.max(0.2, scale));
+
 export class PageProbe {
   private target: Place;
   private marblePlace: Place;
@@ -25,9 +28,9 @@ export class PageProbe {
 
   /** Of Surface; on small scenes the probe presses less deep. */
   setScale(scale: number): void {
-    const press = this.pressDepth / Math.min(1, this.scale);
+    const press = this.pressDepth / pressScale(this.scale);
     this.scale = scale;
-    this.pressDepth = press * Math.min(1, scale);
+    this.pressDepth = press * pressScale(scale);
   }
   /** Whether it is still on its way, or its place has to be sent. */
   get pending(): boolean {
@@ -50,7 +53,7 @@ export class PageProbe {
 
   /** A pen's pressure, 0 to 1, presses deeper. */
   penPressure(pressure: number): void {
-    this.setPress((0.0005 + 0.003 * pressure) * Math.min(1, this.scale));
+    this.setPress((0.0005 + 0.003 * pressure) * pressScale(this.scale));
   }
 
   /** By key: there at once, so that a step is a step. False at the rim. */
@@ -65,7 +68,7 @@ export class PageProbe {
 
   recentre(now: number): void {
     this.put({ x: 0, y: 0 });
-    this.setPress(usualPress * Math.min(1, this.scale));
+    this.setPress(usualPress * pressScale(this.scale));
     this.movedAt = now;
   }
 
@@ -96,7 +99,7 @@ export class PageProbe {
   }
 
   private setPress(depth: number): void {
-    const scale = Math.min(1, this.scale);
+    const scale = pressScale(this.scale);
     this.pressDepth = Math.min(deepest * scale, Math.max(highest * Math.max(1, this.scale), depth));
     this.changed = true;
   }

@@ -145,7 +145,8 @@ describe('the size of the scene', () => {
       own.setScale(scale);
       return own.current.press;
     };
-    expect(press(0.05)).toBeCloseTo(0.05 * press(1), 12);
+    expect(press(0.5)).toBeCloseTo(0.5 * press(1), 12);
+    expect(press(0.05)).toBeCloseTo(0.2 * press(1), 12);
     expect(press(100)).toBe(press(1));
   });
 });
