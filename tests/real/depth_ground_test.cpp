@@ -77,15 +77,15 @@ TEST_P(RenderedModels, StandOnATableThatIsFoundInOneDepthMap) {
   constexpr int kNumber = 60;
   const Frame frame = frame_of(std::string(data) + "/video/" + GetParam().name + "/", GetParam(), kNumber);
   session::MakeOptions options;
-  options.inputs = {frame.depth};
-  options.kind = sources::InputKind::depth;
-  options.depth.metres_per_unit = kMetresPerUnit;
-  options.depth.camera = camera_of(GetParam());
-  options.ground = vision::GroundTreatment::flatten;
+  options.input.files = {frame.depth};
+  options.input.kind = sources::InputKind::depth;
+  options.input.depth.metres_per_unit = kMetresPerUnit;
+  options.input.depth.camera = camera_of(GetParam());
+  options.recipes.relief.ground = vision::GroundTreatment::flatten;
   const auto made = session::make_scene(options, Work{});
   ASSERT_TRUE(made) << made.error().sentence();
-  const auto& scene = *made->scene;
-  ASSERT_EQ(scene.labels.width(), frame.seen.width()) << made->notes.back();
+  const auto& scene = made->scene;
+  ASSERT_EQ(scene.labels.width(), frame.seen.width()) << made->notes.back().sentence;
   Raster<std::uint8_t> mask(scene.labels.width(), scene.labels.height());
   for (std::size_t i = 0; i < mask.count(); ++i)
     mask.values()[i] = scene.materials[scene.labels.values()[i]].name == "ground" ? 255 : 0;

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/cli/disparity_file.hpp"
 #include "palpable/cli/score_json.hpp"
 #include "palpable/cli/stereo_options.hpp"
@@ -125,7 +126,7 @@ Result<Answer> compare(const Arguments& arguments, Console& console) {
   if (!truth) return truth.error();
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
-  for (const std::string& note : ready->notes) console.note(note);
+  for (const Note& note : ready->notes) console.note(note);
   if (*truth && ready->rectified_by != session::RectifiedBy::nothing)
     console.note(
         "The truth belongs to the pictures as they came, but they were rectified: the scores mean little.");
@@ -143,7 +144,7 @@ Result<Answer> compare(const Arguments& arguments, Console& console) {
   answer.json = {{"width", ready->pair.left.width},
                  {"height", ready->pair.left.height},
                  {"rectification", rectification_json(*ready)},
-                 {"notes", ready->notes},
+                 {"notes", sentences_of(ready->notes)},
                  {"methods", json_of(outcomes)},
                  {"output", arguments.output}};
   answer.text = table_of(outcomes, truth->has_value()) + arguments.output + "\n";

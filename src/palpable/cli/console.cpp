@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/console.hpp"
 
+#include "palpable/cli/hints.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 
 #include <algorithm>
@@ -59,6 +60,8 @@ void Console::note(std::string_view sentence) {
   const std::lock_guard lock(mutex_);
   fmt::print(stderr, "{}\n", sentence);
 }
+
+void Console::note(const Note& note) { this->note(sentence_of(note)); }
 
 void Console::say(std::string_view sentence) {
   const std::lock_guard lock(mutex_);

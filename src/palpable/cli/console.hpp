@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/note.hpp"
 #include "palpable/core/work.hpp"
 
 #include <atomic>
@@ -29,6 +30,8 @@ class Console {
 
   /// A note for the person on standard error, one line; silent with --quiet.
   void note(std::string_view sentence);
+  /// With the options that would change it (hints.hpp).
+  void note(const Note& note);
   /// What the person must hear even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);
   /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.

@@ -1,8 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
-#include "palpable/session/make/correct_scene.hpp"
+#include "palpable/recipes/correct_scene.hpp"
 #include "palpable/sources/solid/mesh_file.hpp"
 
 #include <chrono>
@@ -28,7 +29,7 @@ Result<Answer> correct(const Arguments& arguments, Console& console) {
   const sculpt::CorrectionOptions correction{
       0.001 * arguments.reach_mm, 0.001 * arguments.transition_mm,
       arguments.everywhere ? sculpt::CorrectedVolume::everywhere : sculpt::CorrectedVolume::near_measured};
-  auto corrected = session::correct_scene(file->scene, *std::move(measured), correction, console.work());
+  auto corrected = recipes::correct_scene(file->scene, *std::move(measured), correction, console.work());
   if (!corrected) {
     const bool by_scene = corrected.error().code == ErrorCode::usage;
     if (corrected.error().place.empty())
@@ -36,16 +37,16 @@ Result<Answer> correct(const Arguments& arguments, Console& console) {
     return corrected.error();
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  for (const std::string& note : corrected->made.notes) console.note(note);
+  for (const Note& note : corrected->made.notes) console.note(note);
   if (interrupted()) return Work::interrupted();
-  models::Scene scene = *corrected->made.scene;
+  models::Scene scene = std::move(corrected->made.scene);
   scene.source.inputs.push_back(arguments.measured);
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
   Answer answer;
   answer.json = {{"output", arguments.output},
                  {"measured_samples", corrected->measured_samples},
                  {"moved_samples", corrected->moved_samples},
-                 {"notes", corrected->made.notes},
+                 {"notes", sentences_of(corrected->made.notes)},
                  {"seconds", seconds.count()}};
   answer.text =
       fmt::format("{}: {} samples of the surface went onto the measured one, {} moved, in {:.2f} s\n",

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/cli/score_json.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/formats/picture/picture.hpp"
@@ -71,7 +72,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   if (!options) return options.error();
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
-  for (const std::string& note : ready->notes) console.note(note);
+  for (const Note& note : ready->notes) console.note(note);
   if (const auto written = write_rectified(arguments.rectified, ready->pair); !written)
     return written.error();
 
@@ -83,7 +84,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   const Raster<float>& disparity_px = match->disparity.disparity_px;
   if (const auto written = write_disparity(output, disparity_px); !written) return written.error();
 
-  std::vector<std::string> notes = ready->notes;
+  std::vector<Note> notes = ready->notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   Answer answer;
   const double coverage = coverage_of(disparity_px);
@@ -93,7 +94,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
                  {"seconds", seconds.count()},
                  {"coverage", coverage},
                  {"rectification", rectification_json(*ready)},
-                 {"notes", notes},
+                 {"notes", sentences_of(notes)},
                  {"output", arguments.output}};
   answer.text = fmt::format("{} x {} disparities by {} in {:.2f} s, {:.1f} % known: {}\n",
                             disparity_px.width(), disparity_px.height(), vision::name_of(*method),

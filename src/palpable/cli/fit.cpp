@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/cli/say_aloud.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/draw/marks_view.hpp"
@@ -39,9 +40,9 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
   if (!ready) return ready.error();
   const auto match = vision::match_confirmed(ready->pair, *method, *options, console.work());
   if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
-  std::vector<std::string> notes = ready->notes;
+  std::vector<Note> notes = ready->notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
-  for (const std::string& note : notes) console.note(note);
+  for (const Note& note : notes) console.note(note);
   const vision::FitToTouch fit = vision::fit_to_touch(ready->pair, *match, console.work());
   const std::string sentence = vision::sentence_of(fit);
   if (!arguments.output.empty())
@@ -60,7 +61,7 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
                  {"depth_range_px", fit.depth_range_px},
                  {"brightness", fit.brightness},
                  {"rectification", rectification_json(*ready)},
-                 {"notes", notes}};
+                 {"notes", sentences_of(notes)}};
   answer.text = sentence + "\n";
   return answer;
 }

@@ -38,10 +38,15 @@ std::string lines_of(const sculpt::ShapeSet& set) {
 Result<Answer> run_fit_shapes(const Arguments& arguments, Console& console) {
   const auto options = make_options(arguments.make);
   if (!options) return options.error();
-  const sculpt::ShapeSetOptions shapes{1e-3 * arguments.tolerance_mm, arguments.most_shapes};
-  const auto fitted = session::fit_shapes(*options, arguments.labels, shapes, console.work());
-  if (!fitted) return fitted.error();
-  for (const std::string& note : fitted->notes) console.note(note);
+  session::FitShapesOptions where;
+  where.input = options->input;
+  where.labels = arguments.labels;
+  where.stereo = options->recipes.stereo;
+  where.shapes = {1e-3 * arguments.tolerance_mm, arguments.most_shapes};
+  const auto found = session::fit_shapes(where, console.work());
+  if (!found) return found.error();
+  for (const Note& note : found->notes) console.note(note);
+  const recipes::FittedShapes* const fitted = &found->fitted;
   Json file;
   for (const auto& shape : fitted->set.shapes)
     file["primitives"].push_back(Json(formats::json_of(shape.shape)));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/as_published.hpp"
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/cli/make_options.hpp"
 #include "palpable/cli/material_options.hpp"
 #include "palpable/draw/comparison_view.hpp"
@@ -66,13 +67,13 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
                       or_dash(s.details_kept_percent, 1, " %")),
           fmt::format("greatest slope {:.2f}, sum {:.2f} (0 is perfect)", s.greatest_slope, s.sum())}});
   }
-  const std::string from = options.inputs.front().filename().string();
+  const std::string from = options.input.files.front().filename().string();
   const auto written = draw::write_figure(
       draw::comparison_figure(std::move(panels),
                               {"How depth becomes a relief: " + from,
                                fmt::format("All detail operators at {:g} : 1, against the depth in its own "
                                            "proportions",
-                                           options.relief.compression)}),
+                                           options.recipes.relief.relief.compression)}),
       output);
   if (!written) return written.error();
   return answer;
@@ -89,14 +90,14 @@ Result<Answer> make(Arguments arguments, Console& console) {
   if (arguments.as == "contours") options->as = session::MakeAs::contours;
   if (arguments.as == "field") options->as = session::MakeAs::field;
   if (arguments.as == "grid") options->as = session::MakeAs::grid;
-  if (options->inputs.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
+  if (options->input.files.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
   if (arguments.make.detail == kCompareDetails) return compare(*options, arguments.output, console);
   const auto begin = std::chrono::steady_clock::now();
-  const auto made = session::make_scene(*options, console.work());
+  auto made = session::make_scene(*options, console.work());
   if (!made) return made.error();
-  for (const std::string& note : made->notes) console.note(note);
+  for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
-  models::Scene scene = *made->scene;
+  models::Scene scene = std::move(made->scene);
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -104,9 +105,9 @@ Result<Answer> make(Arguments arguments, Console& console) {
   const Vec3 size = models::size_m(scene);
   const std::string kind = models::kind_of(scene.model);
   Answer answer;
-  answer.json = {
-      {"output", arguments.output},    {"kind", kind},         {"size_m", {size.x, size.y, size.z}},
-      {"method", scene.source.method}, {"notes", made->notes}, {"seconds", seconds.count()}};
+  answer.json = {{"output", arguments.output},         {"kind", kind},
+                 {"size_m", {size.x, size.y, size.z}}, {"method", scene.source.method},
+                 {"notes", sentences_of(made->notes)}, {"seconds", seconds.count()}};
   answer.text = fmt::format("{}: {}, {:.1f} x {:.1f} x {:.1f} mm, made in {:.2f} s\n", arguments.output, kind,
                             1000.0 * size.x, 1000.0 * size.y, 1000.0 * size.z, seconds.count());
   return answer;

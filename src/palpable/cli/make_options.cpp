@@ -113,66 +113,112 @@ Result<Vec3> size_from(const std::string& text) {
   return Vec3{sides_mm[0] / 1000.0, sides_mm[1] / 1000.0, sides_mm[2] / 1000.0};
 }
 
-Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
-  session::MakeOptions options;
-  options.made_by = kMadeBy;
-  options.inputs.assign(arguments.inputs.begin(), arguments.inputs.end());
-  options.calibration = arguments.stereo.calibration;
-  options.max_disparity_px = arguments.stereo.max_disparity_px;
-  options.rectification = rectification_of(arguments.stereo);
-  options.moved_m = moved_m_of(arguments.stereo);
-  if (arguments.background == "remove") options.background = session::BackgroundTreatment::remove;
-  if (arguments.texture == "front") options.texture = session::Texture::front;
-  if (arguments.texture == "none") options.texture = session::Texture::none;
-  options.depth = depth_settings(arguments);
-  options.layout = layout_of(arguments.stereo);
-  options.relief.near = arguments.near;
-  options.relief.far = arguments.far;
-  options.relief.exaggerate = arguments.exaggerate;
-  options.relief.compression = arguments.compression;
-  options.relief.smooth_m = arguments.smooth_mm / 1000.0;
-  options.relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(options.relief.detail);
-  options.relief.resampling = sculpt::resampling_from(arguments.resample).value_or(options.relief.resampling);
-  options.relief.samples_on_a_side = arguments.samples;
-  options.relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
-  if (arguments.quality == "best") options.contours.method = vision::ContourMethod::best;
-  if (arguments.contour_method == "paper") options.contours.method = vision::ContourMethod::paper;
-  options.contours.threshold = arguments.threshold;
-  options.neighbourhood_px = arguments.neighbourhood_px;
-  options.poses = arguments.poses;
-  options.field.resolution = arguments.resolution;
-  if (arguments.dense) options.field_keeping = session::FieldKeeping::dense;
-  if (arguments.paper) options.field_keeping = session::FieldKeeping::paper;
-  options.grid.resolution = arguments.grid_points;
-  if (arguments.max_error_mm) options.field.max_error_m = *arguments.max_error_mm / 1000.0;
-  options.grooves.width_m = arguments.groove_mm / 1000.0;
-  if (!arguments.kind.empty()) {
-    options.kind = sources::input_kind_from(arguments.kind);
-    if (!options.kind)
-      return Error{ErrorCode::usage, fmt::format("there is no kind of input called {}", arguments.kind),
-                   "--kind"};
-  }
+namespace {
+
+Result<session::InputOptions> input_options(const MakeArguments& arguments) {
+  session::InputOptions input;
+  input.files.assign(arguments.inputs.begin(), arguments.inputs.end());
+  input.calibration = arguments.stereo.calibration;
+  input.poses = arguments.poses;
+  input.depth = depth_settings(arguments);
+  input.layout = layout_of(arguments.stereo);
+  input.rectification = rectification_of(arguments.stereo);
+  input.moved_m = moved_m_of(arguments.stereo);
+  if (arguments.kind.empty()) return input;
+  input.kind = sources::input_kind_from(arguments.kind);
+  if (!input.kind)
+    return Error{ErrorCode::usage, fmt::format("there is no kind of input called {}", arguments.kind),
+                 "--kind"};
+  return input;
+}
+
+Result<recipes::StereoRecipe> stereo_recipe(const MakeArguments& arguments) {
+  recipes::StereoRecipe stereo;
+  stereo.options.max_disparity_px = arguments.stereo.max_disparity_px;
+  if (arguments.stereo.method.empty()) return stereo;
+  const auto method = stereo_method(arguments.stereo);
+  if (!method) return method.error();
+  stereo.method = *method;
+  return stereo;
+}
+
+Result<recipes::ReliefRecipe> relief_recipe(const MakeArguments& arguments) {
+  recipes::ReliefRecipe recipe;
+  sculpt::ReliefOptions& relief = recipe.relief;
+  relief.near = arguments.near;
+  relief.far = arguments.far;
+  relief.exaggerate = arguments.exaggerate;
+  relief.compression = arguments.compression;
+  relief.smooth_m = arguments.smooth_mm / 1000.0;
+  relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(relief.detail);
+  relief.resampling = sculpt::resampling_from(arguments.resample).value_or(relief.resampling);
+  relief.samples_on_a_side = arguments.samples;
+  relief.sense = arguments.engrave ? sculpt::Sense::engrave : sculpt::Sense::raise;
+  if (arguments.background == "remove") recipe.background = recipes::BackgroundTreatment::remove;
+  if (arguments.texture == "front") recipe.texture = recipes::Texture::front;
+  if (arguments.texture == "none") recipe.texture = recipes::Texture::none;
+  if (arguments.ground.empty()) return recipe;
+  const auto ground = vision::ground_treatment_from(arguments.ground);
+  if (!ground)
+    return Error{ErrorCode::usage, fmt::format("'{}' is none of keep, flatten, remove", arguments.ground),
+                 "--ground"};
+  recipe.ground = *ground;
+  return recipe;
+}
+
+recipes::ContoursRecipe contours_recipe(const MakeArguments& arguments) {
+  recipes::ContoursRecipe recipe;
+  if (arguments.quality == "best") recipe.contours.method = vision::ContourMethod::best;
+  if (arguments.contour_method == "paper") recipe.contours.method = vision::ContourMethod::paper;
+  recipe.contours.threshold = arguments.threshold;
+  recipe.map.radius_px = arguments.neighbourhood_px;
+  recipe.grooves.width_m = arguments.groove_mm / 1000.0;
+  return recipe;
+}
+
+Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
   if (arguments.dense && arguments.paper)
     return Error{ErrorCode::usage, "--dense and --paper exclude each other", {}};
   if ((arguments.dense || arguments.paper) && arguments.max_error_mm)
     return Error{ErrorCode::usage, "a dense field has no --max-error: its resolution decides", {}};
-  if (!arguments.ground.empty()) {
-    const auto ground = vision::ground_treatment_from(arguments.ground);
-    if (!ground)
-      return Error{ErrorCode::usage, fmt::format("'{}' is none of keep, flatten, remove", arguments.ground),
-                   "--ground"};
-    options.ground = *ground;
-  }
-  if (!arguments.size.empty()) {
-    const auto size = size_from(arguments.size);
-    if (!size) return size.error();
-    options.relief.size_m = *size;
-  }
-  if (!arguments.stereo.method.empty()) {
-    const auto method = stereo_method(arguments.stereo);
-    if (!method) return method.error();
-    options.method = *method;
-  }
+  recipes::FieldRecipe recipe;
+  recipe.field.resolution = arguments.resolution;
+  if (arguments.max_error_mm) recipe.field.max_error_m = *arguments.max_error_mm / 1000.0;
+  if (arguments.dense) recipe.storage = recipes::FieldStorage::dense;
+  if (arguments.paper) recipe.storage = recipes::FieldStorage::paper;
+  return recipe;
+}
+
+/// --size bounds the scene, whatever kind it becomes.
+Result<void> set_size(const std::string& text, session::Recipes& recipes) {
+  if (text.empty()) return {};
+  const auto size = size_from(text);
+  if (!size) return size.error();
+  recipes.relief.relief.size_m = *size;
+  recipes.field.size_m = *size;
+  recipes.contours.map.width_m = size->x;
+  recipes.contours.map.height_m = size->y;
+  return {};
+}
+
+}  // namespace
+
+Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
+  session::MakeOptions options;
+  options.made_by = kMadeBy;
+  auto input = input_options(arguments);
+  if (!input) return input.error();
+  options.input = *std::move(input);
+  const auto field = field_recipe(arguments);
+  if (!field) return field.error();
+  const auto relief = relief_recipe(arguments);
+  if (!relief) return relief.error();
+  const auto stereo = stereo_recipe(arguments);
+  if (!stereo) return stereo.error();
+  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {{arguments.grid_points}}};
+  options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
+  options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);
+  if (const auto sized = set_size(arguments.size, options.recipes); !sized) return sized.error();
   return options;
 }
 

@@ -3,6 +3,7 @@
 #include "palpable/cli/run.hpp"
 
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/cli/suggest.hpp"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ void add_common(CLI::App& app, CommonOptions& common) {
 }
 
 int report(const Error& error) {
-  fmt::print(stderr, "palpable: {}\n", error.sentence());
+  fmt::print(stderr, "palpable: {}\n", sentence_of(error));
   return static_cast<int>(error.code);
 }
 

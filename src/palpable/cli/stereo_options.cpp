@@ -3,7 +3,7 @@
 #include "palpable/cli/stereo_options.hpp"
 
 #include "palpable/cli/suggest.hpp"
-#include "palpable/session/make/make_scene.hpp"
+#include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
@@ -108,7 +108,7 @@ std::string names_of(const StereoArguments& arguments) {
 }
 
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments) {
-  if (arguments.method.empty()) return session::default_method();
+  if (arguments.method.empty()) return recipes::default_method();
   if (const auto method = vision::stereo_method_from(arguments.method)) return *method;
   std::vector<std::string> names;
   for (const auto method : vision::available_stereo_methods()) names.emplace_back(vision::name_of(method));

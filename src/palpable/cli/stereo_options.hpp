@@ -60,7 +60,7 @@ std::optional<double> moved_m_of(const StereoArguments& arguments);
 /// `features`.
 Json rectification_json(const session::ReadyPair& ready);
 
-/// The method asked for, or session::default_method(). Errors: usage, for a method that there is not.
+/// The method asked for, or recipes::default_method(). Errors: usage, for a method that there is not.
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);
 
 /// The options of this method as --max-disparity and --set say. Errors: usage, for an unknown name, a value

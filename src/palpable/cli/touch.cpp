@@ -60,7 +60,7 @@ Result<session::TouchSettings> settings_of(const Arguments& arguments,
 }
 
 /// Hears what the person should know of the input.
-using Notes = std::function<void(const std::string&)>;
+using Notes = std::function<void(const Note&)>;
 
 /// Makes the scenes of a touch, the fastest first; each note is said once.
 session::SceneMaker maker_of(const session::MakeOptions& options, Notes notes) {
@@ -69,10 +69,10 @@ session::SceneMaker maker_of(const session::MakeOptions& options, Notes notes) {
     std::set<std::string> said;
     return session::make_scenes(
         options,
-        [&](const session::MadeScene& made) {
-          for (const std::string& note : made.notes)
-            if (said.insert(note).second) notes(note);
-          deliver(made.scene);
+        [&](recipes::MadeScene made) {
+          for (const Note& note : made.notes)
+            if (said.insert(note.sentence).second) notes(note);
+          deliver(std::make_shared<const models::Scene>(std::move(made.scene)));
         },
         work);
   };
@@ -145,7 +145,7 @@ Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, 
     console.note(sentence_of(missed));
   };
   if (arguments.speak) let_speak(headless, console);
-  const auto notes = [&console](const std::string& sentence) { console.note(sentence); };
+  const auto notes = [&console](const Note& note) { console.note(note); };
   const auto statistics = session::touch_headless(maker_of(plan.make, notes), headless, console.work());
   if (!statistics) return statistics.error();
   return answer_of(*statistics);
@@ -171,12 +171,12 @@ void open_browser(const std::string& address) {
 /// Keeps what was noted until there is a page to hear it. Any thread.
 class NoteBox {
  public:
-  void put(const std::string& sentence) {
+  void put(const Note& note) {
     const std::lock_guard lock(mutex_);
     if (hear_) {
-      hear_(sentence);
+      hear_(note);
     } else {
-      kept_.push_back(sentence);
+      kept_.push_back(note);
     }
   }
   /// Hands over what was kept and all that comes; an empty listener closes the box again.
@@ -184,13 +184,13 @@ class NoteBox {
     const std::lock_guard lock(mutex_);
     hear_ = std::move(hear);
     if (!hear_) return;
-    for (const std::string& sentence : std::exchange(kept_, {})) hear_(sentence);
+    for (const Note& note : std::exchange(kept_, {})) hear_(note);
   }
 
  private:
   std::mutex mutex_;
   Notes hear_;
-  std::vector<std::string> kept_;
+  std::vector<Note> kept_;
 };
 
 /// Where the page saves the scene: a scene into its own file, all else beside nothing that is there, in the
@@ -211,9 +211,9 @@ Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::T
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
                                  [&maker] { return maker.take(std::chrono::milliseconds(0)); },
-                                 save_path(plan.make.inputs),
+                                 save_path(plan.make.input.files),
                                  !plan.walk.empty()});
-  notes.open([&host](const std::string& sentence) { host.say("info", sentence); });
+  notes.open([&host](const Note& note) { host.say("info", note.sentence); });
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
   options.on_ready = [&](const std::string& address) {
@@ -228,9 +228,9 @@ Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::T
 Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Console& console) {
   NoteBox notes;
   session::MakerThread maker(maker_of(plan.make,
-                                      [&](const std::string& sentence) {
-                                        console.note(sentence);
-                                        notes.put(sentence);
+                                      [&](const Note& note) {
+                                        console.note(note);
+                                        notes.put(note);
                                       }),
                              console.work());
   auto scene = maker.first_scene(console.work());

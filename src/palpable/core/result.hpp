@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/check.hpp"
+#include "palpable/core/reason.hpp"
 
 #include <string>
 #include <utility>
@@ -21,13 +22,15 @@ struct Error {
   std::string message;
   /// The file, device or argument that the message is about; may be empty.
   std::string place;
+  /// What the caller could give to get further, for programs; the message does not name any option.
+  Reason reason = Reason::unspecified;
 
   /// "place: message", or the message alone.
   std::string sentence() const { return place.empty() ? message : place + ": " + message; }
 };
 
-inline Error invalid_input(std::string message, std::string place = {}) {
-  return {ErrorCode::invalid_input, std::move(message), std::move(place)};
+inline Error invalid_input(std::string message, std::string place = {}, Reason reason = Reason::unspecified) {
+  return {ErrorCode::invalid_input, std::move(message), std::move(place), reason};
 }
 
 /// A value or an Error, with std::expected's member names. value() and operator* on an error are a bug and

@@ -334,9 +334,7 @@ Result<void> open(tcp::acceptor& acceptor, std::uint16_t port) {
   if (!error) return {};
   const std::string place = "port " + std::to_string(port);
   if (error == asio::error::address_in_use)
-    return Error{ErrorCode::failed,
-                 "in use by another program; choose another with --port, or leave it out for any free one",
-                 place};
+    return Error{ErrorCode::failed, "in use by another program", place, Reason::port_in_use};
   return Error{ErrorCode::failed, "cannot serve the page there (" + error.message() + ")", place};
 }
 

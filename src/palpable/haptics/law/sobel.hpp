@@ -19,7 +19,7 @@ struct ImageSlope {
 };
 
 /// Shi & Pai's force image (1997, section 4): the heights at half size, their slopes by a 5 x 5 Sobel
-/// operator, read at the nearest pixel. Covers the relief's rectangle; a scene made with --size 150x100
+/// operator, read at the nearest pixel. Covers the relief's rectangle; a scene of 150 mm x 100 mm
 /// has the paper's 10 x 15 cm.
 class SobelSlopes {
  public:

@@ -37,7 +37,8 @@ Result<void> check(std::span<const DepthView> views, const FusionOptions& option
     return Error{ErrorCode::usage, "distances are truncated at 1 to 64 voxels", {}};
   for (const DepthView& view : views) {
     if (view.depth == nullptr || !view.depth->camera)
-      return invalid_input("states no camera, without which its depth has no width: give --calibration");
+      return invalid_input("states no camera, without which its depth has no width", {},
+                           Reason::needs_calibration);
     if (view.depth->depth_m.width() != view.depth->camera->width ||
         view.depth->depth_m.height() != view.depth->camera->height)
       return invalid_input("has another size than its camera");

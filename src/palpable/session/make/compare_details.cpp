@@ -11,12 +11,12 @@ namespace {
 
 /// The depth that the operators work on: windowed and closed, and hardly limited in slope.
 Result<Raster<float>> nearness_of(MakeOptions options, const Work& work) {
-  options.relief.detail = sculpt::DetailOperator::linear;
-  options.relief.sense = sculpt::Sense::raise;
-  options.relief.steepest_slope = 100.0;
+  options.recipes.relief.relief.detail = sculpt::DetailOperator::linear;
+  options.recipes.relief.relief.sense = sculpt::Sense::raise;
+  options.recipes.relief.relief.steepest_slope = 100.0;
   const auto made = make_scene(options, work);
   if (!made) return made.error();
-  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&made->scene->model);
+  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&made->scene.model);
   if (relief == nullptr)
     return Error{ErrorCode::usage, "detail operators are compared on what becomes a relief", {}};
   return (*relief)->samples_m();
@@ -46,7 +46,7 @@ Result<ComparedDetail> through(sculpt::DetailOperator detail, const Raster<float
 Result<std::vector<ComparedDetail>> compare_details(const MakeOptions& options, const Work& work) {
   const auto nearness = nearness_of(options, work);
   if (!nearness) return nearness.error();
-  sculpt::ReliefOptions relief = options.relief;
+  sculpt::ReliefOptions relief = options.recipes.relief.relief;
   relief.sense = sculpt::Sense::raise;
   std::vector<ComparedDetail> compared;
   for (const sculpt::DetailOperator detail : sculpt::kDetailOperators) {

@@ -2,29 +2,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/note.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/recipes/relief_recipe.hpp"
+#include "palpable/recipes/shapes_recipe.hpp"
 #include "palpable/sculpt/superquadric/superquadric_set.hpp"
-#include "palpable/session/make/make_scene.hpp"
+#include "palpable/session/make/read_input.hpp"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace palpable::session {
 
-struct FittedShapes {
-  sculpt::ShapeSet set;
-  /// Points that the input gave.
-  std::size_t points = 0;
-  std::vector<std::string> notes;
+/// Where shapes are looked for.
+struct FitShapesOptions {
+  InputOptions input;
+  /// An 8-bit picture of the depth map's size: 0 is left out, objects of different labels share no shape.
+  /// Empty = none.
+  std::filesystem::path labels;
+  recipes::StereoRecipe stereo;
+  sculpt::ShapeSetOptions shapes;
 };
 
-/// Superquadrics for what `options.inputs` show: a depth map with its camera (of options.calibration, its
-/// sidecar or the file), a pair of calibrated cameras (matched by options.method), or points (PLY). Seen by a
-/// camera they stand in metres with the camera in the origin, x right, y up, z towards it; points keep their
-/// own coordinates. `labels`: empty, or an 8-bit picture of the depth map's shape: 0 is left out, things of
-/// different labels share no shape. Errors: as make_scene(); usage for labels beside points, and for other
-/// inputs; invalid_input for depth without a camera.
-Result<FittedShapes> fit_shapes(const MakeOptions& options, const std::filesystem::path& labels,
-                                const sculpt::ShapeSetOptions& shapes, const Work& work);
+struct FittedInput {
+  recipes::FittedShapes fitted;
+  std::vector<Note> notes;
+};
+
+/// Superquadrics for what the input shows: a depth map with its camera (of the calibration, its sidecar or
+/// the file), a pair of calibrated cameras, or points. Seen by a camera they are in metres with the camera in
+/// the origin, x right, y up, z towards it; points keep their own coordinates. Errors: as read_input(); usage
+/// for labels with points, and for other inputs; invalid_input with Reason::needs_calibration for depth
+/// without a camera.
+Result<FittedInput> fit_shapes(const FitShapesOptions& options, const Work& work);
 
 }  // namespace palpable::session

@@ -2,250 +2,174 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/make_scene.hpp"
 
-#include "palpable/formats/scene/scene_file.hpp"
-#include "palpable/session/make/fuse_frames.hpp"
-#include "palpable/session/make/make_contours.hpp"
-#include "palpable/session/make/make_field.hpp"
+#include "palpable/recipes/regions.hpp"
 #include "palpable/session/make/places.hpp"
-#include "palpable/session/make/regions.hpp"
-#include "palpable/session/make/relief_scene.hpp"
-#include "palpable/sources/calibration/calibration.hpp"
-#include "palpable/sources/picture/picture.hpp"
-#include "palpable/vision/stereo/methods/match.hpp"
-#include "palpable/vision/stereo/result/fit_to_touch.hpp"
-#include "palpable/vision/stereo/result/front_view.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <string>
 #include <utility>
-
-#include <fmt/format.h>
+#include <vector>
 
 namespace palpable::session {
 namespace {
 
-StereoInput stereo_input(const MakeOptions& options) {
-  return {options.inputs, options.calibration, options.layout, options.rectification, options.moved_m};
+using recipes::MadeScene;
+using sources::InputKind;
+
+bool is_solid(InputKind kind) {
+  return kind == InputKind::mesh || kind == InputKind::points || kind == InputKind::shapes ||
+         kind == InputKind::level_set;
 }
 
-/// What is matched, as seen from between the cameras: picture, disparity and camera.
-Result<void> look_from_the_front(vision::StereoPair& pair, DisparityMap& disparity, const Work& work) {
-  auto front = vision::front_view(pair, disparity.disparity_px, work);
-  if (!front) return front.error();
-  pair.left = std::move(front->picture);
-  disparity.disparity_px = std::move(front->disparity_px);
-  // Half a baseline to the right everything lies half its disparity to the left; at infinity, half of doffs.
-  if (disparity.rig) disparity.rig->left.cx += 0.5 * disparity.rig->doffs_px;
-  return {};
-}
-
-Result<MadeScene> from_pair(const ReadyPair& ready, vision::StereoMethod method, const MakeOptions& options,
-                            const Work& work) {
-  auto match = vision::match(ready.pair, method, {options.max_disparity_px}, work);
-  if (!match) return at_place(match.error(), names_of(options.inputs));
-  std::vector<std::string> notes = ready.notes;
-  notes.insert(notes.end(), match->notes.begin(), match->notes.end());
-  if (method == vision::StereoMethod::fast)
-    notes.push_back(vision::sentence_of(vision::fit_to_touch(ready.pair, *match, work)));
-  vision::StereoPair pair = ready.pair;
-  if (options.texture == Texture::front)
-    if (const auto looked = look_from_the_front(pair, match->disparity, work); !looked)
-      return at_place(looked.error(), names_of(options.inputs));
-  models::Scene regions;
-  const auto shaped =
-      with_regions_treated(match->disparity, {rgb8(pair.left)}, options, work, regions, notes);
-  auto relief = sculpt::relief_from_disparity(shaped, options.relief, work);
-  if (!relief) return at_place(relief.error(), names_of(options.inputs));
-  models::Scene scene = relief_scene(std::move(*relief), options, pair.left.width, pair.left.height,
-                                     "stereo, " + std::string(vision::name_of(method)));
-  scene.materials = std::move(regions.materials);
-  scene.labels = std::move(regions.labels);
-  if (options.texture != Texture::none) scene.texture = rgb8(pair.left);
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(notes)};
-}
-
-Result<models::Relief> relief_of(const std::variant<DepthMap, DisparityMap>& depth,
-                                 const MakeOptions& options, const Work& work) {
-  const auto* metres = std::get_if<DepthMap>(&depth);
-  return metres != nullptr
-             ? sculpt::relief_from_depth(*metres, options.relief, work)
-             : sculpt::relief_from_disparity(std::get<DisparityMap>(depth), options.relief, work);
-}
-
-/// `files` as they were recognised: the depth alone, or its colour picture first.
-Result<MadeScene> from_depth(const MakeOptions& options, const std::vector<std::filesystem::path>& files,
-                             const Work& work) {
-  sources::DepthSettings settings = options.depth;
-  if (!options.calibration.empty()) {
-    const auto calibration = sources::read_calibration(options.calibration);
-    if (!calibration) return calibration.error();
-    settings.camera = sources::pinhole_of(calibration->left);
-  }
-  auto read = sources::read_depth_picture(files, settings);
-  if (!read) return read.error();
-  models::Scene regions;
-  treat_regions(*read, options, work, regions);
-  auto relief = relief_of(read->depth, options, work);
-  if (!relief) return at_place(relief.error(), files.back());
-  const auto* metres = std::get_if<DepthMap>(&read->depth);
-  const Raster<float>& values =
-      metres != nullptr ? metres->depth_m : std::get<DisparityMap>(read->depth).disparity_px;
-  const int width = values.width(), height = values.height();
-  models::Scene scene = relief_scene(std::move(*relief), options, width, height, "depth map");
-  if (!regions.labels.empty()) {
-    scene.materials = std::move(regions.materials);
-    scene.labels = std::move(regions.labels);
-  }
-  if (read->colour && options.texture != Texture::none) scene.texture = rgb8(*read->colour);
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(read->notes)};
-}
-
-Result<MadeScene> from_scene_file(const MakeOptions& options) {
-  if (options.inputs.size() != 1) return Error{ErrorCode::usage, "a scene is one file", {}};
-  auto file = formats::read_scene(options.inputs.front());
-  if (!file) return file.error();
-  return MadeScene{std::make_shared<const models::Scene>(std::move(file->scene)), {}};
-}
-
-/// A relief as it is, or the volume under it where a field or a grid is wanted (Park & Howard 2012).
-Result<MadeScene> as_wanted(Result<MadeScene> made, const MakeOptions& options, const Work& work) {
-  if (!made || (options.as != MakeAs::grid && options.as != MakeAs::field)) return made;
-  models::Scene scene = *made->scene;
-  const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
-  if (relief == nullptr)
-    return Error{ErrorCode::usage,
-                 "fields and grids are filled under a relief, and this is a " + models::kind_of(scene.model),
-                 names_of(options.inputs)};
-  if (options.as == MakeAs::field) {
-    auto field = field_from_relief(*made, **relief, options, work);
-    if (!field) return at_place(field.error(), names_of(options.inputs));
-    return field;
-  }
-  work.report(0.95, "filling the grid");
-  const auto filled = sculpt::occupancy_from_relief(**relief, options.grid);
-  if (!filled) return filled.error();
-  auto occupancy = models::OccupancyGrid::from(*filled, work);
-  if (!occupancy) return at_place(occupancy.error(), names_of(options.inputs));
-  scene.model = std::make_shared<const models::Grid>(models::Grid{*std::move(occupancy), *relief});
-  scene.source.method += ", filled into a grid";
-  return MadeScene{std::make_shared<const models::Scene>(std::move(scene)), std::move(made->notes)};
-}
-
-bool is_solid(sources::InputKind kind) {
-  return kind == sources::InputKind::mesh || kind == sources::InputKind::points ||
-         kind == sources::InputKind::shapes || kind == sources::InputKind::level_set;
-}
-
-bool as_contours(const MakeOptions& options, const sources::Input& input) {
+bool is_contours(const MakeOptions& options, const sources::Input& input) {
+  if (holds_depth_maps(options.input)) return false;
   return options.as == MakeAs::contours ||
-         (options.as == MakeAs::by_input && input.kind == sources::InputKind::picture);
+         (options.as == MakeAs::by_input && input.kind == InputKind::picture);
 }
 
-/// A pair that depth is matched from.
-bool is_matched(const MakeOptions& options, const sources::Input& input) {
-  return input.kind == sources::InputKind::stereo && !as_contours(options, input);
-}
-
-/// What tells ground and background apart: a pair, or one depth map.
+/// Ground and background are found by depth as one camera sees it: in a pair, or one depth map.
 bool has_regions(const MakeOptions& options, const sources::Input& input) {
-  return is_matched(options, input) ||
-         (input.kind == sources::InputKind::depth && !as_contours(options, input));
+  return !holds_depth_maps(options.input) && !is_contours(options, input) &&
+         (input.kind == InputKind::stereo || input.kind == InputKind::depth);
 }
 
-Error not_yet(const sources::Input& input) {
+Error cannot_become(const sources::Input& input) {
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
               " cannot be made into that: give a stereo pair, a depth map, a mesh, points with normals or a "
-              "scene (or say --kind)",
-          names_of(input.files)};
+              "scene",
+          names_of(input.files), Reason::unexpected_input_kind};
 }
 
-/// Several depth maps of one scene become a field.
-Result<MadeScene> from_frames(const MakeOptions& options, const Work& work) {
-  if (options.as != MakeAs::field && options.as != MakeAs::by_input)
+/// Whether this input can become the kind of scene that is asked for, before any of it is read.
+Result<void> check_kind(const sources::Input& input, const MakeOptions& options) {
+  const bool field_by_input = options.as == MakeAs::field || options.as == MakeAs::by_input;
+  if (holds_depth_maps(options.input)) {
+    if (field_by_input) return {};
     return Error{ErrorCode::usage, "several depth maps become a field and nothing else yet",
-                 names_of(options.inputs)};
-  return field_from_file(options, {sources::InputKind::depth, options.inputs, {}}, work);
+                 names_of(options.input.files)};
+  }
+  if (is_contours(options, input)) return {};
+  const bool adaptive = options.recipes.field.storage == recipes::FieldStorage::adaptive;
+  if (!adaptive && options.as != MakeAs::field && !is_solid(input.kind))
+    return Error{ErrorCode::usage, "dense storage is for fields, and this does not become one",
+                 names_of(input.files), Reason::needs_field};
+  if (is_solid(input.kind)) return field_by_input ? Result<void>() : cannot_become(input);
+  if (input.kind == InputKind::scene || input.kind == InputKind::depth || input.kind == InputKind::stereo)
+    return {};
+  return cannot_become(input);
 }
 
-bool is_available(vision::StereoMethod method) {
-  const auto methods = vision::available_stereo_methods();
-  return std::find(methods.begin(), methods.end(), method) != methods.end();
-}
-
-/// What a touch of a pair begins with, and what it goes on with.
-std::vector<vision::StereoMethod> methods_of_a_touch(const MakeOptions& options) {
-  if (options.method) return {*options.method};
-  const vision::StereoMethod last = default_method();
-  const vision::StereoMethod first =
-      is_available(vision::StereoMethod::fast) ? vision::StereoMethod::fast : vision::StereoMethod::scanline;
-  return first == last ? std::vector{last} : std::vector{first, last};
-}
-
-/// Ground and background are told apart by depth as one camera sees it: what cannot be done is said.
-Result<MadeScene> without_regions(Result<MadeScene> made, const MakeOptions& options) {
-  if (made && asks_for_regions(options))
-    made->notes.emplace_back(
-        "--ground and --background are for pairs and single depth maps: this is as without them.");
+/// A relief as it is, or the volume under it where a field or a grid is wanted (Park & Howard 2012).
+Result<MadeScene> filled(Result<MadeScene> made, const MakeOptions& options, const Work& work) {
+  if (!made) return made;
+  if (options.as == MakeAs::field) return field_from_relief(std::move(*made), options.recipes.field, work);
+  if (options.as == MakeAs::grid) return grid_from_relief(std::move(*made), options.recipes.grid, work);
   return made;
 }
 
-Result<MadeScene> made_from(const sources::Input& input, const MakeOptions& options, const Work& work) {
-  if (as_contours(options, input)) return contours_from_picture(options, work);
-  const bool as_field = options.as == MakeAs::field || options.as == MakeAs::by_input;
-  if (options.field_keeping != FieldKeeping::adaptive && options.as != MakeAs::field && !is_solid(input.kind))
-    return Error{ErrorCode::usage, "--dense and --paper are ways to keep a field: say --as field",
-                 names_of(input.files)};
-  if (is_solid(input.kind)) return as_field ? field_from_file(options, input, work) : not_yet(input);
-  switch (input.kind) {
-    case sources::InputKind::scene:
-      return as_wanted(from_scene_file(options), options, work);
-    case sources::InputKind::depth: {
-      auto made = from_depth(options, input.files, work);
-      if (made) made->notes.insert(made->notes.begin(), input.notes.begin(), input.notes.end());
-      return as_wanted(std::move(made), options, work);
-    }
-    case sources::InputKind::stereo: {
-      const auto pair = read_stereo_pair(stereo_input(options), work);
-      if (!pair) return pair.error();
-      return as_wanted(from_pair(*pair, options.method.value_or(default_method()), options, work), options,
-                       work);
-    }
-    default:
-      return not_yet(input);
+/// Runs the recipe that fits the values.
+struct RunRecipe {
+  const MakeOptions& options;
+  const Work& work;
+
+  Result<MadeScene> operator()(Image picture) const {
+    return contours_from_picture(std::move(picture), options.recipes.contours, work);
   }
+  Result<MadeScene> operator()(const ReadyPair& ready) const {
+    return filled(relief_from_pair(ready.pair, options.recipes.stereo, options.recipes.relief, work), options,
+                  work);
+  }
+  Result<MadeScene> operator()(recipes::DepthInput depth) const {
+    return filled(relief_from_depth(std::move(depth), options.recipes.relief, work), options, work);
+  }
+  Result<MadeScene> operator()(const std::vector<recipes::PosedDepth>& views) const {
+    return field_from_depth_maps(views, {options.recipes.fusion, options.recipes.field}, work);
+  }
+  Result<MadeScene> operator()(Mesh mesh) const {
+    return field_from_mesh(std::move(mesh), options.recipes.field, work);
+  }
+  Result<MadeScene> operator()(PointCloud cloud) const {
+    return field_from_points(std::move(cloud), options.recipes.field, work);
+  }
+  Result<MadeScene> operator()(std::vector<models::Superquadric> shapes) const {
+    return field_from_superquadrics(std::move(shapes), options.recipes.field, work);
+  }
+  Result<MadeScene> operator()(const LevelSet& set) const {
+    return field_from_level_set(set, options.recipes.field, work);
+  }
+  Result<MadeScene> operator()(models::Scene scene) const {
+    return filled(MadeScene{std::move(scene), {}}, options, work);
+  }
+};
+
+/// What was read, ready for its recipe.
+struct Prepared {
+  InputValues values;
+  std::vector<Note> notes;
+  /// Notes that come after the recipe's own.
+  std::vector<Note> last_notes;
+  /// Of an error of the recipe.
+  std::string place;
+};
+
+Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
+  const auto input = recognise(options.input);
+  if (!input) return input.error();
+  if (const auto possible = check_kind(*input, options); !possible) return possible.error();
+  Prepared out;
+  if (is_contours(options, *input)) {
+    auto picture = read_one_picture(options.input);
+    if (!picture) return picture.error();
+    out.values = std::move(*picture);
+  } else {
+    auto read = read_input(*input, options.input, work);
+    if (!read) return read.error();
+    out.values = std::move(read->values);
+    out.notes = std::move(read->notes);
+  }
+  // Of a depth map and its colour picture, the depth comes second.
+  out.place = input->kind == InputKind::depth ? input->files.back().string() : names_of(input->files);
+  if (asks_for_regions(options.recipes.relief) && !has_regions(options, *input))
+    out.last_notes.emplace_back(
+        "Ground and background are found in pairs and single depth maps only: this is as without them.",
+        Reason::no_regions_in_input);
+  return out;
+}
+
+/// The recipe's result with its provenance, which a scene file brings with it, and with all notes.
+Result<MadeScene> finished(Result<MadeScene> made, const Prepared& from, const MakeOptions& options) {
+  if (!made) return at_place(made.error(), from.place);
+  if (!std::holds_alternative<models::Scene>(from.values)) {
+    for (const auto& file : options.input.files) made->scene.source.inputs.push_back(file.string());
+    made->scene.source.made_by = options.made_by;
+  }
+  made->notes.insert(made->notes.begin(), from.notes.begin(), from.notes.end());
+  made->notes.insert(made->notes.end(), from.last_notes.begin(), from.last_notes.end());
+  return made;
 }
 
 }  // namespace
 
-vision::StereoMethod default_method() {
-  return is_available(vision::StereoMethod::best) ? vision::StereoMethod::best
-                                                  : vision::StereoMethod::scanline;
-}
-
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
-  if (fuses_frames(options)) return without_regions(from_frames(options, work), options);
-  const auto input = sources::recognise_input(options.inputs, options.kind);
-  if (!input) return input.error();
-  auto made = made_from(*input, options, work);
-  return has_regions(options, *input) ? std::move(made) : without_regions(std::move(made), options);
+  auto from = prepared(options, work);
+  if (!from) return from.error();
+  return finished(std::visit(RunRecipe{options, work}, std::move(from->values)), *from, options);
 }
 
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
-  const auto alone = [&]() -> Result<void> {
-    auto made = make_scene(options, work);
+  auto from = prepared(options, work);
+  if (!from) return from.error();
+  const auto* pair = std::get_if<ReadyPair>(&from->values);
+  if (pair == nullptr) {
+    auto made = finished(std::visit(RunRecipe{options, work}, std::move(from->values)), *from, options);
     if (!made) return made.error();
     take(std::move(*made));
     return {};
-  };
-  if (fuses_frames(options)) return alone();
-  const auto input = sources::recognise_input(options.inputs, options.kind);
-  if (!input) return input.error();
-  if (!is_matched(options, *input)) return alone();
-  const auto pair = read_stereo_pair(stereo_input(options), work);
-  if (!pair) return pair.error();
-  for (const vision::StereoMethod method : methods_of_a_touch(options)) {
-    auto made = as_wanted(from_pair(*pair, method, options, work), options, work);
+  }
+  for (const vision::StereoMethod method : recipes::progressive_methods(options.recipes.stereo)) {
+    MakeOptions with_method = options;
+    with_method.recipes.stereo.method = method;
+    auto made = finished(RunRecipe{with_method, work}(*pair), *from, options);
     if (!made) return made.error();
     take(std::move(*made));
   }

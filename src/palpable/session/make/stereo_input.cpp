@@ -35,7 +35,7 @@ void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy way) {
   ready.residual_px = rectified.residual_px;
   ready.features = rectified.features;
   if (rectified.changed) ready.rectified_by = way;
-  for (std::string& note : rectified.notes) ready.notes.push_back(std::move(note));
+  ready.notes.insert(ready.notes.end(), rectified.notes.begin(), rectified.notes.end());
 }
 
 /// The camera of a picture taken by one that was moved: as the calibration says; else a usual one, and a
@@ -44,8 +44,8 @@ vision::LensCamera moved_camera(const std::optional<sources::Calibration>& calib
   if (calibration) return lens_of(calibration->left);
   ready.notes.emplace_back(
       "The camera's focal length is not known; 65 degrees across the picture were assumed, and all depths "
-      "are "
-      "wrong by the same factor where it is another: give --calibration to know them.");
+      "are wrong by the same factor where it is another.",
+      Reason::needs_calibration);
   return vision::usual_camera(ready.pair.left.width, ready.pair.left.height);
 }
 
@@ -82,8 +82,9 @@ Result<void> rectify_calibrated(const sources::Calibration& calibration, ReadyPa
   }
   if (!calibration.right)
     ready.notes.emplace_back(
-        "The calibration knows one camera: both pictures were taken to be its, and depth has no unit; say "
-        "--moved MM where it was moved sideways by a known distance.");
+        "The calibration is of one camera: both pictures were taken to be its, and depth has no unit, as it "
+        "is not known how far the camera was moved.",
+        Reason::needs_camera_movement);
   auto straight = vision::undistorted(ready.pair, left, right);
   if (!straight) return straight.error();
   ready.pair = std::move(*straight);
@@ -113,7 +114,7 @@ Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work) {
   if (!calibration) return calibration.error();
   ReadyPair ready;
   ready.pair = {std::move(two->left), std::move(two->right), {}};
-  ready.notes = std::move(two->notes);
+  ready.notes.assign(two->notes.begin(), two->notes.end());
   ready.residual_before_px = ready.residual_px = std::numeric_limits<double>::quiet_NaN();
   if (*calibration)
     ready.notes.insert(ready.notes.end(), (*calibration)->notes.begin(), (*calibration)->notes.end());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/note.hpp"
+#include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
@@ -43,12 +45,12 @@ struct ReadyPair {
   vision::StereoPair pair;
   RectifiedBy rectified_by = RectifiedBy::nothing;
   /// RMS of y_left - y_right of matched features in pixels, before and after; NaN where it was not measured
-  /// (the calibration states a rectified pair, --rectify off) or there are no features.
+  /// (the calibration states a rectified pair, Rectification::never) or there are no features.
   double residual_before_px = 0.0;
   double residual_px = 0.0;
   int features = 0;
-  /// What the person should know, a sentence each.
-  std::vector<std::string> notes;
+  /// What the person should know.
+  std::vector<Note> notes;
 };
 
 /// Reads a pair and rectifies it: a pair of calibrated cameras is undistorted and rectified, one of unknown

@@ -9,7 +9,7 @@
 
 namespace palpable::session {
 
-/// CONTRACT's figures for a session that ran (docs/cli.md, touch --headless).
+/// CONTRACT's figures for a session that ran (docs/cli.md, a touch without page).
 struct TouchStatistics {
   haptics::ServoStatistics servo;
   /// From the reference time given to TouchSession::open to the first force that a hand can feel; NaN if

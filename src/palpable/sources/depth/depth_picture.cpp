@@ -16,8 +16,10 @@
 namespace palpable::sources {
 namespace {
 
-constexpr const char* kTakenAsMetres =
-    "The file's numbers were taken as depth in metres. Give --depth-scale or --depth-as otherwise.";
+Note taken_as_metres() {
+  return {"The file's numbers were taken as depth in metres.", Reason::depth_numbers_assumed};
+}
+
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /// Numbers, and what they are before anything is stated about them.
@@ -28,7 +30,7 @@ struct Numbers {
   /// Where the file holds its own picture too.
   std::optional<Image> colour;
   DepthSettings stated;
-  std::string note;
+  std::optional<Note> note;
 };
 
 Image without_alpha(const Image& image) {
@@ -47,7 +49,7 @@ Numbers from_alpha(const Image& image) {
   for (std::size_t i = 0; i < out.values.count(); ++i)
     out.values.values()[i] = std::round(out.most * image.samples[(i + 1) * channels - 1]);
   out.stated.meaning = DepthMeaning::nearness;
-  out.note = "The picture's alpha channel was taken as nearness: opaque is nearest.";
+  out.note = Note("The picture's alpha channel was taken as nearness: opaque is nearest.");
   return out;
 }
 
@@ -74,7 +76,7 @@ Result<Numbers> from_photo(const PhotoDepth& photo, Image colour, int orientatio
   } else {
     for (float& v : out.values.values()) v = nearness ? v : 1.0F - v;
     out.stated.meaning = DepthMeaning::nearness;
-    out.note = "The photograph's depth has no unit; only its shape is used.";
+    out.note = Note("The photograph's depth has no unit; only its shape is used.");
   }
   return out;
 }
@@ -93,14 +95,14 @@ Result<Numbers> from_picture(std::span<const std::byte> file) {
   Numbers out{*std::move(values), most_of(*image), std::nullopt, {}, {}};
   if (image->bits == 8) {
     out.stated.meaning = DepthMeaning::nearness;
-    out.note =
-        "An 8-bit picture of depth was taken as nearness: white is nearest. Give --depth-as otherwise.";
+    out.note = Note("An 8-bit picture of depth was taken as nearness: white is nearest.",
+                    Reason::depth_meaning_assumed);
   } else if (image->bits == 16) {
     constexpr double kMillimetres = 1e-3;
     out.stated.metres_per_unit = kMillimetres;
-    out.note = "16-bit depth was taken as millimetres: 1000 is 1 m. Give --depth-scale otherwise.";
+    out.note = Note("16-bit depth was taken as millimetres: 1000 is 1 m.", Reason::depth_scale_assumed);
   } else {
-    out.note = kTakenAsMetres;
+    out.note = taken_as_metres();
   }
   return out;
 }
@@ -119,7 +121,7 @@ Result<Numbers> from_file(std::span<const std::byte> file) {
   if (format != PictureFormat::pfm && format != PictureFormat::exr) return from_picture(file);
   auto values = decode_raster(file);
   if (!values) return std::move(values).error();
-  return Numbers{*std::move(values), 1.0F, std::nullopt, {}, kTakenAsMetres};
+  return Numbers{*std::move(values), 1.0F, std::nullopt, {}, taken_as_metres()};
 }
 
 DisparityMap scaled_disparity(const Raster<float>& values, double scale, bool zero_is_unknown) {
@@ -164,7 +166,7 @@ Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const 
   if (meaning == DepthMeaning::zbuffer) {
     if (!s.zbuffer)
       return Error{
-          ErrorCode::usage, "a depth buffer needs its near and far planes (--near-plane, --far-plane)", {}};
+          ErrorCode::usage, "a depth buffer needs its near and far planes", {}, Reason::needs_clip_planes};
     for (float& v : values.values()) v /= numbers.most;
     auto depth = linearise_zbuffer(values, *s.zbuffer);
     if (!depth) return std::move(depth).error();
@@ -173,8 +175,10 @@ Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const 
   if (!integers) forget_the_endless(values);
   if (meaning == DepthMeaning::distance) {
     if (!s.camera)
-      return Error{
-          ErrorCode::usage, "distances along the rays need the camera (--calibration, or a sidecar)", {}};
+      return Error{ErrorCode::usage,
+                   "distances along the rays need the camera, which a sidecar file may state too",
+                   {},
+                   Reason::needs_calibration};
     turn_distance_into_depth(values, *s.camera);
   }
   return Depth(depth_from_values(values, s.metres_per_unit.value_or(1.0)).depth);
@@ -237,7 +241,7 @@ Result<DepthPicture> assembled(std::span<const std::byte> file, const std::optio
   DepthPicture out;
   const bool assumed =
       !settings.meaning && !settings.metres_per_unit && !settings.px_per_unit && !settings.zbuffer;
-  if (assumed && !numbers->note.empty()) out.notes.push_back(numbers->note);
+  if (assumed && numbers->note) out.notes.push_back(*numbers->note);
   DepthSettings stated = settings;
   // A stated scale or planes also state what the numbers mean.
   if (!stated.meaning && stated.metres_per_unit) stated.meaning = DepthMeaning::depth;

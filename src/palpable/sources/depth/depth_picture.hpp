@@ -4,6 +4,7 @@
 
 #include "palpable/core/camera.hpp"
 #include "palpable/core/image.hpp"
+#include "palpable/core/note.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/sources/depth/colour_registration.hpp"
 #include "palpable/sources/depth/zbuffer.hpp"
@@ -71,8 +72,8 @@ struct DepthPicture {
   /// The picture of the same pixels; alpha 0 where there is no colour.
   std::optional<Image> colour;
   std::size_t unknown = 0;
-  /// What was assumed, a sentence each.
-  std::vector<std::string> notes;
+  /// What was assumed.
+  std::vector<Note> notes;
 };
 
 /// Reads depth from one file (numbers; a picture with depth in its alpha channel; a phone's photograph with

@@ -188,7 +188,7 @@ Result<Input> recognise_photograph(const fs::path& path) {
   if (!announces_depth(*file)) return Input{InputKind::picture, {path}, {}};
   return Input{InputKind::depth,
                {path},
-               {"The photograph holds depth, which was taken; say --kind picture for its contours."}};
+               {Note("The photograph holds depth, which was used.", Reason::photo_depth_used)}};
 }
 
 }  // namespace

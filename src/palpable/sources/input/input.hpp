@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/note.hpp"
 #include "palpable/core/result.hpp"
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace palpable::sources {
 
-/// What goes in, as `--kind` names it.
+/// What kind of input a file is.
 enum class InputKind : std::uint8_t {
   picture,
   stereo,
@@ -39,8 +40,8 @@ struct Input {
   /// that holds both. depth: one, or its colour picture first and the depth second. video: one film, or the
   /// pictures of a folder in the order of their names (numbers counted as numbers). map: one.
   std::vector<std::filesystem::path> files;
-  /// What the person should know, a sentence each.
-  std::vector<std::string> notes;
+  /// What the person should know.
+  std::vector<Note> notes;
 };
 
 /// What one file is, by its first bytes and never by its name: pictures of every kind that read_picture()

@@ -75,7 +75,7 @@ template <class Choose>
 Result<Image> decode(std::span<const std::byte> bytes, const Choose& choose) {
   try {
     MemoryStream stream(bytes);
-    // One thread: the caller's. OpenEXR's own pool is not the person's --threads.
+    // One thread: the caller's. OpenEXR's own pool does not obey the caller's number of threads.
     Imf::InputFile file(stream, 0);
     const std::vector<std::string> chosen = choose(channels_of(file));
     if (chosen.empty()) return invalid_input("is an OpenEXR file without the channels that are looked for");

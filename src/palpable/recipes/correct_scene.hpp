@@ -3,13 +3,14 @@
 #pragma once
 
 #include "palpable/core/mesh.hpp"
+#include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/correction/surface_correction.hpp"
-#include "palpable/session/make/make_scene.hpp"
 
 #include <cstddef>
 
-namespace palpable::session {
+namespace palpable::recipes {
 
 struct CorrectedScene {
   MadeScene made;
@@ -26,4 +27,4 @@ struct CorrectedScene {
 Result<CorrectedScene> correct_scene(const models::Scene& scene, Mesh measured,
                                      const sculpt::CorrectionOptions& options, const Work& work);
 
-}  // namespace palpable::session
+}  // namespace palpable::recipes

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/make/correct_scene.hpp"
+#include "palpable/recipes/correct_scene.hpp"
 
 #include "palpable/sculpt/correction/field_correction.hpp"
 #include "palpable/sculpt/field/field_surface.hpp"
@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-namespace palpable::session {
+namespace palpable::recipes {
 namespace {
 
 /// As the field was built: its resolution follows from its cells.
@@ -68,8 +68,8 @@ Result<CorrectedScene> correct_scene(const models::Scene& scene, Mesh measured,
   next.model = std::make_shared<const models::Field>(*std::move(whole));
   next.source.method += fmt::format(", corrected by a measured surface (reach {:g} mm, transition {:g} mm)",
                                     1000.0 * options.reach_m, 1000.0 * options.transition_m);
-  corrected.made.scene = std::make_shared<const models::Scene>(std::move(next));
+  corrected.made.scene = std::move(next);
   return corrected;
 }
 
-}  // namespace palpable::session
+}  // namespace palpable::recipes

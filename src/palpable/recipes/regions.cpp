@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/make/regions.hpp"
+#include "palpable/recipes/regions.hpp"
 
 #include "palpable/core/quantile.hpp"
 #include "palpable/vision/segmentation/background.hpp"
@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-namespace palpable::session {
+namespace palpable::recipes {
 namespace {
 
 /// Materials of a scene whose regions were told apart; they feel alike, and have names.
@@ -33,22 +33,23 @@ void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region)
 
 /// The ground, where something asks for it, and a note of it.
 std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const SeenPicture& seen,
-                                        const MakeOptions& options, const Work& work,
-                                        std::vector<std::string>& notes) {
-  const bool wanted = options.ground != vision::GroundTreatment::keep;
-  if (!asks_for_regions(options)) return std::nullopt;
+                                        const ReliefRecipe& recipe, const Work& work,
+                                        std::vector<Note>& notes) {
+  const bool wanted = recipe.ground != vision::GroundTreatment::keep;
+  if (!asks_for_regions(recipe)) return std::nullopt;
   work.report(0.9, "finding the ground");
   auto ground = vision::find_ground(seen.picture, disparity.disparity_px, work, seen.origin);
   // A plane that is everywhere has nothing on it: it must not swallow the background that is asked for.
   constexpr double kEverywhere = 0.95;
   if (ground && !wanted && ground->share > kEverywhere) return std::nullopt;
   if (ground)
-    notes.push_back(fmt::format("The ground covers {:.0f} % of the picture{}.", 100.0 * ground->share,
-                                seen.origin == vision::DisparityOrigin::matched
-                                    ? fmt::format(", {:.2f} px from a plane", ground->rms_px)
-                                    : std::string()));
+    notes.emplace_back(fmt::format("The ground covers {:.0f} % of the picture{}.", 100.0 * ground->share,
+                                   seen.origin == vision::DisparityOrigin::matched
+                                       ? fmt::format(", {:.2f} px from a plane", ground->rms_px)
+                                       : std::string()));
   else if (wanted)
-    notes.emplace_back("No ground was found in this picture: the relief is as it would be without --ground.");
+    notes.emplace_back("No ground was found in this picture: the relief keeps it as it is.",
+                       Reason::no_ground_found);
   return ground;
 }
 
@@ -56,9 +57,9 @@ std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const See
 /// once, and would part what stands on it.
 std::optional<vision::Background> background_of(DisparityMap disparity,
                                                 const std::optional<vision::Ground>& ground,
-                                                const SeenPicture& seen, const MakeOptions& options,
-                                                const Work& work, std::vector<std::string>& notes) {
-  if (options.background == BackgroundTreatment::keep) return std::nullopt;
+                                                const SeenPicture& seen, const ReliefRecipe& recipe,
+                                                const Work& work, std::vector<Note>& notes) {
+  if (recipe.background == BackgroundTreatment::keep) return std::nullopt;
   work.report(0.92, "finding the background");
   const auto without = [&](Raster<std::uint8_t>* mask) {
     for (std::size_t i = 0; ground && i < ground->mask.count(); ++i) {
@@ -77,8 +78,8 @@ std::optional<vision::Background> background_of(DisparityMap disparity,
   const std::string moves = seen.origin == vision::DisparityOrigin::matched
                                 ? fmt::format(" moves less than {:.1f} px", background->threshold_px)
                                 : " was found";
-  notes.push_back(fmt::format("The background{}: {} of {} regions were removed with it.", moves,
-                              background->removed, background->regions));
+  notes.emplace_back(fmt::format("The background{}: {} of {} regions were removed with it.", moves,
+                                 background->removed, background->regions));
   return background;
 }
 
@@ -120,44 +121,44 @@ Raster<Rgb8> grey_of(const DisparityMap& parallax) {
 
 }  // namespace
 
-bool asks_for_regions(const MakeOptions& options) {
-  return options.ground != vision::GroundTreatment::keep || options.background != BackgroundTreatment::keep;
+bool asks_for_regions(const ReliefRecipe& recipe) {
+  return recipe.ground != vision::GroundTreatment::keep || recipe.background != BackgroundTreatment::keep;
 }
 
 DisparityMap with_regions_treated(const DisparityMap& disparity, const SeenPicture& seen,
-                                  const MakeOptions& options, const Work& work, models::Scene& scene,
-                                  std::vector<std::string>& notes) {
-  const auto ground = ground_of(disparity, seen, options, work, notes);
-  const auto background = background_of(disparity, ground, seen, options, work, notes);
+                                  const ReliefRecipe& recipe, const Work& work, models::Scene& scene,
+                                  std::vector<Note>& notes) {
+  const auto ground = ground_of(disparity, seen, recipe, work, notes);
+  const auto background = background_of(disparity, ground, seen, recipe, work, notes);
   if (background) mark(scene, background->mask, kBackground);
   if (ground) mark(scene, ground->mask, kGround);
   DisparityMap treated = disparity;
-  if (ground && (!background || options.ground == vision::GroundTreatment::flatten))
-    treated = vision::treat_ground(disparity, *ground, options.ground);
+  if (ground && (!background || recipe.ground == vision::GroundTreatment::flatten))
+    treated = vision::treat_ground(disparity, *ground, recipe.ground);
   if (!background) return treated;
   Raster<std::uint8_t> goes = background->mask;
-  if (ground && options.ground == vision::GroundTreatment::remove)
+  if (ground && recipe.ground == vision::GroundTreatment::remove)
     for (std::size_t i = 0; i < goes.count(); ++i) goes.values()[i] |= ground->mask.values()[i];
   return vision::lowered(treated, goes);
 }
 
-void treat_regions(sources::DepthPicture& read, const MakeOptions& options, const Work& work,
-                   models::Scene& regions) {
-  if (!asks_for_regions(options)) return;
-  const DisparityMap parallax = parallax_of(read.depth);
-  const SeenPicture seen{read.colour ? rgb8(*read.colour) : grey_of(parallax),
+void treat_regions(DepthInput& input, const ReliefRecipe& recipe, const Work& work, models::Scene& regions,
+                   std::vector<Note>& notes) {
+  if (!asks_for_regions(recipe)) return;
+  const DisparityMap parallax = parallax_of(input.depth);
+  const SeenPicture seen{input.colour ? rgb8(*input.colour) : grey_of(parallax),
                          vision::DisparityOrigin::measured};
-  DisparityMap treated = with_regions_treated(parallax, seen, options, work, regions, read.notes);
+  DisparityMap treated = with_regions_treated(parallax, seen, recipe, work, regions, notes);
   if (regions.labels.empty()) return;
-  const auto* metres = std::get_if<DepthMap>(&read.depth);
+  const auto* metres = std::get_if<DepthMap>(&input.depth);
   // Heights above the ground are no depths any more, and have no camera.
   if (metres == nullptr || !treated.rig) {
-    read.depth = std::move(treated);
+    input.depth = std::move(treated);
     return;
   }
   DepthMap depth = *depth_from_disparity(treated);
   depth.camera = metres->camera;
-  read.depth = std::move(depth);
+  input.depth = std::move(depth);
 }
 
-}  // namespace palpable::session
+}  // namespace palpable::recipes

@@ -1,0 +1,31 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/recipes/made_scene.hpp"
+#include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
+#include "palpable/sculpt/contours/grooves.hpp"
+#include "palpable/vision/contours/contours.hpp"
+
+#include <cstddef>
+
+namespace palpable::recipes {
+
+/// How a picture becomes a map of its boundaries.
+struct ContoursRecipe {
+  vision::ContourOptions contours;
+  sculpt::BoundaryMapOptions map;
+  sculpt::GrooveOptions grooves;
+  /// A larger picture is reduced first: 2000 pixels across a hand's breadth are finer than a finger.
+  std::size_t most_pixels = std::size_t{4} << 20U;
+};
+
+/// The boundaries of one picture, as a map to trace and as grooves. Long work: reports progress, polls
+/// cancel. Any thread. Errors: as vision::find_contours(), sculpt::boundary_map_from_contours() and
+/// sculpt::grooves_from_boundary_map(), without a place.
+Result<MadeScene> contours_from_picture(Image picture, const ContoursRecipe& recipe, const Work& work);
+
+}  // namespace palpable::recipes

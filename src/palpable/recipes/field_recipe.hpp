@@ -1,0 +1,62 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/level_set.hpp"
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/point_cloud.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/field/superquadric.hpp"
+#include "palpable/recipes/made_scene.hpp"
+#include "palpable/sculpt/field/field_from_source.hpp"
+#include "palpable/sculpt/points/cloud_surface.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace palpable::recipes {
+
+/// How a solid's distance is stored.
+enum class FieldStorage {
+  /// Finely where it needs to be known (models::DistanceField): small, exact and smooth.
+  adaptive,
+  /// At every point of a lattice, for comparison.
+  dense,
+  /// As Moustakas et al. 2007 stored it at first: by fast marching, distance and force at every point.
+  paper
+};
+
+/// How a solid becomes a distance field.
+struct FieldRecipe {
+  /// The solid is scaled into this box, its lowest point at z = 0 and its middle over the origin; each 1 mm
+  /// ... 1 m. Not given: it keeps its metres and its origin.
+  std::optional<Vec3> size_m;
+  sculpt::FieldOptions field;
+  FieldStorage storage = FieldStorage::adaptive;
+  /// Of points: their surface.
+  sculpt::CloudOptions cloud;
+};
+
+// Each of these is long work for any thread: all threads are used, progress is reported, cancel is polled.
+// Errors have no place: invalid_input for values that bound no solid, usage for options out of range, failed
+// for a field that needs too much memory, interrupted.
+
+/// The field of the solid that a mesh means (sculpt::solid_from_mesh()), in the scene frame's axes, metres.
+Result<MadeScene> field_from_mesh(Mesh mesh, const FieldRecipe& recipe, const Work& work);
+
+/// The same from points on a solid's surface; normals are estimated where the cloud has none, with a note.
+Result<MadeScene> field_from_points(PointCloud cloud, const FieldRecipe& recipe, const Work& work);
+
+/// The exact distance of superquadrics, which stay in the scene as its primitives.
+Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> shapes,
+                                           const FieldRecipe& recipe, const Work& work);
+
+/// The field of a level set's surface, resampled.
+Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& recipe, const Work& work);
+
+/// The volume behind the surface of a scene that is a relief (Park & Howard 2012), down to a base plate, as a
+/// field. recipe.size_m is not used. Errors: also usage for a scene of another kind.
+Result<MadeScene> field_from_relief(MadeScene made, const FieldRecipe& recipe, const Work& work);
+
+}  // namespace palpable::recipes

@@ -1,0 +1,67 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/fused_depth_recipe.hpp"
+
+#include "palpable/recipes/solid.hpp"
+#include "palpable/sculpt/field/level_set_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::recipes {
+namespace {
+
+using WorldFromCamera = Transform<models::InputFrame, CameraFrame>;
+
+/// Whether a camera's own axes are the world's.
+bool is_identity(const WorldFromCamera& pose) {
+  const WorldFromCamera none;
+  double off = norm(pose.translation_m);
+  for (std::size_t i = 0; i < 9; ++i) off = std::max(off, std::abs(pose.rotation[i] - none.rotation[i]));
+  return off < 1e-6;
+}
+
+/// First the one, which neither scales nor moves, then the other.
+SceneFromInput then(const SceneFromInput& turn, const SceneFromInput& place) {
+  SceneFromInput both = place;
+  both.rotation = turn.rotation;
+  return both;
+}
+
+}  // namespace
+
+Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, const FusedDepthRecipe& recipe,
+                                        const Work& work) {
+  std::vector<Note> notes;
+  SceneFromInput upright;
+  const auto own = std::count_if(given.begin(), given.end(),
+                                 [](const PosedDepth& view) { return is_identity(view.world_from_camera); });
+  if (own > 0) upright.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};
+  if (own > 0 && static_cast<std::size_t>(own) < given.size())
+    notes.emplace_back("The poses' world is a camera's own: it was turned so that y is up.");
+  std::vector<sculpt::DepthView> views;
+  views.reserve(given.size());
+  for (const PosedDepth& view : given) views.push_back({&view.depth, upright * view.world_from_camera});
+  sculpt::FusionOptions fusion = recipe.fusion;
+  fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
+  const auto set = sculpt::fused_depth(views, fusion, work);
+  if (!set) return set.error();
+  auto surface = sculpt::surface_of_level_set(*set, work);
+  if (!surface) return surface.error();
+  const double voxel_m = norm(set->steps_m[0]);
+  notes.emplace_back(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", given.size(),
+                                 given.size() == 1 ? " was" : "s were", 1000.0 * voxel_m));
+  // The noise of depth cameras is no finer.
+  constexpr double kOfAVoxel = 0.5;
+  auto solid = solid_of_contour(std::move(*surface), kOfAVoxel * voxel_m, recipe.field);
+  if (!solid) return solid.error();
+  solid->scene_from_input = then(upright, solid->scene_from_input);
+  solid->notes = std::move(notes);
+  return field_scene(*std::move(solid), "depth", recipe.field, work);
+}
+
+}  // namespace palpable::recipes

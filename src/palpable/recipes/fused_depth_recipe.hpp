@@ -1,0 +1,38 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/frame.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/recipes/field_recipe.hpp"
+#include "palpable/recipes/made_scene.hpp"
+#include "palpable/sculpt/points/depth_fusion.hpp"
+
+#include <vector>
+
+namespace palpable::recipes {
+
+/// One of several depth maps of the same scene. Its camera must be known.
+struct PosedDepth {
+  DepthMap depth;
+  /// Camera x right, y down, z forward; metres.
+  Transform<models::InputFrame, CameraFrame> world_from_camera;
+};
+
+/// How several depth maps become one field.
+struct FusedDepthRecipe {
+  /// fusion.resolution is at most that of the field.
+  sculpt::FusionOptions fusion;
+  FieldRecipe field;
+};
+
+/// The field of the solid that several depth maps saw, closed by what is filled behind. The scene is the
+/// poses' world; where one of the poses is the identity, so that the world is a camera's own, it is turned so
+/// that y is up and z towards the person. Long work, any thread. Errors, without a place: as
+/// sculpt::fused_depth() and field_from_level_set().
+Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& views, const FusedDepthRecipe& recipe,
+                                        const Work& work);
+
+}  // namespace palpable::recipes

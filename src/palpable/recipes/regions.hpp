@@ -1,0 +1,37 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/camera.hpp"
+#include "palpable/core/image.hpp"
+#include "palpable/core/note.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/recipes/relief_recipe.hpp"
+#include "palpable/vision/segmentation/ground.hpp"
+
+#include <vector>
+
+namespace palpable::recipes {
+
+/// What ground and background are found in: a picture, and where the depth of its pixels is from.
+struct SeenPicture {
+  Raster<Rgb8> picture;
+  vision::DisparityOrigin origin = vision::DisparityOrigin::matched;
+};
+
+/// Whether the ground or the background is to be found at all.
+bool asks_for_regions(const ReliefRecipe& recipe);
+
+/// The disparity with ground and background treated as the recipe says. The scene's labels and materials say
+/// where they are (left empty where neither was found); notes say how much they cover, or that there is none.
+DisparityMap with_regions_treated(const DisparityMap& disparity, const SeenPicture& seen,
+                                  const ReliefRecipe& recipe, const Work& work, models::Scene& scene,
+                                  std::vector<Note>& notes);
+
+/// The same for depth that was not matched: it is converted to the disparities that a pair of cameras would
+/// see. Unchanged where neither is found; with a flattened ground the result is heights above it, not depth.
+void treat_regions(DepthInput& input, const ReliefRecipe& recipe, const Work& work, models::Scene& regions,
+                   std::vector<Note>& notes);
+
+}  // namespace palpable::recipes

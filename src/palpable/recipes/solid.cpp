@@ -1,0 +1,197 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/solid.hpp"
+
+#include "palpable/core/memory.hpp"
+#include "palpable/sculpt/solid/mesh_solid.hpp"
+#include "palpable/sculpt/solid/superquadric_source.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::recipes {
+namespace {
+
+/// Of the finite vertices that a triangle uses.
+Result<sculpt::Box> box_of(const Mesh& mesh) {
+  std::optional<sculpt::Box> box;
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t index : t) {
+      if (index >= mesh.vertices_m.size() || !is_finite(mesh.vertices_m[index])) continue;
+      if (!box) box = {mesh.vertices_m[index], mesh.vertices_m[index]};
+      box->grow(mesh.vertices_m[index]);
+    }
+  if (!box) return invalid_input("is a mesh without a finite triangle");
+  return *box;
+}
+
+/// Into the box of that size, standing on z = 0.
+SceneFromInput fitted(const sculpt::Box& box, Vec3 size_m) {
+  const Vec3 extent = box.most_m - box.least_m;
+  double scale = 1e12;
+  for (const auto& [have, want] :
+       {std::pair(extent.x, size_m.x), std::pair(extent.y, size_m.y), std::pair(extent.z, size_m.z)})
+    if (have > 0.0) scale = std::min(scale, want / have);
+  SceneFromInput transform;
+  transform.scale = scale;
+  const Vec3 middle = 0.5 * (box.least_m + box.most_m);
+  transform.translation_m = -scale * Vec3{middle.x, middle.y, box.least_m.z};
+  return transform;
+}
+
+/// Scales a mesh into that box, if one is given, and says how.
+Result<SceneFromInput> place_mesh(Mesh& mesh, const std::optional<Vec3>& size_m) {
+  const auto box = box_of(mesh);
+  if (!box) return box.error();
+  if (!size_m) return SceneFromInput{};
+  const SceneFromInput transform = fitted(*box, *size_m);
+  for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
+  return transform;
+}
+
+/// Refuses what is known to be too large from its extent alone, before anything else is done.
+Result<void> check_size(const sculpt::Box& box, const FieldRecipe& recipe) {
+  if (recipe.storage == FieldStorage::adaptive) return {};
+  const auto lattice = sculpt::lattice_around(box, dense_options(recipe));
+  if (!lattice) return lattice.error();
+  return {};
+}
+
+/// Scaled and moved as the transform says, which does not turn.
+models::Superquadric placed(models::Superquadric shape, const SceneFromInput& transform) {
+  Vec3& at_m = shape.scene_from_shape.translation_m;
+  at_m = transform.scale * at_m + transform.translation_m;
+  shape.size_m *= transform.scale;
+  shape.bend_per_m /= transform.scale;
+  return shape;
+}
+
+/// The greatest error is of one place: of a mesh that was repaired badly it shows what the 99 % hide.
+std::string note_on(const models::FieldErrors& errors) {
+  return fmt::format(
+      "The field's measured error near the surface is at most {:.0f} um; 99 % of it is below {:.1f} um.",
+      1e6 * errors.max_m, 1e6 * errors.p99_m);
+}
+
+template <class Distance>
+Result<models::Model> model_of(Distance distance, const Solid& solid) {
+  const sculpt::Box surface = solid.distance->bounds();
+  auto field = models::field_of(std::move(distance), surface.least_m, surface.most_m);
+  if (!field) return field.error();
+  field->primitives = solid.primitives;
+  return models::Model(std::make_shared<const models::SolidField<Distance>>(*std::move(field)));
+}
+
+Result<StoredField> stored_densely(const Solid& solid, const FieldRecipe& recipe, const Work& work) {
+  auto distance = sculpt::dense_field_from_source(*solid.distance, dense_options(recipe), work);
+  if (!distance) return distance.error();
+  auto model = model_of(*std::move(distance), solid);
+  if (!model) return model.error();
+  const bool paper = recipe.storage == FieldStorage::paper;
+  return StoredField{*std::move(model),
+                     fmt::format("{} cells, dense{}", recipe.field.resolution,
+                                 paper ? ", distance and force by fast marching" : ""),
+                     {}};
+}
+
+}  // namespace
+
+sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe) {
+  sculpt::DenseFieldOptions dense;
+  if (recipe.storage == FieldStorage::paper) dense.content = models::DenseContent::distance_and_force;
+  dense.resolution = recipe.field.resolution;
+  return dense;
+}
+
+Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
+  const auto transform = place_mesh(mesh, recipe.size_m);
+  if (!transform) return transform.error();
+  Solid solid;
+  solid.scene_from_input = *transform;
+  const auto box = box_of(mesh);
+  if (!box) return box.error();
+  if (const auto fits = check_size(*box, recipe); !fits) return fits.error();
+  const auto cell_m = sculpt::finest_cell_m(*box, recipe.field);
+  if (!cell_m) return cell_m.error();
+  if (const auto free_bytes = available_memory_bytes())
+    if (auto refused = sculpt::mesh_too_large(mesh.triangles.size(), *free_bytes)) return *std::move(refused);
+  // The dense fields are for comparison: they keep the triangles as they are.
+  const double rounding_m =
+      recipe.storage == FieldStorage::adaptive ? sculpt::facet_rounding_m(*box, recipe.field) : 0.0;
+  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, rounding_m);
+  if (!made) return made.error();
+  solid.distance = std::move(made->distance);
+  const auto notes = made->repair.notes();
+  solid.notes.assign(notes.begin(), notes.end());
+  return solid;
+}
+
+Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldRecipe& recipe) {
+  auto distance = sculpt::distance_of(shapes);
+  if (!distance) return distance.error();
+  Solid solid;
+  if (recipe.size_m) {
+    solid.scene_from_input = fitted((*distance)->bounds(), *recipe.size_m);
+    for (models::Superquadric& shape : shapes) shape = placed(shape, solid.scene_from_input);
+    distance = sculpt::distance_of(shapes);
+    if (!distance) return distance.error();
+  }
+  solid.distance = std::move(*distance);
+  solid.primitives = std::move(shapes);
+  return solid;
+}
+
+Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecipe& recipe) {
+  const auto transform = place_mesh(surface, recipe.size_m);
+  if (!transform) return transform.error();
+  const auto box = box_of(surface);
+  if (!box) return box.error();
+  if (const auto fits = check_size(*box, recipe); !fits) return fits.error();
+  auto distance = sculpt::solid_from_contour(surface);
+  if (!distance) return distance.error();
+  Solid solid;
+  solid.distance = std::move(*distance);
+  solid.scene_from_input = *transform;
+  solid.exact_to_m = transform->scale * exact_to_m;
+  return solid;
+}
+
+Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, const Work& work) {
+  if (recipe.storage != FieldStorage::adaptive) return stored_densely(solid, recipe, work);
+  sculpt::FieldOptions field_options = recipe.field;
+  if (field_options.max_error_m == 0.0 && solid.exact_to_m > 0.0)
+    field_options.max_error_m = solid.exact_to_m;
+  // Parts, tree and the table that finds equal leaves exist at the same time.
+  constexpr std::size_t kWhileBuilding = 4;
+  if (const auto free_bytes = available_memory_bytes())
+    field_options.most_bytes = std::min(field_options.most_bytes, *free_bytes / kWhileBuilding);
+  auto distance = sculpt::field_from_source(*solid.distance, field_options, work);
+  if (!distance) return distance.error();
+  const models::FieldErrors errors = distance->errors();
+  auto model = model_of(*std::move(distance), solid);
+  if (!model) return model.error();
+  return StoredField{
+      *std::move(model),
+      fmt::format("{} cells, error bound {:.1f} um", field_options.resolution, 1e6 * errors.bound_m),
+      {note_on(errors)}};
+}
+
+Result<MadeScene> field_scene(Solid solid, const std::string& input, const FieldRecipe& recipe,
+                              const Work& work) {
+  auto field = stored_field(solid, recipe, work);
+  if (!field) return field.error();
+  models::Scene scene;
+  scene.scene_from_input = solid.scene_from_input;
+  scene.source.method = fmt::format("field of {}, {}", input, field->method);
+  scene.model = std::move(field->model);
+  std::vector<Note> notes = std::move(solid.notes);
+  notes.insert(notes.end(), field->notes.begin(), field->notes.end());
+  return MadeScene{std::move(scene), std::move(notes)};
+}
+
+}  // namespace palpable::recipes

@@ -1,0 +1,74 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/level_set.hpp"
+#include "palpable/core/mesh.hpp"
+#include "palpable/core/note.hpp"
+#include "palpable/core/point_cloud.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/field/superquadric.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/recipes/fused_depth_recipe.hpp"
+#include "palpable/recipes/relief_recipe.hpp"
+#include "palpable/session/make/stereo_input.hpp"
+#include "palpable/sources/depth/depth_picture.hpp"
+#include "palpable/sources/input/input.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace palpable::session {
+
+/// The files that a scene is made from, and what is known of them.
+struct InputOptions {
+  /// One or more: a scene, a picture pair (left first), one file that holds a pair, a depth map, a picture
+  /// and its depth map, several depth maps, a mesh, points, superquadrics, a level set.
+  std::vector<std::filesystem::path> files;
+  /// Not given: recognised by content.
+  std::optional<sources::InputKind> kind;
+  /// The file of the cameras: OpenCV yml/xml, Middlebury calib.txt or JSON; empty = none.
+  std::filesystem::path calibration;
+  /// The file of several depth maps' poses: CSV `frame,qw,qx,qy,qz,tx,ty,tz`, world from camera, camera x
+  /// right, y down, z forward, `frame` being the last number in a depth map's name. Empty = every camera is
+  /// in the origin.
+  std::filesystem::path poses;
+  /// What is known of a depth file; what is not given is as its sidecar or the file itself says.
+  sources::DepthSettings depth;
+  /// How one picture holds a pair.
+  sources::StereoLayout layout = sources::StereoLayout::automatic;
+  /// Of a pair: whether it is rectified, and by how many metres one camera was moved.
+  Rectification rectification = Rectification::automatic;
+  std::optional<double> moved_m;
+};
+
+/// What the files hold.
+using InputValues =
+    std::variant<Image, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>, Mesh, PointCloud,
+                 std::vector<models::Superquadric>, LevelSet, models::Scene>;
+
+struct ReadInput {
+  InputValues values;
+  std::vector<Note> notes;
+};
+
+/// Whether the files are several depth maps of one scene: more than two of kind depth, or any with poses.
+bool holds_depth_maps(const InputOptions& options);
+
+/// What the files are. Errors: as sources::recognise_input().
+Result<sources::Input> recognise(const InputOptions& options);
+
+/// Reads files of a kind that recognise() found, or those of holds_depth_maps(), as values in memory; a pair
+/// is rectified. Long work. Errors: invalid_input, naming the file; usage for options that do not fit and for
+/// kinds that cannot be read (video, map); interrupted.
+Result<ReadInput> read_input(const sources::Input& input, const InputOptions& options, const Work& work);
+
+/// One of the files, whatever it is, as a picture. Errors: usage for more than one; as
+/// sources::read_picture().
+Result<Image> read_one_picture(const InputOptions& options);
+
+}  // namespace palpable::session
