@@ -55,13 +55,11 @@ Console::Console(const CommonOptions& options)
       started_(std::chrono::steady_clock::now()),
       last_shown_(started_) {}
 
-void Console::note(std::string_view sentence) {
+void Console::note(const Note& note) {
   if (options_.quiet) return;
   const std::lock_guard lock(mutex_);
-  fmt::print(stderr, "{}\n", sentence);
+  fmt::print(stderr, "{}\n", sentence_of(note));
 }
-
-void Console::note(const Note& note) { this->note(sentence_of(note)); }
 
 void Console::say(std::string_view sentence) {
   const std::lock_guard lock(mutex_);

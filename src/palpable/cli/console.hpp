@@ -28,9 +28,8 @@ class Console {
  public:
   explicit Console(const CommonOptions& options);
 
-  /// A note for the person on standard error, one line; silent with --quiet.
-  void note(std::string_view sentence);
-  /// With the options that would change it (hints.hpp).
+  /// A note for the person on standard error, one line, with the options that would change it (hints.hpp);
+  /// silent with --quiet.
   void note(const Note& note);
   /// What the person must hear even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);

@@ -262,7 +262,7 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   if (*published) {
     apply_published(**published, arguments.make);
     plan.options.as_published = (*published)->name;
-    console.note((*published)->differs);
+    console.note(std::string((*published)->differs));
   }
   plan.begin_ns = haptics::monotonic_ns();
   const auto walk = walk_from(arguments.view);
