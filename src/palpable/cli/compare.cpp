@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/cli/hints.hpp"
 #include "palpable/cli/disparity_file.hpp"
+#include "palpable/cli/hints.hpp"
 #include "palpable/cli/score_json.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/draw/panels_view.hpp"

@@ -133,8 +133,8 @@ Result<PlaneLines> find_plane_lines(const Image& picture, const Work& work, cons
   try {
     std::vector<Edge> edges = edges_of(picture, options.shortest_share);
     const auto least = static_cast<std::size_t>(options.least_edges);
-    const Error none = invalid_input(
-        "shows too few straight edges in two directions to find its plane by", {}, Reason::needs_plane_marks);
+    const Error none = invalid_input("shows too few straight edges in two directions to find its plane by",
+                                     {}, Reason::needs_plane_marks);
     if (edges.size() < least) return none;
     const auto first = most_led_to(edges, nullptr, options, work.seed);
     if (!first || work.cancelled()) return work.cancelled() ? Work::interrupted() : none;
