@@ -9,6 +9,7 @@
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/relief/relief_from_depth.hpp"
 #include "palpable/vision/segmentation/ground.hpp"
+#include "palpable/vision/stereo/methods/stereo_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 
 #include <optional>
