@@ -29,8 +29,7 @@ struct CrossOptions {
 };
 std::vector<Parameter> parameters_of(CrossOptions& options);
 
-/// The arms of each pixel's window: how far it reaches left, right, up and down within alike colour. The
-/// window's centre is wherever the pixel stands in its surface.
+/// The arms of each pixel's window: how far it reaches left, right, up and down within similar colour.
 struct CrossArms {
   std::uint8_t left = 0, right = 0, up = 0, down = 0;
 };
@@ -38,7 +37,7 @@ Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& op
 
 /// Mean costs are whole numbers of this fraction of the matching cost.
 inline constexpr int kMeanCostUnit = 16;
-/// A window has at most so many pixels, so that its sum fits 16 bits.
+/// The most pixels of a window, so that its sum fits 16 bits.
 inline constexpr int kMostWindowPixels = 65535 / kLargestMatchingCost;
 /// Errors: usage, for arms that could make a larger window than an aggregator takes.
 Result<void> check_window_size(const CrossOptions& options);

@@ -36,7 +36,7 @@ struct CostOptions {
   int colour_limit = 20;
   /// Weight of each level of that difference; 0 … 8.
   int colour_weight = 2;
-  /// The sum is halved so often; 0 … 4.
+  /// How often the sum is halved; 0 … 4.
   int halvings = 0;
   /// Share of the way from the pixel's least (0) to its mean cost (1) that a match out of view costs; 0 … 1.
   float out_of_view = kOutOfViewCost;
@@ -47,8 +47,8 @@ std::vector<Parameter> parameters_of(CostOptions& options);
 /// Costs are cut off here: high enough for any that matters, low enough for sums over windows in 16 bits.
 inline constexpr int kLargestMatchingCost = 144;
 
-/// A row of the other picture from right to left, so that x - d runs forward with d; then so many times its
-/// first column.
+/// A row of the other picture from right to left, so that x - d runs forward with d; then `more` copies of
+/// its first column.
 struct ReversedRow {
   std::vector<std::uint64_t> census;
   std::vector<std::uint8_t> r, g, b;

@@ -39,7 +39,7 @@ class CorrelationPicture {
   int width() const { return mean_.width(); }
   int height() const { return mean_.height(); }
 
-  /// (1 - NCC) / 2 of the window around (x, y) in `a` and around (u, y) in `b`: 0 = alike, 1/2 = unrelated or
+  /// (1 - NCC) / 2 of the window around (x, y) in `a` and around (u, y) in `b`: 0 = equal, 1/2 = unrelated or
   /// without texture, 1 = inverted.
   friend float correlation_error(const CorrelationPicture& a, const CorrelationPicture& b, int x, int y,
                                  int u) {

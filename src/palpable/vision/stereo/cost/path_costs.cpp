@@ -54,7 +54,8 @@ PALPABLE_VECTORIZE void advance_row(const std::uint8_t* cost, const std::uint8_t
   }
 }
 
-/// One of the three paths between rows: where it comes from, already moved by its slant, and where it goes.
+/// One of the three paths between rows: its costs in the row before, already shifted by its slant, and in
+/// this row.
 struct Lane {
   const std::uint8_t* steps;
   const std::uint8_t* before;

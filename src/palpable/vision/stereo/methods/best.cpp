@@ -13,7 +13,7 @@
 namespace palpable::vision {
 namespace {
 
-/// All that is known of one view; the right one is kept mirrored, so that both are matched alike.
+/// The state of one view; the right one is mirrored, so that both are matched by the same code.
 struct View {
   MatchView picture;
   Regions regions;
@@ -63,6 +63,112 @@ Raster<float> confidence(const View& view, const Raster<float>& other, const Bes
   });
   return out;
 }
+
+/// The search over both views, round by round.
+class BestMatcher {
+ public:
+  BestMatcher(const MatchInput& input, const BestOptions& options, const Work& work)
+      : input_(input), options_(options), work_(work) {}
+
+  /// Costs and first disparities of both views.
+  void start() {
+    const int w = input_.left.width(), h = input_.left.height();
+    left_.picture = match_view(input_.left, input_.left_grey, options_.volume.census, work_);
+    right_.picture =
+        match_view(mirrored(input_.right), mirrored(input_.right_grey), options_.volume.census, work_);
+    parallel_for(work_, 2, 1, [&](int begin, int end) {
+      for (int k = begin; k < end; ++k) {
+        if (k == 0) left_.regions = merge_regions(input_.left, options_.region_complexity);
+        if (k == 1) right_.regions = merge_regions(mirrored(input_.right), options_.region_complexity);
+      }
+    });
+    left_.costs = right_.costs = CostVolume(w, h, input_.disparities);
+    {
+      CostVolume scratch(w, h, input_.disparities);
+      MatchView there = match_view(input_.right, input_.right_grey, options_.volume.census, work_);
+      there.first = input_.right_first;
+      start_view(left_, there, options_, scratch, work_);
+      if (work_.cancelled()) return;
+      work_.report(0.1, "matching");
+      start_view(right_,
+                 match_view(mirrored(input_.left), mirrored(input_.left_grey), options_.volume.census, work_),
+                 options_, scratch, work_);
+      work_.report(0.2, "matching");
+    }
+    candidates_ = PlaneCandidates(w, h);
+  }
+
+  /// A round of each view by itself.
+  void separate_round(int round) {
+    const Raster<float> everything(input_.left.width(), input_.left.height(), 1.0F);
+    OtherView unknown;
+    unknown.first = input_.right_first;
+    search(left_, right_, unknown, everything, round);
+    if (work_.cancelled()) return;
+    search(right_, left_, {}, everything, round);
+    report(round, "finding surfaces");
+  }
+
+  /// A round in which each view's disparities change the other's costs; in the last rounds, of the left view
+  /// only.
+  void joint_round(int round) {
+    for (View* view : {&left_, &right_})
+      remove_false_islands(view->costs, options_.islands, options_.costs, view->map, view->start);
+    const Raster<float> seen_right = seen_from_right(right_, input_.right_first);
+    const Raster<float> seen_left = mirrored(left_.map.disparity);
+    const Raster<float> confirmed = left_right_check(left_.map.disparity, seen_right);
+    if (round == options_.separate_rounds)
+      furthest_px_ = quantile_where(left_.map.disparity, confirmed, options_.furthest_fraction) -
+                     options_.furthest_margin_px;
+    if (work_.cancelled()) return;
+    const Raster<float> confirmed_right = left_right_check(right_.map.disparity, seen_left);
+    search(left_, right_, {&seen_right, furthest_px_}, confirmed, round);
+    if (work_.cancelled()) return;
+    if (round < options_.separate_rounds + options_.joint_rounds)
+      search(right_, left_, {&seen_left, furthest_px_}, confirmed_right, round);
+    report(round, "finding occluded surfaces");
+  }
+
+  /// The left view's disparities between whole pixels, hidden and contradicted ones replaced; and its
+  /// confidence.
+  MatchOutput finish() {
+    MatchOutput out;
+    const Raster<float> seen_right = seen_from_right(right_, input_.right_first);
+    out.confidence = confidence(left_, seen_right, options_, work_);
+    const ColourPlanes& colour = left_.picture.colour;
+    shift_between_pixels(colour, input_.left_grey, input_.right_grey, seen_right, options_.shift, left_.map,
+                         work_);
+    if (work_.cancelled()) return out;
+    continue_background(colour, seen_right, options_.background, left_.map, work_);
+    out.disparity_px =
+        median_3x3(replace_contradicted(colour, seen_right, options_.contradicted, left_.map, work_), work_);
+    return out;
+  }
+
+  int rounds() const { return options_.separate_rounds + options_.joint_rounds + options_.last_rounds; }
+
+ private:
+  void search(View& view, const View& other_view, const OtherView& other, const Raster<float>& trust,
+              int round) {
+    const bool exchange = round >= options_.first_exchange;
+    PlaneMap theirs;
+    if (exchange) theirs = planes_in_other_view(other_view.map, options_.proposals.fit, work_);
+    propose_planes(view.picture.colour,
+                   {view.map, view.start, trust, view.regions, exchange ? &theirs : nullptr},
+                   options_.proposals, round, candidates_, work_);
+    plane_costs(view.costs, other, options_.costs, candidates_, work_);
+    choose_planes(view.picture.colour, options_.smoothness, candidates_, view.map, work_);
+  }
+  void report(int round, const char* what) const { work_.report(0.2 + 0.8 * (round + 1) / rounds(), what); }
+
+  const MatchInput& input_;
+  const BestOptions& options_;
+  const Work& work_;
+  View left_, right_;
+  PlaneCandidates candidates_{0, 0};
+  /// Nothing lies further away than this.
+  float furthest_px_ = 0.0F;
+};
 
 }  // namespace
 
@@ -114,84 +220,17 @@ Result<void> check(const BestOptions& options) { return check_ranges(options); }
 
 Result<MatchOutput> match_best(const MatchInput& input, const BestOptions& options, const Work& work) {
   if (const auto ok = check(options); !ok) return ok.error();
-  const int w = input.left.width();
-  const int h = input.left.height();
-  View left;
-  View right;
-  left.picture = match_view(input.left, input.left_grey, options.volume.census, work);
-  right.picture = match_view(mirrored(input.right), mirrored(input.right_grey), options.volume.census, work);
-  parallel_for(work, 2, 1, [&](int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      if (k == 0) left.regions = merge_regions(input.left, options.region_complexity);
-      if (k == 1) right.regions = merge_regions(mirrored(input.right), options.region_complexity);
-    }
-  });
-  left.costs = right.costs = CostVolume(w, h, input.disparities);
-  const Raster<float> everything(w, h, 1.0F);
-  {
-    CostVolume scratch(w, h, input.disparities);
-    MatchView there = match_view(input.right, input.right_grey, options.volume.census, work);
-    there.first = input.right_first;
-    start_view(left, there, options, scratch, work);
-    if (work.cancelled()) return Work::interrupted();
-    work.report(0.1, "matching");
-    start_view(right,
-               match_view(mirrored(input.left), mirrored(input.left_grey), options.volume.census, work),
-               options, scratch, work);
-    work.report(0.2, "matching");
+  BestMatcher matcher(input, options, work);
+  matcher.start();
+  for (int round = 0; round < matcher.rounds() && !work.cancelled(); ++round) {
+    if (round < options.separate_rounds)
+      matcher.separate_round(round);
+    else
+      matcher.joint_round(round);
   }
-
-  OtherView unknown;
-  unknown.first = input.right_first;
-  PlaneCandidates candidates(w, h);
-  int round = 0;
-  const auto search = [&](View& view, const OtherView& other, const Raster<float>& trust) {
-    const bool exchange = round >= options.first_exchange;
-    PlaneMap theirs;
-    if (exchange)
-      theirs = planes_in_other_view(&view == &left ? right.map : left.map, options.proposals.fit, work);
-    propose_planes(view.picture.colour,
-                   {view.map, view.start, trust, view.regions, exchange ? &theirs : nullptr},
-                   options.proposals, round, candidates, work);
-    plane_costs(view.costs, other, options.costs, candidates, work);
-    choose_planes(view.picture.colour, options.smoothness, candidates, view.map, work);
-  };
-  const int rounds = options.separate_rounds + options.joint_rounds + options.last_rounds;
-  for (; round < options.separate_rounds; ++round) {
-    search(left, unknown, everything);
-    if (work.cancelled()) return Work::interrupted();
-    search(right, {}, everything);
-    if (work.cancelled()) return Work::interrupted();
-    work.report(0.2 + 0.8 * (round + 1) / rounds, "finding surfaces");
-  }
-  float furthest = 0.0F;
-  for (; round < rounds; ++round) {
-    for (View* view : {&left, &right})
-      remove_false_islands(view->costs, options.islands, options.costs, view->map, view->start);
-    const Raster<float> seen_right = seen_from_right(right, input.right_first);
-    const Raster<float> seen_left = mirrored(left.map.disparity);
-    const Raster<float> agreed = left_right_check(left.map.disparity, seen_right);
-    if (round == options.separate_rounds)
-      furthest =
-          quantile_where(left.map.disparity, agreed, options.furthest_fraction) - options.furthest_margin_px;
-    if (work.cancelled()) return Work::interrupted();
-    const Raster<float> agreed_right = left_right_check(right.map.disparity, seen_left);
-    search(left, {&seen_right, furthest}, agreed);
-    if (work.cancelled()) return Work::interrupted();
-    if (round < options.separate_rounds + options.joint_rounds)
-      search(right, {&seen_left, furthest}, agreed_right);
-    work.report(0.2 + 0.8 * (round + 1) / rounds, "finding what is hidden");
-  }
-
-  MatchOutput out;
-  const Raster<float> seen_right = seen_from_right(right, input.right_first);
-  out.confidence = confidence(left, seen_right, options, work);
-  shift_between_pixels(left.picture.colour, input.left_grey, input.right_grey, seen_right, options.shift,
-                       left.map, work);
   if (work.cancelled()) return Work::interrupted();
-  continue_background(left.picture.colour, seen_right, options.background, left.map, work);
-  out.disparity_px = median_3x3(
-      replace_contradicted(left.picture.colour, seen_right, options.contradicted, left.map, work), work);
+  MatchOutput out = matcher.finish();
+  if (work.cancelled()) return Work::interrupted();
   return out;
 }
 

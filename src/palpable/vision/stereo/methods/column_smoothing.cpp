@@ -198,7 +198,7 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
     for (int y = begin; y < end; ++y) {
       votes.shares(y, shares);
       std::fill(done.begin(), done.end(), std::uint8_t{0});
-      // From each outlier along the scanline, both ways, as far as the streak goes.
+      // From each outlier along the scanline, in both directions, to the end of the streak.
       for (const int direction : {1, -1}) {
         bool in_streak = false;
         for (int k = 0; k < picture.width(); ++k) {

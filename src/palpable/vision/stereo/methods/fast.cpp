@@ -101,7 +101,7 @@ class StripeMatcher {
  private:
   static std::size_t rows(int count) { return static_cast<std::size_t>(count); }
   std::uint8_t* cost_of(int y) { return cost_.get() + row_size_ * static_cast<std::size_t>(y - first_); }
-  /// What is summed outside the stripe is of no use.
+  /// Sums outside the stripe are discarded.
   std::uint16_t* sum_of(int y) {
     return y >= begin_ && y < end_ ? sum_.get() + row_size_ * static_cast<std::size_t>(y - begin_)
                                    : beyond_.data();

@@ -29,7 +29,7 @@ constexpr std::array<Neighbour, 4> kNeighbours{{{1, 0, &GridEnergy::right},
                                                 {1, 1, &GridEnergy::down_right},
                                                 {-1, 1, &GridEnergy::down_left}}};
 
-/// Expansion moves within the rows [top, bottom); the labels outside stand. One object a thread.
+/// Expansion moves within the rows [top, bottom); the labels outside stay fixed. One object a thread.
 class StripExpansion {
  public:
   StripExpansion(const GridEnergy& energy, const Candidates& candidates, int top, int bottom)

@@ -91,7 +91,7 @@ Result<MatchOutput> match_mirrored(MatchInput& input, const MethodEntry& method,
 Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& method,
                                    const StereoOptions& options, const Work& work) {
   Exposure exposure;
-  MatchInput input = prepare_pictures(pair, work, &exposure);
+  MatchInput input = prepare_pictures(pair, work, &exposure, options.preparation);
   work.report(0.0, "measuring the pair");
   DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, options.range, work);
   const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
@@ -125,11 +125,13 @@ std::string_view summary_of(StereoMethod method) { return entry_of(method).summa
 
 std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method) {
   std::vector<Parameter> all = entry_of(method).parameters(options);
+  append_parameters(all, "preparation", parameters_of(options.preparation));
   append_parameters(all, "range", parameters_of(options.range));
   return all;
 }
 
 Result<void> check(const StereoOptions& options, StereoMethod method) {
+  if (auto ok = check_ranges(options.preparation); !ok) return ok;
   if (auto ok = check_ranges(options.range); !ok) return ok;
   return entry_of(method).check(options);
 }

@@ -57,7 +57,7 @@ class ScanlineMatcher {
       const std::uint16_t* from = costs_.data() + x * count_;
       const std::size_t inside = std::min(count_, m + 1);
       for (std::size_t d = 0; d < inside; ++d) out[d] = from[d * (count_ + 1)];
-      // Beyond the left picture its last column stands in.
+      // Beyond the left picture its last column is repeated.
       std::copy(costs_.end() - static_cast<std::ptrdiff_t>(count_ - inside), costs_.end(), out + inside);
     }
   }

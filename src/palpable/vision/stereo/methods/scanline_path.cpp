@@ -135,7 +135,7 @@ ScanlinePath::ScanlinePath(int width, int disparities, int stride, const PathOpt
 }
 
 void ScanlinePath::find_control_points(const Cost* costs) {
-  // The right picture's columns stand from right to left, so that x - d runs forward with d.
+  // The right picture's columns are stored from right to left, so that x - d runs forward with d.
   std::fill(right_cost_.begin(), right_cost_.end(), Cost{65535});
   const int control_cost = units(options_.control_cost);
   for (int x = 0; x < width_; ++x) {

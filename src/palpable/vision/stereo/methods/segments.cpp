@@ -14,7 +14,7 @@
 namespace palpable::vision {
 namespace {
 
-/// All that is known of one view; the right one is kept mirrored, so that both are matched alike.
+/// The state of one view; the right one is mirrored, so that both are matched by the same code.
 struct View {
   MatchInput input;
   MatchView picture;

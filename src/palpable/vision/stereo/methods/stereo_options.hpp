@@ -10,6 +10,7 @@
 #include "palpable/vision/stereo/methods/pyramid.hpp"
 #include "palpable/vision/stereo/methods/scanline.hpp"
 #include "palpable/vision/stereo/methods/segments.hpp"
+#include "palpable/vision/stereo/problem/levels.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 
@@ -17,11 +18,12 @@
 
 namespace palpable::vision {
 
-/// What match() is told: the range of disparities, and the options of each method. docs/stereo.md says on
+/// The options of match(): the range of disparities, and the options of each method. docs/stereo.md says on
 /// which pictures the defaults were chosen.
 struct StereoOptions {
   /// Disparities 0 … max_disparity_px are searched; 0 = found automatically (find_disparity_range).
   int max_disparity_px = 0;
+  PreparationOptions preparation = {};
   RangeOptions range = {};
   ScanlineOptions scanline = {};
   GraphCutOptions graph_cut = {};
@@ -31,9 +33,9 @@ struct StereoOptions {
   BestOptions best = {};
 };
 
-/// The parameters of one method, and those of the range (`range.…`).
+/// The parameters of one method, and those that all share (`preparation.…`, `range.…`).
 std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method);
-/// Errors: usage, for a parameter of this method or of the range out of its range.
+/// Errors: usage, for a parameter of this method, or one that all share, out of its range.
 Result<void> check(const StereoOptions& options, StereoMethod method);
 
 }  // namespace palpable::vision

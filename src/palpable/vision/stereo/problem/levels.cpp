@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kLast = kQuantiles - 1;
 constexpr std::size_t kMiddle = kQuantiles / 2;
-/// A picture that has so many of its pixels at one end of its levels is clipped there.
+/// A picture is clipped when this many more of its quantiles than of the other's lie at one end of its
+/// levels.
 constexpr std::size_t kClipped = 3;
 
 /// How many of the quantiles, less the extreme one itself, lie at the brightest level; and at the darkest.
@@ -25,13 +26,13 @@ std::size_t at_the_bottom(const Quantiles& q) {
   return static_cast<std::size_t>(std::count(q.begin(), q.end(), q[0])) - 1;
 }
 
-/// The quantiles of `level(pixel)` over pixels strewn evenly: every pixel adds nothing to 256 quantiles.
+/// The quantiles of `level(pixel)` over a sample of evenly spread pixels, which suffices for 256 quantiles.
 template <class Level>
 Quantiles quantiles_over(const Image& image, const Level& level) {
-  constexpr std::size_t kEnough = 8192;
+  constexpr std::size_t kSample = 8192;
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t pixels = width * static_cast<std::size_t>(image.height);
-  std::size_t step = std::max<std::size_t>(1, pixels / kEnough);
+  std::size_t step = std::max<std::size_t>(1, pixels / kSample);
   // A step that shares no factor with the width meets every column.
   while (std::gcd(step, width) != 1) ++step;
   std::vector<float> values;
@@ -51,7 +52,7 @@ Quantiles channel_quantiles(const Image& image, int channel) {
   return quantiles_over(image, [channel](const float* pixel) { return pixel[channel]; });
 }
 
-/// The middle of the histograms only: their ends move with what only one of the cameras sees.
+/// The middle part of the histograms: their ends depend on surfaces that only one of the cameras sees.
 constexpr std::size_t kInnerFirst = 26, kInnerLast = 230;
 
 double mean_difference(const Quantiles& left, const Quantiles& right) {
@@ -89,9 +90,27 @@ float LevelCurve::operator()(float level) const {
   return clip(to_[i - 1] + t * (to_[i] - to_[i - 1]));
 }
 
-Levelling levelling_of(const Image& left, const Image& right) {
-  constexpr double kDiffers = 0.08;
-  Levelling out;
+std::vector<Parameter> parameters_of(PreparationOptions& o) {
+  return {{"exposure_difference",
+           &o.exposure_difference,
+           {0, 1},
+           "",
+           "Difference of the histograms that is corrected"},
+          {"stretch_below",
+           &o.stretch_below,
+           {0, 1},
+           "",
+           "8-bit pictures that use less of their levels are stretched"},
+          {"frame_darkness",
+           &o.frame_darkness,
+           {0, 1},
+           "",
+           "A frame's line is darker than its neighbour by this factor"},
+          {"frame_divisor", &o.frame_divisor, {2, 1000}, "", "A frame takes at most a side over this"}};
+}
+
+ExposureMatch match_exposures(const Image& left, const Image& right, const PreparationOptions& options) {
+  ExposureMatch out;
   const int colours = std::min(left.channels, right.channels) >= 3 ? 3 : 1;
   std::array<Quantiles, 3> of_left{}, of_right{};
   double difference = 0.0, used = 0.0, middle_left = 0.0, middle_right = 0.0;
@@ -110,7 +129,7 @@ Levelling levelling_of(const Image& left, const Image& right) {
         std::max(out.exposure.right_clipped, static_cast<double>(at_the_top(of_right[i])) / kLast);
   }
   out.exposure.brightness_ratio = middle_left > 0.0 ? middle_right / middle_left : 1.0;
-  out.exposure.differs = difference > kDiffers * used;
+  out.exposure.differs = difference > options.exposure_difference * used;
   if (!out.exposure.differs) return out;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t i = std::min<std::size_t>(c, static_cast<std::size_t>(colours) - 1);
@@ -126,7 +145,8 @@ std::string sentence_of(const Exposure& exposure) {
       clipped < kWorthSaying
           ? ""
           : fmt::format(
-                " {:.0f} % of the {} one is burnt out, where no depth can be seen: expose both alike.",
+                " {:.0f} % of the {} one is burnt out, where no depth can be seen: give both the same "
+                "exposure.",
                 100.0 * clipped, exposure.right_clipped >= exposure.left_clipped ? "right" : "left");
   return fmt::format(
       "The pictures were exposed differently: the right one is {:.2f} times as bright as the left one, and "

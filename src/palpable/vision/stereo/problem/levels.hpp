@@ -3,13 +3,16 @@
 #pragma once
 
 #include "palpable/core/image.hpp"
+#include "palpable/core/parameters.hpp"
 
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <vector>
 
-// How bright the pictures of a pair are, and how the right one's levels become the left one's.
+// How bright the pictures of a pair are, and how the right one's levels are mapped onto the left one's
+// (histogram matching).
 namespace palpable::vision {
 
 inline constexpr std::size_t kQuantiles = 256;
@@ -40,9 +43,25 @@ class LevelCurve {
   float most_ = std::numeric_limits<float>::infinity();
 };
 
+/// How a pair's pictures are prepared for matching.
+struct PreparationOptions {
+  /// The exposures differ when the middle parts of the histograms differ by more than this share of the
+  /// levels that they use (mean over the quantiles); 0 … 1.
+  double exposure_difference = 0.08;
+  /// 8-bit pictures that use a smaller range of levels than this are stretched, as deeper ones always are; 0
+  /// … 1.
+  double stretch_below = 0.4;
+  /// A line belongs to a dark frame when its mean is below this share of the mean of the next line inside; 0
+  /// … 1.
+  double frame_darkness = 0.6;
+  /// A frame takes at most this share of a side, as 1/n; n from 2 … 1000.
+  int frame_divisor = 60;
+};
+std::vector<Parameter> parameters_of(PreparationOptions& options);
+
 /// How the exposures of a pair differ.
 struct Exposure {
-  /// Whether it is enough to level the right picture.
+  /// Whether the right picture's levels are mapped onto the left one's.
   bool differs = false;
   /// The middle of the right picture's levels over the middle of the left one's.
   double brightness_ratio = 1.0;
@@ -50,15 +69,15 @@ struct Exposure {
   double left_clipped = 0.0, right_clipped = 0.0;
 };
 
-/// What levels a pair: one curve for each of red, green and blue (a picture of one channel uses the first),
-/// which evens out white balance too.
-struct Levelling {
+/// How the right picture's levels are mapped onto the left one's: one curve for each of red, green and blue
+/// (a picture of one channel uses the first), which corrects white balance too.
+struct ExposureMatch {
   Exposure exposure;
   std::array<LevelCurve, 3> curves;
 };
 
-/// Looks at a pair of pictures of the same size. The curves change nothing where the exposures agree.
-Levelling levelling_of(const Image& left, const Image& right);
+/// Compares two pictures of the same size. The curves change nothing where the exposures agree.
+ExposureMatch match_exposures(const Image& left, const Image& right, const PreparationOptions& options);
 
 /// One sentence with the figures, for a pair whose exposures differ.
 std::string sentence_of(const Exposure& exposure);

@@ -41,12 +41,12 @@ TEST(LevelCurve, ClipsWhereTheOtherPictureLostItsLevels) {
   EXPECT_EQ(curve.clip(0.3F), 0.3F);
 }
 
-TEST(Levelling, FindsADifferenceInExposureAndItsRatio) {
-  EXPECT_FALSE(levelling_of(ramp(0.1F, 0.9F), ramp(0.11F, 0.9F)).exposure.differs);
-  const Levelling levelling = levelling_of(ramp(0.2F, 0.8F), ramp(0.1F, 0.4F));
-  EXPECT_TRUE(levelling.exposure.differs);
-  EXPECT_NEAR(levelling.exposure.brightness_ratio, 0.5, 5e-3);
-  EXPECT_NEAR(levelling.curves[0](0.25F), 0.5F, 3e-3F);
+TEST(ExposureMatch, FindsADifferenceInExposureAndItsRatio) {
+  EXPECT_FALSE(match_exposures(ramp(0.1F, 0.9F), ramp(0.11F, 0.9F), {}).exposure.differs);
+  const ExposureMatch match = match_exposures(ramp(0.2F, 0.8F), ramp(0.1F, 0.4F), {});
+  EXPECT_TRUE(match.exposure.differs);
+  EXPECT_NEAR(match.exposure.brightness_ratio, 0.5, 5e-3);
+  EXPECT_NEAR(match.curves[0](0.25F), 0.5F, 3e-3F);
 }
 
 }  // namespace

@@ -21,12 +21,11 @@ struct Stretch {
   }
 };
 
-Stretch stretch_for(const Quantiles& left, const Quantiles& right, int bits) {
-  // 8-bit pictures are taken as they are unless they are very dark; deeper ones are stretched to what they
-  // use.
+Stretch stretch_for(const Quantiles& left, const Quantiles& right, int bits, double stretch_below) {
+  // 8-bit pictures are stretched only if they are very dark; deeper ones always.
   const float low = std::min(left[1], right[1]);
   const float high = std::max(left[kQuantiles - 2], right[kQuantiles - 2]);
-  const bool as_it_is = bits == 8 && high - low > 0.4F;
+  const bool as_it_is = bits == 8 && high - low > static_cast<float>(stretch_below);
   if (as_it_is || high <= low) return {};
   return {low, 255.0F / (high - low)};
 }
@@ -42,25 +41,24 @@ std::vector<double> means(const Raster<std::uint8_t>& grey, Line line) {
 }
 
 /// How many of the first lines are the dark frame that digitised video has: far darker on the whole than
-/// those after them, at most a sixtieth of the picture.
-std::size_t frame_lines(const std::vector<double>& mean) {
-  constexpr double kFarDarker = 0.6;
-  const std::size_t most = mean.size() / 60;
+/// those after them.
+std::size_t frame_lines(const std::vector<double>& mean, const PreparationOptions& options) {
+  const std::size_t most = mean.size() / static_cast<std::size_t>(options.frame_divisor);
   std::size_t lines = 0;
   for (std::size_t k = 1; k <= most; ++k)
-    if (mean[k - 1] < kFarDarker * mean[k]) lines = k;
+    if (mean[k - 1] < options.frame_darkness * mean[k]) lines = k;
   return lines;
 }
 
-/// A frame stands still in both pictures, and matching would take it for something infinitely far: the
-/// nearest line inside takes its place.
-void cut_frame(MatchInput& input) {
+/// A frame is at the same place in both pictures, and matching would take it for an infinitely distant
+/// surface: the nearest line inside replaces it.
+void replace_frame(MatchInput& input, const PreparationOptions& options) {
   const auto lines = [&](Line line, bool from_end) {
     std::size_t both = input.left_grey.count();
     for (const auto* grey : {&input.left_grey, &input.right_grey}) {
       std::vector<double> mean = means(*grey, line);
       if (from_end) std::reverse(mean.begin(), mean.end());
-      both = std::min(both, frame_lines(mean));
+      both = std::min(both, frame_lines(mean, options));
     }
     return static_cast<int>(both);
   };
@@ -68,7 +66,7 @@ void cut_frame(MatchInput& input) {
   const int bottom = lines(Line::row, true);
   const int left = lines(Line::column, false);
   const int right = lines(Line::column, true);
-  const auto cut = [&](auto& picture) {
+  const auto replace = [&](auto& picture) {
     if (top + bottom + left + right == 0) return;
     const auto whole = picture;
     for (int y = 0; y < picture.height(); ++y)
@@ -76,20 +74,21 @@ void cut_frame(MatchInput& input) {
         picture(x, y) = whole(std::clamp(x, left, picture.width() - 1 - right),
                               std::clamp(y, top, picture.height() - 1 - bottom));
   };
-  cut(input.left);
-  cut(input.right);
-  cut(input.left_grey);
-  cut(input.right_grey);
+  replace(input.left);
+  replace(input.right);
+  replace(input.left_grey);
+  replace(input.right_grey);
 }
 
 }  // namespace
 
-MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure) {
-  const Levelling levelling = levelling_of(pair.left, pair.right);
-  if (exposure != nullptr) *exposure = levelling.exposure;
+MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure,
+                            const PreparationOptions& options) {
+  const ExposureMatch match = match_exposures(pair.left, pair.right, options);
+  if (exposure != nullptr) *exposure = match.exposure;
   const Quantiles left = luma_quantiles(pair.left);
-  const Stretch stretch =
-      stretch_for(left, levelling.exposure.differs ? left : luma_quantiles(pair.right), pair.left.bits);
+  const Stretch stretch = stretch_for(left, match.exposure.differs ? left : luma_quantiles(pair.right),
+                                      pair.left.bits, options.stretch_below);
   const auto convert = [&](const Image& image, const auto& level, Raster<Rgb8>& colour,
                            Raster<std::uint8_t>& luma) {
     colour = Raster<Rgb8>(image.width, image.height);
@@ -101,7 +100,7 @@ MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* 
         for (int x = 0; x < image.width; ++x) {
           const float* p = image.pixel(x, y);
           std::array<float, 3> v{p[0], p[g], p[b]};
-          for (std::size_t c = 0; c < 3; ++c) v[c] = level(levelling.curves[c], v[c]);
+          for (std::size_t c = 0; c < 3; ++c) v[c] = level(match.curves[c], v[c]);
           colour(x, y) = {stretch(v[0]), stretch(v[1]), stretch(v[2])};
           luma(x, y) = stretch(0.299F * v[0] + 0.587F * v[1] + 0.114F * v[2]);
         }
@@ -112,7 +111,7 @@ MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* 
       pair.left, [](const LevelCurve& curve, float v) { return curve.clip(v); }, out.left, out.left_grey);
   convert(
       pair.right, [](const LevelCurve& curve, float v) { return curve(v); }, out.right, out.right_grey);
-  cut_frame(out);
+  replace_frame(out, options);
   return out;
 }
 

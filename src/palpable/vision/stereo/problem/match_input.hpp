@@ -8,12 +8,13 @@
 
 namespace palpable::vision {
 
-/// The pair as 8-bit planes: levels stretched alike in both pictures to 0…255, and where the pictures'
-/// exposures differ, the right one's levels mapped onto the left one's, colour by colour, and both clipped
-/// where the right one is; a dark frame of a few lines that both have is overwritten by what it frames.
-/// `disparities` is left 0. `exposure`, where given, says how the exposures differ. Sizes must be equal and
-/// not 0.
-MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure = nullptr);
+/// The pair as 8-bit planes: levels of both pictures stretched by one factor to 0…255, and where the
+/// pictures' exposures differ, the right one's levels mapped onto the left one's, colour by colour, and both
+/// clipped where the right one is; a dark frame of a few lines that both have is overwritten by the lines
+/// inside it. `disparities` is left 0. `exposure`, where given, says how the exposures differ. Sizes must be
+/// equal and not 0.
+MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure = nullptr,
+                            const PreparationOptions& options = {});
 
 /// The picture moved so that result(x, y) = picture(x - shift_px, y), border columns repeated.
 template <class T>

@@ -24,7 +24,7 @@ struct Place {
   int y = 0;
 };
 
-/// The one place within `reach` rows whose signature is by far the most alike.
+/// The one place within `reach` rows whose signature is by far the most similar.
 PALPABLE_VECTORIZE std::optional<Place> find_again(std::uint64_t signature,
                                                    const Raster<std::uint64_t>& other, int y, int reach) {
   Place best;
@@ -134,7 +134,7 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
     notes.push_back(
         fmt::format("The pictures show hardly any texture but a camera's grain ({:.0f} % of their contrast "
                     "is left in a copy "
-                    "four times smaller, where pictures of things keep most), {}",
+                    "four times smaller, where pictures of a real scene keep most), {}",
                     100.0 * contrast, kAdvice));
     return notes;
   }

@@ -33,7 +33,7 @@ bool looks_swapped(const DisparityRange& range);
 bool agree(const DisparityRange& range);
 
 /// The contrast of a copy of the picture four times smaller over its own, each within windows of 9 x 7
-/// pixels: a quarter where there is nothing but a camera's grain, mostly above 1 where there are things.
+/// pixels: a quarter where there is nothing but a camera's grain, mostly above 1 in pictures of a real scene.
 double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
 /// Below this there may be nothing but grain.
 inline constexpr double kOnlyGrain = 0.5;

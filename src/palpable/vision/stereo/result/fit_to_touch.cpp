@@ -112,7 +112,7 @@ Advice advice_for(const Place& place, const FitToTouch& fit) {
       if (fit.brightness < kDark)
         return {"the two pictures contradict each other in the dark", "give it more light"};
       return {"the two pictures contradict each other",
-              "see that nothing moves or shines there, and that near things stay one arm's length away"};
+              "make sure that nothing moves or shines there, and keep near objects an arm's length away"};
   }
 }
 

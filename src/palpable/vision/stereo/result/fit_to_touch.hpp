@@ -11,14 +11,14 @@
 
 namespace palpable::vision {
 
-/// Why the depth of a pixel is not to be trusted.
+/// Why the depth of a pixel cannot be trusted.
 enum class Trouble : std::uint8_t {
   none,
   /// Its place lies beyond the other picture's edge.
   out_of_view,
-  /// Nothing there tells one place from its neighbours.
+  /// No texture distinguishes the place from its neighbours.
   plain,
-  /// The other picture does not lead back to it: hidden from it, moved, mirrored light …
+  /// The left-right check fails: hidden from the other camera, moved, a reflection …
   contradicted
 };
 
