@@ -17,7 +17,7 @@ constexpr auto kInterval = std::chrono::milliseconds(50);
 
 }  // namespace
 
-struct Recorder::Inside {
+struct Recorder::Impl {
   void run();
   void write_what_came();
 
@@ -34,7 +34,7 @@ struct Recorder::Inside {
   std::thread thread;
 };
 
-void Recorder::Inside::run() {
+void Recorder::Impl::run() {
   std::unique_lock lock(mutex);
   while (!ending) {
     rest.wait_for(lock, kInterval, [&] { return ending; });
@@ -44,7 +44,7 @@ void Recorder::Inside::run() {
   }
 }
 
-void Recorder::Inside::write_what_came() {
+void Recorder::Impl::write_what_came() {
   std::vector<device::RecordedScene> noted;
   {
     const std::lock_guard lock(mutex);
@@ -58,35 +58,35 @@ void Recorder::Inside::write_what_came() {
   if (outcome && !ticks.empty()) outcome = writer->write(ticks);
 }
 
-Recorder::Recorder(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+Recorder::Recorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                   const std::string& header_json,
                                                   const device::RecordedScene& scene) {
   auto writer = device::RecordingWriter::create(file, header_json);
   if (!writer) return std::move(writer).error();
-  auto inside = std::make_unique<Inside>();
-  inside->loop = &loop;
-  inside->writer = std::move(*writer);
-  inside->scenes.push_back(scene);
-  inside->lost_before = loop.recording_lost();
+  auto impl = std::make_unique<Impl>();
+  impl->loop = &loop;
+  impl->writer = std::move(*writer);
+  impl->scenes.push_back(scene);
+  impl->lost_before = loop.recording_lost();
   // What an earlier recording left behind is not this one's.
   while (loop.take_recorded()) {
   }
   loop.record(haptics::Recording::on);
-  inside->thread = std::thread([&it = *inside] { it.run(); });
-  return std::unique_ptr<Recorder>(new Recorder(std::move(inside)));
+  impl->thread = std::thread([&it = *impl] { it.run(); });
+  return std::unique_ptr<Recorder>(new Recorder(std::move(impl)));
 }
 
 Recorder::~Recorder() { static_cast<void>(finish()); }
 
 void Recorder::note(const device::RecordedScene& scene) {
-  const std::lock_guard lock(inside_->mutex);
-  inside_->scenes.push_back(scene);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->scenes.push_back(scene);
 }
 
 Result<void> Recorder::finish() {
-  auto& it = *inside_;
+  auto& it = *impl_;
   if (!it.thread.joinable()) return it.outcome;
   it.loop->record(haptics::Recording::off);
   {

@@ -31,9 +31,9 @@ class Recorder {
   Result<void> finish();
 
  private:
-  struct Inside;
-  explicit Recorder(std::unique_ptr<Inside> inside);
-  std::unique_ptr<Inside> inside_;
+  struct Impl;
+  explicit Recorder(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpable::session

@@ -105,4 +105,12 @@ std::string scene_hash(const models::Scene& scene) {
   return digits;
 }
 
+std::string SceneHashes::of(const std::shared_ptr<const models::Scene>& scene) {
+  if (scene_ != scene) {
+    hash_ = scene_hash(*scene);
+    scene_ = scene;
+  }
+  return hash_;
+}
+
 }  // namespace palpable::session

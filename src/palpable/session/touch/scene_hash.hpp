@@ -4,7 +4,7 @@
 
 #include "palpable/models/scene/scene.hpp"
 
-#include <cstdint>
+#include <memory>
 #include <string>
 
 namespace palpable::session {
@@ -12,5 +12,16 @@ namespace palpable::session {
 /// A number for everything that a hand can feel of a scene (shape, materials, labels; not its picture or
 /// origin): 64 bits of FNV-1a, as 16 hexadecimal digits. Equal scenes have equal hashes on every machine.
 std::string scene_hash(const models::Scene& scene);
+
+/// The hash of the scene that was asked for last, so that a scene whose settings change is hashed once. One
+/// thread at a time.
+class SceneHashes {
+ public:
+  std::string of(const std::shared_ptr<const models::Scene>& scene);
+
+ private:
+  std::shared_ptr<const models::Scene> scene_;
+  std::string hash_;
+};
 
 }  // namespace palpable::session

@@ -40,12 +40,15 @@ Json texture_json(const models::TouchTexture& texture) {
 
 }  // namespace
 
-/// `changing` is held while a program is made, which may take a second; `state` only for moments.
-struct TouchSession::Inside {
+/// Three locks, taken in this order: `recording_changes` while a recording begins or ends, `changing` while a
+/// scene is prepared, which may take a second, and `state`, which every caller needs, the pointer ten times a
+/// second: nothing that reads a whole model, writes a file or waits for a thread happens under it.
+struct TouchSession::Impl {
   Result<void> change(std::shared_ptr<const models::Scene> to_scene, const TouchSettings& to_settings,
                       const Transform<SceneFrame, DeviceFrame>& to_place);
-  device::RecordedScene described(const PreparedScene& prepared, const models::Scene& touched,
-                                  double depth) const;
+  /// Under `changing`.
+  device::RecordedScene described(const PreparedScene& prepared,
+                                  const std::shared_ptr<const models::Scene>& touched, double depth);
 
   SessionOptions options;
   std::int64_t begin_ns = 0;
@@ -54,9 +57,11 @@ struct TouchSession::Inside {
   std::vector<std::shared_ptr<device::PointerFeed>> pointers;
   std::unique_ptr<haptics::ServoLoop> loop;
 
+  std::mutex recording_changes;
   std::mutex changing;
   /// Read and written under `changing`.
   KeptSurfaces kept;
+  SceneHashes hashes;
   mutable std::mutex state;
   std::shared_ptr<const models::Scene> scene;
   TouchSettings settings;
@@ -66,15 +71,16 @@ struct TouchSession::Inside {
   std::optional<Stance> stance;
   std::vector<std::string> notices;
   device::RecordedScene described_now;
-  std::uint32_t programs = 0;
+  std::uint32_t last_scene_id = 0;
   bool paused = false;
   /// Of each probe.
   std::array<haptics::TouchSample, haptics::kMaxLiveProbes> latest;
   std::unique_ptr<Recorder> recorder;
 };
 
-device::RecordedScene TouchSession::Inside::described(const PreparedScene& prepared,
-                                                      const models::Scene& touched, double depth) const {
+device::RecordedScene TouchSession::Impl::described(const PreparedScene& prepared,
+                                                    const std::shared_ptr<const models::Scene>& touched,
+                                                    double depth) {
   Json json = law_json(prepared.law);
   const auto& place = prepared.scene.scene_from_device;
   json["depth"] = depth;
@@ -86,9 +92,9 @@ device::RecordedScene TouchSession::Inside::described(const PreparedScene& prepa
                                  {"static_friction", material.static_friction},
                                  {"dynamic_friction", material.dynamic_friction},
                                  {"texture", texture_json(material.texture)}});
-  json["scene_hash"] = scene_hash(touched);
-  json["scene_inputs"] = touched.source.inputs;
-  json["scene_method"] = touched.source.method;
+  json["scene_hash"] = hashes.of(touched);
+  json["scene_inputs"] = touched->source.inputs;
+  json["scene_method"] = touched->source.method;
   json["scene_from_device"] = {
       {"rotation", place.rotation},
       {"translation_m", {place.translation_m.x, place.translation_m.y, place.translation_m.z}},
@@ -96,26 +102,32 @@ device::RecordedScene TouchSession::Inside::described(const PreparedScene& prepa
   return {prepared.scene.id, json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
-Result<void> TouchSession::Inside::change(std::shared_ptr<const models::Scene> to_scene,
-                                          const TouchSettings& to_settings,
-                                          const Transform<SceneFrame, DeviceFrame>& to_place) {
+Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_scene,
+                                        const TouchSettings& to_settings,
+                                        const Transform<SceneFrame, DeviceFrame>& to_place) {
   auto prepared =
       prepare_scene(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
   if (!prepared) return std::move(prepared).error();
+  prepared->scene.id = ++last_scene_id;
+  auto description = described(*prepared, to_scene, to_settings.depth);
+  {
+    // The recording must know the scene before its first tick.
+    const std::lock_guard lock(state);
+    if (recorder) recorder->note(description);
+  }
+  // Reads every page of the model.
+  loop->change(std::move(prepared->scene));
   const std::lock_guard lock(state);
-  prepared->scene.id = ++programs;
-  described_now = described(*prepared, *to_scene, to_settings.depth);
-  if (recorder) recorder->note(described_now);
+  described_now = std::move(description);
   scene = std::move(to_scene);
   settings = to_settings;
   law_in_use = prepared->law.law;
   scene_from_device = to_place;
   notices = std::move(prepared->notices);
-  loop->change(std::move(prepared->scene));
   return {};
 }
 
-TouchSession::TouchSession(std::unique_ptr<Inside> inside) : inside_(std::move(inside)) {}
+TouchSession::TouchSession(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 TouchSession::~TouchSession() { stop(); }
 
 Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const models::Scene> scene,
@@ -124,54 +136,53 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
                                                          const SessionOptions& options,
                                                          std::int64_t begin_ns) {
   PALPABLE_CHECK(scene != nullptr && options.further_probes < haptics::kMaxLiveProbes);
-  auto inside = std::make_unique<Inside>();
-  inside->options = options;
-  inside->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
-  for (auto& sample : inside->latest) sample.status = device::Status::not_ready;
+  auto impl = std::make_unique<Impl>();
+  impl->options = options;
+  impl->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
+  for (auto& sample : impl->latest) sample.status = device::Status::not_ready;
   for (std::size_t probe = 0; probe <= options.further_probes; ++probe)
-    inside->pointers.push_back(std::make_shared<device::PointerFeed>());
+    impl->pointers.push_back(std::make_shared<device::PointerFeed>());
   auto device =
-      device::open_device(device_url, {options.seed, options.servo.rate_hz, inside->pointers.front()});
+      device::open_device(device_url, {options.seed, options.servo.rate_hz, impl->pointers.front()});
   if (!device) return std::move(device).error();
   const auto place = fit_workspace(*scene, (*device)->traits());
   auto prepared =
-      prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, inside->kept);
+      prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, impl->kept);
   if (!prepared) return std::move(prepared).error();
-  prepared->scene.id = ++inside->programs;
-  inside->described_now = inside->described(*prepared, *scene, settings.depth);
-  inside->scene = std::move(scene);
-  inside->settings = settings;
-  inside->law_in_use = prepared->law.law;
-  inside->scene_from_device = place;
-  inside->notices = std::move(prepared->notices);
+  prepared->scene.id = ++impl->last_scene_id;
+  impl->described_now = impl->described(*prepared, scene, settings.depth);
+  impl->scene = std::move(scene);
+  impl->settings = settings;
+  impl->law_in_use = prepared->law.law;
+  impl->scene_from_device = place;
+  impl->notices = std::move(prepared->notices);
   std::vector<std::unique_ptr<device::Device>> further;
-  for (std::size_t probe = 1; probe < inside->pointers.size(); ++probe)
-    further.push_back(
-        std::make_unique<device::PointerDevice>(inside->pointers[probe], options.servo.rate_hz));
+  for (std::size_t probe = 1; probe < impl->pointers.size(); ++probe)
+    further.push_back(std::make_unique<device::PointerDevice>(impl->pointers[probe], options.servo.rate_hz));
   auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->scene), options.servo,
                                         std::move(further));
   if (!loop) return std::move(loop).error();
-  inside->servo_begin_ns = haptics::monotonic_ns();
-  inside->loop = std::move(*loop);
-  return std::unique_ptr<TouchSession>(new TouchSession(std::move(inside)));
+  impl->servo_begin_ns = haptics::monotonic_ns();
+  impl->loop = std::move(*loop);
+  return std::unique_ptr<TouchSession>(new TouchSession(std::move(impl)));
 }
 
 Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> scene) {
   PALPABLE_CHECK(scene != nullptr);
-  const std::lock_guard changing(inside_->changing);
-  auto place = fit_workspace(*scene, inside_->loop->device_traits());
-  if (inside_->stance) place = with_explorer(place, *inside_->stance);
-  return inside_->change(std::move(scene), settings(), place);
+  const std::lock_guard changing(impl_->changing);
+  auto place = fit_workspace(*scene, impl_->loop->device_traits());
+  if (impl_->stance) place = with_explorer(place, *impl_->stance);
+  return impl_->change(std::move(scene), settings(), place);
 }
 
 Result<void> TouchSession::change_settings(const TouchSettings& settings) {
-  const std::lock_guard changing(inside_->changing);
-  return inside_->change(scene(), settings, inside_->scene_from_device);
+  const std::lock_guard changing(impl_->changing);
+  return impl_->change(scene(), settings, impl_->scene_from_device);
 }
 
 Result<void> TouchSession::change_materials(std::vector<models::Material> materials,
                                             const TouchSettings& settings) {
-  const std::lock_guard changing(inside_->changing);
+  const std::lock_guard changing(impl_->changing);
   models::Scene changed = *scene();
   if (materials.size() != changed.materials.size())
     return Error{ErrorCode::usage, "there must be one material for each that the scene has", {}};
@@ -179,146 +190,152 @@ Result<void> TouchSession::change_materials(std::vector<models::Material> materi
     if (!models::is_sound(material) || material.stiffness_N_per_m <= 0.0)
       return Error{ErrorCode::usage, "a value of the material is out of its range", material.name};
   changed.materials = std::move(materials);
-  return inside_->change(std::make_shared<const models::Scene>(std::move(changed)), settings,
-                         inside_->scene_from_device);
+  return impl_->change(std::make_shared<const models::Scene>(std::move(changed)), settings,
+                       impl_->scene_from_device);
 }
 
 std::shared_ptr<const models::Scene> TouchSession::scene() const {
-  const std::lock_guard lock(inside_->state);
-  return inside_->scene;
+  const std::lock_guard lock(impl_->state);
+  return impl_->scene;
 }
 
 TouchSettings TouchSession::settings() const {
-  const std::lock_guard lock(inside_->state);
-  return inside_->settings;
+  const std::lock_guard lock(impl_->state);
+  return impl_->settings;
 }
 
 haptics::Law TouchSession::law_in_use() const {
-  const std::lock_guard lock(inside_->state);
-  return inside_->law_in_use;
+  const std::lock_guard lock(impl_->state);
+  return impl_->law_in_use;
 }
 
 std::vector<std::string> TouchSession::notices() const {
-  const std::lock_guard lock(inside_->state);
-  return inside_->notices;
+  const std::lock_guard lock(impl_->state);
+  return impl_->notices;
 }
 
 void TouchSession::pause() {
-  const std::lock_guard lock(inside_->state);
-  inside_->paused = true;
-  inside_->loop->pause();
+  const std::lock_guard lock(impl_->state);
+  impl_->paused = true;
+  impl_->loop->pause();
 }
 
 void TouchSession::resume() {
-  const std::lock_guard lock(inside_->state);
-  inside_->paused = false;
-  inside_->loop->resume();
+  const std::lock_guard lock(impl_->state);
+  impl_->paused = false;
+  impl_->loop->resume();
 }
 
 bool TouchSession::paused() const {
-  const std::lock_guard lock(inside_->state);
-  return inside_->paused;
+  const std::lock_guard lock(impl_->state);
+  return impl_->paused;
 }
 
 void TouchSession::recentre() {
-  const std::lock_guard changing(inside_->changing);
+  const std::lock_guard changing(impl_->changing);
   const Vec3 hand = latest().device_position.v;
   if (!is_finite(hand)) return;
-  auto place = inside_->scene_from_device;
+  auto place = impl_->scene_from_device;
   const Vec3 turned = place.scale * place.rotate(hand);
   place.translation_m = Vec3{0.0, 0.0, models::size_m(*scene()).z} - turned;
   // What was possible with this scene and these settings before is possible now.
-  static_cast<void>(inside_->change(scene(), settings(), place));
+  static_cast<void>(impl_->change(scene(), settings(), place));
 }
 
 Result<void> TouchSession::stand(const Stance& stance) {
-  const std::lock_guard changing(inside_->changing);
-  auto stood = inside_->change(scene(), settings(), with_explorer(inside_->scene_from_device, stance));
-  if (stood) inside_->stance = stance;
+  const std::lock_guard changing(impl_->changing);
+  auto stood = impl_->change(scene(), settings(), with_explorer(impl_->scene_from_device, stance));
+  if (stood) impl_->stance = stance;
   return stood;
 }
 
 void TouchSession::stop() {
   static_cast<void>(stop_recording());
-  inside_->loop->stop();
+  impl_->loop->stop();
 }
 
-std::size_t TouchSession::probes() const { return inside_->pointers.size(); }
+std::size_t TouchSession::probes() const { return impl_->pointers.size(); }
 
 void TouchSession::move_pointer(Point<SceneFrame> position, std::size_t probe) {
   if (!is_finite(position) || probe >= probes()) return;
-  const std::lock_guard lock(inside_->state);
-  inside_->pointers[probe]->put(inside_->scene_from_device.inverse() * position);
+  const std::lock_guard lock(impl_->state);
+  impl_->pointers[probe]->put(impl_->scene_from_device.inverse() * position);
 }
 
 void TouchSession::lift_pointer(std::size_t probe) {
   if (probe >= probes()) return;
-  const std::lock_guard lock(inside_->state);
-  inside_->pointers[probe]->put(std::nullopt);
+  const std::lock_guard lock(impl_->state);
+  impl_->pointers[probe]->put(std::nullopt);
 }
 
 haptics::TouchSample TouchSession::latest(std::size_t probe) const {
   PALPABLE_CHECK(probe < probes());
-  const std::lock_guard lock(inside_->state);
-  if (const auto newer = inside_->loop->take_latest(probe)) inside_->latest[probe] = *newer;
-  return inside_->latest[probe];
+  const std::lock_guard lock(impl_->state);
+  if (const auto newer = impl_->loop->take_latest(probe)) impl_->latest[probe] = *newer;
+  return impl_->latest[probe];
 }
 
 std::vector<haptics::TouchEvent> TouchSession::take_events() {
-  const std::lock_guard lock(inside_->state);
+  const std::lock_guard lock(impl_->state);
   std::vector<haptics::TouchEvent> events;
-  while (const auto event = inside_->loop->take_event()) events.push_back(*event);
+  while (const auto event = impl_->loop->take_event()) events.push_back(*event);
   return events;
 }
 
 std::vector<haptics::MissedDeadline> TouchSession::take_missed() {
-  const std::lock_guard lock(inside_->state);
+  const std::lock_guard lock(impl_->state);
   std::vector<haptics::MissedDeadline> missed;
-  while (const auto one = inside_->loop->take_missed()) missed.push_back(*one);
+  while (const auto one = impl_->loop->take_missed()) missed.push_back(*one);
   return missed;
 }
 
 Result<void> TouchSession::start_recording(const std::filesystem::path& file) {
-  const std::lock_guard lock(inside_->state);
-  if (inside_->recorder) return Error{ErrorCode::usage, "a recording is running already", file.string()};
-  const auto& traits = inside_->loop->device_traits();
+  const std::lock_guard recording_changes(impl_->recording_changes);
+  // The scene that the file begins with stays until the recorder hears of changes.
+  const std::lock_guard changing(impl_->changing);
+  if (recording()) return Error{ErrorCode::usage, "a recording is running already", file.string()};
+  const auto& traits = impl_->loop->device_traits();
   const Json header{{"format", 1},
                     {"made_by", "palpable"},
-                    {"seed", inside_->options.seed},
-                    {"rate_hz", inside_->options.servo.rate_hz},
+                    {"seed", impl_->options.seed},
+                    {"rate_hz", impl_->options.servo.rate_hz},
                     {"device", traits.name},
-                    {"as_published", inside_->options.as_published}};
-  auto recorder = Recorder::start(*inside_->loop, file, header.dump(), inside_->described_now);
+                    {"as_published", impl_->options.as_published}};
+  auto recorder = Recorder::start(*impl_->loop, file, header.dump(), impl_->described_now);
   if (!recorder) return std::move(recorder).error();
-  inside_->recorder = std::move(*recorder);
+  const std::lock_guard lock(impl_->state);
+  impl_->recorder = std::move(*recorder);
   return {};
 }
 
 Result<void> TouchSession::stop_recording() {
-  const std::lock_guard lock(inside_->state);
-  if (!inside_->recorder) return {};
-  return std::exchange(inside_->recorder, nullptr)->finish();
+  const std::lock_guard recording_changes(impl_->recording_changes);
+  std::unique_ptr<Recorder> ended;
+  {
+    const std::lock_guard lock(impl_->state);
+    ended = std::exchange(impl_->recorder, nullptr);
+  }
+  return ended ? ended->finish() : Result<void>();
 }
 
 bool TouchSession::recording() const {
-  const std::lock_guard lock(inside_->state);
-  return inside_->recorder != nullptr;
+  const std::lock_guard lock(impl_->state);
+  return impl_->recorder != nullptr;
 }
 
 TouchStatistics TouchSession::statistics() const {
   TouchStatistics statistics;
-  statistics.servo = inside_->loop->statistics();
-  statistics.seconds_to_first_force =
-      1e-9 * static_cast<double>(inside_->servo_begin_ns - inside_->begin_ns) +
-      statistics.servo.touch.first_force_t_s;
-  statistics.device = inside_->loop->device_traits().name;
-  const auto real_time = inside_->loop->real_time();
+  statistics.servo = impl_->loop->statistics();
+  statistics.seconds_to_first_force = 1e-9 * static_cast<double>(impl_->servo_begin_ns - impl_->begin_ns) +
+                                      statistics.servo.touch.first_force_t_s;
+  statistics.device = impl_->loop->device_traits().name;
+  const auto real_time = impl_->loop->real_time();
   statistics.realtime_priority = real_time.priority;
   statistics.memory_lock = real_time.memory;
   return statistics;
 }
 
-const device::Traits& TouchSession::device_traits() const { return inside_->loop->device_traits(); }
-std::string TouchSession::device_fault() const { return inside_->loop->device_fault(); }
+const device::Traits& TouchSession::device_traits() const { return impl_->loop->device_traits(); }
+std::string TouchSession::device_fault() const { return impl_->loop->device_fault(); }
 
 }  // namespace palpable::session

@@ -49,7 +49,7 @@ class TouchSession {
   Result<void> change_scene(std::shared_ptr<const models::Scene> scene);
   Result<void> change_settings(const TouchSettings& settings);
   /// Both at once; the scene's model stays, and so does its place under the hand. Errors: usage for materials
-  /// that are not sound or not one for each label of the scene.
+  /// that are out of range or not one for each label of the scene.
   Result<void> change_materials(std::vector<models::Material> materials, const TouchSettings& settings);
   std::shared_ptr<const models::Scene> scene() const;
   TouchSettings settings() const;
@@ -96,13 +96,13 @@ class TouchSession {
 
   TouchStatistics statistics() const;
   const device::Traits& device_traits() const;
-  /// Empty while the device is well.
+  /// Empty while the device works.
   std::string device_fault() const;
 
  private:
-  struct Inside;
-  explicit TouchSession(std::unique_ptr<Inside> inside);
-  std::unique_ptr<Inside> inside_;
+  struct Impl;
+  explicit TouchSession(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace palpable::session
