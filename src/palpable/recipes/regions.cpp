@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -53,33 +52,20 @@ std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const See
   return ground;
 }
 
-/// The background, where it is to be removed, and a note of it. The ground is none: it is near and far at
-/// once, and would part what stands on it.
-std::optional<vision::Background> background_of(DisparityMap disparity,
+/// The background, where it is to be removed, and a note of it.
+std::optional<vision::Background> background_of(const DisparityMap& disparity,
                                                 const std::optional<vision::Ground>& ground,
                                                 const SeenPicture& seen, const ReliefRecipe& recipe,
                                                 const Work& work, std::vector<Note>& notes) {
   if (recipe.background == BackgroundTreatment::keep) return std::nullopt;
   work.report(0.92, "finding the background");
-  const auto without = [&](Raster<std::uint8_t>* mask) {
-    for (std::size_t i = 0; ground && i < ground->mask.count(); ++i) {
-      if (ground->mask.values()[i] == 0) continue;
-      if (mask != nullptr) mask->values()[i] = 0;
-      disparity.disparity_px.values()[i] = std::numeric_limits<float>::quiet_NaN();
-    }
-  };
-  without(nullptr);
-  auto background = vision::find_background(seen.picture, disparity.disparity_px, work);
-  if (!background) {
-    notes.emplace_back("Near and far do not part in this picture: there is no background to remove.");
-    return std::nullopt;
-  }
-  without(&background->mask);
-  const std::string moves = seen.origin == vision::DisparityOrigin::matched
-                                ? fmt::format(" moves less than {:.1f} px", background->threshold_px)
-                                : " was found";
-  notes.emplace_back(fmt::format("The background{}: {} of {} regions were removed with it.", moves,
-                                 background->removed, background->regions));
+  auto background =
+      vision::find_background(seen.picture, disparity.disparity_px, ground ? &*ground : nullptr, work);
+  if (background)
+    notes.emplace_back(fmt::format("The background covers {:.0f} % of the picture.", 100.0 * background->share));
+  else
+    notes.emplace_back(ground ? "There is no background to remove: everything stands on the ground."
+                              : "There is no background to remove: nothing is clearly behind the rest.");
   return background;
 }
 

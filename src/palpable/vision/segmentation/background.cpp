@@ -4,6 +4,7 @@
 
 #include "palpable/core/check.hpp"
 #include "palpable/core/quantile.hpp"
+#include "palpable/vision/segmentation/plane_mask.hpp"
 #include "palpable/vision/segmentation/regions.hpp"
 
 #include <algorithm>
@@ -66,8 +67,8 @@ Raster<std::int32_t> depth_inside(const Raster<std::uint8_t>& marked) {
   return out;
 }
 
-/// The middle lines of what is marked: nowhere among its neighbours is it deeper inside along the row, or
-/// along the column.
+/// The medial axes of the marked pixels: the distance to the nearest unmarked one is greatest along the row
+/// or along the column.
 bool is_seed(const Raster<std::int32_t>& depth, int x, int y) {
   const int here = depth(x, y);
   if (here < 2) return false;
@@ -75,7 +76,7 @@ bool is_seed(const Raster<std::int32_t>& depth, int x, int y) {
   return (here >= at(x - 1, y) && here >= at(x + 1, y)) || (here >= at(x, y - 1) && here >= at(x, y + 1));
 }
 
-/// What is known of each region.
+/// Pixels of each region: with a known disparity, marked as near, on a medial axis.
 struct Counts {
   std::vector<double> known, marked, seeds;
 };
@@ -96,8 +97,7 @@ Counts counts_of(const Regions& regions, const Raster<float>& disparity_px,
 }
 
 /// How many of the largest candidates are background: the fewest that hold a greater share of the candidates'
-/// area than the share of all regions that is left over. Few large ones go early; many of a size are looked
-/// at singly.
+/// area than the share of all regions that is left over.
 std::size_t number_to_remove(const std::vector<double>& sizes_descending, int regions) {
   const double total = std::accumulate(sizes_descending.begin(), sizes_descending.end(), 0.0);
   double sum = 0.0;
@@ -108,63 +108,128 @@ std::size_t number_to_remove(const std::vector<double>& sizes_descending, int re
   return sizes_descending.size();
 }
 
-}  // namespace
-
-std::optional<Background> find_background(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                          const Work& work) {
-  PALPABLE_CHECK(left.width() == disparity_px.width() && left.height() == disparity_px.height());
-  constexpr double kLeastRange_px = 2.0, kMostlyThing = 0.5, kLeastShare = 0.01;
-  const Split split = otsu(disparity_px);
-  if (split.range_px < kLeastRange_px) return std::nullopt;
-  Background out;
-  out.threshold_px = split.threshold_px;
-  Raster<std::uint8_t> marked(left.width(), left.height());
-  for (std::size_t i = 0; i < marked.count(); ++i)
-    marked.values()[i] = static_cast<double>(disparity_px.values()[i]) > split.threshold_px ? 1 : 0;
-  const Regions regions = merge_regions(left);
-  if (work.cancelled()) return std::nullopt;
-  const Counts counts = counts_of(regions, disparity_px, marked);
-  out.regions = regions.count();
-
+/// Which regions are background, 1 or 0: those without seeds, or mostly far, of which the largest go.
+std::vector<std::uint8_t> removed_regions(const Regions& regions, const Counts& counts,
+                                          const BackgroundOptions& options) {
   std::vector<std::size_t> candidates;
   for (std::size_t r = 0; r < counts.known.size(); ++r)
-    if (counts.seeds[r] == 0.0 || counts.marked[r] < kMostlyThing * counts.known[r]) candidates.push_back(r);
+    if (counts.seeds[r] == 0.0 || counts.marked[r] < options.object_share * counts.known[r])
+      candidates.push_back(r);
   std::stable_sort(candidates.begin(), candidates.end(),
                    [&](std::size_t a, std::size_t b) { return regions.pixels[a] > regions.pixels[b]; });
   std::vector<double> sizes;
   sizes.reserve(candidates.size());
   for (const std::size_t r : candidates) sizes.push_back(static_cast<double>(regions.pixels[r]));
-  candidates.resize(number_to_remove(sizes, out.regions));
-  out.removed = static_cast<int>(candidates.size());
+  candidates.resize(number_to_remove(sizes, regions.count()));
   std::vector<std::uint8_t> removed(counts.known.size());
   for (const std::size_t r : candidates) removed[r] = 1;
+  return removed;
+}
 
-  // A region is of one colour, not of one thing: what clearly moves in a removed one is none of the
+/// The paper's way, over known disparities.
+std::optional<Background> background_regions(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
+                                             const Work& work, const BackgroundOptions& options) {
+  const Split split = otsu(disparity_px);
+  if (split.range_px < options.least_range_px) return std::nullopt;
+  Background out;
+  out.by = Background::By::regions;
+  out.threshold_px = split.threshold_px;
+  Raster<std::uint8_t> marked(left.width(), left.height());
+  for (std::size_t i = 0; i < marked.count(); ++i)
+    marked.values()[i] = static_cast<double>(disparity_px.values()[i]) > split.threshold_px ? 1 : 0;
+  const Regions regions = merge_regions(left, options.region_complexity);
+  if (work.cancelled()) return std::nullopt;
+  const auto removed = removed_regions(regions, counts_of(regions, disparity_px, marked), options);
+  // A region has one colour and may be several surfaces: what clearly moves in a removed one is no
   // background, and what hardly moves in a kept one is.
-  const double clearly_px = split.threshold_px + 0.1 * split.range_px;
+  const double clearly_px = split.threshold_px + options.clear_share * split.range_px;
   out.mask = Raster<std::uint8_t>(left.width(), left.height());
-  for (int y = 0; y < out.mask.height(); ++y)
-    for (int x = 0; x < out.mask.width(); ++x) {
-      const bool gone = removed[static_cast<std::size_t>(regions.of_pixel(x, y))] != 0;
-      const auto d = static_cast<double>(disparity_px(x, y));
-      const bool behind = std::isfinite(d) ? d <= (gone ? clearly_px : split.threshold_px) : gone;
-      out.mask(x, y) = behind ? 255 : 0;
-      out.share += behind ? 1.0 : 0.0;
-    }
-  out.share /= static_cast<double>(out.mask.count());
-  if (out.share < kLeastShare || out.share > 1.0 - kLeastShare) return std::nullopt;
+  for (std::size_t i = 0; i < out.mask.count(); ++i) {
+    const bool gone = removed[static_cast<std::size_t>(regions.of_pixel.values()[i])] != 0;
+    const auto d = static_cast<double>(disparity_px.values()[i]);
+    const bool behind = std::isfinite(d) ? d <= (gone ? clearly_px : split.threshold_px) : gone;
+    out.mask.values()[i] = behind ? 255 : 0;
+  }
   return out;
 }
 
-DisparityMap lowered(const DisparityMap& disparity, const Raster<std::uint8_t>& goes) {
+/// A plane that holds enough of the known disparities and has next to nothing behind it.
+std::optional<Background> background_plane(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
+                                           const Work& work, const BackgroundOptions& options) {
+  const auto plane = find_back_plane(disparity_px, work, options.plane);
+  if (!plane) return std::nullopt;
+  const double tolerance_px = std::max(options.least_height_px, options.height_sigmas * plane->sigma_px);
+  double known = 0.0, on = 0.0, behind = 0.0;
+  for (int y = 0; y < disparity_px.height(); ++y)
+    for (int x = 0; x < disparity_px.width(); ++x) {
+      const double above = disparity_px(x, y) - plane->plane.at(x, y);
+      if (!std::isfinite(above)) continue;
+      known += 1.0;
+      on += std::abs(above) <= tolerance_px ? 1.0 : 0.0;
+      behind += above < -2.0 * tolerance_px ? 1.0 : 0.0;
+    }
+  if (on < options.least_plane_share * known || behind > options.most_behind_share * known)
+    return std::nullopt;
+  Background out;
+  out.mask = plane_mask(merge_regions(left, options.region_complexity), disparity_px, *plane,
+                        PlaneDirection::any, options.mask, work);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(BackgroundOptions& o) {
+  std::vector<Parameter> all{
+      {"least_height_px", &o.least_height_px, {0, 20}, "px", "least height of an object over the ground"},
+      {"height_sigmas", &o.height_sigmas, {0, 20}, "", "the same in standard deviations of the ground"},
+      {"step_px", &o.step_px, {0.05, 20}, "px", "greatest step within one surface"},
+      {"least_object_share", &o.least_object_share, {0, 0.1}, "", "smallest object over the picture"},
+      {"least_plane_share", &o.least_plane_share, {0, 1}, "", "share of pixels on a background plane"},
+      {"most_behind_share", &o.most_behind_share, {0, 1}, "", "share of pixels behind it"},
+      {"region_complexity", &o.region_complexity, {1, 1024}, "", "complexity of the colour regions"},
+      {"least_range_px", &o.least_range_px, {0, 100}, "px", "least range of disparities"},
+      {"object_share", &o.object_share, {0, 1}, "", "share of near pixels in an object's region"},
+      {"clear_share", &o.clear_share, {0, 1}, "", "how far beyond the threshold a pixel is an object"},
+      {"least_share", &o.least_share, {0, 0.5}, "", "least share of the picture that is background"}};
+  append_parameters(all, "plane", parameters_of(o.plane));
+  append_parameters(all, "mask", parameters_of(o.mask));
+  return all;
+}
+
+std::optional<Background> find_background(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
+                                          const Ground* ground, const Work& work,
+                                          const BackgroundOptions& options) {
+  PALPABLE_CHECK(left.width() == disparity_px.width() && left.height() == disparity_px.height());
+  Raster<float> rest = disparity_px;
+  Raster<std::uint8_t> kept(left.width(), left.height());
+  if (ground != nullptr) {
+    kept = objects_on_ground(*ground, disparity_px, options);
+    for (std::size_t i = 0; i < kept.count(); ++i) {
+      kept.values()[i] |= ground->mask.values()[i];
+      if (kept.values()[i] != 0) rest.values()[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  auto found = background_plane(left, rest, work, options);
+  if (!found && !work.cancelled()) found = background_regions(left, rest, work, options);
+  if (!found || work.cancelled()) return std::nullopt;
+  for (std::size_t i = 0; i < kept.count(); ++i) {
+    if (kept.values()[i] != 0) found->mask.values()[i] = 0;
+    found->share += found->mask.values()[i] != 0 ? 1.0 : 0.0;
+  }
+  found->share /= static_cast<double>(kept.count());
+  if (found->share < options.least_share || found->share > 1.0 - options.least_share) return std::nullopt;
+  return found;
+}
+
+DisparityMap lowered(const DisparityMap& disparity, const Raster<std::uint8_t>& lower) {
   DisparityMap out = disparity;
   float farthest_px = std::numeric_limits<float>::infinity();
-  for (std::size_t i = 0; i < goes.count(); ++i)
-    if (goes.values()[i] == 0 && std::isfinite(disparity.disparity_px.values()[i]))
+  for (std::size_t i = 0; i < lower.count(); ++i)
+    if (lower.values()[i] == 0 && std::isfinite(disparity.disparity_px.values()[i]))
       farthest_px = std::min(farthest_px, disparity.disparity_px.values()[i]);
   if (!std::isfinite(farthest_px)) return out;
-  for (std::size_t i = 0; i < goes.count(); ++i)
-    if (goes.values()[i] != 0) out.disparity_px.values()[i] = farthest_px;
+  for (std::size_t i = 0; i < lower.count(); ++i)
+    if (lower.values()[i] != 0) out.disparity_px.values()[i] = farthest_px;
   return out;
 }
 

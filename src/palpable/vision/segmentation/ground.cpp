@@ -4,7 +4,7 @@
 
 #include "palpable/vision/segmentation/background.hpp"
 #include "palpable/vision/segmentation/ground_plane.hpp"
-#include "palpable/vision/segmentation/regions.hpp"
+#include "palpable/vision/segmentation/plane_mask.hpp"
 #include "palpable/vision/segmentation/side_by_colour.hpp"
 
 #include <algorithm>
@@ -16,102 +16,6 @@
 
 namespace palpable::vision {
 namespace {
-
-/// For each region, the share of its known pixels that lie on the plane.
-std::vector<double> shares_on_plane(const Regions& regions, const Raster<float>& disparity_px,
-                                    const DisparityPlane& plane, double tolerance_px) {
-  std::vector<double> on(regions.pixels.size()), known(regions.pixels.size());
-  for (int y = 0; y < disparity_px.height(); ++y) {
-    for (int x = 0; x < disparity_px.width(); ++x) {
-      const double r = disparity_px(x, y) - plane.at(x, y);
-      if (!std::isfinite(r)) continue;
-      const auto region = static_cast<std::size_t>(regions.of_pixel(x, y));
-      known[region] += 1.0;
-      on[region] += std::abs(r) <= tolerance_px ? 1.0 : 0.0;
-    }
-  }
-  for (std::size_t i = 0; i < on.size(); ++i) on[i] = known[i] > 0.0 ? on[i] / known[i] : 0.0;
-  return on;
-}
-
-/// A line fitted to a neighbourhood's distances from the plane.
-struct PlaneFit {
-  /// Mean distance, pixels of disparity; infinite where nothing is known.
-  double distance_px = std::numeric_limits<double>::infinity();
-  /// Growth of the distance with each row downwards.
-  double slope = 0.0;
-};
-
-/// Over the neighbours of the same region that lie within `near_px` of the plane: matching noise averages
-/// out, and objects beside the ground do not distort the mean.
-PlaneFit fit_around(int x, int y, const Regions& regions, const Raster<float>& disparity_px,
-                    const DisparityPlane& plane, int reach, double near_px) {
-  double n = 0.0, sv = 0.0, sr = 0.0, svv = 0.0, svr = 0.0;
-  for (int v = std::max(0, y - reach); v <= std::min(disparity_px.height() - 1, y + reach); ++v) {
-    for (int u = std::max(0, x - reach); u <= std::min(disparity_px.width() - 1, x + reach); ++u) {
-      const double distance = disparity_px(u, v) - plane.at(u, v);
-      if (!(std::abs(distance) <= near_px) || regions.of_pixel(u, v) != regions.of_pixel(x, y)) continue;
-      const double r = distance, row = v - y;
-      n += 1.0;
-      sv += row;
-      sr += r;
-      svv += row * row;
-      svr += row * r;
-    }
-  }
-  if (n < 1.0) return {};
-  const double spread = n * svv - sv * sv;
-  return {sr / n, spread > 0.0 ? (n * svr - sv * sr) / spread : 0.0};
-}
-
-/// A pixel belongs to the ground where its neighbourhood lies on the plane and is parallel to it: the foot of
-/// an object lies on it too, but rises from it. A region that is mostly ground takes in pixels that the
-/// matching left somewhat off or unknown, but not objects of its colour.
-Raster<std::uint8_t> mask_of(const Regions& regions, const Raster<float>& disparity_px,
-                             const GroundPlane& fit, const GroundMaskOptions& options, const Work& work) {
-  const double tolerance_px = std::max(options.sigmas * fit.sigma_px, options.least_tolerance_px);
-  const double near_px = std::max(options.near_tolerances * tolerance_px, options.least_near_px);
-  const double rises = -options.most_rise_share * fit.plane.b;
-  const auto shares =
-      shares_on_plane(regions, disparity_px, fit.plane,
-                      std::max(1.5 * options.sigmas * fit.sigma_px, options.least_tolerance_px));
-  Raster<std::uint8_t> mask(disparity_px.width(), disparity_px.height());
-  parallel_for(work, mask.height(), 8, [&](int begin, int end) {
-    for (int y = begin; y < end && !work.cancelled(); ++y) {
-      for (int x = 0; x < mask.width(); ++x) {
-        const bool mostly = shares[static_cast<std::size_t>(regions.of_pixel(x, y))] > options.mostly_share;
-        const PlaneFit around =
-            fit_around(x, y, regions, disparity_px, fit.plane, options.neighbourhood_px, near_px);
-        const double own = std::abs(disparity_px(x, y) - fit.plane.at(x, y));
-        const double distance = std::abs(around.distance_px);
-        const bool along = distance <= tolerance_px && around.slope > rises && !(own > near_px);
-        mask(x, y) = along || (mostly && !(own > options.far_px) &&
-                               !(std::isfinite(distance) && distance > 2.0 * tolerance_px))
-                         ? 255
-                         : 0;
-      }
-    }
-  });
-  return mask;
-}
-
-/// Majority filter: single wrong matches do not make holes or specks.
-Raster<std::uint8_t> majority(const Raster<std::uint8_t>& mask, int reach) {
-  Raster<std::uint8_t> out(mask.width(), mask.height());
-  for (int y = 0; y < mask.height(); ++y) {
-    for (int x = 0; x < mask.width(); ++x) {
-      int ground = 0, all = 0;
-      for (int v = std::max(0, y - reach); v <= std::min(mask.height() - 1, y + reach); ++v) {
-        for (int u = std::max(0, x - reach); u <= std::min(mask.width() - 1, x + reach); ++u) {
-          ground += mask(u, v) != 0 ? 1 : 0;
-          ++all;
-        }
-      }
-      out(x, y) = 2 * ground > all ? 255 : 0;
-    }
-  }
-  return out;
-}
 
 /// What the other picture shows at each of its columns: the nearest disparity that lands there.
 Raster<float> nearest_there(const Raster<float>& disparity_px) {
@@ -229,9 +133,8 @@ std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>&
   if (!found) return std::nullopt;
   Ground ground;
   ground.plane = found->plane;
-  ground.mask = majority(
-      mask_of(merge_regions(left, options.mask.region_complexity), disparity_px, *found, options.mask, work),
-      options.mask.majority_px);
+  ground.mask = plane_mask(merge_regions(left, options.mask.region_complexity), disparity_px, *found,
+                           PlaneDirection::ground, options.mask, work);
   if (origin == DisparityOrigin::matched)
     ground.mask = majority(along_edges(left, ground.mask, disparity_px, ground.plane, options, work),
                            options.mask.majority_px);

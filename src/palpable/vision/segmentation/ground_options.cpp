@@ -3,8 +3,6 @@
 #include "palpable/vision/segmentation/ground_options.hpp"
 
 namespace palpable::vision {
-namespace {
-
 std::vector<Parameter> parameters_of(GroundPlaneOptions& o) {
   return {{"searched_samples", &o.searched_samples, {100, 1e6}, "", "pixels that planes are found from"},
           {"fitted_samples", &o.fitted_samples, {100, 1e6}, "", "pixels that planes are refined with"},
@@ -41,8 +39,6 @@ std::vector<Parameter> parameters_of(GroundMaskOptions& o) {
           {"hidden_px", &o.hidden_px, {0, 20}, "px", "how much nearer a surface hides"},
           {"far_end_share", &o.far_end_share, {0, 0.5}, "", "pixels beyond the ground's far end"}};
 }
-
-}  // namespace
 
 std::vector<Parameter> parameters_of(ColourDecisionOptions& o) {
   return {{"reach_px", &o.reach_px, {1, 200}, "px", "reach of the comparison"},

@@ -44,6 +44,8 @@ struct GroundPlaneOptions {
   double least_held_rise_sigmas = 6.0;
 };
 
+std::vector<Parameter> parameters_of(GroundPlaneOptions& options);
+
 /// Pixels near a border between two surfaces, decided by colour (side_by_colour.hpp).
 struct ColourDecisionOptions {
   /// Decided pixels that are compared: within the reach to each side, every n-th; fewer than the least decide
@@ -88,6 +90,7 @@ struct GroundMaskOptions {
   /// The ground's far end, without this share of its pixels. 0 … 0.5.
   double far_end_share = 0.01;
 };
+std::vector<Parameter> parameters_of(GroundMaskOptions& options);
 
 struct GroundOptions {
   GroundPlaneOptions plane;

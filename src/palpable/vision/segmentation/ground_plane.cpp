@@ -38,6 +38,7 @@ std::optional<DisparityPlane> plane_through(const Sample& p, const Sample& q, co
 
 /// The map that a ground must fit into.
 struct Extent {
+  PlaneDirection direction;
   int width, height;
   /// The range of all disparities but few.
   double range_px;
@@ -45,6 +46,7 @@ struct Extent {
 
 /// A ground comes nearer towards the bottom of the picture, and the camera's roll is moderate.
 bool could_be_ground(const DisparityPlane& plane, const Extent& extent, const GroundPlaneOptions& options) {
+  if (extent.direction == PlaneDirection::any) return true;
   const double rise_px = plane.b * extent.height;
   return rise_px > std::max(options.least_rise_px, options.least_rise_share * extent.range_px) &&
          std::abs(plane.a) < options.most_roll * plane.b;
@@ -165,37 +167,50 @@ std::optional<GroundPlane> refined(DisparityPlane plane, std::span<const Sample>
 }
 
 /// Whether enough lies on the plane, over such a rise that it is no level plane or wall tilted by noise.
-bool holds(const GroundPlane& ground, std::span<const Sample> samples, const GroundPlaneOptions& options) {
+bool holds(const GroundPlane& ground, std::span<const Sample> samples, PlaneDirection direction,
+           const GroundPlaneOptions& options) {
   std::vector<double> on;
   for (const Sample& s : samples)
     if (const double d = ground.plane.at(s.x, s.y); std::abs(s.d - d) < 3.0 * ground.sigma_px)
       on.push_back(d);
   if (static_cast<double>(on.size()) < options.least_share * static_cast<double>(samples.size()))
     return false;
+  if (direction == PlaneDirection::any) return true;
   const double rise_px = quantile_of(on, 0.95) - quantile_of(on, 0.05);
   return rise_px > std::max(options.least_held_rise_px, options.least_held_rise_sigmas * ground.sigma_px);
 }
 
-}  // namespace
-
-std::optional<GroundPlane> find_ground_plane(const Raster<float>& disparity_px, const Work& work,
-                                             const GroundPlaneOptions& options) {
+std::optional<GroundPlane> find_plane(const Raster<float>& disparity_px, PlaneDirection direction,
+                                      const Work& work, const GroundPlaneOptions& options) {
   const auto few = samples_of(disparity_px, options.searched_samples);
   if (few.size() < 100) return std::nullopt;
   const auto many = samples_of(disparity_px, options.fitted_samples);
-  const Extent extent{disparity_px.width(), disparity_px.height(), range_of(few)};
+  const Extent extent{direction, disparity_px.width(), disparity_px.height(), range_of(few)};
   std::optional<GroundPlane> best;
   double most = 0.0;
   for (const DisparityPlane& candidate : best_supported(few, extent, options, work)) {
     const auto fit = refined(candidate, many, options);
     // A plane across the steps of a wall tilts back when it is fitted, and is rejected.
-    if (!fit || !could_be_ground(fit->plane, extent, options) || !holds(*fit, few, options)) continue;
+    if (!fit || !could_be_ground(fit->plane, extent, options) || !holds(*fit, few, direction, options))
+      continue;
     const double support = support_of(fit->plane, few, options);
     if (support <= most) continue;
     most = support;
     best = fit;
   }
   return work.cancelled() ? std::nullopt : best;
+}
+
+}  // namespace
+
+std::optional<GroundPlane> find_ground_plane(const Raster<float>& disparity_px, const Work& work,
+                                             const GroundPlaneOptions& options) {
+  return find_plane(disparity_px, PlaneDirection::ground, work, options);
+}
+
+std::optional<GroundPlane> find_back_plane(const Raster<float>& disparity_px, const Work& work,
+                                           const GroundPlaneOptions& options) {
+  return find_plane(disparity_px, PlaneDirection::any, work, options);
 }
 
 }  // namespace palpable::vision
