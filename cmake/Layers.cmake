@@ -36,7 +36,7 @@ set(PALPABLE_MAY_USE_formats/scene packing picture)
 set(PALPABLE_ROOMS_sources picture stereo solid calibration depth input)
 set(PALPABLE_MAY_USE_sources/stereo picture)
 set(PALPABLE_MAY_USE_sources/depth picture calibration)
-set(PALPABLE_MAY_USE_sources/input picture stereo)
+set(PALPABLE_MAY_USE_sources/input picture stereo depth)
 
 set(PALPABLE_ROOMS_vision image segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods stereo/result rectification contours)
 set(PALPABLE_MAY_USE_vision/stereo/cost image stereo/problem)

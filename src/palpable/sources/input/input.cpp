@@ -6,6 +6,7 @@
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/packing/zip.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
+#include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"
@@ -13,7 +14,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace palpable::sources {
 namespace {
@@ -181,11 +185,44 @@ Result<Input> recognise_two(std::span<const fs::path> paths, std::optional<Input
   return input;
 }
 
-/// One picture is a picture, unless a phone has put depth inside.
-Result<Input> recognise_photograph(const fs::path& path) {
+/// Whether 16-bit samples are 8-bit ones times 257, as an image editor converts a grey picture.
+bool is_stretched_from_8_bits(const Image& image) {
+  return image.bits == 16 && std::all_of(image.samples.begin(), image.samples.end(),
+                                         [](float v) { return std::lround(v * 65535.0F) % 257 == 0; });
+}
+
+/// A picture of one channel may hold depth: the sidecar decides, then the number of bits.
+Result<Input> recognise_grey(const fs::path& path, const Image& image) {
+  const auto sidecar = read_depth_sidecar(path);
+  if (!sidecar) return sidecar.error();
+  if (sidecar->meaning || sidecar->metres_per_unit || sidecar->px_per_unit || sidecar->zbuffer)
+    return Input{InputKind::depth, {path}, {}};
+  if (image.bits <= 8) return Input{InputKind::picture, {path}, {}};
+  if (is_stretched_from_8_bits(image))
+    return Input{InputKind::picture,
+                 {path},
+                 {"This grey picture has 16 bits but only 256 levels: it was taken as a picture; say --kind "
+                  "depth where it holds depth."}};
+  return Input{InputKind::depth,
+               {path},
+               {fmt::format("This picture of one channel and {} bits was taken as depth; say --kind picture "
+                            "for its contours.",
+                            image.bits)}};
+}
+
+/// One picture is a picture, unless a phone has put depth inside or its pixels are depth.
+Result<Input> recognise_one_picture(const fs::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
-  if (!announces_depth(*file)) return Input{InputKind::picture, {path}, {}};
+  if (!announces_depth(*file)) {
+    const auto format = picture_format_of(*file);
+    const bool may_be_grey =
+        format == PictureFormat::png || format == PictureFormat::tiff || format == PictureFormat::pnm;
+    // What cannot be decoded is reported where it is read.
+    const auto image = may_be_grey ? decode_picture(*file) : invalid_input("is in colour");
+    if (image && image->channels == 1) return recognise_grey(path, *image);
+    return Input{InputKind::picture, {path}, {}};
+  }
   return Input{InputKind::depth,
                {path},
                {Note("The photograph holds depth, which was used.", Reason::photo_depth_used)}};
@@ -234,7 +271,7 @@ Result<Input> recognise_input(std::span<const fs::path> paths, std::optional<Inp
   }
   const auto kind = kind_of_file(paths[0]);
   if (!kind) return kind.error();
-  if (!wanted && *kind == InputKind::picture) return recognise_photograph(paths[0]);
+  if (!wanted && *kind == InputKind::picture) return recognise_one_picture(paths[0]);
   return Input{wanted.value_or(*kind), {paths[0]}, {}};
 }
 

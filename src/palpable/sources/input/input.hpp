@@ -52,7 +52,9 @@ struct Input {
 /// Errors: invalid_input, naming the file, for what cannot be read or is none of these.
 Result<InputKind> kind_of_file(const std::filesystem::path& path);
 
-/// Recognises what was named together: one file by its content, a photograph with depth inside as depth, two
+/// Recognises what was named together: one file by its content, a photograph with depth inside as depth, a
+/// picture of one channel as depth where a sidecar states so or where it has more than 8 bits (unless these
+/// are 8 bits stretched), with a note of what was assumed, two
 /// pictures as a stereo pair, left first, a picture and a file of numbers as depth with its colour picture, a
 /// folder as a sequence. `wanted` overrides where it is possible. Errors: usage for a number of files that
 /// makes no sense; invalid_input as kind_of_file(), and for a folder without pictures.

@@ -43,6 +43,42 @@ class AnInput : public testing::Test {
   fs::path folder_;
 };
 
+/// A slope of depths in millimetres, every value its own.
+Raster<std::uint16_t> slope() {
+  Raster<std::uint16_t> out(8, 8);
+  for (std::size_t i = 0; i < out.count(); ++i) out.values()[i] = static_cast<std::uint16_t>(700 + 3 * i);
+  return out;
+}
+
+TEST_F(AnInput, OfOneChannelAndSixteenBitsIsDepthAndSaysSo) {
+  ASSERT_TRUE(formats::write_png(folder_ / "d.png", slope()));
+  const std::vector<fs::path> one{folder_ / "d.png"};
+  const auto input = recognise_input(one);
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->kind, InputKind::depth);
+  ASSERT_EQ(input->notes.size(), 1U);
+  EXPECT_NE(input->notes[0].find("--kind picture"), std::string::npos);
+  EXPECT_EQ(kind(one, InputKind::picture), "picture");
+}
+
+TEST_F(AnInput, OfSixteenBitsThatWereEightIsAPictureAndSaysSo) {
+  Raster<std::uint16_t> grey = slope();
+  for (std::uint16_t& v : grey.values()) v = static_cast<std::uint16_t>((v % 256) * 257);
+  ASSERT_TRUE(formats::write_png(folder_ / "g.png", grey));
+  const auto input = recognise_input(std::vector<fs::path>{folder_ / "g.png"});
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->kind, InputKind::picture);
+  ASSERT_EQ(input->notes.size(), 1U);
+  EXPECT_NE(input->notes[0].find("--kind depth"), std::string::npos);
+}
+
+TEST_F(AnInput, IsDepthWhereItsSidecarSaysSo) {
+  text("g.pgm", "P5\n2 2\n255\nabcd");
+  EXPECT_EQ(kind({folder_ / "g.pgm"}), "picture");
+  text("g.pgm.json", R"({"meaning": "nearness"})");
+  EXPECT_EQ(kind({folder_ / "g.pgm"}), "depth");
+}
+
 TEST_F(AnInput, IsRecognisedByContentNotByName) {
   fs::rename(picture("a.png"), folder_ / "a.mp4");
   EXPECT_EQ(kind({folder_ / "a.mp4"}), "picture");
