@@ -29,7 +29,7 @@ set(PALPABLE_MAY_USE_models/grid relief)
 set(PALPABLE_MAY_USE_models/contours relief)
 set(PALPABLE_MAY_USE_models/scene relief material field grid contours)
 
-set(PALPABLE_ROOMS_formats packing picture mesh vdb scene)
+set(PALPABLE_ROOMS_formats packing picture mesh tactile vdb scene)
 set(PALPABLE_MAY_USE_formats/mesh picture)
 set(PALPABLE_MAY_USE_formats/scene packing picture)
 

@@ -1,11 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/export_tactile.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/device/recording/recording.hpp"
-#include "palpable/formats/mesh/contour_lines.hpp"
 #include "palpable/formats/mesh/glb.hpp"
 #include "palpable/formats/mesh/ply.hpp"
 #include "palpable/formats/mesh/stl.hpp"
@@ -31,7 +31,8 @@ namespace {
 
 struct Arguments {
   std::string scene, output;
-  double interval_mm = 2.0;
+  TactileArguments tactile;
+  std::string lines = "grooves";
   int grid = 128;
   std::string band = "narrow";
 };
@@ -71,17 +72,21 @@ Result<void> write_body(const models::Relief& relief, const models::Scene& scene
   return write_file_atomically(output, *bytes);
 }
 
-Result<void> write_lines(const models::Relief& relief, double interval_mm,
-                         const std::filesystem::path& output) {
-  formats::ContourLineOptions options;
-  options.interval_m = interval_mm / 1000.0;
-  const auto svg = formats::encode_contour_lines(relief, options);
-  if (!svg) return svg.error();
-  return write_file_atomically(output, std::as_bytes(std::span(*svg)));
+/// What `make` needs to read the heights back, as a sidecar beside the picture.
+Result<void> write_height_sidecar(const models::Relief& relief, const std::filesystem::path& output,
+                                  double metres_per_step) {
+  std::filesystem::path sidecar = output;
+  sidecar += ".json";
+  const Json content{{"meaning", "nearness"},
+                     {"metres_per_step", metres_per_step},
+                     {"pixel_m", relief.pixel_m()},
+                     {"size_m", {relief.width_m(), relief.depth_m(), relief.highest_m()}}};
+  const std::string text = content.dump(2) + "\n";
+  return write_file_atomically(sidecar, std::as_bytes(std::span(text)));
 }
 
 Result<Answer> export_model(const models::Relief& relief, const models::Scene& scene,
-                            const Arguments& arguments, const Work& /*work*/) {
+                            const Arguments& arguments, const Work& work) {
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
@@ -96,9 +101,12 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
   if (ending == ".png") {
     const double metres_per_step = std::max(relief.highest_m(), 1e-9) / 65535.0;
     if (const auto written = write_heights(relief, output, metres_per_step); !written) return written.error();
+    if (const auto written = write_height_sidecar(relief, output, metres_per_step); !written)
+      return written.error();
     answer.json["metres_per_step"] = metres_per_step;
-    answer.text = fmt::format("{}: heights as 16-bit grey, {:.6g} mm a step\n", arguments.output,
-                              1000.0 * metres_per_step);
+    answer.json["sidecar"] = arguments.output + ".json";
+    answer.text = fmt::format("{0}: heights as 16-bit grey, {1:.6g} mm a step, as {0}.json states\n",
+                              arguments.output, 1000.0 * metres_per_step);
     return answer;
   }
   if (ending == ".stl" || ending == ".glb") {
@@ -106,7 +114,7 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
     return answer;
   }
   if (ending == ".svg") {
-    if (const auto written = write_lines(relief, arguments.interval_mm, output); !written)
+    if (const auto written = write_height_lines(relief, arguments.tactile, output, work); !written)
       return written.error();
     return answer;
   }
@@ -219,18 +227,32 @@ Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*sce
   return answer;
 }
 
-/// Unit tangents in image axes (x right, y down; their sign is free) and strength of the averaged map (eq.
-/// 7), and the one-pixel-wide lines.
-Result<Answer> export_model(const models::Contours& contours, const models::Scene& /*scene*/,
+/// As a plate with grooves or raised lines, as outlines for swell paper or an embosser, as a picture of the
+/// lines; or, .npz, unit tangents in image axes (x right, y down; their sign is free) and strength of the
+/// averaged map (eq. 7), and the one-pixel-wide lines.
+Result<Answer> export_model(const models::Contours& contours, const models::Scene& scene,
                             const Arguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);
-  if (output.extension() != ".npz" && output.extension() != ".png")
-    return Error{ErrorCode::usage, "contours are exported as .npz or .png", arguments.output};
-  const Raster<float> lines = sculpt::boundary_lines(contours.boundaries);
+  const std::string ending = output.extension().string();
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
-  if (output.extension() == ".png") {
+  if (ending == ".svg" || ending == ".brf") {
+    if (const auto written = write_outlines(contours, arguments.tactile, output); !written)
+      return written.error();
+    return answer;
+  }
+  if (ending == ".stl" || ending == ".glb") {
+    const auto plate = arguments.lines == "raised" ? raised_lines(contours) : *contours.grooves;
+    if (!plate) return plate.error();
+    if (const auto written = write_body(*plate, scene, output); !written) return written.error();
+    return answer;
+  }
+  if (ending != ".npz" && ending != ".png")
+    return Error{ErrorCode::usage, "contours are exported as .svg, .brf, .stl, .glb, .npz or .png",
+                 arguments.output};
+  const Raster<float> lines = sculpt::boundary_lines(contours.boundaries);
+  if (ending == ".png") {
     Raster<std::uint16_t> grey(lines.width(), lines.height());
     std::transform(lines.values().begin(), lines.values().end(), grey.values().begin(),
                    [](float s) { return static_cast<std::uint16_t>(std::lround(65535.0F * s)); });
@@ -281,6 +303,7 @@ void add_export(Program& program) {
       "  palpable export aloe.palp -o aloe.npz\n"
       "  palpable export aloe.palp -o aloe.stl    for a 3D printer; also .glb\n"
       "  palpable export aloe.palp -o aloe.svg    lines of equal height, for swell paper\n"
+      "  palpable export cat.palp -o cat.brf      outlines of contours in braille dots; also .svg, .stl\n"
       "  palpable export aloe.palp -o heights.png\n"
       "  palpable export house.palp -o house.vdb --grid 512    for Blender",
       [arguments](Console& console) { return run_export(*arguments, console.work()); });
@@ -290,8 +313,15 @@ void add_export(Program& program) {
                   "Of a field: places along its longest side in an .npz or .vdb");
   options.choice("--band", arguments->band, {"narrow", "full"},
                  "Of a field in a .vdb: three voxels to each side of the surface, or the whole inside too");
-  options.number("--interval", arguments->interval_mm, {0.1, 100.0},
-                 "Height from line to line in an .svg, mm");
+  TactileArguments& tactile = arguments->tactile;
+  options.number("--interval", tactile.interval_mm, {0.1, 100.0},
+                 "Of a relief: height from line to line in an .svg, mm");
+  options.number("--width", tactile.width_mm, {10.0, 1000.0},
+                 "Of contours: printed width of an .svg, mm; otherwise true size");
+  options.choice("--lines", arguments->lines, {"grooves", "raised"},
+                 "Of contours: how lines stand in an .stl or .glb");
+  options.integer("--braille-columns", tactile.braille_columns, {10, 100}, "Cells of a row in a .brf");
+  options.integer("--braille-rows", tactile.braille_rows, {5, 100}, "Rows of a page in a .brf");
 }
 
 }  // namespace palpable::cli

@@ -1,7 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/mesh.hpp"
-#include "palpable/formats/mesh/contour_lines.hpp"
 #include "palpable/formats/mesh/glb.hpp"
 #include "palpable/formats/mesh/stl.hpp"
 #include "palpable/models/relief/relief_solid.hpp"
@@ -83,28 +82,6 @@ TEST(EncodeGlb, HoldsConsistentPartsAndThePicture) {
   EXPECT_EQ(document["accessors"][3]["count"], 3 * solid.triangles.size());
   EXPECT_EQ(document["images"][0]["mimeType"], "image/png");
   EXPECT_FALSE(encode_glb(Mesh{}));
-}
-
-TEST(EncodeContourLines, DrawsClosedRingsRoundACone) {
-  ContourLineOptions options;
-  options.interval_m = 0.002;
-  const auto svg = encode_contour_lines(cone(), options);
-  ASSERT_TRUE(svg);
-  std::size_t rings = 0;
-  for (std::size_t from = svg->find("<path"); from != std::string::npos;
-       from = svg->find("<path", from + 1)) {
-    const std::size_t begin = svg->find("d=\"M", from) + 4;
-    const std::size_t end = svg->find('"', begin);
-    const std::string way = svg->substr(begin, end - begin);
-    EXPECT_EQ(way.substr(0, way.find('L')), way.substr(way.rfind('L') + 1)) << "it closes";
-    ++rings;
-  }
-  EXPECT_EQ(rings, 5U);
-  EXPECT_NE(svg->find("width=\"61.000mm\""), std::string::npos);
-  options.interval_m = 0.0;
-  EXPECT_FALSE(encode_contour_lines(cone(), options));
-  options.interval_m = 1e-6;
-  EXPECT_FALSE(encode_contour_lines(cone(), options));
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/vec3.hpp"
+
+#include <vector>
+
+namespace palpable {
+
+/// A line of straight pieces in the plane z = 0 of the scene, metres; closed: the last point joins the first.
+struct Polyline {
+  std::vector<Vec3> points;
+  bool closed = false;
+};
+
+/// Its length in metres.
+inline double length_of(const Polyline& line) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < line.points.size(); ++i) sum += norm(line.points[i] - line.points[i - 1]);
+  if (line.closed && line.points.size() > 1) sum += norm(line.points.front() - line.points.back());
+  return sum;
+}
+
+}  // namespace palpable

@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/polyline.hpp"
+#include "palpable/core/raster.hpp"
+
+#include <vector>
+
+namespace palpable::sculpt {
+
+struct OutlineOptions {
+  /// Lines shorter than this are left out: a finger does not find them. 0 … 0.1 m.
+  double least_length_m = 0.004;
+  /// A line's points are dropped while it stays this close to all of them (Douglas & Peucker 1973). 0 … 0.01
+  /// m.
+  double tolerance_m = 0.0002;
+};
+std::vector<Parameter> parameters_of(OutlineOptions& options);
+
+/// One-pixel-wide lines (`line` > 0) as polylines in the scene's plane, each pixel in one of them, which
+/// begin and end at ends and junctions; the raster is centred on the origin, y up. The options must be in
+/// their ranges.
+std::vector<Polyline> outline_polylines(const Raster<float>& line, double pixel_m,
+                                        const OutlineOptions& options = {});
+
+}  // namespace palpable::sculpt
