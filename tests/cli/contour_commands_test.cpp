@@ -1,5 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
 #include "palpable/formats/picture/picture.hpp"
 
 #include <cmath>
@@ -11,6 +13,7 @@
 namespace palpable::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// Pictures that nobody would choose, made into contours.
@@ -18,6 +21,10 @@ class ContourInput : public InFolder {
  protected:
   Outcome make() const {
     return palpable({"make", path("a.png"), "-o", path("a.palp"), "--as", "contours", "--json"});
+  }
+  std::string read(const std::string& name) const {
+    const auto file = read_file(path(name));
+    return file ? std::string(as_text(*file)) : std::string();
   }
   double boundary_fraction() const {
     return palpable({"info", path("a.palp"), "--json"}).json()["boundary_fraction"].get<double>();
@@ -51,6 +58,31 @@ TEST_F(ContourInput, OfSixteenBitsInANarrowRangeIsSeen) {
   ASSERT_EQ(make().exit_code, 0);
   EXPECT_GT(boundary_fraction(), 0.01);
   EXPECT_LT(boundary_fraction(), 0.2);
+}
+
+TEST_F(ContourInput, IsExportedForSwellPaperEmbossersAndPrinters) {
+  Raster<std::uint8_t> disc(160, 120, 255);
+  for (int y = 0; y < 120; ++y)
+    for (int x = 0; x < 160; ++x)
+      if (std::hypot(x - 80, y - 60) < 40) disc(x, y) = 0;
+  ASSERT_TRUE(formats::write_png(path("a.png"), disc));
+  const Outcome made = make();
+  ASSERT_EQ(made.exit_code, 0);
+  // The grooves are 1.5 mm deep, and that is what the scene says of its height.
+  EXPECT_NEAR(palpable({"info", path("a.palp"), "--json"}).json()["size_m"][2].get<double>(), 0.0015, 1e-4);
+  for (const char* ending : {"svg", "brf", "stl"})
+    ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path(std::string("a.") + ending)}).exit_code, 0)
+        << ending;
+  const std::string svg = read("a.svg");
+  EXPECT_THAT(svg, AllOf(HasSubstr("width=\"100.000mm\""), HasSubstr("Z\"/>")));
+  // A disc half as wide as the page: dots in the middle rows, none in the first.
+  const std::string brf = read("a.brf");
+  EXPECT_THAT(brf, AllOf(HasSubstr("C"), ::testing::StartsWith("\r\n"), ::testing::EndsWith("\f")));
+  ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path("raised.stl"), "--lines", "raised"}).exit_code, 0);
+  EXPECT_NE(read("raised.stl"), read("a.stl"));
+  const Outcome wrong = palpable({"export", path("a.palp"), "-o", path("a.vdb")});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr(".brf"));
 }
 
 TEST_F(ContourInput, OfOnePixelLinesHasAJunctionWhereTheyCross) {

@@ -142,10 +142,11 @@ TEST_F(SolidCommands, DepthMapsFromSeveralPlacesBecomeOneSolid) {
   const Outcome outcome = fuse("poses.csv");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("2 depth maps were fused"));
-  // The poses' world is kept: z away from the cameras.
-  EXPECT_LT(distance_m("out.palp", "0,0,0.25"), -0.004);
-  EXPECT_GT(distance_m("out.palp", "0,0,0.23"), 0.004);
-  EXPECT_GT(distance_m("out.palp", "0.05,0,0.27"), 0.004);
+  // The cameras look along z of their world: it is turned so that they look away from the person.
+  EXPECT_THAT(outcome.err, HasSubstr("turned by right angles"));
+  EXPECT_LT(distance_m("out.palp", "0,0,-0.25"), -0.004);
+  EXPECT_GT(distance_m("out.palp", "0,0,-0.23"), 0.004);
+  EXPECT_GT(distance_m("out.palp", "0.05,0,-0.27"), 0.004);
   std::filesystem::remove(path("out.palp"));
   write_text(path("poses.csv"), "frame,qw,qx,qy,qz,tx,ty,tz\n1,1,0,0,0,0,0,0\n");
   expect_refused(fuse("poses.csv"), "f2.png", "has no pose");

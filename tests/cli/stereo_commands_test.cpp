@@ -70,9 +70,11 @@ TEST_F(StereoCommands, APairOffItsRowsIsRectifiedAndTheFiguresAreSaid) {
   ASSERT_TRUE(formats::write_png(path("left.png"), pair.left));
   ASSERT_TRUE(formats::write_png(path("low.png"), lowered(pair.right, 9)));
   ASSERT_TRUE(formats::write_pfm(path("truth.pfm"), pair.disparity_px));
-  const Outcome depth = palpable({"depth", path("left.png"), path("low.png"), "-o", path("d.pfm"),
-                                  "--rectified", path("al"), "--method", "fast", "--json"});
+  const Outcome depth =
+      palpable({"depth", path("left.png"), path("low.png"), "-o", path("d.pfm"), "--rectified", path("al"),
+                "--confidence", path("sure.png"), "--method", "fast", "--json"});
   ASSERT_EQ(depth.exit_code, 0) << depth.err;
+  EXPECT_TRUE(std::filesystem::exists(path("sure.png")));
   const auto rectification = depth.json()["rectification"];
   EXPECT_EQ(rectification["by"], "features");
   EXPECT_NEAR(rectification["residual_before_px"], 9.0, 1.0);

@@ -8,7 +8,10 @@
 #include "palpable/session/make/make_scene.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -18,7 +21,7 @@ namespace {
 
 struct Arguments {
   std::string output;
-  std::string rectified;
+  std::string rectified, confidence;
   StereoArguments stereo;
   bool features = false;
   double surface_weight = static_cast<double>(vision::PyramidOptions{}.surface_weight);
@@ -61,9 +64,27 @@ Result<void> write_disparity(const std::filesystem::path& output, const Raster<f
   return formats::write_disparity_png(output, disparity_px);
 }
 
+/// 0 … 1 as floats, or as 8-bit grey, white being sure.
+Result<void> write_confidence(const std::filesystem::path& output, const Raster<float>& confidence) {
+  if (confidence.empty()) return Error{ErrorCode::usage, "this method gives no confidence", "--confidence"};
+  if (output.extension() == ".pfm") return formats::write_pfm(output, confidence);
+  Raster<std::uint8_t> grey(confidence.width(), confidence.height());
+  std::transform(confidence.values().begin(), confidence.values().end(), grey.values().begin(), [](float c) {
+    return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(c, 0.0F, 1.0F)));
+  });
+  return formats::write_png(output, grey);
+}
+
+bool is_raster_name(const std::string& name) {
+  const auto ending = std::filesystem::path(name).extension();
+  return ending == ".pfm" || ending == ".png";
+}
+
 Result<Answer> depth(const Arguments& arguments, Console& console) {
   const std::filesystem::path output(arguments.output);
-  if (output.extension() != ".pfm" && output.extension() != ".png")
+  if (!arguments.confidence.empty() && !is_raster_name(arguments.confidence))
+    return Error{ErrorCode::usage, "confidence is written as .pfm or .png", arguments.confidence};
+  if (!is_raster_name(arguments.output))
     return Error{ErrorCode::usage, "disparity is written as .pfm or .png", arguments.output};
   const auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
@@ -82,6 +103,9 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
   if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   for (const std::string& note : match->notes) console.note(note);
   const Raster<float>& disparity_px = match->disparity.disparity_px;
+  if (!arguments.confidence.empty())
+    if (const auto written = write_confidence(arguments.confidence, match->confidence); !written)
+      return written.error();
   if (const auto written = write_disparity(output, disparity_px); !written) return written.error();
 
   std::vector<Note> notes = ready->notes;
@@ -116,6 +140,8 @@ void add_depth(Program& program) {
   options.required_text(
       "-o,--output", arguments->output,
       "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");
+  options.text("--confidence", arguments->confidence,
+               "Also write how sure each pixel is, 0 to 1: .pfm (float) or .png (8 bit, white is sure)");
   options.text("--rectified", arguments->rectified,
                "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
   add_stereo_options(options, arguments->stereo);

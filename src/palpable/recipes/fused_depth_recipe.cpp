@@ -3,6 +3,7 @@
 #include "palpable/recipes/fused_depth_recipe.hpp"
 
 #include "palpable/recipes/solid.hpp"
+#include "palpable/recipes/world_orientation.hpp"
 #include "palpable/sculpt/field/level_set_surface.hpp"
 
 #include <algorithm>
@@ -17,14 +18,6 @@ namespace {
 
 using WorldFromCamera = Transform<models::InputFrame, CameraFrame>;
 
-/// Whether a camera's own axes are the world's.
-bool is_identity(const WorldFromCamera& pose) {
-  const WorldFromCamera none;
-  double off = norm(pose.translation_m);
-  for (std::size_t i = 0; i < 9; ++i) off = std::max(off, std::abs(pose.rotation[i] - none.rotation[i]));
-  return off < 1e-6;
-}
-
 /// First the one, which neither scales nor moves, then the other.
 SceneFromInput then(const SceneFromInput& turn, const SceneFromInput& place) {
   SceneFromInput both = place;
@@ -38,11 +31,13 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
                                         const Work& work) {
   std::vector<Note> notes;
   SceneFromInput upright;
-  const auto own = std::count_if(given.begin(), given.end(),
-                                 [](const PosedDepth& view) { return is_identity(view.world_from_camera); });
-  if (own > 0) upright.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};
-  if (own > 0 && static_cast<std::size_t>(own) < given.size())
-    notes.emplace_back("The poses' world is a camera's own: it was turned so that y is up.");
+  std::vector<WorldFromCamera> world_from_cameras;
+  world_from_cameras.reserve(given.size());
+  for (const PosedDepth& view : given) world_from_cameras.push_back(view.world_from_camera);
+  upright.rotation = scene_rotation_for(world_from_cameras);
+  if (upright.rotation != SceneFromInput{}.rotation)
+    notes.emplace_back(
+        "The poses' world was turned by right angles: y is up, and the cameras look away from you.");
   std::vector<sculpt::DepthView> views;
   views.reserve(given.size());
   for (const PosedDepth& view : given) views.push_back({&view.depth, upright * view.world_from_camera});

@@ -62,7 +62,8 @@ std::optional<vision::Background> background_of(const DisparityMap& disparity,
   auto background =
       vision::find_background(seen.picture, disparity.disparity_px, ground ? &*ground : nullptr, work);
   if (background)
-    notes.emplace_back(fmt::format("The background covers {:.0f} % of the picture.", 100.0 * background->share));
+    notes.emplace_back(
+        fmt::format("The background covers {:.0f} % of the picture.", 100.0 * background->share));
   else
     notes.emplace_back(ground ? "There is no background to remove: everything stands on the ground."
                               : "There is no background to remove: nothing is clearly behind the rest.");

@@ -61,7 +61,8 @@ Vec3 size_m(const Scene& scene) {
             return Vec3{relief->width_m(), relief->depth_m(), relief->highest_m()};
           },
           [](const std::shared_ptr<const Contours>& contours) {
-            return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(), 0.0};
+            return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(),
+                        contours->grooves->highest_m()};
           },
           [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; },
           [](const std::shared_ptr<const FieldOnLattice>& field) { return field->most_m - field->least_m; },
