@@ -110,7 +110,7 @@ std::size_t number_to_remove(const std::vector<double>& sizes_descending, int re
 
 /// Which regions are background, 1 or 0: those without seeds, or mostly far, of which the largest go.
 std::vector<std::uint8_t> removed_regions(const Regions& regions, const Counts& counts,
-                                          const BackgroundOptions& options) {
+                                          const BackgroundMaskOptions& options) {
   std::vector<std::size_t> candidates;
   for (std::size_t r = 0; r < counts.known.size(); ++r)
     if (counts.seeds[r] == 0.0 || counts.marked[r] < options.object_share * counts.known[r])
@@ -128,7 +128,7 @@ std::vector<std::uint8_t> removed_regions(const Regions& regions, const Counts& 
 
 /// The paper's way, over known disparities.
 std::optional<Background> background_regions(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                             const Work& work, const BackgroundOptions& options) {
+                                             const Work& work, const BackgroundMaskOptions& options) {
   const Split split = otsu(disparity_px);
   if (split.range_px < options.least_range_px) return std::nullopt;
   Background out;
@@ -155,7 +155,7 @@ std::optional<Background> background_regions(const Raster<Rgb8>& left, const Ras
 
 /// A plane that holds enough of the known disparities and has next to nothing behind it.
 std::optional<Background> background_plane(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
-                                           const Work& work, const BackgroundOptions& options) {
+                                           const Work& work, const BackgroundMaskOptions& options) {
   const auto plane = find_back_plane(disparity_px, work, options.plane);
   if (!plane) return std::nullopt;
   const double tolerance_px = std::max(options.least_height_px, options.height_sigmas * plane->sigma_px);
@@ -178,7 +178,7 @@ std::optional<Background> background_plane(const Raster<Rgb8>& left, const Raste
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(BackgroundOptions& o) {
+std::vector<Parameter> parameters_of(BackgroundMaskOptions& o) {
   std::vector<Parameter> all{
       {"least_height_px", &o.least_height_px, {0, 20}, "px", "least height of an object over the ground"},
       {"height_sigmas", &o.height_sigmas, {0, 20}, "", "the same in standard deviations of the ground"},
@@ -198,7 +198,7 @@ std::vector<Parameter> parameters_of(BackgroundOptions& o) {
 
 std::optional<Background> find_background(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                           const Ground* ground, const Work& work,
-                                          const BackgroundOptions& options) {
+                                          const BackgroundMaskOptions& options) {
   PALPABLE_CHECK(left.width() == disparity_px.width() && left.height() == disparity_px.height());
   Raster<float> rest = disparity_px;
   Raster<std::uint8_t> kept(left.width(), left.height());

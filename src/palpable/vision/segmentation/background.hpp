@@ -13,7 +13,7 @@
 
 namespace palpable::vision {
 
-struct BackgroundOptions {
+struct BackgroundMaskOptions {
   /// An object on the ground is nearer than it by this much, pixels of disparity, and by so many standard
   /// deviations of the ground. 0 … 20 px; 0 … 20.
   double least_height_px = 0.5;
@@ -40,7 +40,7 @@ struct BackgroundOptions {
   /// Less than this share of the picture is no background, nor is all but this share. 0 … 0.5.
   double least_share = 0.01;
 };
-std::vector<Parameter> parameters_of(BackgroundOptions& options);
+std::vector<Parameter> parameters_of(BackgroundMaskOptions& options);
 
 /// What is behind the objects of a picture (Park & Howard 2012, 4.2, is the last of three ways).
 struct Background {
@@ -58,7 +58,7 @@ struct Background {
 /// both sides along the row or along the column, so that they hide it. A wall at the ground's end hides none.
 /// 255 / 0; as large as the picture.
 Raster<std::uint8_t> objects_on_ground(const Ground& ground, const Raster<float>& disparity_px,
-                                       const BackgroundOptions& options = {});
+                                       const BackgroundMaskOptions& options = {});
 
 /// Finds the background. The ground, where there is one, is none of it, and neither is any object on it. Of
 /// the rest it is the best supported plane of any direction that has nothing behind it (a wall, or a table
@@ -70,7 +70,7 @@ Raster<std::uint8_t> objects_on_ground(const Ground& ground, const Raster<float>
 /// and far are not separate. `left` and `disparity_px` have the same size; polls work.cancel (nullopt then).
 std::optional<Background> find_background(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                           const Ground* ground, const Work& work,
-                                          const BackgroundOptions& options = {});
+                                          const BackgroundMaskOptions& options = {});
 
 /// The map with what is marked (not 0) in `lower` at the level of the farthest object that is left.
 DisparityMap lowered(const DisparityMap& disparity, const Raster<std::uint8_t>& lower);

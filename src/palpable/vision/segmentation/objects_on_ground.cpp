@@ -89,7 +89,7 @@ class Surfaces {
 }  // namespace
 
 Raster<std::uint8_t> objects_on_ground(const Ground& ground, const Raster<float>& disparity_px,
-                                       const BackgroundOptions& options) {
+                                       const BackgroundMaskOptions& options) {
   PALPABLE_CHECK(ground.mask.width() == disparity_px.width() &&
                  ground.mask.height() == disparity_px.height());
   const double height_px = std::max(options.least_height_px, options.height_sigmas * ground.rms_px);
