@@ -53,7 +53,8 @@ TEST(RidgeLines, FollowALineDownToTheShareOfTheThresholdThatIsAsked) {
 TEST(RidgeLines, LeaveOutALineThatNowhereReachesTheThreshold) {
   Line line;
   for (int x = 0; x < 60; ++x) line.strength(x, 10) = 0.4F;
-  for (const float s : line.ridges(0.5).values()) EXPECT_EQ(s, 0.0F);
+  const Raster<float> ridges = line.ridges(0.5);
+  for (const float s : ridges.values()) EXPECT_EQ(s, 0.0F);
 }
 
 }  // namespace

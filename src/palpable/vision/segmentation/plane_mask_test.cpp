@@ -11,13 +11,15 @@ TEST(PlaneMask, HoldsThePlaneAndNotTheFootOfABoxThatRisesFromIt) {
   // A ground that rises by 0.1 px a row, and a box that stands on row 70 and is as near up to row 40.
   const DisparityPlane plane{0.0, 0.1, 10.0};
   Raster<float> disparity(100, 90);
+  Raster<Rgb8> picture(100, 90, Rgb8{90, 90, 90});
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 100; ++x) {
       const bool box = x >= 30 && x < 60 && y >= 40 && y < 70;
       disparity(x, y) = static_cast<float>(plane.at(x, box ? 70 : y));
+      if (box) picture(x, y) = {200, 60, 40};
     }
-  const Regions one = merge_regions(Raster<Rgb8>(100, 90, Rgb8{90, 90, 90}));
-  const auto mask = plane_mask(one, disparity, {plane, 0.05}, PlaneDirection::ground, {}, {});
+  const auto mask =
+      plane_mask(merge_regions(picture), disparity, {plane, 0.05}, PlaneDirection::ground, {}, {});
   EXPECT_EQ(mask(10, 10), 255);
   EXPECT_EQ(mask(45, 80), 255);
   EXPECT_EQ(mask(45, 50), 0);
