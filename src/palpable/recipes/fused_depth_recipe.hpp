@@ -29,9 +29,9 @@ struct FusedDepthRecipe {
 };
 
 /// The field of the solid that several depth maps saw, closed by what is filled behind. The scene is the
-/// poses' world; where one of the poses is the identity, so that the world is a camera's own, it is turned so
-/// that y is up and z towards the person. Long work, any thread. Errors, without a place: as
-/// sculpt::fused_depth() and field_from_level_set().
+/// poses' world, turned by right angles where its cameras do not look along -z with y up
+/// (scene_rotation_for). Long work, any thread. Errors, without a place: as sculpt::fused_depth() and
+/// field_from_level_set().
 Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& views, const FusedDepthRecipe& recipe,
                                         const Work& work);
 
