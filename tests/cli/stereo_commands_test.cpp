@@ -181,7 +181,7 @@ TEST_F(StereoCommands, BackgroundIsRemovedNamedAndShown) {
   const Outcome made = palpable({"make", path("left.png"), path("right.png"), "-o", path("s.palp"),
                                  "--method", "fast", "--background", "remove", "--json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_THAT(made.err, HasSubstr("The background moves less than"));
+  EXPECT_THAT(made.err, HasSubstr("The background covers"));
   EXPECT_THAT(palpable({"info", path("s.palp"), "--json"}).out, HasSubstr("background"));
   EXPECT_EQ(palpable({"show", path("s.palp"), "-o", path("s.png"), "--view", "regions"}).exit_code, 0);
   ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("t.palp"), "--method", "fast"})
