@@ -1,7 +1,7 @@
 # The one table of who may use whom (docs/architecture.md explains it; tests/layers enforces it): modules, and the rooms
 # inside the large ones. palpable_module() refuses a link that is not in it; cmake/CheckLayers.cmake refuses an #include
 # that is not in it, and a permission that nobody uses.
-set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice session page study cli)
+set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study cli)
 
 set(PALPABLE_MAY_USE_core "")
 set(PALPABLE_MAY_USE_models core)
@@ -15,10 +15,11 @@ set(PALPABLE_MAY_USE_draw core models)
 set(PALPABLE_MAY_USE_device core)
 set(PALPABLE_MAY_USE_haptics core models device)
 set(PALPABLE_MAY_USE_voice core)
-set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics)
-set(PALPABLE_MAY_USE_page core models formats device haptics session)
+set(PALPABLE_MAY_USE_describe core models)
+set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics describe)
+set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
 set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
-set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice session page study)
+set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study)
 
 # Rooms, from the bottom up. Files at a module's own level are its interface: every room may use them, and they use no room.
 # A room's tests may use every room of their module.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/surface_cells.hpp"
 
+#include "palpable/describe/numbers.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -72,8 +74,8 @@ std::string words_of(const Raster<Leaf>& leaves, const models::DistanceField& fi
                           [](const Leaf& a, const Leaf& b) { return a.side < b.side; });
   const double cell_mm = 1e3 * field.cell_m();
   return fmt::format(
-      "The field has {} cells; at the surface they are {:.2g} to {:.2g} mm wide, the finer the lighter.",
-      field.leaves(), finest->side * cell_mm, coarsest->side * cell_mm);
+      "The field has {} cells; at the surface they are {} to {} mm wide. Finer cells are lighter.",
+      field.leaves(), describe::figure(finest->side * cell_mm), describe::figure(coarsest->side * cell_mm));
 }
 
 }  // namespace

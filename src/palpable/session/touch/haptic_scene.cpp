@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/haptic_scene.hpp"
 
+#include "palpable/describe/numbers.hpp"
 #include "palpable/haptics/law/texture.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 
@@ -58,14 +59,13 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
     const double most_m = haptics::max_texture_height_m(texture.pitch_m);
     if (texture.pitch_m < finest_m) {
       prepared.notices.push_back(fmt::format(
-          "The texture of {} was left out: its forms stand {:.2g} mm apart, and this loop and device "
-          "carry none finer than {:.2g} mm.",
-          material.name, 1e3 * texture.pitch_m, 1e3 * finest_m));
+          "The texture of {} was left out: its pitch is {}, and this loop and device render none below {}.",
+          material.name, describe::length(texture.pitch_m), describe::length(finest_m)));
       texture = {};
     } else if (texture.height_m > most_m) {
       prepared.notices.push_back(fmt::format(
-          "The texture of {} was lowered from {:.0f} to {:.0f} micrometres: higher, it would make the wall "
-          "too stiff.",
+          "The height of the texture of {} was reduced from {:.0f} to {:.0f} micrometres: a higher one would "
+          "make the wall too stiff.",
           material.name, 1e6 * texture.height_m, 1e6 * most_m));
       texture.height_m = most_m;
     }

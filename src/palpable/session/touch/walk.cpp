@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/walk.hpp"
 
+#include "palpable/describe/numbers.hpp"
+#include "palpable/describe/place_words.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -53,19 +54,16 @@ Result<void> check_walk(std::span<const WalkStep> walk) {
 }
 
 std::string words_of(const Stance& stance) {
-  constexpr std::array kWays{"up",   "up and left",    "left",  "down and left",
-                             "down", "down and right", "right", "up and right"};
-  const double eighths = std::round(stance.heading_rad / (0.25 * std::numbers::pi));
-  const auto way = static_cast<std::size_t>(static_cast<int>(eighths - 8.0 * std::floor(eighths / 8.0)));
   constexpr double kHere_m = 0.0005;
   std::string where;
   if (std::abs(stance.x_m) >= kHere_m)
-    where =
-        fmt::format("{:.0f} mm {}", 1000.0 * std::abs(stance.x_m), stance.x_m > 0.0 ? "right of" : "left of");
+    where = fmt::format("{} {}", describe::spoken_length(std::abs(stance.x_m)),
+                        stance.x_m > 0.0 ? "right of" : "left of");
   if (std::abs(stance.y_m) >= kHere_m)
-    where += fmt::format("{}{:.0f} mm {}", where.empty() ? "" : " and ", 1000.0 * std::abs(stance.y_m),
-                         stance.y_m > 0.0 ? "above" : "below");
-  return fmt::format("You stand {} the middle, facing {}.", where.empty() ? "in" : where, kWays[way % 8]);
+    where += fmt::format("{}{} {}", where.empty() ? "" : " and ",
+                         describe::spoken_length(std::abs(stance.y_m)), stance.y_m > 0.0 ? "above" : "below");
+  return fmt::format("You stand {} the middle, facing {}.", where.empty() ? "in" : where,
+                     describe::heading_words(stance.heading_rad));
 }
 
 }  // namespace palpable::session

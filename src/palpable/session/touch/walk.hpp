@@ -47,7 +47,7 @@ const Stance& stance_at(std::span<const WalkStep> walk, double t_s);
 /// 1000 m from the middle, or not later than the one before.
 Result<void> check_walk(std::span<const WalkStep> walk);
 
-/// "You stand 20 mm right of and 5 mm below the middle, facing left." For speech.
+/// "You stand 20 millimetres right of and 5 millimetres below the middle, facing left." For speech.
 std::string words_of(const Stance& stance);
 
 }  // namespace palpable::session

@@ -49,9 +49,11 @@ TEST(Walk, RefusesWhatIsNoWalk) {
 TEST(Walk, IsSaidInWords) {
   EXPECT_EQ(words_of({}), "You stand in the middle, facing up.");
   EXPECT_EQ(words_of({0.02, -0.005, 0.5 * std::numbers::pi}),
-            "You stand 20 mm right of and 5 mm below the middle, facing left.");
+            "You stand 20 millimetres right of and 5 millimetres below the middle, facing left.");
   EXPECT_EQ(words_of({-0.001, 0.0, -0.25 * std::numbers::pi}),
-            "You stand 1 mm left of the middle, facing up and right.");
+            "You stand 1 millimetre left of the middle, facing up and right.");
+  EXPECT_EQ(words_of({0.0, 0.0, std::numbers::pi / 12.0}),
+            "You stand in the middle, facing up, turned 15 degrees left.");
 }
 
 }  // namespace

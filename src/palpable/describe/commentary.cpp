@@ -1,0 +1,79 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/describe/commentary.hpp"
+
+#include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace palpable::describe {
+namespace {
+
+/// What a place is called while the probe sweeps; empty where it has no name.
+std::string sweep_name(const models::Scene& scene, Place place) {
+  const std::string name = name_at(scene, place);
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
+  if (contours == nullptr || !name.empty()) return name;
+  return nearest_line((*contours)->boundaries, place, kOnLine_m) ? "on the line" : std::string();
+}
+
+double distance_m(Place a, Place b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+
+}  // namespace
+
+std::optional<std::string> Commentary::at(const models::Scene& scene, double depth, Place place,
+                                          double now_s) {
+  const std::string edge = edge_at(scene, depth, place);
+  const std::string name = sweep_name(scene, place);
+  if (name != candidate_) candidate_ = name, candidate_since_s_ = now_s;
+  const bool is_calm = now_s - said_s_ >= options_.gap_s;
+  if (name != current_ && now_s - candidate_since_s_ >= options_.dwell_s) {
+    const bool again = name == said_ && now_s - said_s_ < options_.repeat_s;
+    if (name.empty() || again) {
+      current_ = name;
+    } else if (is_calm) {
+      current_ = said_ = name;
+      said_s_ = now_s;
+      return capitalised(name);
+    }
+    // What cannot be said yet is said when its turn comes, if the probe is still there.
+    return std::nullopt;
+  }
+  // A new name says more than the edge before it.
+  if (edge.empty() || !is_calm || name != current_) return std::nullopt;
+  said_s_ = now_s;
+  return edge;
+}
+
+void Commentary::heard(const models::Scene& scene, Place place, double now_s) {
+  candidate_ = current_ = said_ = sweep_name(scene, place);
+  candidate_since_s_ = said_s_ = now_s;
+  way_.clear();
+  on_edge_ = false;
+}
+
+std::string Commentary::edge_at(const models::Scene& scene, double depth, Place place) {
+  // The lines of contours are its edges.
+  if (std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model)) return {};
+  const models::Relief& surface = *models::relief_of(scene);
+  const double height_m = depth * surface.sample(place.x_m, place.y_m).z_m;
+  way_.push_back({place, height_m});
+  constexpr std::size_t kMostSteps = 256;
+  // The last step before the reach stays: a fast probe makes longer steps.
+  while (way_.size() > 2 &&
+         (distance_m(way_[1].place, place) > options_.edge_reach_m || way_.size() > kMostSteps))
+    way_.pop_front();
+  const double least_m =
+      std::max(options_.edge_share * std::abs(depth) * (surface.highest_m() - surface.lowest_m()),
+               options_.edge_least_m);
+  const double step_m = height_m - way_.front().height_m;
+  const bool was_on_edge = on_edge_;
+  // Hysteresis: a probe that rests on an edge has one.
+  on_edge_ = std::abs(step_m) >= (was_on_edge ? 0.5 : 1.0) * least_m;
+  if (!on_edge_ || was_on_edge) return {};
+  return step_m > 0.0 ? "Edge up" : "Edge down";
+}
+
+}  // namespace palpable::describe

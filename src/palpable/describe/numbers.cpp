@@ -1,0 +1,83 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/describe/numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace palpable::describe {
+namespace {
+
+/// The value as the text shows it: "1" takes the singular.
+std::string with_unit(const std::string& number, std::string_view singular, std::string_view plural) {
+  return fmt::format("{} {}", number, number == "1" || number == "minus 1" ? singular : plural);
+}
+
+std::string spoken(double value, int digits) {
+  const std::string number = figure(value, digits);
+  return number.starts_with('-') ? "minus " + number.substr(1) : number;
+}
+
+}  // namespace
+
+std::string figure(double value, int digits) {
+  if (!std::isfinite(value)) return "unknown";
+  constexpr double kNothing = 1e-9;
+  if (std::abs(value) < kNothing) return "0";
+  const auto before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  const int after = std::max(digits - before, 0);
+  std::string text = fmt::format("{:.{}f}", value, after);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string length(double metres) {
+  return std::abs(metres) < 0.9995 ? figure(1e3 * metres) + " mm" : figure(metres, 3) + " m";
+}
+
+std::string spoken_length(double metres) {
+  if (!(std::abs(metres) < 0.9995)) return with_unit(spoken(metres, 3), "metre", "metres");
+  const double mm = 1e3 * metres;
+  const double rounded = std::abs(mm) < 9.95 ? std::round(10.0 * mm) / 10.0 : std::round(mm);
+  return with_unit(spoken(rounded, 2), "millimetre", "millimetres");
+}
+
+std::string spoken_lengths(double first_m, std::string_view between, double second_m) {
+  std::string first = spoken_length(first_m);
+  const std::string second = spoken_length(second_m);
+  if (first.ends_with(" millimetres") && second.ends_with(" millimetres")) first.erase(first.rfind(' '));
+  if (first == "1 millimetre" && second.ends_with(" millimetres")) first = "1";
+  return fmt::format("{} {} {}", first, between, second);
+}
+
+std::string spoken_force(double newtons) { return with_unit(spoken(newtons, 2), "newton", "newtons"); }
+
+std::string spoken_angle(double radians) {
+  return with_unit(figure(std::round(std::abs(radians) * 180.0 / std::numbers::pi), 3), "degree", "degrees");
+}
+
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
+  if (count == 0) return fmt::format("no {}", plural);
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+std::string listed(std::span<const std::string> words) {
+  if (words.empty()) return {};
+  std::string text = words.front();
+  for (std::size_t k = 1; k < words.size(); ++k) text += (k + 1 < words.size() ? ", " : " and ") + words[k];
+  return text;
+}
+
+std::string capitalised(std::string sentence) {
+  if (!sentence.empty() && sentence.front() >= 'a' && sentence.front() <= 'z')
+    sentence.front() = static_cast<char>(sentence.front() - 'a' + 'A');
+  return sentence;
+}
+
+}  // namespace palpable::describe

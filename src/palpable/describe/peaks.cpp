@@ -1,0 +1,173 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/describe/peaks.hpp"
+
+#include "palpable/core/raster.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace palpable::describe {
+namespace {
+
+constexpr int kLongestSide = 128;
+// A range of height below this is a level surface.
+constexpr double kLevel_m = 1e-5;
+
+struct HeightGrid {
+  Raster<float> height_m;
+  double cell_x_m = 0.0, cell_y_m = 0.0;
+
+  Place place_of(int column, int row) const {
+    return {(column + 0.5 - 0.5 * height_m.width()) * cell_x_m,
+            (0.5 * height_m.height() - row - 0.5) * cell_y_m};
+  }
+};
+
+HeightGrid grid_of(const models::Relief& surface, double sign) {
+  const auto& samples = surface.samples_m();
+  const int longest = std::max(samples.width(), samples.height());
+  const double shrink = std::min(1.0, static_cast<double>(kLongestSide) / longest);
+  const auto side = [&](int n) { return std::max(2, static_cast<int>(std::lround(n * shrink))); };
+  HeightGrid grid{Raster<float>(side(samples.width()), side(samples.height()))};
+  grid.cell_x_m = surface.width_m() / grid.height_m.width();
+  grid.cell_y_m = surface.depth_m() / grid.height_m.height();
+  for (int row = 0; row < grid.height_m.height(); ++row)
+    for (int column = 0; column < grid.height_m.width(); ++column) {
+      const Place p = grid.place_of(column, row);
+      grid.height_m(column, row) = static_cast<float>(sign * surface.sample(p.x_m, p.y_m).z_m);
+    }
+  return grid;
+}
+
+/// The regions above a level that sinks: each grows round its summit until it meets a higher one's.
+class Basins {
+ public:
+  explicit Basins(std::size_t cells) : parent_(cells, kNone), cells_(cells) {}
+
+  bool contains(std::size_t cell) const { return parent_[cell] != kNone; }
+  void add(std::size_t cell) {
+    parent_[cell] = cell;
+    cells_[cell] = {cell};
+  }
+  std::size_t summit_of(std::size_t cell) {
+    while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
+    return cell;
+  }
+  /// Of a summit.
+  const std::vector<std::size_t>& cells_of(std::size_t summit) const { return cells_[summit]; }
+  /// The cells of a summit that counts stay its own.
+  enum class Cells { go_along, stay };
+  void merge(std::size_t keeps, std::size_t ends, Cells cells) {
+    parent_[ends] = keeps;
+    if (cells == Cells::go_along)
+      cells_[keeps].insert(cells_[keeps].end(), cells_[ends].begin(), cells_[ends].end());
+    cells_[ends] = {};
+  }
+
+ private:
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> parent_;
+  std::vector<std::vector<std::size_t>> cells_;
+};
+
+struct Summit {
+  std::size_t cell;
+  double prominence_m;
+  /// Those above half of the prominence.
+  std::size_t cells;
+};
+
+/// The summits of at least that prominence, by flooding the heights from the top: where two regions meet is
+/// the lower one's saddle.
+std::vector<Summit> summits_of(const Raster<float>& height_m, double least_m) {
+  const auto& heights = height_m.values();
+  std::vector<std::size_t> order(heights.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return heights[a] > heights[b]; });
+  // Places in that order, to compare summits of the same height.
+  std::vector<std::size_t> rank(heights.size());
+  for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+  Basins basins(heights.size());
+  std::vector<Summit> summits;
+  const auto close = [&](std::size_t summit, float saddle_m) {
+    const double prominence_m = double{heights[summit]} - double{saddle_m};
+    if (prominence_m < least_m) return Basins::Cells::go_along;
+    const auto& cells = basins.cells_of(summit);
+    const double half_m = double{heights[summit]} - 0.5 * prominence_m;
+    const auto above = std::count_if(cells.begin(), cells.end(),
+                                     [&](std::size_t cell) { return double{heights[cell]} >= half_m; });
+    summits.push_back({summit, prominence_m, static_cast<std::size_t>(above)});
+    return Basins::Cells::stay;
+  };
+  const int width = height_m.width(), height = height_m.height();
+  for (const std::size_t cell : order) {
+    basins.add(cell);
+    const int column = static_cast<int>(cell) % width, row = static_cast<int>(cell) / width;
+    for (const auto& [dx, dy] : std::array<std::pair<int, int>, 4>{{{-1, 0}, {1, 0}, {0, -1}, {0, 1}}}) {
+      const int x = column + dx, y = row + dy;
+      if (x < 0 || y < 0 || x >= width || y >= height) continue;
+      const auto other =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      if (!basins.contains(other)) continue;
+      std::size_t keeps = basins.summit_of(cell), ends = basins.summit_of(other);
+      if (keeps == ends) continue;
+      if (rank[keeps] > rank[ends]) std::swap(keeps, ends);
+      basins.merge(keeps, ends, close(ends, heights[cell]));
+    }
+  }
+  close(basins.summit_of(order.front()), heights[order.back()]);
+  return summits;
+}
+
+/// The highest of the surface's own samples within a cell of `near`.
+Peak highest_near(const models::Relief& surface, const HeightGrid& grid, Place near, double sign) {
+  const auto& samples = surface.samples_m();
+  const auto column_of = [&](double x_m) {
+    return std::clamp(static_cast<int>(std::lround((x_m / surface.width_m() + 0.5) * samples.width() - 0.5)),
+                      0, samples.width() - 1);
+  };
+  const auto row_of = [&](double y_m) {
+    return std::clamp(static_cast<int>(std::lround((0.5 - y_m / surface.depth_m()) * samples.height() - 0.5)),
+                      0, samples.height() - 1);
+  };
+  Peak best{near, -1e9};
+  for (int j = row_of(near.y_m + grid.cell_y_m); j <= row_of(near.y_m - grid.cell_y_m); ++j)
+    for (int i = column_of(near.x_m - grid.cell_x_m); i <= column_of(near.x_m + grid.cell_x_m); ++i) {
+      const Place place{((i + 0.5) / samples.width() - 0.5) * surface.width_m(),
+                        (0.5 - (j + 0.5) / samples.height()) * surface.depth_m()};
+      const double z_m = sign * surface.sample(place.x_m, place.y_m).z_m;
+      if (z_m > best.height_m) best = {place, z_m};
+    }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& options) {
+  const double range_m = surface.highest_m() - surface.lowest_m();
+  if (range_m < kLevel_m) return {};
+  const double sign = options.turned_over ? -1.0 : 1.0;
+  const HeightGrid grid = grid_of(surface, sign);
+  const double cell_m2 = grid.cell_x_m * grid.cell_y_m;
+  std::vector<Peak> peaks;
+  for (const Summit& summit : summits_of(grid.height_m, options.least_prominence * range_m)) {
+    const double area = static_cast<double>(summit.cells) / static_cast<double>(grid.height_m.count());
+    if (area < options.least_area) continue;
+    const int width = grid.height_m.width(), cell = static_cast<int>(summit.cell);
+    Peak peak = highest_near(surface, grid, grid.place_of(cell % width, cell / width), sign);
+    peak.height_m *= sign;
+    peak.prominence_m = summit.prominence_m;
+    peak.area_m2 = cell_m2 * static_cast<double>(summit.cells);
+    peaks.push_back(peak);
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const Peak& a, const Peak& b) { return a.prominence_m > b.prominence_m; });
+  return peaks;
+}
+
+}  // namespace palpable::describe

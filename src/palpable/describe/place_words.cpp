@@ -1,0 +1,134 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/describe/place_words.hpp"
+
+#include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace palpable::describe {
+namespace {
+
+constexpr double kHere_m = 0.0005;
+// A line farther away than this is of no help to a hand.
+constexpr double kLineReach_m = 0.015;
+
+const models::BoundaryMap* boundaries_of(const models::Scene& scene) {
+  const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
+  return contours != nullptr ? &(*contours)->boundaries : nullptr;
+}
+
+/// Of contours: on a line and how it runs, or the way to the nearest one.
+std::string line_at(const models::BoundaryMap& map, Place place) {
+  const auto line = nearest_line(map, place, kLineReach_m);
+  if (!line) return "no line near here";
+  if (std::hypot(line->dx_m, line->dy_m) <= kOnLine_m) return "on the line, " + line_words(line->angle_rad);
+  return "beside the line, " + offset_words(line->dx_m, line->dy_m);
+}
+
+std::string surface_at(const models::Scene& scene, double depth, Place place) {
+  const models::HeightSample at = models::relief_of(scene)->sample(place.x_m, place.y_m);
+  return fmt::format("{}, {}", spoken_length(depth * at.z_m), slope_words(depth * at.dzdx, depth * at.dzdy));
+}
+
+std::string where(const models::Scene& scene, Place place) {
+  const Vec3 size = models::size_m(scene);
+  return fmt::format("{}, {}", region_words(place, size.x, size.y), from_middle_words(place));
+}
+
+}  // namespace
+
+std::string region_words(Place place, double width_m, double depth_m) {
+  const char* const column = place.x_m < -width_m / 6.0 ? "left" : place.x_m > width_m / 6.0 ? "right" : "";
+  const char* const row = place.y_m > depth_m / 6.0 ? "upper" : place.y_m < -depth_m / 6.0 ? "lower" : "";
+  if (*row == '\0' && *column == '\0') return "centre";
+  if (*row == '\0') return fmt::format("middle {}", column);
+  return fmt::format("{} {}", row, *column == '\0' ? "middle" : column);
+}
+
+std::string offset_words(double dx_m, double dy_m) {
+  std::vector<std::string> parts;
+  if (std::abs(dx_m) >= kHere_m)
+    parts.push_back(fmt::format("{} {}", spoken_length(std::abs(dx_m)), dx_m > 0.0 ? "right" : "left"));
+  if (std::abs(dy_m) >= kHere_m)
+    parts.push_back(fmt::format("{} {}", spoken_length(std::abs(dy_m)), dy_m > 0.0 ? "up" : "down"));
+  return parts.empty() ? "here" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string from_middle_words(Place place) {
+  const std::string offset = offset_words(place.x_m, place.y_m);
+  return offset == "here" ? "at the middle" : offset + " from the middle";
+}
+
+std::string slope_words(double dzdx, double dzdy) {
+  constexpr double kLevel = 0.03, kGentle = 0.15, kSteep = 0.8;
+  constexpr std::array kWays{"right", "upper right", "top",    "upper left",
+                             "left",  "lower left",  "bottom", "lower right"};
+  const double steepness = std::hypot(dzdx, dzdy);
+  if (!(steepness >= kLevel)) return "level";
+  const double eighths = std::atan2(dzdy, dzdx) / (0.25 * std::numbers::pi);
+  const auto way = static_cast<std::size_t>((std::lround(eighths) + 8) % 8);
+  const char* const how = steepness > kSteep ? "steeply " : steepness < kGentle ? "gently " : "";
+  return fmt::format("rising {}to the {}", how, kWays[way]);
+}
+
+std::string heading_words(double heading_rad) {
+  constexpr std::array kEighths{"up",   "up and left",    "left",  "down and left",
+                                "down", "down and right", "right", "up and right"};
+  // Whole degrees, as they are said.
+  const long degrees = (std::lround(heading_rad * 180.0 / std::numbers::pi) % 360 + 360) % 360;
+  if (degrees % 45 == 0) return kEighths[static_cast<std::size_t>(degrees / 45)];
+  const long quarter = (degrees + 45) / 90, turned = degrees - 90 * quarter;
+  return fmt::format("{}, turned {} {} {}", kEighths[static_cast<std::size_t>(2 * (quarter % 4))],
+                     std::abs(turned), std::abs(turned) == 1 ? "degree" : "degrees",
+                     turned > 0 ? "left" : "right");
+}
+
+std::string line_words(double angle_rad) {
+  constexpr std::array kWays{"from left to right", "from lower left to upper right", "up and down",
+                             "from upper left to lower right"};
+  const long quarters = std::lround(angle_rad / (0.25 * std::numbers::pi));
+  return kWays[static_cast<std::size_t>((quarters % 4 + 4) % 4)];
+}
+
+std::string name_at(const models::Scene& scene, Place place) {
+  const models::Material& material = scene.materials[models::label_at(scene, {{place.x_m, place.y_m, 0.0}})];
+  return material.name == models::Material{}.name ? std::string() : material.name;
+}
+
+std::string position_words(const models::Scene& scene, double depth, Place place) {
+  const models::BoundaryMap* const map = boundaries_of(scene);
+  const std::string what =
+      map != nullptr ? capitalised(line_at(*map, place)) : "Height " + surface_at(scene, depth, place);
+  const std::string name = name_at(scene, place);
+  return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,
+                     name.empty() ? "" : fmt::format(" {}.", capitalised(name)));
+}
+
+std::string step_words(const models::Scene& scene, double depth, Place place) {
+  const models::BoundaryMap* const map = boundaries_of(scene);
+  const std::string what = map != nullptr ? line_at(*map, place) : surface_at(scene, depth, place);
+  const std::string name = name_at(scene, place);
+  return name.empty() ? what : fmt::format("{}, {}", name, what);
+}
+
+std::string press_words(double press_m) {
+  return press_m >= 0.0 ? fmt::format("pressed {} deep", spoken_length(press_m))
+                        : fmt::format("lifted by {}", spoken_length(-press_m));
+}
+
+std::string felt_words(const models::Scene& scene, double depth, Place place, double force_N) {
+  const double height_m = depth * models::relief_of(scene)->sample(place.x_m, place.y_m).z_m;
+  const std::string name = name_at(scene, place);
+  return fmt::format("{}, height {}, force {}{}", where(scene, place), spoken_length(height_m),
+                     spoken_force(force_N), name.empty() ? "" : ", " + name);
+}
+
+}  // namespace palpable::describe

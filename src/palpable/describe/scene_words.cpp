@@ -1,0 +1,260 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/describe/scene_words.hpp"
+
+#include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace palpable::describe {
+namespace {
+
+// More are counted, and not listed one by one: nobody remembers them.
+constexpr std::size_t kMostListed = 8;
+
+/// Something that rises, or a region that has a name.
+struct Object {
+  std::string name;
+  Peak peak;
+};
+
+/// The label of more than half of the scene's rim: what everything else stands on. nullopt without labels.
+std::optional<std::size_t> ground_label(const models::Scene& scene) {
+  const Raster<std::uint8_t>& labels = scene.labels;
+  if (labels.empty()) return std::nullopt;
+  std::map<std::size_t, int> counts;
+  int rim = 0;
+  const auto count = [&](int x, int y) { ++counts[labels(x, y)], ++rim; };
+  for (int x = 0; x < labels.width(); ++x) count(x, 0), count(x, labels.height() - 1);
+  for (int y = 0; y < labels.height(); ++y) count(0, y), count(labels.width() - 1, y);
+  for (const auto& [label, times] : counts)
+    if (2 * times > rim) return label;
+  return std::nullopt;
+}
+
+std::string ground_name(const models::Scene& scene) {
+  const auto label = ground_label(scene);
+  const std::string& name = scene.materials[label.value_or(0)].name;
+  return label && name != models::Material{}.name ? name : "ground";
+}
+
+/// The highest place of each region that has a name and covers `least_area` of the scene; the ground is none.
+std::vector<Object> named_objects(const models::Scene& scene, double least_area, double sign) {
+  const Raster<std::uint8_t>& labels = scene.labels;
+  if (labels.empty()) return {};
+  const models::Relief& surface = *models::relief_of(scene);
+  const auto ground = ground_label(scene);
+  struct Region {
+    Peak highest{{}, -1e9};
+    std::size_t pixels = 0;
+  };
+  std::map<std::size_t, Region> regions;
+  std::size_t seen = 0;
+  // Every pixel of a small picture, and enough of a large one.
+  constexpr int kLongestSide = 256;
+  const int step = std::max(1, std::max(labels.width(), labels.height()) / kLongestSide);
+  for (int j = 0; j < labels.height(); j += step)
+    for (int i = 0; i < labels.width(); i += step) {
+      ++seen;
+      const std::size_t label = labels(i, j);
+      if (label == ground || scene.materials[label].name == models::Material{}.name) continue;
+      const Place place{((i + 0.5) / labels.width() - 0.5) * surface.width_m(),
+                        (0.5 - (j + 0.5) / labels.height()) * surface.depth_m()};
+      Region& region = regions[label];
+      ++region.pixels;
+      const double z_m = sign * surface.sample(place.x_m, place.y_m).z_m;
+      if (z_m > region.highest.height_m) region.highest = {place, z_m};
+    }
+  std::vector<Object> objects;
+  for (auto& [label, region] : regions) {
+    const double share = static_cast<double>(region.pixels) / static_cast<double>(seen);
+    if (share < least_area) continue;
+    region.highest.height_m *= sign;
+    objects.push_back({scene.materials[label].name, region.highest});
+  }
+  return objects;
+}
+
+/// The peaks, each with the name of what it lies on; an object of a name counts once. The most prominent
+/// first, then what has a name and hardly rises.
+std::vector<Object> objects_of(const models::Scene& scene, double depth) {
+  PeakOptions options;
+  options.turned_over = depth < 0.0;
+  std::vector<Object> named = named_objects(scene, options.least_area, options.turned_over ? -1.0 : 1.0);
+  std::vector<Object> objects;
+  for (const Peak& peak : find_peaks(*models::relief_of(scene), options)) {
+    const std::string name = name_at(scene, peak.place);
+    const auto is_named = [&name](const Object& object) { return object.name == name; };
+    const bool is_known = std::any_of(named.begin(), named.end(), is_named);
+    if (is_known && std::any_of(objects.begin(), objects.end(), is_named)) continue;
+    objects.push_back({is_known ? name : std::string(), peak});
+  }
+  for (const Object& object : named)
+    if (std::none_of(objects.begin(), objects.end(),
+                     [&object](const Object& known) { return known.name == object.name; }))
+      objects.push_back(object);
+  return objects;
+}
+
+std::string size_words(const models::Scene& scene) {
+  const Vec3 size = models::size_m(scene);
+  return spoken_lengths(size.x, "by", size.y);
+}
+
+/// With a full stop, unless it ends with one.
+std::string sentence(const std::string& words) {
+  return words.find_last_of(".!?") + 1 == words.size() ? words : words + ".";
+}
+
+std::string at_region(const Object& object, const models::Scene& scene) {
+  const Vec3 size = models::size_m(scene);
+  const std::string region = region_words(object.peak.place, size.x, size.y);
+  return object.name.empty() ? region : fmt::format("{}, {}", object.name, region);
+}
+
+std::string brief_of_surface(const models::Scene& scene, double depth, const std::vector<Object>& objects) {
+  const models::Relief& surface = *models::relief_of(scene);
+  const double ends_m[]{depth * surface.lowest_m(), depth * surface.highest_m()};
+  const auto [low_m, high_m] = std::minmax(ends_m[0], ends_m[1]);
+  std::string words = fmt::format("{} {}, heights from {}. ", sentence(name_of(scene)),
+                                  capitalised(size_words(scene)), spoken_lengths(low_m, "to", high_m));
+  std::vector<std::string> places;
+  for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k)
+    places.push_back(at_region(objects[k], scene));
+  const bool one = objects.size() == 1;
+  words += fmt::format("{} {} above the {}", capitalised(counted(objects.size(), "object", "objects")),
+                       one ? "rises" : "rise", ground_name(scene));
+  if (objects.empty()) return words + ".";
+  const char* const most = objects.size() > kMostListed ? "; the most prominent" : "";
+  return words + fmt::format("{}: {}.", most, fmt::join(places, "; "));
+}
+
+std::string objects_part(const std::vector<Object>& objects, double depth, Place probe,
+                         const models::Scene& scene) {
+  if (objects.empty()) return "No object rises above its surroundings.";
+  const auto& highest =
+      *std::max_element(objects.begin(), objects.end(), [depth](const Object& a, const Object& b) {
+        return depth * a.peak.height_m < depth * b.peak.height_m;
+      });
+  const Place at = highest.peak.place;
+  std::string words = fmt::format("From the probe to the highest point: {}.",
+                                  offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
+  for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k) {
+    const Object& object = objects[k];
+    words += fmt::format(" {}: top at {}, {}.", capitalised(at_region(object, scene)),
+                         spoken_length(depth * object.peak.height_m), from_middle_words(object.peak.place));
+  }
+  return words;
+}
+
+double mean_height_m(const models::Relief& surface, int column, int row) {
+  constexpr int kPlaces = 24;
+  double sum_m = 0.0;
+  for (int j = 0; j < kPlaces; ++j)
+    for (int i = 0; i < kPlaces; ++i) {
+      const double x = (column + (i + 0.5) / kPlaces) / 3.0 - 0.5,
+                   y = 0.5 - (row + (j + 0.5) / kPlaces) / 3.0;
+      sum_m += surface.sample(x * surface.width_m(), y * surface.depth_m()).z_m;
+    }
+  return sum_m / (kPlaces * kPlaces);
+}
+
+std::string nine_parts(const models::Scene& scene, double depth) {
+  const models::Relief& surface = *models::relief_of(scene);
+  constexpr std::array kRows{"Upper", "Middle", "Lower"};
+  std::string words = "Average heights in millimetres.";
+  for (int row = 0; row < 3; ++row) {
+    std::array<std::string, 3> heights;
+    for (int column = 0; column < 3; ++column)
+      heights[static_cast<std::size_t>(column)] =
+          figure(std::round(1e3 * depth * mean_height_m(surface, column, row)));
+    words += fmt::format(" {} third, left to right: {}.", kRows[static_cast<std::size_t>(row)],
+                         fmt::join(heights, ", "));
+  }
+  return words;
+}
+
+std::string extent_words(const ContourLine& line) {
+  constexpr double kStraight = 0.1;
+  const double width_m = line.most.x_m - line.least.x_m, height_m = line.most.y_m - line.least.y_m;
+  if (height_m < kStraight * width_m) return "from left to right";
+  if (width_m < kStraight * height_m) return "up and down";
+  return fmt::format("{} wide and {} high", spoken_length(width_m), spoken_length(height_m));
+}
+
+std::vector<std::string> parts_of_contours(const models::Scene& scene, const models::BoundaryMap& map,
+                                           Place probe) {
+  const auto lines = find_contour_lines(map);
+  const auto closed = static_cast<std::size_t>(
+      std::count_if(lines.begin(), lines.end(), [](const ContourLine& line) { return line.closed; }));
+  const std::string count =
+      fmt::format("{}, {} closed", capitalised(counted(lines.size(), "line", "lines")),
+                  closed == 0 ? std::string("none of them") : fmt::format("{} of them", closed));
+  if (lines.empty()) return {fmt::format("{} {}. No lines.", sentence(name_of(scene)), size_words(scene))};
+  const auto line_part = [&](const ContourLine& line) {
+    return fmt::format("{}, {} long, {}, {}", line.closed ? "closed" : "open", spoken_length(line.length_m),
+                       region_words(line.middle(), map.width_m(), map.depth_m()), extent_words(line));
+  };
+  const std::string brief = fmt::format("{} {}. {}. The longest: {}.", sentence(name_of(scene)),
+                                        capitalised(size_words(scene)), count, line_part(lines.front()));
+  std::string more;
+  if (const auto near = nearest_line(map, probe, std::max(map.width_m(), map.depth_m())))
+    more = fmt::format("From the probe to the nearest line: {}. ", offset_words(near->dx_m, near->dy_m));
+  more += lines.size() > kMostListed ? fmt::format("The {} longest lines.", kMostListed) : "The lines.";
+  for (std::size_t k = 0; k < std::min(lines.size(), kMostListed); ++k)
+    more += fmt::format(" {}: {}.", k + 1, line_part(lines[k]));
+  return {brief, more};
+}
+
+std::vector<std::string> parts_of(const models::Scene& scene, double depth, Place probe) {
+  if (const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model))
+    return parts_of_contours(scene, (*contours)->boundaries, probe);
+  const models::Relief& surface = *models::relief_of(scene);
+  constexpr double kLevel_m = 1e-5;
+  if (std::abs(depth) * (surface.highest_m() - surface.lowest_m()) < kLevel_m)
+    return {fmt::format("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),
+                        spoken_length(depth * surface.highest_m()))};
+  const auto objects = objects_of(scene, depth);
+  return {brief_of_surface(scene, depth, objects), objects_part(objects, depth, probe, scene),
+          nine_parts(scene, depth)};
+}
+
+}  // namespace
+
+std::string name_of(const models::Scene& scene) {
+  if (!scene.title.empty()) return scene.title;
+  // Folders mean nothing to the person who touches.
+  std::vector<std::string> files;
+  for (const std::string& input : scene.source.inputs)
+    files.push_back(std::filesystem::path(input).filename().string());
+  constexpr std::size_t kMostNamed = 3;
+  if (files.size() > kMostNamed) return fmt::format("{} and {} more files", files.front(), files.size() - 1);
+  return files.empty() ? models::kind_of(scene.model) : listed(files);
+}
+
+std::string opening_words(const models::Scene& scene) {
+  return fmt::format("Ready to touch: {} {}Press D to hear what is where, H for help.",
+                     sentence(name_of(scene)),
+                     scene.description.empty() ? "" : sentence(scene.description) + " ");
+}
+
+std::vector<std::string> scene_parts(const models::Scene& scene, double depth, Place probe) {
+  auto parts = parts_of(scene, depth, probe);
+  if (!scene.description.empty()) parts.insert(parts.begin() + 1, sentence(scene.description));
+  return parts;
+}
+std::string scene_part(const models::Scene& scene, double depth, Place probe, std::size_t part) {
+  const auto parts = scene_parts(scene, depth, probe);
+  const std::size_t at = part % parts.size();
+  return at + 1 < parts.size() ? parts[at] + " D again says more." : parts[at];
+}
+
+}  // namespace palpable::describe

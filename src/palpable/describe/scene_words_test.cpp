@@ -1,0 +1,118 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/describe/scene_words.hpp"
+
+#include "palpable/describe/test_scenes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace palpable::describe {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+TEST(SceneWords, CallASceneByItsTitleElseByItsFiles) {
+  models::Scene scene = two_hills();
+  EXPECT_EQ(name_of(scene), "twin.png");
+  scene.source.inputs = {"a/A.png", "b/B.png"};
+  EXPECT_EQ(name_of(scene), "A.png and B.png");
+  EXPECT_EQ(opening_words(scene),
+            "Ready to touch: A.png and B.png. Press D to hear what is where, H for help.");
+  scene.title = "Two hills";
+  scene.description = "Seen from the south";
+  EXPECT_EQ(opening_words(scene),
+            "Ready to touch: Two hills. Seen from the south. Press D to hear what is where, H for help.");
+}
+
+TEST(SceneWords, CountTheObjectsFirstAndSayMoreOnAsking) {
+  const auto parts = scene_parts(two_hills(), 1.0, {});
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[0],
+            "twin.png. 100 by 75 millimetres, heights from 1 to 13 millimetres. 2 objects rise above the "
+            "ground: upper "
+            "left; lower right.");
+  EXPECT_EQ(
+      parts[1],
+      "From the probe to the highest point: 30 millimetres left, 20 millimetres up. Upper left: top at 13 "
+      "millimetres, 30 millimetres left, 20 millimetres up from the middle. Lower right: top at 9 "
+      "millimetres, 25 millimetres right, 15 millimetres down from the middle.");
+  EXPECT_THAT(parts[2], StartsWith("Average heights in millimetres. Upper third, left to right:"));
+}
+
+TEST(SceneWords, SayTheMakersDescriptionSecond) {
+  models::Scene scene = two_hills();
+  scene.description = "Seen from the south";
+  const auto parts = scene_parts(scene, 1.0, {});
+  ASSERT_EQ(parts.size(), 4U);
+  EXPECT_THAT(parts[0], Not(HasSubstr("south")));
+  EXPECT_EQ(parts[1], "Seen from the south.");
+}
+
+TEST(SceneWords, NameTheObjectsAndWhatTheyStandOn) {
+  const auto parts = scene_parts(named_hills(), 1.0, {});
+  EXPECT_THAT(parts[0],
+              HasSubstr("2 objects rise above the table: tall hill, upper left; low hill, lower right."));
+  EXPECT_THAT(parts[1], HasSubstr("Low hill, lower right: top at 9 millimetres"));
+}
+
+TEST(SceneWords, CountANamedObjectOnceThoughItHasSeveralPeaks) {
+  models::Scene scene = named_hills();
+  scene.model = two_hills().model;
+  // Both hills are one object now.
+  scene.materials[2].name = "tall hill";
+  for (auto& label : scene.labels.values())
+    if (label == 2) label = 1;
+  EXPECT_THAT(scene_parts(scene, 1.0, {})[0],
+              HasSubstr("1 object rises above the table: tall hill, upper left."));
+}
+
+TEST(SceneWords, ListNoMoreThanEightOfManyObjects) {
+  const auto scene = surface_scene([](double x, double y) {
+    double z = 0.0;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 4; ++i) z += bump(x, y, -0.036 + 0.024 * i, -0.024 + 0.024 * j, 0.008 + 0.0001 * i);
+    return z;
+  });
+  const std::string brief = scene_parts(scene, 1.0, {})[0];
+  EXPECT_THAT(brief, HasSubstr("12 objects rise above the ground; the most prominent: "));
+  EXPECT_EQ(std::count(brief.begin(), brief.end(), ';'), 1 + 7);
+}
+
+TEST(SceneWords, FollowTheDepthAndTurnOverWhenEngraved) {
+  EXPECT_THAT(scene_parts(two_hills(), 2.0, {})[0], HasSubstr("heights from 2 to 26 millimetres"));
+  const auto engraved = scene_parts(two_hills(), -1.0, {});
+  EXPECT_THAT(engraved[0], HasSubstr("heights from minus 13 millimetres to minus 1 millimetre"));
+  EXPECT_THAT(engraved[0], HasSubstr("1 object rises"));
+}
+
+TEST(SceneWords, CallALevelSceneLevel) {
+  const auto parts = scene_parts(surface_scene([](double, double) { return 0.002; }), 1.0, {});
+  ASSERT_EQ(parts.size(), 1U);
+  EXPECT_THAT(parts[0], EndsWith("level at 2 millimetres."));
+  EXPECT_THAT(scene_part(two_hills(), 0.0, {}, 7), EndsWith("level at 0 millimetres."));
+}
+
+TEST(SceneWords, DescribeContoursAsLines) {
+  const auto parts = scene_parts(circle_and_line(), 1.0, {});
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_THAT(parts[0], StartsWith("Circle and line. 100 by 100 millimetres. 2 "
+                                   "lines, 1 of them closed. The longest: closed, 13"));
+  EXPECT_THAT(parts[0], HasSubstr("upper left"));
+  EXPECT_THAT(parts[1], HasSubstr("2: open, 59 millimetres long, lower middle, from left to right."));
+  EXPECT_THAT(parts[0], Not(HasSubstr("height")));
+}
+
+TEST(SceneWords, GoOnFromPartToPartAndBeginAgain) {
+  const auto scene = two_hills();
+  const auto parts = scene_parts(scene, 1.0, {});
+  EXPECT_EQ(scene_part(scene, 1.0, {}, 0), parts[0] + " D again says more.");
+  EXPECT_EQ(scene_part(scene, 1.0, {}, 1), parts[1] + " D again says more.");
+  EXPECT_EQ(scene_part(scene, 1.0, {}, 2), parts[2]);
+  EXPECT_EQ(scene_part(scene, 1.0, {}, 3), parts[0] + " D again says more.");
+}
+
+}  // namespace
+}  // namespace palpable::describe
