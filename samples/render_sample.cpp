@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Renders the sample pair and its exact disparity into a folder: render_sample FOLDER. Run by hand when the
-// scene is changed; sculpture_test compares the committed files with what the code gives.
+// Renders the sample pair, its exact disparity and its labels into a folder: render_sample FOLDER. Run by
+// hand when the scene is changed; sculpture_test compares the committed files with what the code gives.
 #include "palpable/core/work.hpp"
 #include "palpable/formats/picture/picture.hpp"
 
@@ -38,6 +38,14 @@ Raster<float> disparity(const samples::View& view) {
   return out;
 }
 
+Raster<std::uint8_t> labels(const samples::View& view) {
+  Raster<std::uint8_t> out(view.rig.left.width, view.rig.left.height);
+  parallel_for({}, out.height(), 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) std::ranges::copy(samples::label_row(view, y), out.row(y).begin());
+  });
+  return out;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -52,5 +60,7 @@ int main(int count, char** arguments) {
   const auto right = formats::write_png(folder / "sculpture_right.png", picture(view, samples::Eye::right));
   if (!right) return fail(right.error());
   const auto truth = formats::write_disparity_png(folder / "sculpture_disparity.png", disparity(view));
-  return truth ? 0 : fail(truth.error());
+  if (!truth) return fail(truth.error());
+  const auto objects = formats::write_png(folder / "sculpture_labels.png", labels(view));
+  return objects ? 0 : fail(objects.error());
 }

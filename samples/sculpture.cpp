@@ -366,6 +366,16 @@ std::vector<float> disparity_row(const View& view, int y) {
   return row;
 }
 
+std::vector<std::uint8_t> label_row(const View& view, int y) {
+  std::vector<std::uint8_t> row;
+  for (int x = 0; x < view.rig.left.width; ++x) {
+    const Vec3 direction = unit(direction_through(view, x, y));
+    row.push_back(
+        static_cast<std::uint8_t>(nearest(view.position + meet(view.position, direction) * direction).thing));
+  }
+  return row;
+}
+
 double table_disparity_px(const View& view, int x, int y) {
   const Vec3 direction = direction_through(view, x, y);
   const double depth = -view.position.z / direction.z;

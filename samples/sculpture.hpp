@@ -6,6 +6,9 @@
 #include "palpable/core/image.hpp"
 #include "palpable/core/vec3.hpp"
 
+#include <cstdint>
+#include <vector>
+
 namespace palpable::samples {
 
 /// The sample that `./run` opens: things on a wooden table, seen from above by a calibrated stereo camera.
@@ -34,6 +37,10 @@ std::vector<Rgb8> render_row(const View& view, Eye eye, int y);
 /// The left picture's exact disparity in pixels, through the pixels' centres; the surface is met within 1e-8
 /// m.
 std::vector<float> disparity_row(const View& view, int y);
+
+/// One row of the left picture's labels, through the pixels' centres: the index of the object in the list
+/// "objects" of sculpture.json, 0 for the table.
+std::vector<std::uint8_t> label_row(const View& view, int y);
 
 /// Disparity of the table alone at a pixel of the left picture: the truth for finding the ground.
 double table_disparity_px(const View& view, int x, int y);

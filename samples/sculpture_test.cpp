@@ -36,6 +36,22 @@ TEST(Sculpture, PicturesAreWhatTheCodeRenders) {
   }
 }
 
+TEST(Sculpture, LabelsAreWhatTheCodeSees) {
+  const View view = sculpture_view();
+  const auto committed = sources::read_picture(kFolder / "sculpture_labels.png");
+  ASSERT_TRUE(committed) << committed.error().sentence();
+  ASSERT_EQ(committed->channels, 1);
+  ASSERT_EQ(committed->height, view.rig.left.height);
+  for (int y = 20; y < view.rig.left.height; y += kEvery) {
+    const auto row = label_row(view, y);
+    for (int x = 0; x < view.rig.left.width; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y) * row.size() + static_cast<std::size_t>(x);
+      ASSERT_EQ(std::lround(255.0F * committed->samples[at]), row[static_cast<std::size_t>(x)])
+          << x << " " << y;
+    }
+  }
+}
+
 TEST(Sculpture, DisparityIsWhatTheCodeFinds) {
   const View view = sculpture_view();
   const auto committed = sources::read_disparity(kFolder / "sculpture_disparity.png", 1.0 / 256,

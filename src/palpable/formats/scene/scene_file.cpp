@@ -136,6 +136,12 @@ void read_source(const json& description, models::Provenance& source) {
   source.made_by = j.at("made_by").get<std::string>();
 }
 
+/// The maker's own words, in files since they exist.
+void read_words(const json& description, models::Scene& scene) {
+  scene.title = description.value("title", std::string());
+  scene.description = description.value("description", std::string());
+}
+
 Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   SceneFile out;
   if (description.at("format").get<std::string>() != kFormat) return invalid_input("is not a scene of ours");
@@ -148,6 +154,7 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   auto model = reader->read(description.at("model"), members);
   if (!model) return std::move(model).error();
   out.scene.model = *std::move(model);
+  read_words(description, out.scene);
   const json& materials = description.at("materials");
   if (materials.size() > kMaxMaterials) return invalid_input("states more than 256 materials");
   out.scene.materials.clear();
@@ -182,6 +189,10 @@ Result<void> check_scene(const models::Scene& scene) {
         "range");
   if (!is_sound(scene.scene_from_input))
     return invalid_input("the scene's place in its input is not a number");
+  if (scene.title.size() > models::kMaxTitleBytes || scene.title.find('\n') != std::string::npos)
+    return invalid_input("a scene's title is one line of at most 200 bytes");
+  if (scene.description.size() > models::kMaxDescriptionBytes)
+    return invalid_input("a scene's description has at most 4000 bytes");
   const bool labelled = std::all_of(scene.labels.values().begin(), scene.labels.values().end(),
                                     [&](std::uint8_t label) { return label < scene.materials.size(); });
   if (!labelled) return invalid_input("the map of materials names one that the scene does not have");
@@ -208,6 +219,8 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
        {{"inputs", scene.source.inputs},
         {"method", scene.source.method},
         {"made_by", scene.source.made_by}}}};
+  if (!scene.title.empty()) description["title"] = scene.title;
+  if (!scene.description.empty()) description["description"] = scene.description;
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {
     auto material = write_material(scene.materials[k], k, members);
     if (!material) return std::move(material).error();

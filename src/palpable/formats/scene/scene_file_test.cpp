@@ -99,6 +99,22 @@ TEST(SceneFile, GivesBackEveryValueExactly) {
   EXPECT_TRUE(back->others.empty());
 }
 
+TEST(SceneFile, KeepsTheMakersTitleAndDescription) {
+  models::Scene scene = sample();
+  EXPECT_EQ(decode_scene(*encode_scene(scene))->scene.title, "");
+  scene.title = "Das Rathaus \xC3\xA4";
+  scene.description = "Seen from the south.\nThe tower is on the left.";
+  const auto back = decode_scene(*encode_scene(scene));
+  ASSERT_TRUE(back) << back.error().sentence();
+  EXPECT_EQ(back->scene.title, scene.title);
+  EXPECT_EQ(back->scene.description, scene.description);
+  scene.title = "two\nlines";
+  EXPECT_FALSE(encode_scene(scene));
+  scene.title = "";
+  scene.description.assign(models::kMaxDescriptionBytes + 1, 'x');
+  EXPECT_FALSE(encode_scene(scene));
+}
+
 TEST(SceneFile, GivesBackContoursAndTheirGroovesExactly) {
   Raster<models::BoundaryPixel> edges(12, 9);
   for (int x = 0; x < 12; ++x) edges(x, 4) = {0.5F, 0.01F * static_cast<float>(x)};

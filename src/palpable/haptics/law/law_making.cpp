@@ -19,8 +19,8 @@ Contact contact_of(const Material& material, const LawParameters& p) {
   c.stiffness_N_per_m = p.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
   c.damping_Ns_per_m = p.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
   c.static_friction = p.static_friction.value_or(p.dynamic_friction.value_or(material.static_friction));
-  c.dynamic_friction = p.dynamic_friction.value_or(p.static_friction ? kDynamicOfStatic * *p.static_friction
-                                                                     : material.dynamic_friction);
+  c.dynamic_friction = p.dynamic_friction.value_or(
+      p.static_friction ? models::kDynamicOfStatic * *p.static_friction : material.dynamic_friction);
   c.dynamic_friction = std::min(c.dynamic_friction, c.static_friction);
   return c;
 }

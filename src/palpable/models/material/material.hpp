@@ -8,6 +8,9 @@
 
 namespace palpable::models {
 
+/// The coefficient of dynamic friction is this share of the static one where only the static one is given.
+inline constexpr double kDynamicOfStatic = 5.0 / 6.0;
+
 /// How a surface answers a touch. Neutral defaults suit a simulated or mid-range device; a device's own
 /// limits lower them.
 struct Material {

@@ -40,6 +40,10 @@ struct Provenance {
   std::string made_by;
 };
 
+/// Longest title and description that a scene may have, bytes of UTF-8.
+inline constexpr std::size_t kMaxTitleBytes = 200;
+inline constexpr std::size_t kMaxDescriptionBytes = 4000;
+
 /// A touchable scene as it is saved: a model, its picture, materials and origin. A value type; models are
 /// shared and immutable.
 struct Scene {
@@ -52,6 +56,10 @@ struct Scene {
   Raster<std::uint8_t> labels;
   Transform<SceneFrame, InputFrame> scene_from_input;
   Provenance source;
+  /// What the maker calls the scene, one line, and says about it: spoken and shown before the scene is
+  /// touched. UTF-8; both may be empty.
+  std::string title;
+  std::string description;
 };
 
 /// Index of the material at a place of the scene, seen from above: always one of scene.materials. Outside the
