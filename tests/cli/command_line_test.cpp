@@ -34,6 +34,38 @@ TEST(CommandLine, EveryCommandExplainsItselfWithAnExample) {
   }
 }
 
+TEST(CommandLine, HelpExplainsACommandAsItsOptionDoes) {
+  EXPECT_EQ(palpable({"help"}).out, palpable({"--help"}).out);
+  for (const char* command : {"touch", "make", "export"}) {
+    const Outcome outcome = palpable({"help", command});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, palpable({command, "--help"}).out);
+  }
+  EXPECT_EQ(palpable({"help", "score", "disparity"}).out, palpable({"score", "disparity", "--help"}).out);
+  const Outcome wrong = palpable({"help", "tuoch"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean touch?"));
+}
+
+TEST(CommandLine, AWrongWordListsTheRightOnes) {
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases{
+      {{"touch", "a.png", "--law", "bogus"}, {"--law", "'bogus'", "proxy", "tracing", "groove"}},
+      {{"touch", "a.png", "--law", "rollin"}, {"did you mean rolling?"}},
+      {{"touch", "a.png", "--as", "bogus"}, {"--as", "relief, contours, field, grid"}},
+      {{"make", "a.png", "-o", "b.palp", "--kind", "bogus"}, {"--kind", "picture, stereo, depth, mesh"}},
+      {{"make", "a.png", "-o", "b.palp", "--method", "bogus"}, {"--method", "scanline", "graph-cut"}},
+      {{"make", "a.png", "-o", "b.palp", "--ground", "bogus"}, {"--ground", "keep, flatten, remove"}},
+      {{"show", "a.palp", "-o", "b.png", "--view", "smell"}, {"--view", "relief, depth, force, section"}},
+      {{"touch", "--rate", "5"}, {"--rate", "'5' is not a number from 100 to 4000"}},
+      {{"touch", "--port", "1.5"}, {"--port", "'1.5' is not a whole number from 0 to 65535"}}};
+  for (const auto& [arguments, words] : cases) {
+    const Outcome outcome = palpable(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    for (const std::string& word : words) EXPECT_THAT(outcome.err, HasSubstr(word));
+  }
+}
+
 TEST(CommandLine, WrongUsageIsOneSentenceAndTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"tuoch"}, "did you mean touch?"},

@@ -155,5 +155,23 @@ TEST(Studies, OfTrajectoriesAndTracingAnswerInJson) {
   EXPECT_EQ(tracing["figures"][0]["people"]["seconds"][0], 26.12);
 }
 
+TEST_F(Materials, FrictionSetsSlidingToFiveSixthsUnlessItIsGiven) {
+  const auto sliding = [&](const char* material) {
+    EXPECT_EQ(make({"--material", material}).exit_code, 0);
+    return palpable({"info", path("a.palp"), "--json"})
+        .json()["materials"][0]["dynamic_friction"]
+        .get<double>();
+  };
+  EXPECT_DOUBLE_EQ(sliding("0:friction=0.6"), 0.5);
+  EXPECT_DOUBLE_EQ(sliding("0:friction=0.6,sliding=0.2"), 0.2);
+  EXPECT_DOUBLE_EQ(sliding("0:sliding=0.2,friction=0.6"), 0.2);
+}
+
+TEST_F(Materials, AnUnknownKeyListsTheKeys) {
+  expect_refused(
+      make({"--material", "0:shine=1"}), 2,
+      "its keys are name, texture, stiffness, damping, friction, sliding, pitch, size, height, angle");
+}
+
 }  // namespace
 }  // namespace palpable::test

@@ -13,8 +13,10 @@
 #include <thread>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 namespace palpable::test {
@@ -30,7 +32,9 @@ int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 
 
 }  // namespace
 
-Running::Running(const std::vector<std::string>& arguments) : folder_(new_folder()) {
+Running::Running(const std::vector<std::string>& arguments, const std::string& input,
+                 const std::string& error)
+    : folder_(new_folder()) {
   std::vector<std::string> words{PALPABLE_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -39,9 +43,10 @@ Running::Running(const std::vector<std::string>& arguments) : folder_(new_folder
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, input.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, (folder_ / "out").c_str(), kWrite, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, (folder_ / "err").c_str(), kWrite, 0600);
+  const std::string err = error.empty() ? (folder_ / "err").string() : error;
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), kWrite, 0600);
   const int fault = posix_spawn(&pid_, PALPABLE_PROGRAM, &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0) throw std::runtime_error("the program cannot be started");
@@ -125,6 +130,39 @@ Outcome Running::wait(std::chrono::seconds patience) {
 }
 
 Outcome palpable(const std::vector<std::string>& arguments) { return Running(arguments).wait(); }
+
+Outcome palpable_on_a_terminal(const std::vector<std::string>& arguments) {
+  const int master = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0)
+    throw std::runtime_error("no terminal for a test");
+  const std::string name = ptsname(master);
+  // Held open, so that what was written stays readable after the program's end; raw, so that it comes as
+  // written.
+  const int slave = open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  termios settings{};
+  tcgetattr(slave, &settings);
+  cfmakeraw(&settings);
+  tcsetattr(slave, TCSANOW, &settings);
+  std::string err;
+  Outcome outcome;
+  {
+    Running running(arguments, "/dev/null", name);
+    std::jthread reader([&](const std::stop_token& ended) {
+      pollfd wait{master, POLLIN, 0};
+      while (poll(&wait, 1, 20) > 0 || !ended.stop_requested()) {
+        std::array<char, 4096> bytes{};
+        if ((wait.revents & POLLIN) == 0) continue;
+        const ssize_t count = read(master, bytes.data(), bytes.size());
+        if (count > 0) err.append(bytes.data(), static_cast<std::size_t>(count));
+      }
+    });
+    outcome = running.wait();
+  }
+  outcome.err = err;
+  close(slave);
+  close(master);
+  return outcome;
+}
 
 void InFolder::SetUp() { folder_ = new_folder(); }
 void InFolder::TearDown() { std::filesystem::remove_all(folder_); }

@@ -26,7 +26,9 @@ struct Outcome {
 /// The program under way.
 class Running {
  public:
-  explicit Running(const std::vector<std::string>& arguments);
+  /// Standard input and error are taken from and written to these; by default nothing, and what err() reads.
+  explicit Running(const std::vector<std::string>& arguments, const std::string& input = "/dev/null",
+                   const std::string& error = {});
   ~Running();
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
@@ -51,6 +53,9 @@ class Running {
 
 /// Runs the program to its end.
 Outcome palpable(const std::vector<std::string>& arguments);
+
+/// The same with standard error on a terminal of its own.
+Outcome palpable_on_a_terminal(const std::vector<std::string>& arguments);
 
 /// A test with a folder of its own, removed at its end.
 class InFolder : public testing::Test {

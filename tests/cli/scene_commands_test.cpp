@@ -223,5 +223,47 @@ TEST_F(SceneCommands, AHeightMapOfOurOwnIsADepthMapAgain) {
   EXPECT_EQ(palpable({"make", in("h.png"), "--kind", "depth", "-o", in("h.palp")}).exit_code, 0);
 }
 
+TEST_F(SceneCommands, APictureInPlaceOfASceneIsNamedWithWhatToDo) {
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"show", in("left.png"), "-o", in("x.png")},
+        {"info", in("left.png")},
+        {"export", in("left.png"), "-o", in("x.npz")},
+        {"probe", in("left.png"), "--path", in("p.csv"), "-o", in("f.csv")}}) {
+    const Outcome outcome = palpable(command);
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_TRUE(is_one_sentence(outcome.err));
+    EXPECT_THAT(outcome.err, HasSubstr("is a picture, and not a scene"));
+    EXPECT_THAT(outcome.err, HasSubstr("palpable make left.png -o left.palp"));
+  }
+}
+
+TEST_F(SceneCommands, MakeRefusesAnotherSuffixThanPalp) {
+  const Outcome outcome = palpable({"make", in("left.png"), "-o", in("x.foo")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(outcome.err));
+  EXPECT_THAT(outcome.err, HasSubstr("ends in .palp: write x.palp"));
+  EXPECT_FALSE(std::filesystem::exists(in("x.foo")));
+}
+
+TEST_F(SceneCommands, ATitleAndADescriptionAreKeptAndShown) {
+  write_text(in("words.txt"), "A wall behind a box.\nThe floor is slanted.\n");
+  const Outcome titled = palpable({"make", in("a.palp"), "-o", in("titled.palp"), "--title", "Wall and box",
+                                   "--describe", "@" + in("words.txt")});
+  ASSERT_EQ(titled.exit_code, 0) << titled.err;
+  const auto json = palpable({"info", in("titled.palp"), "--json"}).json();
+  EXPECT_EQ(json["title"], "Wall and box");
+  EXPECT_EQ(json["description"], "A wall behind a box.\nThe floor is slanted.");
+  EXPECT_THAT(palpable({"info", in("titled.palp")}).out, HasSubstr("title: Wall and box\n"));
+  // Made again without them, a scene keeps them.
+  ASSERT_EQ(palpable({"make", in("titled.palp"), "-o", in("again.palp")}).exit_code, 0);
+  EXPECT_EQ(palpable({"info", in("again.palp"), "--json"}).json()["title"], "Wall and box");
+
+  EXPECT_EQ(palpable({"make", in("a.palp"), "-o", in("no.palp"), "--title", "two\nlines"}).exit_code, 2);
+  EXPECT_EQ(palpable({"make", in("a.palp"), "-o", in("no.palp"), "--title", "\xff"}).exit_code, 2);
+  EXPECT_EQ(palpable({"make", in("a.palp"), "-o", in("no.palp"), "--describe", "@" + in("none")}).exit_code,
+            3);
+  EXPECT_FALSE(std::filesystem::exists(in("no.palp")));
+}
+
 }  // namespace
 }  // namespace palpable::test

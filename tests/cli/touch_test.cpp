@@ -10,6 +10,7 @@ namespace palpable::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 class Touch : public InFolder {
  protected:
@@ -121,6 +122,26 @@ TEST_F(Touch, ADeviceThatThereIsNotIsSaid) {
       palpable({"touch", path("left.png"), path("right.png"), "--headless", "--law", "gravity"});
   EXPECT_EQ(law.exit_code, 2);
   EXPECT_THAT(law.err, HasSubstr("gravity"));
+}
+
+TEST_F(Touch, AsChoosesTheKindOfScene) {
+  const Outcome outcome = palpable({"touch", path("left.png"), path("right.png"), "--as", "grid",
+                                    "--grid-points", "40", "--radius", "0", "--law", "grid", "--headless",
+                                    "--seconds", "0.2", "--record", path("touch.rec")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(read_text(path("touch.rec")), HasSubstr("\"law\":\"grid\""));
+}
+
+TEST_F(Touch, ShowsProgressAsOneLineThatMoves) {
+  write_pair(folder_.string(), textured_pair(640, 480));
+  const Outcome outcome = palpable_on_a_terminal({"make", path("left.png"), path("right.png"), "-o",
+                                                  path("a.palp"), "--method", "best", "--threads", "1"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr(" %"));
+  // Each step replaces the one before, and no step is left at the end.
+  const auto last = outcome.err.rfind(" %");
+  EXPECT_EQ(outcome.err.substr(0, last).find('\n'), std::string::npos) << outcome.err;
+  EXPECT_THAT(outcome.err.substr(last + 2), StartsWith("\r\x1b[K"));
 }
 
 }  // namespace

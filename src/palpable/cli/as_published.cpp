@@ -14,15 +14,16 @@ using haptics::Law;
 // long a force took, and no rate.
 constexpr std::array kPublished{
     Published{"shi", Law::sobel, 0.0, 500.0, "scanline", "", "150x100x15", "",
-              "Their height is not stated: it is 15 mm."},
+              "The paper does not state the height: it is 15 mm."},
     Published{"park", Law::grid, 1.0, std::nullopt, "graph-cut", "", "", "",
-              "The volume's points are ours in number: theirs are not stated.", session::MakeAs::grid},
+              "The paper does not state the number of grid points: --grid-points sets it.",
+              session::MakeAs::grid},
     Published{"gomez", Law::averaged, 1.0, 997.0, "pyramid", "", "101.6x101.6x15", "bicubic",
               "The weights of the average are corrected; the offset is 1 mm."},
     Published{"ghd", Law::tracing, 0.0, 400.0, "", "paper", "140x100x15", "",
               "Eq. 8 is corrected so that it does not push a resting hand."},
     Published{"moustakas", Law::penalty, 0.0, std::nullopt, "", "", "", "",
-              "The force's sign is corrected, and its field begins with the exact surface, not with one of "
+              "The sign of the force is corrected, and the field is built from the exact surface, not from "
               "superquadrics.",
               session::MakeAs::field, true}};
 
@@ -38,7 +39,7 @@ Result<std::optional<Published>> published_as(const std::string& name) {
   const auto* found = std::find_if(kPublished.begin(), kPublished.end(),
                                    [&name](const Published& p) { return p.name == name; });
   if (found == kPublished.end())
-    return Error{ErrorCode::usage, "there is no paper named " + name, "--as-published"};
+    return Error{ErrorCode::usage, "there is no paper called " + name, "--as-published"};
   return std::optional(*found);
 }
 

@@ -4,7 +4,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/path_file.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/cli/scene_argument.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -87,8 +87,9 @@ Result<models::Scene> own_scene() {
   }
   auto relief = models::Relief::from_samples(std::move(height_m), 0.1 / kWidth);
   if (!relief) return relief.error();
-  return models::Scene{
-      std::make_shared<const models::Relief>(std::move(*relief)), {}, {models::Material{}}, {}, {}, {}};
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Relief>(std::move(*relief));
+  return scene;
 }
 
 /// A Lissajous figure over 86 % of the relief, half a millimetre under its surface: sliding in contact.
@@ -138,7 +139,7 @@ Result<std::vector<Benchmark>> own_set(const Work& work) {
 }
 
 Result<std::vector<Benchmark>> given_set(const Arguments& arguments) {
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
   const auto path = read_path(arguments.path);
@@ -173,7 +174,7 @@ Answer answer_of(const std::vector<Benchmark>& benchmarks) {
 
 Result<Answer> bench(const Arguments& arguments, const Work& work) {
   if (arguments.scene.empty() != arguments.path.empty())
-    return Error{ErrorCode::usage, "--scene and --path belong together", {}};
+    return Error{ErrorCode::usage, "give --scene and --path together", {}};
   if (arguments.scene.empty() && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--law needs --scene and --path; without them every law is timed", {}};
   const auto benchmarks = arguments.scene.empty() ? own_set(work) : given_set(arguments);
@@ -187,7 +188,7 @@ void add_bench(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options options =
       add_command(program, "bench",
-                  "Time the force computation tick by tick; without options, every law on our own surface",
+                  "Time the force computation tick by tick; without options, every law on a built-in surface",
                   "  palpable bench\n"
                   "  palpable bench --scene aloe.palp --path path.csv --law proxy --radius 1",
                   [arguments](Console& console) { return bench(*arguments, console.work()); });

@@ -38,6 +38,9 @@ Options add_command(Program& program, const std::string& name, const std::string
 Options add_command_below(Program& program, const std::string& parent, const std::string& name,
                           const std::string& description, const std::string& examples, Action action);
 
+/// The help of a command ("score", "disparity"), or of the program. Errors: usage for an unknown command.
+Result<std::string> help_text(const Program& program, const std::vector<std::string>& words);
+
 void add_bench(Program& program);
 void add_calibrate(Program& program);
 void add_compare(Program& program);
@@ -48,6 +51,7 @@ void add_doctor(Program& program);
 void add_export(Program& program);
 void add_fit(Program& program);
 void add_fit_shapes(Program& program);
+void add_help(Program& program);
 void add_info(Program& program);
 void add_make(Program& program);
 void add_methods(Program& program);

@@ -105,7 +105,7 @@ draw::Figure picture_of(const vision::StereoPair& pair, const std::vector<Outcom
   }
   return draw::panels_figure(
       std::move(panels),
-      {"Depth by every method", "Pale is near, dark is far, in one scale; hatched is unknown."});
+      {"Depth by every method", "Pale is near, dark is far, in one scale; hatched areas are unknown."});
 }
 
 Json json_of(const std::vector<Outcome>& outcomes) {
@@ -129,7 +129,7 @@ Result<Answer> compare(const Arguments& arguments, Console& console) {
   for (const Note& note : ready->notes) console.note(note);
   if (*truth && ready->rectified_by != session::RectifiedBy::nothing)
     console.note(
-        "The truth belongs to the pictures as they came, but they were rectified: the scores mean little.");
+        "The truth belongs to the original pictures, and they were rectified: the scores mean little.");
   std::vector<Outcome> outcomes;
   for (const vision::StereoMethod method : vision::available_stereo_methods()) {
     auto outcome = outcome_of(method, ready->pair, arguments, *truth, console);

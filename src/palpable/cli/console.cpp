@@ -19,7 +19,9 @@ namespace palpable::cli {
 namespace {
 
 constexpr std::chrono::seconds kProgressAfter{1};
-constexpr std::chrono::seconds kProgressEvery{2};
+constexpr std::chrono::milliseconds kProgressEvery{500};
+// To the line's start, and everything after it removed.
+constexpr const char* kClearLine = "\r\x1b[K";
 
 // The signal handler can reach nothing else.
 std::atomic<bool> interrupt_flag{false};
@@ -55,14 +57,18 @@ Console::Console(const CommonOptions& options)
       started_(std::chrono::steady_clock::now()),
       last_shown_(started_) {}
 
+Console::~Console() { remove_progress(); }
+
 void Console::note(const Note& note) {
   if (options_.quiet) return;
   const std::lock_guard lock(mutex_);
+  remove_progress();
   fmt::print(stderr, "{}\n", sentence_of(note));
 }
 
 void Console::say(std::string_view sentence) {
   const std::lock_guard lock(mutex_);
+  remove_progress();
   std::FILE* const stream = options_.json ? stderr : stdout;
   fmt::print(stream, "{}\n", sentence);
   std::fflush(stream);
@@ -74,16 +80,25 @@ Work Console::work() {
   work.seed = options_.seed;
   work.cancel = &interrupted();
   if (shows_progress_)
-    work.progress = [this](double fraction, std::string_view what) { progress(fraction, what); };
+    work.progress = [this](double fraction, std::string_view what) { show_progress(fraction, what); };
   return work;
 }
 
-void Console::progress(double fraction, std::string_view what) {
+void Console::show_progress(double fraction, std::string_view what) {
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   if (now - started_ < kProgressAfter || now - last_shown_ < kProgressEvery) return;
+  std::string line = fmt::format("{}: {} %", what, std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
+  if (line == progress_) return;
   last_shown_ = now;
-  fmt::print(stderr, "{}: {} %\n", what, std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
+  progress_ = std::move(line);
+  fmt::print(stderr, "{}{}", kClearLine, progress_);
+}
+
+void Console::remove_progress() {
+  if (progress_.empty()) return;
+  progress_.clear();
+  fmt::print(stderr, "{}", kClearLine);
 }
 
 Result<void> print(std::string_view text) {

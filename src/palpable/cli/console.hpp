@@ -21,27 +21,34 @@ struct CommonOptions {
   std::uint64_t seed = 1;
 };
 
-/// Where a command speaks: results on standard output, everything else on standard error. Progress is whole
-/// lines, a few for a long work and none for work under a second, so that a screen reader can follow.
-/// Any thread.
+/// Where a command writes: results on standard output, everything else on standard error. Progress of work
+/// that takes longer than a second is one line on a terminal, rewritten at most twice a second and removed
+/// before anything else is written. Any thread.
 class Console {
  public:
   explicit Console(const CommonOptions& options);
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
 
   /// A note for the person on standard error, one line, with the options that would change it (hints.hpp);
   /// silent with --quiet.
   void note(const Note& note);
-  /// What the person must hear even with --quiet: on standard output, or on standard error with --json.
+  /// What the person must read even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);
   /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.
   Work work();
   const CommonOptions& options() const { return options_; }
 
  private:
-  void progress(double fraction, std::string_view what);
+  void show_progress(double fraction, std::string_view what);
+  /// Under mutex_.
+  void remove_progress();
 
   CommonOptions options_;
   bool shows_progress_ = false;
+  /// The line that stands on the terminal; empty = none.
+  std::string progress_;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point started_;
   std::chrono::steady_clock::time_point last_shown_;

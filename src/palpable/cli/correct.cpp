@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/hints.hpp"
+#include "palpable/cli/scene_argument.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/recipes/correct_scene.hpp"
 #include "palpable/sources/solid/mesh_file.hpp"
@@ -21,7 +22,7 @@ struct Arguments {
 };
 
 Result<Answer> correct(const Arguments& arguments, Console& console) {
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   auto measured = sources::read_mesh(arguments.measured);
   if (!measured) return measured.error();
@@ -59,21 +60,20 @@ Result<Answer> correct(const Arguments& arguments, Console& console) {
 void add_correct(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options options =
-      add_command(program, "correct", "Correct a field by a surface that was measured of a part of it",
+      add_command(program, "correct", "Correct a field by a measured surface of a part of it",
                   "  palpable correct shapes.palp measured.ply -o corrected.palp\n"
                   "  palpable correct shapes.palp measured.ply -o corrected.palp --reach 4 --transition 3",
                   [arguments](Console& console) { return correct(*arguments, console); });
   options.argument("SCENE", arguments->scene, "A .palp scene of a field");
-  options.argument(
-      "MEASURED", arguments->measured,
-      "The measured surface, open or not, in the metres of what the scene was made from (OBJ, PLY, "
-      "STL, GLB)");
+  options.argument("MEASURED", arguments->measured,
+                   "The measured surface, open or closed, in the metres of the input that the scene was made "
+                   "from (OBJ, PLY, "
+                   "STL, GLB)");
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
-  options.number(
-      "--reach", arguments->reach_mm, {0.001, 1000.0},
-      "Millimetres along its normal in which a place of the field's surface looks for the measured one");
+  options.number("--reach", arguments->reach_mm, {0.001, 1000.0},
+                 "Greatest distance along the normal from the field's surface to the measured one, mm");
   options.number("--transition", arguments->transition_mm, {0.001, 1000.0},
-                 "Millimetres around what was measured in which the surface follows smoothly");
+                 "Width of the smooth transition around the measured part, mm");
   options.flag("--everywhere", arguments->everywhere,
                "Give new distances also deep inside and far outside, which takes longer");
 }

@@ -49,7 +49,7 @@ Result<void> only_of_pyramid(const Arguments& arguments, vision::StereoMethod me
                                                                         : nullptr;
   if (given == nullptr) return {};
   return Error{ErrorCode::usage,
-               fmt::format("only --method pyramid knows it, not {}", vision::name_of(method)), given};
+               fmt::format("is an option of --method pyramid, not of {}", vision::name_of(method)), given};
 }
 
 /// The rectified pictures as PREFIX_left.png and PREFIX_right.png.
@@ -131,7 +131,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
 void add_depth(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options options =
-      add_command(program, "depth", "Disparity of a stereo pair, left picture as the reference",
+      add_command(program, "depth", "Disparity of a stereo pair; the left picture is the reference",
                   "  palpable depth left.png right.png -o depth.pfm\n"
                   "  palpable depth left.png right.png -o depth.png --method scanline --max-disparity 64\n"
                   "  palpable depth camera.mpo -o depth.pfm",
@@ -147,10 +147,10 @@ void add_depth(Program& program) {
   add_stereo_options(options, arguments->stereo);
   add_parameter_options(options, arguments->stereo);
   options.under("The method pyramid");
-  options.flag("--features", arguments->features, "Move steps of disparity to the picture's edges");
+  options.flag("--features", arguments->features, "Move disparity steps to edges in the picture");
   options.number("--surface-weight", arguments->surface_weight, {0.001, 100.0},
-                 "Weight of a smooth surface; the picture has 0 to 1");
-  options.integer("--iterations", arguments->iterations, {0, 1000}, "Rounds of the refinement");
+                 "Weight of the smoothness; the picture has values 0 to 1");
+  options.integer("--iterations", arguments->iterations, {0, 1000}, "Iterations of the refinement");
 }
 
 }  // namespace palpable::cli

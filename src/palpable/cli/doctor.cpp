@@ -149,7 +149,7 @@ Result<Answer> examine(Console& /*console*/) {
 }  // namespace
 
 void add_doctor(Program& program) {
-  add_command(program, "doctor", "Say what this machine can do, and what to change for a better touch",
+  add_command(program, "doctor", "Say what this machine can do, and what to change to make the touch better",
               "  palpable doctor", examine);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/export_tactile.hpp"
+#include "palpable/cli/scene_argument.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
@@ -11,7 +12,6 @@
 #include "palpable/formats/mesh/stl.hpp"
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/formats/picture/picture.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
 #include "palpable/models/relief/relief_solid.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
@@ -287,7 +287,7 @@ Result<Answer> run_export(const Arguments& arguments, const Work& work) {
   const auto start = read_file_start(arguments.scene, 8);
   if (!start) return start.error();
   if (has_magic(*start, "PALPREC")) return run_export_recording(arguments);
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
   return std::visit([&](const auto& model) { return export_model(*model, scene, arguments, work); },
@@ -308,20 +308,20 @@ void add_export(Program& program) {
       "  palpable export house.palp -o house.vdb --grid 512    for Blender",
       [arguments](Console& console) { return run_export(*arguments, console.work()); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
-  options.required_text("-o,--output", arguments->output, "File to write; its ending chooses the format");
+  options.required_text("-o,--output", arguments->output, "File to write; its suffix selects the format");
   options.integer("--grid", arguments->grid, {2, 1024},
-                  "Of a field: places along its longest side in an .npz or .vdb");
+                  "Field: samples along its longest side in an .npz or .vdb");
   options.choice("--band", arguments->band, {"narrow", "full"},
-                 "Of a field in a .vdb: three voxels to each side of the surface, or the whole inside too");
+                 "Field in a .vdb: three voxels on each side of the surface, or also the whole inside");
   TactileArguments& tactile = arguments->tactile;
   options.number("--interval", tactile.interval_mm, {0.1, 100.0},
-                 "Of a relief: height from line to line in an .svg, mm");
+                 "Relief: difference of height between lines in an .svg, mm");
   options.number("--width", tactile.width_mm, {10.0, 1000.0},
-                 "Of contours: printed width of an .svg, mm; otherwise true size");
+                 "Contours: printed width of an .svg, mm; default true size");
   options.choice("--lines", arguments->lines, {"grooves", "raised"},
-                 "Of contours: how lines stand in an .stl or .glb");
-  options.integer("--braille-columns", tactile.braille_columns, {10, 100}, "Cells of a row in a .brf");
-  options.integer("--braille-rows", tactile.braille_rows, {5, 100}, "Rows of a page in a .brf");
+                 "Contours: lines as grooves or raised, in an .stl or .glb");
+  options.integer("--braille-columns", tactile.braille_columns, {10, 100}, "Cells in a row of a .brf");
+  options.integer("--braille-rows", tactile.braille_rows, {5, 100}, "Rows on a page of a .brf");
 }
 
 }  // namespace palpable::cli

@@ -25,8 +25,8 @@ draw::Figure picture_of(const vision::StereoPair& pair, const vision::FitToTouch
                         const Arguments& arguments, const std::string& sentence) {
   return draw::marks_figure(rgb8(pair.left), fit.trouble,
                             {{"seen by one camera only", {225, 120, 40}},
-                             {"no texture to go by", {60, 120, 215}},
-                             {"the pictures contradict each other", {200, 40, 120}}},
+                             {"no texture", {60, 120, 215}},
+                             {"the two matching directions disagree", {200, 40, 120}}},
                             {"Is this pair fit to touch?", names_of(arguments.stereo)}, sentence);
 }
 
@@ -70,13 +70,14 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
 
 void add_fit(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options = add_command(program, "fit", "Is this pair fit to touch? One sentence, and a picture",
-                                "  palpable fit left.jpg right.jpg\n"
-                                "  palpable fit left.jpg right.jpg -o fit.png",
-                                [arguments](Console& console) { return fit(*arguments, console); });
+  Options options = add_command(
+      program, "fit", "Whether a stereo pair gives a scene worth touching: one sentence, and a picture",
+      "  palpable fit left.jpg right.jpg\n"
+      "  palpable fit left.jpg right.jpg -o fit.png",
+      [arguments](Console& console) { return fit(*arguments, console); });
   add_pair_arguments(options, arguments->stereo);
   options.text("-o,--output", arguments->output, "Picture of where it will feel wrong (.png, .svg, .pdf)");
-  options.flag("--speak", arguments->speak, "Say the sentence aloud");
+  options.flag("--speak", arguments->speak, "Speak the sentence");
   add_stereo_options(options, arguments->stereo);
   add_parameter_options(options, arguments->stereo);
 }

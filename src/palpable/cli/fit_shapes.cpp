@@ -68,7 +68,7 @@ Result<Answer> run_fit_shapes(const Arguments& arguments, Console& console) {
 void add_fit_shapes(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options options =
-      add_command(program, "fit-shapes", "Find the superquadrics that a scene consists of",
+      add_command(program, "fit-shapes", "Fit superquadrics to a scene",
                   "  palpable fit-shapes depth.png -o shapes.json --calibration camera.json\n"
                   "  palpable fit-shapes depth.png -o shapes.json --labels things.png\n"
                   "  palpable fit-shapes left.png right.png -o shapes.json --calibration calib.txt\n"
@@ -77,12 +77,13 @@ void add_fit_shapes(Program& program) {
                   [arguments](Console& console) { return run_fit_shapes(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Primitives to write (.json), as make reads them");
   options.text("--labels", arguments->labels,
-               "8-bit grey picture of the depth map's shape: 0 is left out, each value is a thing");
+               "8-bit grey picture of the depth map's shape: 0 is left out, every other value is one object");
   options.number(
       "--tolerance", arguments->tolerance_mm, {0.0, 1000.0},
       "Mean distance of points to their shape that is good enough, mm; 0 = as the scene's size and "
       "noise say");
-  options.integer("--max-shapes", arguments->most_shapes, {1, 256}, "The largest of so many are kept");
+  options.integer("--max-shapes", arguments->most_shapes, {1, 256},
+                  "Greatest number of shapes; the largest are kept");
   add_make_options(options, arguments->make);
 }
 

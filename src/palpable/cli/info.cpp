@@ -1,13 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/cli/scene_argument.hpp"
+#include "palpable/describe/numbers.hpp"
 #include "palpable/formats/scene/superquadric_json.hpp"
 #include "palpable/haptics/law/laws.hpp"
-#include "palpable/sources/input/input.hpp"
 
-#include <filesystem>
-#include <span>
 #include <variant>
 
 #include <fmt/format.h>
@@ -42,17 +40,19 @@ Json json_of(const models::Material& material) {
 
 /// One line for a person; a texture after it where there is one.
 std::string words_of(const models::Material& material) {
-  std::string words = fmt::format("  material {}: {:g} N/m, {:g} N·s/m, friction {:g} (sliding {:g})",
-                                  material.name, material.stiffness_N_per_m, material.damping_Ns_per_m,
-                                  material.static_friction, material.dynamic_friction);
+  std::string words = fmt::format(
+      "  material {}: {} N/m, {} N·s/m, friction {} (sliding {})", material.name,
+      describe::figure(material.stiffness_N_per_m, 3), describe::figure(material.damping_Ns_per_m, 3),
+      describe::figure(material.static_friction, 3), describe::figure(material.dynamic_friction, 3));
   const auto& texture = material.texture;
   if (texture.kind == models::TouchTexture::Kind::picture)
-    words +=
-        fmt::format(", texture of a picture, {:g} mm wide", 1e3 * texture.pitch_m * models::kPictureForms);
+    words += fmt::format(", texture of a picture, {} wide",
+                         describe::length(texture.pitch_m * models::kPictureForms));
   else if (texture.kind != models::TouchTexture::Kind::none)
-    words += fmt::format(", texture {} every {:g} mm", models::name_of(texture.kind), 1e3 * texture.pitch_m);
+    words += fmt::format(", texture {} every {}", models::name_of(texture.kind),
+                         describe::length(texture.pitch_m));
   if (texture.kind != models::TouchTexture::Kind::none)
-    words += fmt::format(", {:g} um high", 1e6 * texture.height_m);
+    words += fmt::format(", {} um high", describe::figure(1e6 * texture.height_m));
   return words + "\n";
 }
 
@@ -118,8 +118,8 @@ void add_model(Answer& answer, const models::Field& field) {
   answer.json["measured_error_m"] = {{"p99", distance.errors().p99_m}, {"max", distance.errors().max_m}};
   add_primitives(answer, field.primitives);
   answer.text += fmt::format(
-      "  {} cells instead of {} x {} x {} of {:.3f} mm ({:.0f} MB dense)\n"
-      "  error bound {:.1f} um near the surface where it is smooth; measured there, edges and all: {:.1f} um "
+      "  {} cells; {} x {} x {} of {:.3f} mm if dense ({:.0f} MB)\n"
+      "  error bound {:.1f} um near smooth surfaces; measured near the surface, edges included: {:.1f} um "
       "(99 %), {:.1f} um at most\n",
       distance.leaves(), grid.cells(0), grid.cells(1), grid.cells(2), 1e3 * grid.cell_m, dense / 1e6,
       1e6 * distance.errors().bound_m, 1e6 * distance.errors().p99_m, 1e6 * distance.errors().max_m);
@@ -137,7 +137,7 @@ void add_model(Answer& answer, const models::FieldOnLattice& field) {
   add_primitives(answer, field.primitives);
   answer.text += fmt::format(
       "  {} at {} x {} x {} places every {:.3f} mm\n"
-      "  error measured near the surface, edges and all: {:.1f} um (99 %), {:.1f} um at most\n",
+      "  error measured near the surface, edges included: {:.1f} um (99 %), {:.1f} um at most\n",
       force ? "distance and force (16 bytes)" : "distance (4 bytes)", lattice.counts[0], lattice.counts[1],
       lattice.counts[2], 1e3 * lattice.spacing_m, 1e6 * errors.p99_m, 1e6 * errors.max_m);
 }
@@ -160,25 +160,13 @@ void add_model(Answer& answer, const models::Contours& contours) {
   answer.json["threshold"] = map.origin().threshold;
   answer.json["neighbourhood_px"] = map.radius_px();
   answer.text +=
-      fmt::format("  {} x {} pixels, {:.1f} % of them boundary (from strength {:.2f})\n", map.edges().width(),
+      fmt::format("  {} x {} pixels, {:.1f} % of them boundary (strength from {:.2f})\n", map.edges().width(),
                   map.edges().height(), 100.0 * map.origin().boundary_fraction, map.origin().threshold);
 }
 
-/// Of a file that is no scene, what it is: people ask this of what they have.
-Error not_a_scene(const std::string& path, Error reason) {
-  const std::filesystem::path file(path);
-  const auto input = sources::recognise_input(std::span(&file, 1));
-  if (!input || input->kind == sources::InputKind::scene) return reason;
-  return invalid_input(
-      fmt::format("is no scene but an input of the kind {}; palpable make {} -o SCENE.palp makes "
-                  "a scene of it",
-                  sources::name_of(input->kind), file.filename().string()),
-      path);
-}
-
 Result<Answer> info(const std::string& path) {
-  const auto file = formats::read_scene(path);
-  if (!file) return not_a_scene(path, file.error());
+  const auto file = read_scene_argument(path);
+  if (!file) return file.error();
   const models::Scene& scene = file->scene;
   const Vec3 size = models::size_m(scene);
   const std::size_t memory = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);
@@ -195,7 +183,9 @@ Result<Answer> info(const std::string& path) {
       {"source",
        {{"inputs", scene.source.inputs}, {"method", scene.source.method}, {"made_by", scene.source.made_by}}},
       {"materials", Json::array()},
-      {"laws", laws_of(scene)}};
+      {"laws", laws_of(scene)},
+      {"title", scene.title},
+      {"description", scene.description}};
   for (const models::Material& material : scene.materials)
     answer.json["materials"].push_back(json_of(material));
   answer.json["law_descriptions"] = Json::array();
@@ -203,6 +193,8 @@ Result<Answer> info(const std::string& path) {
     answer.json["law_descriptions"].push_back(json_of(haptics::description_of(law)));
   answer.text = fmt::format("{}: {}, {:.1f} x {:.1f} x {:.1f} mm\n", path, kind, 1000.0 * size.x,
                             1000.0 * size.y, 1000.0 * size.z);
+  if (!scene.title.empty()) answer.text += fmt::format("  title: {}\n", scene.title);
+  if (!scene.description.empty()) answer.text += fmt::format("  description: {}\n", scene.description);
   std::visit([&](const auto& model) { add_model(answer, *model); }, scene.model);
   answer.text += fmt::format("  {:.1f} MB in memory, {:.1f} MB on disk\n", static_cast<double>(memory) / 1e6,
                              static_cast<double>(file->file_bytes) / 1e6);

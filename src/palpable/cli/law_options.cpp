@@ -88,11 +88,19 @@ std::string help_of(const LawOption& option) {
   return help;
 }
 
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const LawDescription* law : haptics::all_laws()) names.emplace_back(law->name);
+  return names;
+}
+
 }  // namespace
 
 void add_law_options(Options& options, LawArguments& arguments) {
-  options.under("How the surface answers");
-  options.text("--law", arguments.law, "Force law (palpable info SCENE lists those of a scene)");
+  options.under("How the surface responds");
+  options.text(
+      "--law", arguments.law,
+      fmt::format("Force law: {}; palpable info SCENE lists those of a scene", fmt::join(all_names(), ", ")));
   const auto all = options_of_all_laws();
   arguments.numbers.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -106,7 +114,7 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, hap
   parameters.law = otherwise;
   if (!arguments.law.empty()) {
     const auto law = haptics::law_from(arguments.law);
-    if (!law) return Error{ErrorCode::usage, fmt::format("there is no law {}", arguments.law), "--law"};
+    if (!law) return Error{ErrorCode::usage, unknown_word(arguments.law, all_names()), "--law"};
     parameters.law = *law;
   }
   const LawDescription& description = haptics::description_of(parameters.law);
@@ -128,9 +136,9 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, con
   if (!arguments.law.empty() && std::find(names.begin(), names.end(), arguments.law) == names.end()) {
     const auto meant = suggestion(arguments.law, names);
     return Error{ErrorCode::usage,
-                 fmt::format("there is no law {} for a {}{}; there are {}", arguments.law,
-                             models::kind_of(scene.model), meant ? ", did you mean " + *meant + "?" : "",
-                             fmt::join(names, ", ")),
+                 fmt::format("'{}' is not a law of this scene, a {}: its laws are {}{}", arguments.law,
+                             models::kind_of(scene.model), fmt::join(names, ", "),
+                             meant ? fmt::format("; did you mean {}?", *meant) : ""),
                  "--law"};
   }
   return law_parameters(arguments, laws.empty() ? haptics::Law::proxy : laws.front());

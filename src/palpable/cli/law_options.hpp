@@ -17,7 +17,7 @@ struct LawNumber {
   std::optional<double> value;
 };
 
-/// How the surface answers, as given on the command line. Without a law: the scene's own default.
+/// How the surface responds, as given on the command line. Without a law: the scene's own default.
 struct LawArguments {
   std::string law;
   /// As typed: lengths in mm.

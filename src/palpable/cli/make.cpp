@@ -5,6 +5,8 @@
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/make_options.hpp"
 #include "palpable/cli/material_options.hpp"
+#include "palpable/cli/scene_argument.hpp"
+#include "palpable/cli/title_options.hpp"
 #include "palpable/draw/comparison_view.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/session/make/compare_details.hpp"
@@ -20,9 +22,9 @@ namespace {
 struct Arguments {
   MakeArguments make;
   MaterialArguments material;
+  TitleArguments title;
   std::string as_published;
   std::string output;
-  std::string as;
 };
 
 Json json_of(const session::ComparedDetail& compared) {
@@ -85,13 +87,12 @@ Result<Answer> make(Arguments arguments, Console& console) {
   if (*published) apply_published(**published, arguments.make);
   auto options = make_options(arguments.make);
   if (!options) return options.error();
-  if (*published) options->as = (*published)->as;
-  if (arguments.as == "relief") options->as = session::MakeAs::relief;
-  if (arguments.as == "contours") options->as = session::MakeAs::contours;
-  if (arguments.as == "field") options->as = session::MakeAs::field;
-  if (arguments.as == "grid") options->as = session::MakeAs::grid;
+  if (*published && arguments.make.as.empty()) options->as = (*published)->as;
   if (options->input.files.empty()) return Error{ErrorCode::usage, "make: INPUT is required", {}};
   if (arguments.make.detail == kCompareDetails) return compare(*options, arguments.output, console);
+  if (const auto named = check_scene_name(arguments.output); !named) return named.error();
+  const auto title = read_title(arguments.title);
+  if (!title) return title.error();
   const auto begin = std::chrono::steady_clock::now();
   auto made = session::make_scene(*options, console.work());
   if (!made) return made.error();
@@ -99,6 +100,7 @@ Result<Answer> make(Arguments arguments, Console& console) {
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
+  apply_title(*title, scene);
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
@@ -126,21 +128,13 @@ void add_make(Program& program) {
       "  palpable make scan.png -o scan.palp --as contours\n"
       "  palpable make depth.png -o cloth.palp --kind depth --material "
       "0:texture=ridges,pitch=2,friction=0.4\n"
-      "  palpable make house.obj -o house.palp --size 100x100x50",
+      "  palpable make house.obj -o house.palp --size 100x100x50 --title 'The town hall'",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
-  options.choice("--as", arguments->as, {"relief", "contours", "field", "grid"},
-                 "What it becomes; else contours of one picture, a field of a solid, a relief of all else");
   add_make_options(options, arguments->make);
   add_as_published(options, arguments->as_published);
-  options.under("What it is made of");
-  options.texts(
-      "--material", arguments->material.materials,
-      "LABEL:key=value,… with name, stiffness, damping, friction, sliding, texture "
-      "(none, grain, ridges, bumps, or a file: heights or a normal map), pitch or size, and height (mm), "
-      "angle (degrees); may be repeated");
-  options.text("--labels", arguments->material.labels,
-               "8-bit grey picture of the scene's shape: each value is a material's LABEL");
+  add_title_options(options, arguments->title);
+  add_material_options(options, arguments->material);
 }
 
 }  // namespace palpable::cli

@@ -16,6 +16,17 @@ namespace {
 
 constexpr const char* kMadeBy = "palpable " PALPABLE_VERSION;
 
+/// The kinds of input that a scene can be made from.
+const std::vector<std::string> kInputKinds{"picture",   "stereo", "depth",  "mesh",
+                                           "level-set", "points", "shapes", "scene"};
+
+session::MakeAs make_as_from(const std::string& word) {
+  if (word == "relief") return session::MakeAs::relief;
+  if (word == "contours") return session::MakeAs::contours;
+  if (word == "field") return session::MakeAs::field;
+  return word == "grid" ? session::MakeAs::grid : session::MakeAs::by_input;
+}
+
 sources::DepthSettings depth_settings(const MakeArguments& arguments) {
   sources::DepthSettings settings;
   settings.meaning = sources::depth_meaning_from(arguments.depth_as);
@@ -36,20 +47,23 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   constexpr Range kDepthUnits{-1e6, 1e6};
   options.arguments("INPUT", arguments.inputs, kMostInputs,
                     "A pair (left first), a depth map, a mesh, points, shapes, or a scene");
-  options.under("What is made of it");
+  options.under("How the scene is made");
+  options.choice("--as", arguments.as, {"relief", "contours", "field", "grid"},
+                 "Kind of scene; else contours of a picture, a field of a solid, a relief of all else");
   options.text("--kind", arguments.kind,
                "picture, stereo, depth, mesh, level-set, points, shapes or scene; else by content");
   options.text("--size", arguments.size,
-               "WxHxD in mm that bound the scene; else 100x100 and 15 high, and a mesh as it is");
+               "Largest size of the scene, WxHxD in mm; else 100x100 and 15 high, and a mesh as it is");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
                  "Metres for one step of a depth map; else as its sidecar or kind says");
   options.choice("--depth-as", arguments.depth_as, {"depth", "distance", "disparity", "nearness", "zbuffer"},
-                 "What the numbers of a depth map mean (docs/formats.md)");
-  options.number("--near-plane", arguments.near_plane, {1e-6, 1e6}, "Of the depth buffer, m");
-  options.number("--far-plane", arguments.far_plane, {1e-6, 1e9}, "Of the depth buffer, m; else infinite");
+                 "Meaning of the values of a depth map (docs/formats.md)");
+  options.number("--near-plane", arguments.near_plane, {1e-6, 1e6}, "Near plane of a depth buffer, m");
+  options.number("--far-plane", arguments.far_plane, {1e-6, 1e9},
+                 "Far plane of a depth buffer, m; else infinite");
   options.number("--near", arguments.near, kDepthUnits,
-                 "Nothing counts as nearer (m; px of disparity without calibration)");
-  options.number("--far", arguments.far, kDepthUnits, "Nothing counts as farther");
+                 "Nearer depths are moved to this one (m; px of disparity without calibration)");
+  options.number("--far", arguments.far, kDepthUnits, "Farther depths are moved to this one");
   options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
   std::vector<std::string> details;
   details.reserve(std::size(sculpt::kDetailOperators) + 1);
@@ -58,40 +72,37 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.choice("--detail", arguments.detail, details,
                  "How depth becomes height (docs/relief.md); compare = all side by side, as a picture");
   options.number("--compression", arguments.compression, {1.5, 100.0},
-                 "How many times higher the scene would be in its own proportions");
+                 "How many times higher the scene would be in true proportions");
   options.number("--smooth", arguments.smooth_mm, {0.0, 10.0},
-                 "Forms narrower than this are smoothed away, mm: your device's resolution");
+                 "Detail narrower than this is smoothed away, mm: the resolution of your device");
   options.choice("--resample", arguments.resample, {"none", "bilinear", "bicubic"},
                  "How a relief's depths get --samples samples, before they are mapped");
   options.integer("--samples", arguments.samples, {2, 4096}, "On the longer side; needs --resample");
   options.flag("--engrave", arguments.engrave, "Near parts go down instead of up");
-  options.text("--ground", arguments.ground,
-               "Of a pair or a depth map: keep, flatten or remove what things stand on");
+  options.text("--ground", arguments.ground, "Pair or depth map: keep, flatten or remove the ground");
   options.choice("--background", arguments.background, {"keep", "remove"},
-                 "Of a pair or a depth map: what stands behind its things");
+                 "Pair or depth map: what to do with the background");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
-                 "The picture on it; front = as from between a pair's cameras");
+                 "The picture on the relief; front = as seen from between the cameras of a pair");
   options.under("Fields and grids");
-  options.integer("--grid-points", arguments.grid_points, {8, 512},
-                  "Of a grid: points along its longest side");
+  options.integer("--grid-points", arguments.grid_points, {8, 512}, "Grid: points along the longest side");
   options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
-                 "Bound of the distance's error near the surface, mm; else 1/10000 of the longest side");
+                 "Greatest error of the distance near the surface, mm; else 1/10000 of the longest side");
   options.text("--poses", arguments.poses,
-               "Of several depth maps: where their cameras stood, CSV frame,qw,qx,qy,qz,tx,ty,tz");
-  options.flag("--dense", arguments.dense,
-               "Of a field: distances at every place of a lattice, to compare with");
+               "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz");
+  options.flag("--dense", arguments.dense, "Field: distances at every point of a lattice, for comparison");
   options.flag("--paper", arguments.paper,
-               "Of a field: dense, by fast marching, distance and force stored (Moustakas 2007)");
+               "Field: dense, by fast marching, with stored forces (Moustakas 2007)");
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
   options.choice("--quality", arguments.quality, {"live", "best"},
-                 "Of contours: best takes seconds and sees through speckle and grain");
+                 "best takes seconds and ignores speckle and grain");
   options.number("--threshold", arguments.threshold, {0.0, 1.0},
-                 "Strength that is boundary; else by Otsu's method");
+                 "Least strength of a boundary; else by Otsu's method");
   options.number("--neighbourhood", arguments.neighbourhood_px, {1.0, 32.0},
-                 "Radius that directions are averaged over, px");
+                 "Radius over which directions are averaged, px");
   options.number("--groove", arguments.groove_mm, {0.5, 20.0}, "Width of the grooves of the law groove, mm");
   add_stereo_options(options, arguments.stereo);
 }
@@ -126,9 +137,7 @@ Result<session::InputOptions> input_options(const MakeArguments& arguments) {
   input.moved_m = moved_m_of(arguments.stereo);
   if (arguments.kind.empty()) return input;
   input.kind = sources::input_kind_from(arguments.kind);
-  if (!input.kind)
-    return Error{ErrorCode::usage, fmt::format("there is no kind of input called {}", arguments.kind),
-                 "--kind"};
+  if (!input.kind) return Error{ErrorCode::usage, unknown_word(arguments.kind, kInputKinds), "--kind"};
   return input;
 }
 
@@ -160,8 +169,8 @@ Result<recipes::ReliefRecipe> relief_recipe(const MakeArguments& arguments) {
   if (arguments.ground.empty()) return recipe;
   const auto ground = vision::ground_treatment_from(arguments.ground);
   if (!ground)
-    return Error{ErrorCode::usage, fmt::format("'{}' is none of keep, flatten, remove", arguments.ground),
-                 "--ground"};
+    return Error{ErrorCode::usage,
+                 unknown_word(arguments.ground, std::vector<std::string>{"keep", "flatten", "remove"}), "--ground"};
   recipe.ground = *ground;
   return recipe;
 }
@@ -206,6 +215,7 @@ Result<void> set_size(const std::string& text, session::Recipes& recipes) {
 Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   session::MakeOptions options;
   options.made_by = kMadeBy;
+  options.as = make_as_from(arguments.as);
   auto input = input_options(arguments);
   if (!input) return input.error();
   options.input = *std::move(input);
@@ -220,20 +230,6 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);
   if (const auto sized = set_size(arguments.size, options.recipes); !sized) return sized.error();
   return options;
-}
-
-Result<MakeArguments> with_sample(MakeArguments arguments) {
-  std::error_code ignored;
-  const auto beside =
-      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../share/palpable/samples";
-  for (const std::filesystem::path& folder : {beside, std::filesystem::path(PALPABLE_SAMPLES)}) {
-    if (!std::filesystem::exists(folder / "sculpture_left.png", ignored)) continue;
-    arguments.inputs = {(folder / "sculpture_left.png").string(), (folder / "sculpture_right.png").string()};
-    const std::filesystem::path calibration = folder / "sculpture_calib.txt";
-    if (std::filesystem::exists(calibration, ignored)) arguments.stereo.calibration = calibration.string();
-    return arguments;
-  }
-  return Error{ErrorCode::failed, "the sample that comes with palpable is not installed", PALPABLE_SAMPLES};
 }
 
 }  // namespace palpable::cli

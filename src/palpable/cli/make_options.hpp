@@ -19,6 +19,8 @@ inline constexpr const char* kCompareDetails = "compare";
 struct MakeArguments {
   std::vector<std::string> inputs;
   std::string kind, size;
+  /// "relief", "contours", "field", "grid"; empty: by the input.
+  std::string as;
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
   std::string depth_as;
@@ -55,10 +57,5 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments);
 
 /// "WxHxD" in millimetres as metres; each 1 to 1000 mm. Errors: usage.
 Result<Vec3> size_from(const std::string& text);
-
-/// The arguments with the sample that comes with the program for their input: its left and right picture and
-/// its calibration. Looked for beside an installed program, then where it was built. Errors: failed, where it
-/// is not there.
-Result<MakeArguments> with_sample(MakeArguments arguments);
 
 }  // namespace palpable::cli

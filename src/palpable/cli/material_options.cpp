@@ -38,11 +38,7 @@ struct Property {
 constexpr Property kProperties[]{
     {"stiffness", 1e-6, 1e6, [](models::Material& m, double v) { m.stiffness_N_per_m = v; }},
     {"damping", 0.0, 1e4, [](models::Material& m, double v) { m.damping_Ns_per_m = v; }},
-    {"friction", 0.0, 10.0,
-     [](models::Material& m, double v) {
-       m.static_friction = v;
-       m.dynamic_friction = std::min(m.dynamic_friction, v);
-     }},
+    {"friction", 0.0, 10.0, [](models::Material& m, double v) { m.static_friction = v; }},
     {"sliding", 0.0, 10.0, [](models::Material& m, double v) { m.dynamic_friction = v; }},
     {"pitch", 0.1, 20.0, [](models::Material& m, double v) { m.texture.pitch_m = 1e-3 * v; }},
     {"size", 0.1 * models::kPictureForms, 20.0 * models::kPictureForms,
@@ -50,6 +46,12 @@ constexpr Property kProperties[]{
     {"height", 0.0, 1.0, [](models::Material& m, double v) { m.texture.height_m = 1e-3 * v; }},
     {"angle", -360.0, 360.0,
      [](models::Material& m, double v) { m.texture.angle_rad = v / 180.0 * std::numbers::pi; }}};
+
+std::string property_names() {
+  std::string names;
+  for (const Property& p : kProperties) names += fmt::format(", {}", p.key);
+  return names;
+}
 
 /// One of the textures by name, or a picture's file.
 Result<void> apply_texture(std::string_view value, models::TouchTexture& texture) {
@@ -61,7 +63,7 @@ Result<void> apply_texture(std::string_view value, models::TouchTexture& texture
   const std::string file(value);
   if (file.find('.') == std::string::npos)
     return usage(fmt::format(
-        "there is no texture {}; there are none, grain, ridges, bumps, or a picture's file name", value));
+        "'{}' is not a texture: give none, grain, ridges, bumps or the file name of a picture", value));
   const auto picture = sources::read_picture(file);
   if (!picture) return picture.error();
   auto tile = sculpt::texture_tile(*picture);
@@ -73,7 +75,7 @@ Result<void> apply_texture(std::string_view value, models::TouchTexture& texture
 
 Result<void> apply_pair(std::string_view pair, models::Material& material) {
   const auto equals = pair.find('=');
-  if (equals == std::string_view::npos) return usage(fmt::format("{} is no key=value", pair));
+  if (equals == std::string_view::npos) return usage(fmt::format("'{}' is not key=value", pair));
   const std::string_view key = pair.substr(0, equals);
   const std::string_view value = pair.substr(equals + 1);
   if (key == "name") {
@@ -83,7 +85,8 @@ Result<void> apply_pair(std::string_view pair, models::Material& material) {
   if (key == "texture") return apply_texture(value, material.texture);
   const auto* property = std::find_if(std::begin(kProperties), std::end(kProperties),
                                       [key](const Property& p) { return p.key == key; });
-  if (property == std::end(kProperties)) return usage(fmt::format("a material has no {}", key));
+  if (property == std::end(kProperties))
+    return usage(fmt::format("a material has no '{}': its keys are name, texture{}", key, property_names()));
   const auto number = number_from(value);
   if (!number || *number < property->least || *number > property->most)
     return usage(fmt::format("{} must be {:g} to {:g}", key, property->least, property->most));
@@ -99,12 +102,20 @@ Result<void> apply_material(std::string_view text, models::Scene& scene) {
   const auto index = static_cast<std::size_t>(*label);
   if (scene.materials.size() <= index)
     scene.materials.resize(index + 1, models::Material(scene.materials.front()));
+  models::Material& material = scene.materials[index];
+  bool sets_static = false, sets_dynamic = false;
   std::string_view rest = text.substr(colon + 1);
   while (!rest.empty()) {
     const auto comma = rest.find(',');
-    if (auto applied = apply_pair(rest.substr(0, comma), scene.materials[index]); !applied) return applied;
+    const std::string_view pair = rest.substr(0, comma);
+    if (auto applied = apply_pair(pair, material); !applied) return applied;
+    sets_static = sets_static || pair.starts_with("friction=");
+    sets_dynamic = sets_dynamic || pair.starts_with("sliding=");
     rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
   }
+  if (sets_static && !sets_dynamic)
+    material.dynamic_friction = models::kDynamicOfStatic * material.static_friction;
+  material.dynamic_friction = std::min(material.dynamic_friction, material.static_friction);
   return {};
 }
 
@@ -133,6 +144,17 @@ Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::
 }
 
 }  // namespace
+
+void add_material_options(Options& options, MaterialArguments& arguments) {
+  options.under("Materials");
+  options.texts(
+      "--material", arguments.materials,
+      "LABEL:key=value,… with name, stiffness, damping, friction, sliding, texture "
+      "(none, grain, ridges, bumps, or a file: heights or a normal map), pitch or size, and height (mm), "
+      "angle (degrees); may be repeated");
+  options.text("--labels", arguments.labels,
+               "8-bit grey picture of the scene's shape: each value is a material's LABEL");
+}
 
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene) {
   for (const std::string& text : arguments.materials)

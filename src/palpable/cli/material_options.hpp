@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/cli/options.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/models/scene/scene.hpp"
 
@@ -18,11 +19,14 @@ struct MaterialArguments {
   std::string labels;
 };
 
+/// Adds --material and --labels. `arguments` must outlive the parsing.
+void add_material_options(Options& options, MaterialArguments& arguments);
+
 /// Gives `scene` the materials and label picture. Each text is LABEL (0 … 255), a colon and pairs of
-/// name=TEXT, stiffness=N/m, damping=N·s/m, friction=MU, sliding=MU, texture=none|grain|ridges|bumps,
-/// pitch=MM, height=MM, angle=DEGREES; what is not given stays. Labels between take the first material's
-/// values. Errors: usage for a text that is wrong; invalid_input for a picture of another shape or with
-/// labels without a material.
+/// name=TEXT, stiffness=N/m, damping=N·s/m, friction=MU, sliding=MU (5/6 of friction unless given),
+/// texture=none|grain|ridges|bumps, pitch=MM, height=MM, angle=DEGREES; what is not given stays. Labels
+/// between take the first material's values. Errors: usage for a text that is wrong; invalid_input for a
+/// picture of another shape or with labels without a material.
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene);
 
 }  // namespace palpable::cli

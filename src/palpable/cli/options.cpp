@@ -2,9 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/options.hpp"
 
+#include "palpable/cli/suggest.hpp"
+
+#include <charconv>
+#include <type_traits>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace palpable::cli {
+namespace {
+
+/// Errors that list what is allowed, in place of CLI11's own.
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return {[words](std::string& typed) { return unknown_word(typed, words); },
+          fmt::format("{{{}}}", fmt::join(words, ","))};
+}
+
+template <class Number>
+CLI::Validator within(Range range) {
+  const char* const what = std::is_integral_v<Number> ? "a whole number" : "a number";
+  return {[range, what](std::string& typed) -> std::string {
+            Number value{};
+            const char* const end = typed.data() + typed.size();
+            const auto [stop, fault] = std::from_chars(typed.data(), end, value);
+            if (fault == std::errc{} && stop == end && value >= range.least && value <= range.most) return {};
+            return fmt::format("'{}' is not {} from {} to {}", typed, what, range.least, range.most);
+          },
+          fmt::format("[{} to {}]", range.least, range.most)};
+}
+
+}  // namespace
 
 void Options::argument(const std::string& name, std::string& value, const std::string& help) {
   app_.add_option(name, value, help)->required();
@@ -12,6 +40,11 @@ void Options::argument(const std::string& name, std::string& value, const std::s
 
 void Options::optional_argument(const std::string& name, std::string& value, const std::string& help) {
   app_.add_option(name, value, help);
+}
+
+void Options::optional_arguments(const std::string& name, std::vector<std::string>& values, int most,
+                                 const std::string& help) {
+  app_.add_option(name, values, help)->expected(0, most);
 }
 
 void Options::arguments(const std::string& name, std::vector<std::string>& values, int most,
@@ -37,14 +70,11 @@ void Options::required_text(const std::string& name, std::string& value, const s
 
 void Options::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
                      const std::string& help) {
-  app_.add_option(name, value, help)->group(heading_)->check(CLI::IsMember(words))->capture_default_str();
+  app_.add_option(name, value, help)->group(heading_)->check(one_of(words))->capture_default_str();
 }
 
 void Options::number(const std::string& name, double& value, Range range, const std::string& help) {
-  app_.add_option(name, value, help)
-      ->group(heading_)
-      ->check(CLI::Range(range.least, range.most))
-      ->capture_default_str();
+  app_.add_option(name, value, help)->group(heading_)->check(within<double>(range))->capture_default_str();
 }
 
 void Options::number(const std::string& name, std::optional<double>& value, Range range,
@@ -52,13 +82,11 @@ void Options::number(const std::string& name, std::optional<double>& value, Rang
   app_.add_option_function<double>(
           name, [&value](double given) { value = given; }, help)
       ->group(heading_)
-      ->check(CLI::Range(range.least, range.most));
+      ->check(within<double>(range));
 }
 
 void Options::integer(const std::string& name, int& value, Range range, const std::string& help) {
-  app_.add_option(name, value, help)
-      ->group(heading_)
-      ->check(CLI::Range(static_cast<int>(range.least), static_cast<int>(range.most)));
+  app_.add_option(name, value, help)->group(heading_)->check(within<int>(range));
 }
 
 }  // namespace palpable::cli

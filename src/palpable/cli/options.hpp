@@ -30,8 +30,10 @@ class Options {
 
   /// A word without a name, required; and several of them.
   void argument(const std::string& name, std::string& value, const std::string& help);
-  /// A word without a name that may be left out; stands behind the required ones.
+  /// Words without a name that may be left out; they come after the required ones.
   void optional_argument(const std::string& name, std::string& value, const std::string& help);
+  void optional_arguments(const std::string& name, std::vector<std::string>& values, int most,
+                          const std::string& help);
   void arguments(const std::string& name, std::vector<std::string>& values, int most,
                  const std::string& help);
 

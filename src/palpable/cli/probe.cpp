@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
+#include "palpable/cli/scene_argument.hpp"
 #include "palpable/cli/tool_options.hpp"
 #include "palpable/cli/view_options.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
+#include "palpable/describe/numbers.hpp"
 
 #include <algorithm>
 #include <set>
@@ -81,7 +82,7 @@ void append_row(std::string& csv, const ToolPath& path, const Arguments& argumen
 }
 
 Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
   const auto tool = tool_from(arguments.tool);
@@ -126,11 +127,12 @@ Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
                  {"places", tool->size()},
                  {"max_torque_Nm", strongest_Nm},
                  {"output", arguments.output}};
-  const std::string extent =
-      has_extent(arguments) ? fmt::format(" and {:.3g} mN·m", 1000.0 * strongest_Nm) : std::string();
-  answer.text = fmt::format("{} samples with {}, {:.1f} % in contact, at most {:.3g} N{}: {}\n", samples,
-                            haptics::name_of(parameters->law), 100.0 * contact_fraction, strongest_N, extent,
-                            arguments.output);
+  const std::string extent = has_extent(arguments)
+                                 ? fmt::format(" and {} mN·m", describe::figure(1000.0 * strongest_Nm, 3))
+                                 : std::string();
+  answer.text = fmt::format("{} samples with {}, {:.1f} % in contact, at most {} N{}: {}\n", samples,
+                            haptics::name_of(parameters->law), 100.0 * contact_fraction,
+                            describe::figure(strongest_N, 3), extent, arguments.output);
   return answer;
 }
 
@@ -148,10 +150,9 @@ void add_probe(Program& program) {
       "torque",
       [arguments](Console& console) { return probe(*arguments, console); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
-  options.required_text(
-      "--path", arguments->path,
-      "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres), and, where wanted, probe "
-      "(0 to 63) and qw,qx,qy,qz");
+  options.required_text("--path", arguments->path,
+                        "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres), and optionally probe "
+                        "(0 to 63) and qw,qx,qy,qz");
   options.required_text("-o,--output", arguments->output, "CSV to write");
   add_tool_option(options, arguments->tool);
   add_view_options(options, arguments->view);

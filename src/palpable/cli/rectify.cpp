@@ -83,7 +83,7 @@ Result<vision::RectifiedPlane> rectified_by_corners(const Arguments& arguments, 
 
 Result<Answer> rectify(const Arguments& arguments, Console& console) {
   if (std::filesystem::path(arguments.output).extension() != ".png")
-    return Error{ErrorCode::usage, "the straightened picture is written as .png", arguments.output};
+    return Error{ErrorCode::usage, "the rectified picture is written as .png", arguments.output};
   if (!arguments.corners.empty() && !(arguments.lines.empty() && arguments.orthogonal.empty()))
     return Error{ErrorCode::usage, "give the corners or the lines, not both", "--corners"};
   const auto picture = sources::read_picture(arguments.picture);
@@ -117,7 +117,7 @@ Result<Answer> rectify(const Arguments& arguments, Console& console) {
 void add_rectify(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options options = add_command(
-      program, "rectify", "Straighten a photographed map or painting, as seen from straight above",
+      program, "rectify", "Rectify a photographed map or painting, as seen from straight above",
       "  palpable rectify photo.jpg -o map.png\n"
       "  palpable rectify photo.jpg -o map.png --corners '120,80 900,60 980,700 60,720' --aspect 4:3\n"
       "  palpable rectify photo.jpg -o map.png --lines '0,10,600,30 0,400,600,380 10,0,60,400 500,0,480,400'",
@@ -125,7 +125,7 @@ void add_rectify(Program& program) {
   options.argument("PICTURE", arguments->picture, "A picture of something flat");
   options.required_text("-o,--output", arguments->output, "Picture to write (.png)");
   options.text("--corners", arguments->corners,
-               "Of a rectangle on it: four x,y in pixels, from the upper left clockwise");
+               "Corners of a rectangle on it: four x,y in pixels, from the upper left clockwise");
   options.text("--aspect", arguments->aspect, "That rectangle's WIDTH:HEIGHT; else from the perspective");
   options.text("--lines", arguments->lines,
                "Four lines x1,y1,x2,y2: two that are parallel on it, and two across; else found");

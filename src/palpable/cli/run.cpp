@@ -29,10 +29,10 @@ void add_common(CLI::App& app, CommonOptions& common) {
   const std::string group = "Every command";
   app.add_flag("--json", common.json, "One JSON object on standard output")->group(group);
   app.add_flag("--quiet", common.quiet, "No notes and no progress")->group(group);
-  app.add_option("--threads", common.threads, "Threads to use; 0 = as many as the machine has")
+  app.add_option("--threads", common.threads, "Number of threads; 0 = one per processor")
       ->check(CLI::Range(0U, 256U))
       ->group(group);
-  app.add_option("--seed", common.seed, "Where chance is used: the same seed gives the same result")
+  app.add_option("--seed", common.seed, "Seed of the random numbers: the same seed gives the same result")
       ->group(group);
 }
 
@@ -57,10 +57,18 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-std::string with_suggestion(std::string sentence, const std::string& typed,
-                            const std::vector<std::string>& known) {
-  if (const auto meant = suggestion(typed, known)) sentence += fmt::format(": did you mean {}?", *meant);
-  return sentence;
+std::string unknown_option(const std::string& typed, const CLI::App& command) {
+  const auto meant = suggestion(typed.substr(0, typed.find('=')), option_names(command));
+  return fmt::format("{} has no option {}{}", command.get_name(), typed,
+                     meant ? fmt::format(": did you mean {}?", *meant)
+                           : fmt::format(": palpable help {} lists its options", command.get_name()));
+}
+
+std::string unknown_command(const std::string& typed, const std::vector<std::string>& known) {
+  const std::string sentence = fmt::format("there is no command {}", typed);
+  if (const auto meant = suggestion(typed, known))
+    return fmt::format("{}: did you mean {}?", sentence, *meant);
+  return fmt::format("{}: palpable help lists them", sentence);
 }
 
 /// The innermost command that the arguments named.
@@ -75,13 +83,9 @@ Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
   const auto extras = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&complaint) != nullptr && !extras.empty()) {
     const std::string& typed = extras.front();
-    if (typed.starts_with("-"))
-      return usage(with_suggestion(fmt::format("unknown option {}", typed), typed.substr(0, typed.find('=')),
-                                   option_names(command)));
+    if (typed.starts_with("-")) return usage(unknown_option(typed, command));
     const auto below = command_names(command);
-    if (!below.empty())
-      return usage(with_suggestion(fmt::format("there is no command {}", typed), typed, below) +
-                   (suggestion(typed, below) ? "" : "; --help lists them"));
+    if (!below.empty()) return usage(unknown_command(typed, below));
     return usage(fmt::format("{} takes no argument {}", command.get_name(), typed));
   }
   std::string sentence = complaint.what();
@@ -114,7 +118,7 @@ void describe(Program& program) {
   app.set_version_flag("--version", std::string("palpable ") + PALPABLE_VERSION);
   app.require_subcommand(0, 1);
   app.footer(
-      "palpable COMMAND --help tells more, with examples.\n"
+      "palpable help COMMAND explains a command, with examples.\n"
       "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 unreadable or invalid input, 4 device, 130 "
       "interrupted.");
   add_common(app, program.common);
@@ -141,6 +145,7 @@ void describe(Program& program) {
   add_devices(program);
   add_methods(program);
   add_doctor(program);
+  add_help(program);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -156,12 +161,31 @@ int parse_and_run(int argc, char** argv) {
     return report(explained(program.app, complaint));
   }
   if (!program.action) return finish(Answer{{}, program.app.help()}, {});
-  Console console(program.common);
   catch_interrupts();
-  return finish(program.action(console), program.common);
+  auto answer = [&program] {
+    // Its end removes what progress it shows.
+    Console console(program.common);
+    return program.action(console);
+  }();
+  return finish(answer, program.common);
 }
 
 }  // namespace
+
+Result<std::string> help_text(const Program& program, const std::vector<std::string>& words) {
+  const CLI::App* app = &program.app;
+  // Its own help, although the arguments named `help`.
+  if (words.empty()) return app->get_formatter()->make_help(app, app->get_name(), CLI::AppFormatMode::Normal);
+  std::string before;
+  for (const std::string& word : words) {
+    const auto below = command_names(*app);
+    if (std::find(below.begin(), below.end(), word) == below.end())
+      return usage(unknown_command(word, below));
+    before += (before.empty() ? "" : " ") + app->get_name();
+    app = app->get_subcommand(word);
+  }
+  return app->help(before);
+}
 
 Options add_command(Program& program, const std::string& name, const std::string& description,
                     const std::string& examples, Action action) {
@@ -180,7 +204,7 @@ int run(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return report({ErrorCode::failed, "there is not enough memory for this", {}});
   } catch (const std::exception& exception) {
-    return report({ErrorCode::failed, fmt::format("this is a bug of ours: {}", exception.what()), {}});
+    return report({ErrorCode::failed, fmt::format("this is a bug in palpable: {}", exception.what()), {}});
   }
 }
 

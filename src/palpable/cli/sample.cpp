@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/path_file.hpp"
+#include "palpable/cli/scene_argument.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/number_table.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/relief/relief_distance.hpp"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ std::string csv_of(const models::Scene& scene, const NumberTable& points, const 
 }
 
 Result<Answer> sample(const Arguments& arguments, Console& console) {
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
   constexpr std::array<std::string_view, 3> kColumns{"x_m", "y_m", "z_m"};
@@ -112,10 +112,9 @@ Result<Answer> sample(const Arguments& arguments, Console& console) {
 
 void add_sample(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options =
-      add_command(program, "sample", "Ask the model itself: distance, normal and material at points",
-                  "  palpable sample aloe.palp --points points.csv -o values.csv",
-                  [arguments](Console& console) { return sample(*arguments, console); });
+  Options options = add_command(program, "sample", "Distance, normal and material of a model at points",
+                                "  palpable sample aloe.palp --points points.csv -o values.csv",
+                                [arguments](Console& console) { return sample(*arguments, console); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("--points", arguments->points,
                         "CSV with the columns x_m,y_m,z_m (scene frame, metres)");

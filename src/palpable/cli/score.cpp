@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/disparity_file.hpp"
+#include "palpable/cli/scene_argument.hpp"
 #include "palpable/cli/score_json.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/measure/relief_score.hpp"
 #include "palpable/sources/depth/depth_file.hpp"
 
@@ -30,7 +30,7 @@ Answer answer_of(const DisparityScores& scores) {
   answer.json = json_of(scores);
   answer.text = fmt::format(
       "{} pixels scored, {:.1f} % of them known\nbad: {}\nRMS {:.3f} px, {:.2f} % of the truth's range\n"
-      "as a relief of 100 mm, 15 mm high: normals off by {:.2f}°, {:.3f} steps in a cm that are not there\n",
+      "as a relief of 100 mm, 15 mm high: normals off by {:.2f}°, {:.3f} false steps per cm\n",
       score.pixels, 100.0 * score.coverage, shares, score.rms_px, score.rms_percent_of_range,
       scores.touch.normal_error_deg, scores.touch.spurious_steps_per_cm);
   return answer;
@@ -67,10 +67,11 @@ Result<Raster<float>> read_nearness(const ReliefArguments& arguments) {
 }
 
 Result<Answer> score_relief(const ReliefArguments& arguments) {
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&file->scene.model);
-  if (relief == nullptr) return Error{ErrorCode::invalid_input, "this scene is no relief", arguments.scene};
+  if (relief == nullptr)
+    return Error{ErrorCode::invalid_input, "this scene is not a relief", arguments.scene};
   const auto truth = read_nearness(arguments);
   if (!truth) return truth.error();
   measure::ReliefScoreOptions options;
@@ -97,11 +98,11 @@ Result<Answer> score_relief(const ReliefArguments& arguments) {
 
 void add_score_relief(Program& program) {
   const auto arguments = std::make_shared<ReliefArguments>();
-  Options options =
-      add_command_below(program, "score", "relief", "What a hand would miss on a relief (docs/relief.md)",
-                        "  palpable score relief room.palp depth.png\n"
-                        "  palpable score relief cones.palp groundtruth.png --truth disparity",
-                        [arguments](Console& /*console*/) { return score_relief(*arguments); });
+  Options options = add_command_below(program, "score", "relief",
+                                      "Errors of a relief that a hand would feel (docs/relief.md)",
+                                      "  palpable score relief room.palp depth.png\n"
+                                      "  palpable score relief cones.palp groundtruth.png --truth disparity",
+                                      [arguments](Console& /*console*/) { return score_relief(*arguments); });
   options.argument("RESULT", arguments->scene, "A .palp scene with a relief");
   options.argument("TRUTH", arguments->truth, "The depth or disparity of the same size");
   options.choice("--truth", arguments->kind, {"depth", "disparity"}, "What the truth's values are");

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/disparity_file.hpp"
+#include "palpable/cli/scene_argument.hpp"
 #include "palpable/formats/packing/npz.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/measure/boundary_score.hpp"
 #include "palpable/measure/orientation_score.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
@@ -22,7 +22,7 @@ bool is_npz(const std::string& file) { return std::filesystem::path(file).extens
 bool is_scene(const std::string& file) { return std::filesystem::path(file).extension() == ".palp"; }
 
 Result<models::BoundaryMap> read_boundaries(const std::string& file) {
-  auto read = formats::read_scene(file);
+  auto read = read_scene_argument(file);
   if (!read) return read.error();
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&read->scene.model);
   if (contours == nullptr) return Error{ErrorCode::invalid_input, "this scene has no contours", file};
@@ -32,7 +32,7 @@ Result<models::BoundaryMap> read_boundaries(const std::string& file) {
 Result<Raster<float>> member(const formats::Npz& arrays, const std::string& name, const std::string& file) {
   const auto found = arrays.find(name);
   if (found == arrays.end())
-    return Error{ErrorCode::invalid_input, fmt::format("there is no array {} in it", name), file};
+    return Error{ErrorCode::invalid_input, fmt::format("has no array {}", name), file};
   auto raster = formats::raster_of(found->second);
   if (!raster) return Error{raster.error().code, raster.error().message, file};
   return raster;
@@ -151,14 +151,14 @@ Result<Answer> score_orientation(const OrientationArguments& arguments) {
 void add_score_orientation(Program& program) {
   const auto arguments = std::make_shared<OrientationArguments>();
   Options options = add_command_below(
-      program, "score", "orientation", "How far the directions of contours are from true ones",
+      program, "score", "orientation", "Angle between the directions of contours and the true ones",
       "  palpable score orientation edge.palp truth.npz",
       [arguments](Console& /*console*/) { return score_orientation(*arguments); });
   options.argument("RESULT", arguments->result, "A .palp scene of contours, or .npz as export writes it");
-  options.argument("TRUTH", arguments->truth, "The same; counts where its tangent is not zero");
+  options.argument("TRUTH", arguments->truth, "The same; pixels whose tangent is not zero count");
   options.number("--least-strength", arguments->least_strength, {0.0, 1.0},
                  "Share of the greatest strength from which a pixel counts");
-  options.integer("--margin", arguments->margin_px, {0.0, 10000.0}, "Pixels at the border left out");
+  options.integer("--margin", arguments->margin_px, {0.0, 10000.0}, "Pixels at the border that are left out");
 }
 
 }  // namespace
@@ -174,11 +174,12 @@ void add_score_contours(Program& program) {
   constexpr int kMostTruths = 64;
   options.argument("RESULT", arguments->result,
                    "A .palp scene of contours, .npz as export writes it, or a picture of lines");
-  options.arguments("TRUTH", arguments->truths, kMostTruths, "One picture a person, of the same size");
-  options.choice("--truth", arguments->truth_is, {"labels", "lines"},
-                 "What is drawn: regions whose borders count (a mask is two), or the lines themselves");
+  options.arguments("TRUTH", arguments->truths, kMostTruths, "One picture per person, of the same size");
+  options.choice(
+      "--truth", arguments->truth_is, {"labels", "lines"},
+      "What the truth shows: regions whose borders count (a mask has two), or the lines themselves");
   options.number("--tolerance", arguments->tolerance_percent, {0.01, 10.0},
-                 "Within which a pixel counts as found, percent of the diagonal");
+                 "Distance within which a pixel counts as found, percent of the diagonal");
 }
 
 }  // namespace palpable::cli

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
+#include "palpable/cli/scene_argument.hpp"
+#include "palpable/describe/numbers.hpp"
 #include "palpable/draw/contours_view.hpp"
 #include "palpable/draw/field_view.hpp"
 #include "palpable/draw/force_view.hpp"
@@ -9,7 +11,6 @@
 #include "palpable/draw/marks_view.hpp"
 #include "palpable/draw/section_view.hpp"
 #include "palpable/draw/solid_view.hpp"
-#include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 
 #include <array>
@@ -30,19 +31,28 @@ struct Arguments {
   bool picture = false;
 };
 
+/// "made from A.png and B.png"; of many files the first; empty where the scene does not know.
+std::string origin_of(const models::Scene& scene) {
+  constexpr std::size_t kMostNamed = 3;
+  std::vector<std::string> files;
+  for (const std::string& input : scene.source.inputs)
+    files.push_back(std::filesystem::path(input).filename().string());
+  if (files.empty()) return {};
+  if (files.size() > kMostNamed)
+    return fmt::format(", made from {} and {} more files", files.front(), files.size() - 1);
+  return ", made from " + describe::listed(files);
+}
+
 draw::Heading heading_of(const Arguments& arguments, const models::Scene& scene, const std::string& what) {
   const Vec3 size = models::size_m(scene);
-  std::string from;
-  constexpr std::size_t kMostNamed = 3;
-  const auto& inputs = scene.source.inputs;
-  if (inputs.size() > kMostNamed)
-    from = fmt::format(", made from {} files, {} the first", inputs.size(),
-                       std::filesystem::path(inputs.front()).filename().string());
-  for (const std::string& input : inputs.size() > kMostNamed ? std::vector<std::string>{} : inputs)
-    from += (from.empty() ? ", made from " : " and ") + std::filesystem::path(input).filename().string();
-  return {fmt::format("{}: {}", std::filesystem::path(arguments.scene).stem().string(), what),
-          fmt::format("{:.0f} × {:.0f} mm, {:.1f} mm high{}", 1000.0 * size.x, 1000.0 * size.y,
-                      1000.0 * size.z, from)};
+  // Contours lie in a plane.
+  const std::string height =
+      size.z > 0.0 ? fmt::format(", {} high", describe::length(size.z)) : std::string();
+  const std::string name =
+      scene.title.empty() ? std::filesystem::path(arguments.scene).stem().string() : scene.title;
+  return {fmt::format("{}: {}", name, what),
+          fmt::format("{} × {} mm{}{}", describe::figure(1000.0 * size.x, 3),
+                      describe::figure(1000.0 * size.y, 3), height, origin_of(scene))};
 }
 
 /// What a hand feels that rests on the surface at each place of a grid, pressed in by half a millimetre where
@@ -72,7 +82,9 @@ Result<draw::Figure> force_picture(const Arguments& arguments, const models::Sce
                                    const models::Relief& relief) {
   constexpr double kArrowsAcross = 28.0;
   LawArguments chosen = arguments.law;
-  if (chosen.law.empty()) chosen.law = "rolling";
+  // The law that a touch begins with, but for tracing, which gives no force to a hand at rest.
+  for (const haptics::Law law : haptics::laws_for(scene))
+    if (chosen.law.empty() && law != haptics::Law::tracing) chosen.law = haptics::name_of(law);
   const auto parameters = law_parameters(chosen, scene);
   if (!parameters) return parameters.error();
   const auto touchable = haptics::make_touchable(scene, *parameters);
@@ -116,9 +128,9 @@ Result<draw::Figure> regions_picture(const Arguments& arguments, const models::S
       for (int x = 0; x < picture.width(); ++x)
         picture(x, y) =
             texture(x * texture.width() / picture.width(), y * texture.height() / picture.height());
-  return draw::marks_figure(
-      std::move(picture), scene.labels, std::move(kinds), heading_of(arguments, scene, "regions"),
-      "What was told apart in the picture; what has no tint are the things themselves.");
+  return draw::marks_figure(std::move(picture), scene.labels, std::move(kinds),
+                            heading_of(arguments, scene, "regions"),
+                            "Tinted: the regions that were found. Not tinted: the objects.");
 }
 
 /// Through the middle, or where `--at` says.
@@ -169,7 +181,7 @@ Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene&
 }
 
 Result<Answer> show(Arguments arguments) {
-  const auto file = formats::read_scene(arguments.scene);
+  const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
   if (arguments.view.empty()) {
@@ -192,23 +204,21 @@ Result<Answer> show(Arguments arguments) {
 
 void add_show(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options =
-      add_command(program, "show", "Draw a scene for the eye: PNG, SVG or PDF with axes, scale and legend",
-                  "  palpable show aloe.palp -o aloe.png\n"
-                  "  palpable show aloe.palp -o force.png --view force --law rolling\n"
-                  "  palpable show aloe.palp -o cut.pdf --view section --at 10",
-                  [arguments](Console& /*console*/) { return show(*arguments); });
+  Options options = add_command(program, "show", "Draw a scene with axes, scale and legend: PNG, SVG or PDF",
+                                "  palpable show aloe.palp -o aloe.png\n"
+                                "  palpable show aloe.palp -o force.png --view force --law rolling\n"
+                                "  palpable show aloe.palp -o cut.pdf --view section --at 10",
+                                [arguments](Console& /*console*/) { return show(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
   options.choice("--view", arguments->view,
-                 {"relief", "depth", "force", "section", "solid", "contours", "regions"}, "What is drawn");
+                 {"relief", "depth", "force", "section", "solid", "contours", "regions"}, "What to draw");
   options.number("--at", arguments->cut_mm, {-500.0, 500.0},
-                 "Section: where to cut, mm above the middle (else through the top)");
+                 "Section: where to cut, mm above the middle; else through the highest point");
   options.number("--turn", arguments->solid.azimuth_deg, {-180.0, 180.0},
-                 "Solid: seen from so many degrees to the right of its front");
-  options.number("--tilt", arguments->solid.elevation_deg, {-89.0, 89.0},
-                 "Solid: seen from so many degrees above");
-  options.flag("--picture", arguments->picture, "Relief: lay the scene's picture on it");
+                 "Solid: degrees from its front to the right");
+  options.number("--tilt", arguments->solid.elevation_deg, {-89.0, 89.0}, "Solid: degrees from above");
+  options.flag("--picture", arguments->picture, "Relief: show the scene's picture on it");
   add_law_options(options, arguments->law);
 }
 

@@ -39,13 +39,13 @@ void add_parameter_options(Options& options, StereoArguments& arguments) {
 void add_pair_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
   options.integer("--max-disparity", arguments.max_disparity_px, {0, 4096},
-                  "Greatest disparity searched, px; 0 = found");
+                  "Greatest disparity searched, px; 0 = estimated");
   options.text("--calibration", arguments.calibration,
                "The cameras: OpenCV yml or xml, Middlebury calib.txt, or JSON");
   options.choice("--rectify", arguments.rectify, {"auto", "off"},
                  "Warp the pictures so that matching points lie on the same row");
   options.number("--moved", arguments.moved_mm, {0.1, 1e6},
-                 "One camera, moved sideways by so many mm between the pictures");
+                 "Distance that one camera was moved sideways between the pictures, mm");
   options.choice("--layout", arguments.layout,
                  {"side-by-side", "side-by-side-crossed", "over-under", "over-under-crossed"},
                  "How one picture holds a pair; crossed = the right eye's first");
@@ -86,7 +86,7 @@ Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Wor
     if (!kind) return kind.error();
     if (*kind != sources::InputKind::stereo)
       return Error{ErrorCode::usage,
-                   "does not say that it holds a pair: name the right picture too, or say how it holds both "
+                   "is a single picture: give the right picture too, or say how this one holds both "
                    "(--layout)",
                    arguments.left};
   }

@@ -48,8 +48,9 @@ draw::Figure figure_of(const std::vector<study::GrooveResult>& results, int colu
       std::move(traces), columns, "across, mm",
       {"A hand at rest in a V-shaped groove",
        fmt::format(
-           "Walls of 45 degrees, a simulated hand of 0.15 kg pressed to the bottom, {:g} Hz, {} of delay, "
-           "sensor steps of {:g} µm, no friction on the surface. Where it swings, it vibrates.",
+           "Walls of 45 degrees, a simulated hand of 0.15 kg pressed against the bottom, {:g} Hz, {} of "
+           "delay, "
+           "sensor steps of {:g} µm, no friction on the surface. Where it oscillates, the law vibrates.",
            arguments.rate_hz, delay, arguments.resolution_um)});
 }
 
@@ -60,7 +61,7 @@ Result<Answer> study(const Arguments& arguments) {
   Answer answer;
   answer.json["results"] = Json::array();
   answer.text = fmt::format("{:10}{:>12}{:>12}{:>12}{:>12}{:>14}\n", "law", "N/m", "across µm", "height µm",
-                            "turns/s", "step of force");
+                            "reversals/s", "step of force");
   for (const auto& r : *results) {
     answer.json["results"].push_back({{"law", haptics::name_of(r.law)},
                                       {"stiffness_N_per_m", r.stiffness_N_per_m},
@@ -83,14 +84,14 @@ Result<Answer> study(const Arguments& arguments) {
 
 void add_study_stability(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options = add_command(program, "study-stability",
-                                "Which laws vibrate in a groove: a simulated hand rests in one, law by law",
-                                "  palpable study-stability\n"
-                                "  palpable study-stability --delay 2 -o groove.png",
-                                [arguments](Console&) { return study(*arguments); });
+  Options options =
+      add_command(program, "study-stability", "Which laws vibrate in a groove: a simulated hand rests in one",
+                  "  palpable study-stability\n"
+                  "  palpable study-stability --delay 2 -o groove.png",
+                  [arguments](Console&) { return study(*arguments); });
   options.text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0}, "Servo rate in Hz");
-  options.integer("--delay", arguments->delay, {0, 8}, "Ticks from a reading to the force that answers it");
+  options.integer("--delay", arguments->delay, {0, 8}, "Delay from a reading to its force, ticks");
   options.number("--resolution-um", arguments->resolution_um, {0.0, 1000.0}, "The sensor's step");
 }
 

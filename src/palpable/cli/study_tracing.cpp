@@ -181,7 +181,7 @@ Result<Answer> study_figures(const Arguments& arguments, const Work& work) {
         percent(with.error.mean, without.error.mean), percent(people.seconds_with, people.seconds_without),
         percent(people.error_with, people.error_without));
     if (with.restless > 0)
-      answer.text += fmt::format("{:12}{} of {} hands went on swinging along the line after the trace\n", "",
+      answer.text += fmt::format("{:12}{} of {} hands kept oscillating along the line after the trace\n", "",
                                  with.restless, with.traces);
     if (k == 0 && arguments.sensitivity)
       if (const auto added = add_sensitivity(*figure, options, quiet, answer); !added) return added.error();
@@ -210,12 +210,14 @@ void add_study_tracing(Program& program) {
       "  palpable study-tracing --sensitivity --tracers 10\n"
       "  palpable study-tracing --pictures FOLDER",
       [arguments](Console& console) { return run_study(*arguments, console.work()); });
-  options.integer("--tracers", arguments->tracers, {1, 1000}, "Simulated hands, each a little different");
-  options.integer("--repeats", arguments->repeats, {1, 100}, "Traces of each, both ways round");
+  options.integer("--tracers", arguments->tracers, {1, 1000},
+                  "Number of simulated hands, each with slightly different parameters");
+  options.integer("--repeats", arguments->repeats, {1, 100}, "Traces of each hand, in both directions");
   options.number("--force", arguments->force_N, {0.0, 5.0}, "F_m, newtons");
   options.number("--neighbourhood", arguments->neighbourhood_px, {1.0, 32.0}, "m, px");
-  options.number("--speed", arguments->speed_mm_per_s, {0.1, 200.0}, "What the hands mean to go at, mm/s");
-  options.flag("--sensitivity", arguments->sensitivity, "Also with each value of the model changed");
+  options.number("--speed", arguments->speed_mm_per_s, {0.1, 200.0}, "Speed that the hands aim at, mm/s");
+  options.flag("--sensitivity", arguments->sensitivity,
+               "Also change each parameter of the model, one at a time");
   options.text("--pictures", arguments->pictures,
                "Only write the paper's pictures and their nominal lines (PNG, CSV) into this folder");
 }

@@ -49,15 +49,15 @@ Answer answer_of(const study::TrajectoryFindings& found, double seconds) {
   };
   answer.text = fmt::format("{} trajectories, {} ticks, {} of them under the surface\n", found.trajectories,
                             found.ticks, found.under);
-  line("under the surface and not held", found.let_through);
+  line("under the surface without a force", found.let_through);
   line("proxy jumped through an obstacle", found.jumped_through);
   line("proxy under the surface", found.sunk);
   line("force away from the proxy", found.pulled);
   line("not a number", found.not_finite);
-  line("force step beyond what hand and proxy moved", found.kicked);
-  line("force step beyond what the hand alone moved", found.beyond_the_hand);
-  line("proxy far from where it was: large steps, all rate-limited", found.large_steps);
-  line("of these not rate-limited", found.large_and_unlimited);
+  line("force step larger than the motion of hand and proxy explains", found.kicked);
+  line("force step larger than the motion of the hand explains", found.beyond_the_hand);
+  line("large steps of the proxy, rate-limited", found.large_steps);
+  line("large steps of the proxy, not rate-limited", found.large_and_unlimited);
   return answer;
 }
 
@@ -81,12 +81,12 @@ void add_study_trajectories(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
   Options options =
       add_command(program, "study-trajectories",
-                  "Whether a hand ever gets through: random strokes over walls, grooves and spikes",
+                  "Random strokes over walls, grooves and spikes: does a hand ever pass through the surface?",
                   "  palpable study-trajectories\n"
                   "  palpable study-trajectories --trajectories 10000 --list steps.csv",
                   [arguments](Console& console) { return study(*arguments, console.work()); });
-  options.number("--trajectories", arguments->trajectories, {1.0, 1e8}, "How many strokes");
-  options.integer("--ticks", arguments->ticks, {2, 100000}, "Milliseconds that each lasts");
+  options.number("--trajectories", arguments->trajectories, {1.0, 1e8}, "Number of strokes");
+  options.integer("--ticks", arguments->ticks, {2, 100000}, "Length of each stroke in ticks of 1 ms");
   options.number("--fastest", arguments->fastest_m_per_s, {0.001, 10.0}, "Greatest speed of the hand, m/s");
   options.text("--list", arguments->list, "CSV to write with the thousand greatest steps of the force");
 }

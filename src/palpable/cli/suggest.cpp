@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace palpable::cli {
 namespace {
 
@@ -41,6 +43,13 @@ std::optional<std::string> suggestion(std::string_view typed, std::span<const st
     }
   }
   return best;
+}
+
+std::string unknown_word(std::string_view typed, std::span<const std::string> known) {
+  if (std::find(known.begin(), known.end(), typed) != known.end()) return {};
+  std::string sentence = fmt::format("'{}' is not one of {}", typed, fmt::join(known, ", "));
+  if (const auto meant = suggestion(typed, known)) sentence += fmt::format("; did you mean {}?", *meant);
+  return sentence;
 }
 
 }  // namespace palpable::cli

@@ -13,4 +13,8 @@ namespace palpable::cli {
 /// neighbours, at most one for every three letters (and at least one). nullopt if none is that close.
 std::optional<std::string> suggestion(std::string_view typed, std::span<const std::string> known);
 
+/// The sentence for a word that is not known: "'sectoin' is not one of relief, section; did you mean
+/// section?". Empty for a known word.
+std::string unknown_word(std::string_view typed, std::span<const std::string> known);
+
 }  // namespace palpable::cli

@@ -22,5 +22,13 @@ TEST(Suggestion, StaysSilentWhereNothingIsNear) {
   EXPECT_EQ(suggestion("", kCommands), std::nullopt);
 }
 
+TEST(UnknownWord, ListsWhatThereIsAndWhatWasMeant) {
+  EXPECT_EQ(unknown_word("tuoch", kCommands),
+            "'tuoch' is not one of touch, make, depth, probe, sample, score; did you mean touch?");
+  EXPECT_EQ(unknown_word("xyzzy", kCommands),
+            "'xyzzy' is not one of touch, make, depth, probe, sample, score");
+  EXPECT_EQ(unknown_word("make", kCommands), "");
+}
+
 }  // namespace
 }  // namespace palpable::cli

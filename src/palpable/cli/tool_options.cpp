@@ -45,7 +45,7 @@ Result<haptics::ToolPose> pose_from(std::span<const double> row, const ToolPath&
   if (path.names_probes) {
     if (row[4] != std::floor(row[4]) || !(row[4] >= 0.0 && row[4] < haptics::kMaxProbes))
       return invalid_input(
-          fmt::format("has a probe that is no whole number from 0 to {}", haptics::kMaxProbes - 1));
+          fmt::format("has a probe that is not a whole number from 0 to {}", haptics::kMaxProbes - 1));
     pose.probe = static_cast<int>(row[4]);
   }
   if (!path.turns) return pose;
@@ -53,7 +53,7 @@ Result<haptics::ToolPose> pose_from(std::span<const double> row, const ToolPath&
   const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   constexpr double kRounded = 1e-2;
   if (!(std::abs(length - 1.0) < kRounded))
-    return invalid_input("has a rotation qw,qx,qy,qz that is no unit quaternion");
+    return invalid_input("has a rotation qw,qx,qy,qz that is not a unit quaternion");
   pose.scene_from_tool.rotation =
       models::rotation_of({q[0] / length, q[1] / length, q[2] / length, q[3] / length});
   return pose;

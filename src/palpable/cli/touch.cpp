@@ -3,7 +3,8 @@
 #include "palpable/cli/as_published.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
-#include "palpable/cli/make_options.hpp"
+#include "palpable/cli/sample_scene.hpp"
+#include "palpable/cli/touch_by_keys.hpp"
 #include "palpable/cli/view_options.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
@@ -32,12 +33,13 @@ namespace palpable::cli {
 namespace {
 
 struct Arguments {
-  MakeArguments make;
+  SceneArguments scene;
   LawArguments law;
   std::string device;
   std::string recording;
   int port = 0;
   bool headless = false;
+  bool keys = false;
   bool no_browser = false;
   bool speak = false;
   double seconds = 10.0;
@@ -49,7 +51,7 @@ struct Arguments {
 Result<session::TouchSettings> settings_of(const Arguments& arguments,
                                            const std::optional<Published>& published) {
   if (published && !arguments.law.law.empty())
-    return Error{ErrorCode::usage, "--as-published sets the law: leave --law out", {}};
+    return Error{ErrorCode::usage, "--as-published sets the law: leave out --law", {}};
   const auto law = law_parameters(arguments.law, published ? published->law : session::default_law().law);
   if (!law) return law.error();
   session::TouchSettings settings;
@@ -62,26 +64,50 @@ Result<session::TouchSettings> settings_of(const Arguments& arguments,
 /// Hears what the person should know of the input.
 using Notes = std::function<void(const Note&)>;
 
-/// Makes the scenes of a touch, the fastest first; each note is said once.
-session::SceneMaker maker_of(const session::MakeOptions& options, Notes notes) {
-  return [options, notes = std::move(notes)](const session::DeliverScene& deliver,
-                                             const Work& work) -> Result<void> {
-    std::set<std::string> said;
-    return session::make_scenes(
-        options,
-        [&](recipes::MadeScene made) {
-          for (const Note& note : made.notes)
-            if (said.insert(note.sentence).second) notes(note);
-          deliver(std::make_shared<const models::Scene>(std::move(made.scene)));
+/// What a touch needs, with page or without.
+struct Plan {
+  session::MakeOptions make;
+  MaterialArguments material;
+  TitleArguments title;
+  std::vector<session::WalkStep> walk;
+  session::TouchSettings settings;
+  session::SessionOptions options;
+  std::int64_t begin_ns = 0;
+};
+
+/// The scene with the names and words that the command line gives it.
+Result<std::shared_ptr<const models::Scene>> named_scene(models::Scene scene, const Plan& plan) {
+  apply_title(plan.title, scene);
+  if (auto applied = apply_materials(plan.material, scene); !applied) return std::move(applied).error();
+  return std::make_shared<const models::Scene>(std::move(scene));
+}
+
+/// Makes the scenes of a touch, the fastest first; each note is given once.
+session::SceneMaker maker_of(const Plan& plan, Notes notes) {
+  return [plan, notes = std::move(notes)](const session::DeliverScene& deliver,
+                                          const Work& work) -> Result<void> {
+    std::set<std::string> given;
+    Result<void> named;
+    auto made = session::make_scenes(
+        plan.make,
+        [&](recipes::MadeScene one) {
+          for (const Note& note : one.notes)
+            if (given.insert(note.sentence).second) notes(note);
+          auto scene = named_scene(std::move(one.scene), plan);
+          if (scene)
+            deliver(*std::move(scene));
+          else
+            named = std::move(scene).error();
         },
         work);
+    return named ? std::move(made) : std::move(named);
   };
 }
 
 /// A missed deadline and why, for the log.
 std::string sentence_of(const haptics::MissedDeadline& missed) {
-  constexpr std::array kCauses{"the system woke the servo late", "the servo was held up while it waited",
-                               "the servo was held up during a tick", "the tick itself was slow"};
+  constexpr std::array kCauses{"the system woke the servo late", "the servo was delayed while it waited",
+                               "the servo was delayed during a tick", "the tick itself was slow"};
   return fmt::format("Tick {}: {} missed, {:.0f} microseconds late; {}.", missed.tick,
                      missed.periods == 1 ? "a deadline" : fmt::format("{} deadlines", missed.periods),
                      missed.late_us, kCauses[static_cast<std::size_t>(missed.cause)]);
@@ -99,15 +125,6 @@ Answer answer_of(const session::TouchStatistics& statistics) {
   return answer;
 }
 
-/// What a touch needs, with page or without.
-struct Plan {
-  session::MakeOptions make;
-  std::vector<session::WalkStep> walk;
-  session::TouchSettings settings;
-  session::SessionOptions options;
-  std::int64_t begin_ns = 0;
-};
-
 /// Says faults and the names of what is touched, where somebody wants to hear them.
 void let_speak(session::HeadlessOptions& headless, Console& console) {
   auto speaker = voice::open_speaker();
@@ -122,7 +139,7 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
     if (event.kind == Kind::fault)
       speech->say(voice::Importance::fault, "The device does not answer. Its force is off.");
     if (event.kind == Kind::not_finite)
-      speech->say(voice::Importance::fault, "The force is off: the law gave no number.");
+      speech->say(voice::Importance::fault, "The force is off: the law gave an invalid value.");
     if (event.kind == Kind::recovered) speech->say(voice::Importance::news, "The device answers again.");
     const bool named = event.kind == Kind::label_entered && event.value < scene.materials.size() &&
                        scene.materials[event.value].name != models::Material{}.name;
@@ -146,7 +163,16 @@ Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, 
   };
   if (arguments.speak) let_speak(headless, console);
   const auto notes = [&console](const Note& note) { console.note(note); };
-  const auto statistics = session::touch_headless(maker_of(plan.make, notes), headless, console.work());
+  const auto statistics = session::touch_headless(maker_of(plan, notes), headless, console.work());
+  if (!statistics) return statistics.error();
+  return answer_of(*statistics);
+}
+
+Result<Answer> touch_with_keys(const Arguments& arguments, const Plan& plan, Console& console) {
+  const auto notes = [&console](const Note& note) { console.note(note); };
+  const auto statistics = touch_by_keys(
+      maker_of(plan, notes),
+      {plan.settings, plan.options, plan.begin_ns, arguments.recording, arguments.speak}, console);
   if (!statistics) return statistics.error();
   return answer_of(*statistics);
 }
@@ -227,7 +253,7 @@ Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::T
 
 Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Console& console) {
   NoteBox notes;
-  session::MakerThread maker(maker_of(plan.make,
+  session::MakerThread maker(maker_of(plan,
                                       [&](const Note& note) {
                                         console.note(note);
                                         notes.put(note);
@@ -260,7 +286,7 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   if (!published) return published.error();
   Plan plan;
   if (*published) {
-    apply_published(**published, arguments.make);
+    apply_published(**published, arguments.scene.make);
     plan.options.as_published = (*published)->name;
     console.note(std::string((*published)->differs));
   }
@@ -268,21 +294,30 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   const auto walk = walk_from(arguments.view);
   if (!walk) return walk.error();
   plan.walk = *walk;
+  if (arguments.keys && !arguments.headless)
+    return Error{ErrorCode::usage,
+                 "the keys of the terminal are for a touch without the page: add --headless", "--keys"};
+  if (arguments.keys && (!arguments.device.empty() || !plan.walk.empty()))
+    return Error{ErrorCode::usage, "the keys move the probe themselves: leave out --device and --view",
+                 "--keys"};
   if (!arguments.view.walk.empty() && !arguments.headless)
-    return Error{ErrorCode::usage, "on the page the person walks: leave it out, or give --headless too",
+    return Error{ErrorCode::usage, "on the page the person walks: leave out --walk, or add --headless",
                  "--walk"};
-  if (arguments.make.detail == kCompareDetails)
-    return Error{ErrorCode::usage, "all operators at once cannot be touched: compare them with palpable make",
-                 "--detail"};
-  if (arguments.make.inputs.empty()) {
-    auto with_input = with_sample(std::move(arguments.make));
+  if (arguments.scene.make.detail == kCompareDetails)
+    return Error{ErrorCode::usage, "cannot be touched: compare the operators with palpable make", "--detail"};
+  if (arguments.scene.make.inputs.empty()) {
+    auto with_input = with_sample(std::move(arguments.scene));
     if (!with_input) return with_input.error();
-    arguments.make = *std::move(with_input);
+    arguments.scene = *std::move(with_input);
   }
-  const auto make = make_options(arguments.make);
+  const auto make = make_options(arguments.scene.make);
   if (!make) return make.error();
   plan.make = *make;
-  if (*published) plan.make.as = (*published)->as;
+  if (*published && arguments.scene.make.as.empty()) plan.make.as = (*published)->as;
+  plan.material = arguments.scene.material;
+  const auto title = read_title(arguments.scene.title);
+  if (!title) return title.error();
+  plan.title = *title;
   const auto settings = settings_of(arguments, *published);
   if (!settings) return settings.error();
   plan.settings = *settings;
@@ -290,6 +325,7 @@ Result<Answer> touch(Arguments arguments, Console& console) {
   constexpr double kRate_Hz = 1000.0;
   plan.options.servo.rate_hz =
       arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);
+  if (arguments.keys) return touch_with_keys(arguments, plan, console);
   return arguments.headless ? touch_without_page(arguments, plan, console)
                             : touch_with_page(arguments, plan, console);
 }
@@ -298,15 +334,17 @@ Result<Answer> touch(Arguments arguments, Console& console) {
 
 void add_touch(Program& program) {
   const auto arguments = std::make_shared<Arguments>();
-  Options options = add_command(
-      program, "touch",
-      "Touch a scene: with a device, or with the pointer in the browser; without INPUT the sample",
-      "  palpable touch\n"
-      "  palpable touch left.png right.png\n"
-      "  palpable touch room.palp --law rolling\n"
-      "  palpable touch left.png right.png --headless --seconds 10 --json",
-      [arguments](Console& console) { return touch(*arguments, console); });
-  add_make_options(options, arguments->make);
+  Options options =
+      add_command(program, "touch",
+                  "Touch a scene with a device, in the browser or in the terminal; without INPUT the sample",
+                  "  palpable touch\n"
+                  "  palpable touch left.png right.png\n"
+                  "  palpable touch room.palp --law rolling\n"
+                  "  palpable touch left.png right.png --headless --seconds 10 --json",
+                  [arguments](Console& console) { return touch(*arguments, console); });
+  add_make_options(options, arguments->scene.make);
+  add_title_options(options, arguments->scene.title);
+  add_material_options(options, arguments->scene.material);
   add_law_options(options, arguments->law);
   options.under("The touch");
   add_as_published(options, arguments->as_published);
@@ -315,12 +353,14 @@ void add_touch(Program& program) {
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
   options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");
+  options.flag("--keys", arguments->keys,
+               "With --headless: explore with the keys of this terminal; H lists them (braille, speech)");
   add_view_options(options, arguments->view);
-  options.flag("--speak", arguments->speak, "Say faults and labels aloud in a headless touch");
+  options.flag("--speak", arguments->speak, "Speak faults, names and answers in a headless touch");
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
                  "Servo rate in Hz (1000 unless a paper states another)");
-  options.text("--record", arguments->recording, "Write everything at servo rate into this file");
+  options.text("--record", arguments->recording, "Record every tick into this file");
 }
 
 }  // namespace palpable::cli

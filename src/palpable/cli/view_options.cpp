@@ -11,16 +11,16 @@ namespace palpable::cli {
 
 void add_view_options(Options& options, ViewArguments& arguments) {
   options.choice("--view", arguments.view, {"exocentric", "egocentric"},
-                 "Frame of reference: the scene's, or one that stands and turns with an explorer in it");
+                 "Frame of reference: the scene's, or that of an explorer who walks and turns in the scene");
   options.text("--walk", arguments.walk,
-               "Where the explorer stands from when on: CSV t_s,x_m,y_m,heading_deg (left positive)");
+               "Places of the explorer over time: CSV t_s,x_m,y_m,heading_deg (left positive)");
 }
 
 Result<std::vector<session::WalkStep>> walk_from(const ViewArguments& arguments) {
   std::vector<session::WalkStep> walk;
   if (arguments.view != "egocentric") {
     if (!arguments.walk.empty())
-      return Error{ErrorCode::usage, "an explorer walks in the view egocentric only: say --view egocentric",
+      return Error{ErrorCode::usage, "an explorer walks only in the egocentric view: add --view egocentric",
                    "--walk"};
     return walk;
   }

@@ -1,0 +1,107 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/key_explorer.hpp"
+
+#include "palpable/describe/numbers.hpp"
+#include "palpable/describe/scene_words.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+using Name = TerminalKey::Name;
+
+constexpr double kStep_m = 0.001, kLongStep_m = 0.005;
+constexpr double kPressStep_m = 0.0005, kDeepest_m = 0.004, kHighest_m = -0.02;
+
+}  // namespace
+
+bool is_move(const TerminalKey& key) {
+  return key.name == Name::left || key.name == Name::right || key.name == Name::up || key.name == Name::down;
+}
+
+KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Scene& scene, double depth,
+                                        std::string& words) {
+  const double step_m = key.shift ? kLongStep_m : kStep_m;
+  const std::size_t part = std::exchange(next_part_, 0);
+  words.clear();
+  switch (key.name) {
+    case Name::left:
+      return words = move(-step_m, 0.0, scene, depth), Request::nothing;
+    case Name::right:
+      return words = move(step_m, 0.0, scene, depth), Request::nothing;
+    case Name::up:
+      return words = move(0.0, step_m, scene, depth), Request::nothing;
+    case Name::down:
+      return words = move(0.0, -step_m, scene, depth), Request::nothing;
+    case Name::page_down:
+      return words = press_by(kPressStep_m), Request::nothing;
+    case Name::page_up:
+      return words = press_by(-kPressStep_m), Request::nothing;
+    case Name::home:
+      place_ = {};
+      press_m_ = kRestingPress_m;
+      return words = "In the middle.", Request::nothing;
+    case Name::character:
+      break;
+  }
+  constexpr char kEndOfText = '\x04';
+  switch (key.character) {
+    case 'd':
+      words = describe::scene_part(scene, depth, place_, part);
+      next_part_ = part + 1;
+      break;
+    case 'p':
+      words = describe::position_words(scene, depth, place_);
+      break;
+    case 'h':
+    case '?':
+      words = help();
+      break;
+    case ' ':
+      return Request::pause;
+    case 'q':
+    case kEndOfText:
+      return Request::end;
+    default:
+      break;
+  }
+  return Request::nothing;
+}
+
+std::string KeyExplorer::move(double dx_m, double dy_m, const models::Scene& scene, double depth) {
+  const Vec3 size = models::size_m(scene);
+  const describe::Place wanted{place_.x_m + dx_m, place_.y_m + dy_m};
+  place_ = {std::clamp(wanted.x_m, -0.5 * size.x, 0.5 * size.x),
+            std::clamp(wanted.y_m, -0.5 * size.y, 0.5 * size.y)};
+  const bool at_rim = place_.x_m != wanted.x_m || place_.y_m != wanted.y_m;
+  const std::string words = describe::step_words(scene, depth, place_);
+  return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + ".";
+}
+
+std::string KeyExplorer::press_by(double depth_m) {
+  press_m_ = std::clamp(press_m_ + depth_m, kHighest_m, kDeepest_m);
+  return describe::capitalised(describe::press_words(press_m_)) + ".";
+}
+
+Point<SceneFrame> KeyExplorer::hand(const models::Scene& scene,
+                                    const session::TouchSettings& settings) const {
+  const double surface_m = settings.depth * models::relief_of(scene)->sample(place_.x_m, place_.y_m).z_m;
+  return {{place_.x_m, place_.y_m, surface_m + settings.law.radius_m.value_or(0.0) - press_m_}};
+}
+
+std::string KeyExplorer::help() {
+  return "Arrow keys: move by 1 millimetre, with Shift by 5.\n"
+         "Page Down, Page Up: press half a millimetre deeper, lift.\n"
+         "D: describe the scene; again for more.\n"
+         "P: say position and height.\n"
+         "Home: back to the middle.\n"
+         "Space: pause, go on.\n"
+         "Q: end.";
+}
+
+}  // namespace palpable::cli

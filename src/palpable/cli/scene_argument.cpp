@@ -1,0 +1,63 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/scene_argument.hpp"
+
+#include "palpable/sources/input/input.hpp"
+
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::cli {
+namespace {
+
+struct KindWords {
+  sources::InputKind kind;
+  std::string_view words;
+};
+constexpr KindWords kKindWords[]{{sources::InputKind::picture, "a picture"},
+                                 {sources::InputKind::stereo, "a stereo picture"},
+                                 {sources::InputKind::depth, "a depth map"},
+                                 {sources::InputKind::video, "a video"},
+                                 {sources::InputKind::map, "a map"},
+                                 {sources::InputKind::mesh, "a mesh"},
+                                 {sources::InputKind::points, "a point cloud"},
+                                 {sources::InputKind::shapes, "a list of shapes"},
+                                 {sources::InputKind::level_set, "an OpenVDB level set"}};
+
+std::string_view words_of(sources::InputKind kind) {
+  for (const KindWords& known : kKindWords)
+    if (known.kind == kind) return known.words;
+  return sources::name_of(kind);
+}
+
+/// `reason`, unless the file can be recognised as something that a scene is made from.
+Error not_a_scene(const std::filesystem::path& path, Error reason) {
+  const auto input = sources::recognise_input(std::span(&path, 1));
+  if (!input || input->kind == sources::InputKind::scene) return reason;
+  const std::string file = path.filename().string(), scene = path.stem().string() + ".palp";
+  return invalid_input(
+      fmt::format("is {}, and not a scene: make a scene of it first with 'palpable make {} -o {}'",
+                  words_of(input->kind), file, scene),
+      path.string());
+}
+
+}  // namespace
+
+Result<formats::SceneFile> read_scene_argument(const std::filesystem::path& path) {
+  auto file = formats::read_scene(path);
+  if (!file) return not_a_scene(path, std::move(file).error());
+  return file;
+}
+
+Result<void> check_scene_name(const std::filesystem::path& path) {
+  if (path.extension() == ".palp") return {};
+  return Error{ErrorCode::usage,
+               fmt::format("a scene's file name ends in .palp: write {}",
+                           std::filesystem::path(path).replace_extension(".palp").filename().string()),
+               path.string()};
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,18 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/formats/scene/scene_file.hpp"
+
+#include <filesystem>
+
+namespace palpable::cli {
+
+/// The scene file that a command's SCENE names. Errors: as formats::read_scene(); for a file that is an input
+/// of another kind (a picture, a mesh, …) the sentence says what it is and which command makes a scene of it.
+Result<formats::SceneFile> read_scene_argument(const std::filesystem::path& path);
+
+/// Errors: usage, naming the path, unless its name ends in .palp.
+Result<void> check_scene_name(const std::filesystem::path& path);
+
+}  // namespace palpable::cli

@@ -1,0 +1,29 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/cli/console.hpp"
+#include "palpable/session/make/maker_thread.hpp"
+#include "palpable/session/touch/touch_session.hpp"
+
+#include <filesystem>
+
+namespace palpable::cli {
+
+struct KeyTouchOptions {
+  session::TouchSettings settings;
+  session::SessionOptions session;
+  std::int64_t begin_ns = 0;
+  /// Empty = no recording.
+  std::filesystem::path recording;
+  /// Say the words aloud too.
+  bool aloud = false;
+};
+
+/// A touch in the terminal: keys move the probe and ask, the answers are printed, a line each, for a braille
+/// display or a terminal's screen reader. Ends with Q, at the end of standard input, or when interrupted.
+/// Errors: the maker's if no scene came; the session's and the recording's.
+Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
+                                               const KeyTouchOptions& options, Console& console);
+
+}  // namespace palpable::cli
