@@ -37,11 +37,11 @@ it('the hand stands and turns with the explorer, who hears where they stand', as
   await probeIsAt(page, 0, 5);
   await page.keyboard.press('w');
   await probeIsAt(page, 0, 10);
-  await says(page, 'You stand 5 mm above the middle, facing up.');
+  await says(page, 'You stand 5 millimetres above the middle, facing up.');
   // Six turns to the left: what was ahead is ahead still, and that is to the left of the scene.
   for (let k = 0; k < 6; ++k) await page.keyboard.press('a');
   await probeIsAt(page, -5, 5);
-  await says(page, 'You stand 5 mm above the middle, facing left.');
+  await says(page, 'You stand 5 millimetres above the middle, facing left.');
   await page.keyboard.press('Shift+ArrowUp');
   await probeIsAt(page, -10, 5);
   expect(await page.locator('#read-stance').textContent()).toBe('0.0, 5.0, facing 90° left');
@@ -56,6 +56,6 @@ it('walks by buttons too, and every one of them has a name', async () => {
   await page.getByRole('button', { name: 'Turn right' }).click();
   await page.getByRole('button', { name: 'Walk ahead' }).click();
   await page.getByRole('button', { name: 'Where do I stand?' }).click();
-  await says(page, 'You stand 4 mm right of and 4 mm above the middle, facing up and right.');
+  await says(page, 'You stand 4 millimetres right of and 4 millimetres above the middle, facing up and right.');
   expect(await violations(page)).toEqual([]);
 });

@@ -23,10 +23,10 @@ afterAll(async () => {
 
 it('the relief has the focus, so that the keys that are announced work', async () => {
   const { page } = opened;
-  await says(page, 'ready to be touched. D describes it');
+  await says(page, 'Ready to touch: Sculptures on a table. A wooden table');
   expect(await page.evaluate(() => document.activeElement?.id)).toBe('stage');
   await page.keyboard.press('d');
-  await says(page, 'Highest point');
+  await says(page, '8 objects rise above the table: ');
 });
 
 it('sound is offered until it runs, which takes one click', async () => {

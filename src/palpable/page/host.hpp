@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace palpable::page {
@@ -61,6 +62,9 @@ class PageHost {
   virtual void recentre() = 0;
   /// The explorer of the egocentric view goes there.
   virtual void stand(const protocol::Stand& stand) = 0;
+  /// Words on the scene or a place of it (protocol.json, `ask`). A description of the whole scene takes some
+  /// frames.
+  virtual std::string answer(const protocol::Ask& ask) = 0;
   /// The next sentence for the person (a fault, a better scene, …), each once; nullopt when there is none.
   virtual std::optional<protocol::Notice> next_notice() = 0;
 };

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/page/page_scene.hpp"
 
+#include "palpable/describe/scene_words.hpp"
 #include "palpable/page/surface_cells.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,14 +14,6 @@ namespace palpable::page {
 namespace {
 
 constexpr int kLongestSide = 640;
-
-// "aloeL.jpg and aloeR.jpg": folders say nothing to the person who touches.
-std::string name_of(const models::Scene& scene) {
-  std::string name;
-  for (const auto& input : scene.source.inputs)
-    name += (name.empty() ? "" : " and ") + std::filesystem::path(input).filename().string();
-  return name.empty() ? models::kind_of(scene.model) : name;
-}
 
 // Sampled at the page's points: the surface that is touched, not its control values.
 Raster<float> sampled(const models::Relief& relief) {
@@ -55,7 +47,8 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   page->picture = scene.texture;
   auto& about = page->about;
   about.scene = number;
-  about.name = name.empty() ? name_of(scene) : name;
+  about.name = name.empty() ? describe::name_of(scene) : name;
+  if (!scene.description.empty()) about.description = scene.description;
   about.kind = models::kind_of(scene.model);
   about.width_m = size.x;
   about.depth_m = size.y;

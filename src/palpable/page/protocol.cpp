@@ -236,6 +236,7 @@ template std::string write_message(const Settings&);
 template std::string write_message(const Materials&);
 template std::string write_message(const State&);
 template std::string write_message(const Notice&);
+template std::string write_message(const Words&);
 
 std::string write_heights(std::uint32_t scene, const Raster<float>& height_m) {
   return raster_frame(RasterKind::heights, scene, height_m);

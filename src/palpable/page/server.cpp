@@ -201,6 +201,9 @@ class Pages {
   void handle(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
   void handle(Client&, const protocol::Recentre&) { host_.recentre(); }
   void handle(Client&, const protocol::Stand& stand) { host_.stand(stand); }
+  void handle(Client& client, const protocol::Ask& ask) {
+    client.send(text_frame(protocol::Words{ask.serial, host_.answer(ask)}));
+  }
   void handle(Client& client, const protocol::Visible& visible) {
     client.visible = visible.visible;
     client.is_behind = true;

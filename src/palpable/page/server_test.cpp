@@ -75,6 +75,7 @@ class FakeHost final : public PageHost {
   void pause(bool paused) override { settings_.paused = paused; }
   void recentre() override {}
   void stand(const protocol::Stand&) override {}
+  std::string answer(const protocol::Ask& ask) override { return "words on " + ask.what; }
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;
@@ -270,6 +271,10 @@ TEST(PageServer, SendsTheSceneThenStatesAndCarriesOutMessages) {
   EXPECT_EQ(refused["answers"], 5);
   client.send(change("proxy", 6));
   EXPECT_EQ(client.read_until("settings")["exaggeration"], 2.0);
+  client.send(R"({"type":"ask","serial":7,"what":"step","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
+  const Json words = client.read_until("words");
+  EXPECT_EQ(words["serial"], 7);
+  EXPECT_EQ(words["text"], "words on step");
 }
 
 TEST(PageServer, SendsAStateASecondWhileNothingChanges) {

@@ -78,7 +78,7 @@ Result<void> apply(const protocol::MaterialEdit& edit, models::Material& m) {
 }  // namespace
 
 TouchHost::TouchHost(session::TouchSession& session, Options options)
-    : session_(session), options_(std::move(options)), worker_([this] { work(); }) {
+    : session_(session), words_(session), options_(std::move(options)), worker_([this] { work(); }) {
   for (auto& sentence : session_.notices()) say("info", std::move(sentence));
 }
 
@@ -149,6 +149,7 @@ protocol::State TouchHost::state() {
     rate_hz_ = session_.statistics().servo.rate_hz;
   }
   state.rate_hz = rate_hz_;
+  if (auto remark = words_.remark(state)) say("motion", *std::move(remark));
   return state;
 }
 

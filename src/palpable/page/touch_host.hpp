@@ -4,6 +4,7 @@
 
 #include "palpable/core/result.hpp"
 #include "palpable/page/host.hpp"
+#include "palpable/page/spoken_words.hpp"
 #include "palpable/session/touch/touch_session.hpp"
 
 #include <array>
@@ -30,7 +31,7 @@ class TouchHost final : public PageHost {
   struct Options {
     /// Shown to the person: "palpable 0.1.0".
     std::string program;
-    /// What the scene is called; empty: by the files that it was made of.
+    /// What the scene is called; empty: its title, or the files that it was made from.
     std::string name;
     /// Asked once a frame, on the server's thread: a better scene if one is ready, else null. May be empty.
     std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
@@ -58,6 +59,7 @@ class TouchHost final : public PageHost {
   void pause(bool paused) override;
   void recentre() override;
   void stand(const protocol::Stand& stand) override;
+  std::string answer(const protocol::Ask& ask) override { return words_.answer(ask); }
   std::optional<protocol::Notice> next_notice() override;
 
   /// Something for the person to hear of; levels as in protocol.json. Any thread.
@@ -91,6 +93,8 @@ class TouchHost final : public PageHost {
   void place(const protocol::Pointer& pointer);
 
   session::TouchSession& session_;
+  /// The server's thread alone.
+  SpokenWords words_;
   Options options_;
 
   // The server's thread alone.

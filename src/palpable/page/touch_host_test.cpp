@@ -288,6 +288,23 @@ TEST_F(HostOnATouch, TellsOfABetterSceneOnceItIsThere) {
   EXPECT_EQ(notice->text, "A finer version of the scene is in place");
 }
 
+TEST_F(HostOnATouch, AnswersQuestionsWithWords) {
+  const auto answer = [&](const char* what, std::int64_t part = 0) {
+    protocol::Ask ask;
+    ask.what = what;
+    ask.press_m = 0.0015;
+    ask.part = part;
+    return host->answer(ask);
+  };
+  EXPECT_TRUE(answer("opening").starts_with("Ready to touch: ")) << answer("opening");
+  EXPECT_NE(answer("scene").find("1 object rises above the ground"), std::string::npos) << answer("scene");
+  EXPECT_NE(answer("scene", 1).find("From the probe to the highest point"), std::string::npos);
+  EXPECT_NE(answer("position").find("at the middle. Height "), std::string::npos) << answer("position");
+  EXPECT_EQ(answer("press"), "Pressed 1.5 millimetres deep.");
+  EXPECT_NE(answer("probe").find("force 0 newtons"), std::string::npos) << answer("probe");
+  EXPECT_EQ(answer("nonsense"), "");
+}
+
 TEST_F(HostOnATouch, SaysWhereTheExplorerStands) {
   EXPECT_TRUE(host->hello().egocentric);
   host->stand({0.010, -0.005, 90.0});
@@ -296,7 +313,7 @@ TEST_F(HostOnATouch, SaysWhereTheExplorerStands) {
     if (const auto notice = host->next_notice()) said = notice->text;
     return said.starts_with("You stand");
   }));
-  EXPECT_EQ(said, "You stand 10 mm right of and 5 mm below the middle, facing left.");
+  EXPECT_EQ(said, "You stand 10 millimetres right of and 5 millimetres below the middle, facing left.");
 }
 
 }  // namespace

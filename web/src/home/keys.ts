@@ -69,7 +69,7 @@ export const keyRows: KeyRow[] = [
     keys: ['PageDown', 'PageUp'],
     act: (target, { key }) => target.move({ x: 0, y: 0, press: key === 'PageDown' ? pressStep : -pressStep }),
   },
-  { shown: 'D', does: 'Describe what stands where', keys: ['d'], act: (target) => target.describe() },
+  { shown: 'D', does: 'Describe the scene; again for more', keys: ['d'], act: (target) => target.describe() },
   { shown: 'P', does: 'Say position and height', keys: ['p'], act: (target) => target.where() },
   { shown: 'Home', does: 'Back to the middle', keys: ['Home'], act: (target) => target.recentre() },
   {

@@ -32,6 +32,8 @@ import { SceneFrames } from './scene_frames';
 import { ViewActions } from './view_actions';
 
 const initial: Settings = { touch: { law: '', set: {}, exaggeration: 1 }, page: readPreferences(document.cookie), materials: [] };
+const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer })[level] ?? Importance.news;
+
 class TouchPage implements KeyTarget {
   private readonly connection = new Connection({
     opened: () => this.opened(),
@@ -55,13 +57,13 @@ class TouchPage implements KeyTarget {
   private readonly probes = new Probes();
   private readonly own = this.probes.own;
   private readonly loaded = new SceneFrames();
-  private readonly narrator = new Narrator(this.loaded, this.probes, () => this.exaggeration());
+  private readonly narrator = new Narrator(this.loaded, this.probes, (message) => this.connection.send(message));
   private readonly actions = new ProbeActions(this.probes, {
     surface: () => this.surface,
     say: (words, importance) => this.voice.say(words, importance),
     send: (message) => this.connection.send(message),
-    motionWords: () => this.narrator.motion(),
-    labelOf: (state) => this.narrator.labelOf(state),
+    chosenWords: (what) => this.narrator.chosen(what),
+    allWords: () => this.narrator.all(),
     draw: () => this.showProbes(),
   });
   private readonly walking = new Walking(this.own, {
@@ -221,6 +223,7 @@ class TouchPage implements KeyTarget {
 
   private closed({ sentence, final }: Loss): void {
     this.connected = false;
+    this.narrator.forget();
     this.actions.blank();
     this.readouts.blank();
     this.feedback.keep([]);
@@ -240,6 +243,8 @@ class TouchPage implements KeyTarget {
       case 'scene':
         this.loaded.scene = message;
         element('scene-name').textContent = message.name;
+        element('scene-description').textContent = message.description;
+        element('scene-description').hidden = message.description === null;
         this.trace.scene(message.kind, message.width_m, message.depth_m);
         this.controls.offerCells(message.cells !== null);
         document.title = `${message.name} – Palpable`;
@@ -251,10 +256,12 @@ class TouchPage implements KeyTarget {
         return;
       case 'state':
         return this.receiveState(message);
+      case 'words':
+        return this.narrator.receive(message);
       case 'notice':
         if (message.level === 'fault') return this.alert(message.text);
         if (message.level === 'recovered') this.readouts.allWell();
-        return this.voice.say(message.text, message.level === 'answer' ? Importance.answer : Importance.news);
+        return this.voice.say(message.text, importanceOf(message.level));
     }
   }
 
@@ -281,7 +288,7 @@ class TouchPage implements KeyTarget {
       this.readouts.scale = surface.scale;
       showSteps(surface.scale);
       this.stage.element.setAttribute('aria-label', `Relief of ${scene.name} to touch`);
-      if (first) this.ready(scene.name);
+      if (first) this.ready();
     }
     if (!this.loaded.isComplete) return;
     this.stage.show(surface, picture, cells);
@@ -290,10 +297,10 @@ class TouchPage implements KeyTarget {
   }
 
   /** The relief takes the focus, so that the keys that are announced work at once; not from where the person is already. */
-  private ready(name: string): void {
+  private ready(): void {
     const { activeElement } = document;
     if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });
-    this.voice.say(`${name} is ready to be touched. D describes it, H is help.`, Importance.news);
+    this.voice.say(this.narrator.opening(), Importance.news);
   }
 
   private receiveState(state: State): void {

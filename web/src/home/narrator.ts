@@ -1,59 +1,92 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What the page says of the chosen probe and of the scene, when asked and while the probe moves.
-import type { ProbeState } from '../generated/protocol';
+// What is said of the scene and of the probes: the program makes the words (docs/adr/0006), the page asks for them.
+import type { Ask, Words as Answer } from '../generated/protocol';
 import type { Probes } from '../probe/probes';
-import { motionWords, noScene, positionWords, sceneWords } from '../sound/describe';
-import type { Place, Surface } from '../surface';
+import { noScene, type Words } from '../sound/announcer';
+import type { Place } from '../surface';
 import type { SceneFrames } from './scene_frames';
 
+type Question = 'opening' | 'scene' | 'position' | 'step' | 'press' | 'probe';
+
 export class Narrator {
+  private serial = 0;
+  private readonly open = new Map<number, (text: string | null) => void>();
+  /** The part of the description that D says next; another question begins it anew. */
+  private part = 0;
+
   constructor(
     private readonly frames: SceneFrames,
     private readonly probes: Probes,
-    private readonly exaggeration: () => number,
+    private readonly send: (message: Ask) => void,
   ) {}
 
-  /** What D says. */
-  describe(): string {
-    const { surface, scene } = this.frames;
-    if (surface === null || scene === null) return noScene;
-    return sceneWords(surface, scene.name, this.exaggeration(), this.place());
+  /** The program's words for a question. */
+  receive({ serial, text }: Answer): void {
+    this.open.get(serial)?.(text);
+    this.open.delete(serial);
+  }
+  /** The connection is gone: nothing that was asked is answered any more. */
+  forget(): void {
+    for (const answer of this.open.values()) answer(null);
+    this.open.clear();
+  }
+
+  /** Said when the scene is there: its name and the maker's description. */
+  opening(): Words {
+    return () => this.ask('opening');
+  }
+  /** What D says: the scene in short; when asked again, more. */
+  describe(): Words {
+    const part = this.part;
+    this.part += 1;
+    return () => this.ask('scene', this.probes.own.chosen, part);
   }
   /** What P says. */
-  where(): string {
-    const { surface } = this.frames;
-    if (surface === null) return noScene;
-    const { height, slope } = this.ground(surface);
-    return this.probes.named(positionWords(this.place(), height, slope, this.label(), surface));
+  where(): Words {
+    this.part = 0;
+    return () => this.named(this.ask('position'));
   }
-  /** What the surface is like under the chosen probe. */
-  motion(): string {
-    const { surface } = this.frames;
-    if (surface === null) return '';
-    const { height, slope } = this.ground(surface);
-    return motionWords(height, slope, this.label());
+  /** What a step led to. */
+  step(free: boolean): Words {
+    this.part = 0;
+    return () => this.named(this.ask('step').then((words) => words && (free ? words : `Rim of the scene. ${words}`)));
   }
-  press(): string {
-    const { press } = this.probes.own.current;
-    const depth = Math.abs(press * 1000).toFixed(1);
-    return press >= 0 ? `Pressed ${depth} millimetres deep` : `Lifted by ${depth} millimetres`;
+  press(): Words {
+    this.part = 0;
+    return () => this.named(this.ask('press'));
+  }
+  /** What lies under a probe that was put down or chosen. */
+  chosen(what: string): Words {
+    return () => this.ask('step').then((words) => words && `${what}. ${words}`);
+  }
+  /** How many probes there are, where, and what each feels. */
+  all(): Words {
+    return async () => {
+      const { states, own } = this.probes;
+      if (this.frames.surface === null || states.length === 0) return noScene;
+      const each = await Promise.all(states.map(async ({ probe }) => `Probe ${probe + 1}: ${await this.ask('probe', probe)}`));
+      const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${own.chosen + 1}.`;
+      return `${count} ${each.join(' ')}`;
+    };
   }
 
   place(): Place {
     return this.probes.placeOf(this.probes.own.chosen);
   }
-  /** Empty where the region has no name. */
-  labelOf(state: ProbeState | undefined): string {
-    return (state && this.frames.scene?.labels[state.label]) ?? '';
+
+  private async named(words: Promise<string | null>): Promise<string | null> {
+    const text = await words;
+    return text && this.probes.named(text);
   }
 
-  private label(): string {
-    return this.labelOf(this.probes.chosen);
-  }
-  private ground(surface: Surface): { height: number; slope: Place } {
-    const scale = this.exaggeration();
-    const slope = surface.slopeAt(this.place());
-    return { height: surface.heightAt(this.place()) * scale, slope: { x: slope.x * scale, y: slope.y * scale } };
+  private ask(what: Question, probe = this.probes.own.chosen, part = 0): Promise<string | null> {
+    if (this.frames.surface === null) return Promise.resolve(noScene);
+    this.serial += 1;
+    const { serial } = this;
+    const { x, y } = this.probes.placeOf(probe);
+    const answer = new Promise<string | null>((resolve) => this.open.set(serial, resolve));
+    this.send({ type: 'ask', serial, what, probe, x_m: x, y_m: y, press_m: this.probes.own.at(probe)?.press ?? 0, part });
+    return answer;
   }
 }

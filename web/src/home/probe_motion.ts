@@ -48,7 +48,7 @@ export class ProbeMotion {
     const way = this.walking.inScene({ x: by.x * surface.scale, y: by.y * surface.scale });
     const free = own.current.step(way.x, way.y, by.press * pressScale(surface.scale), surface, performance.now());
     this.page.moves();
-    this.page.say(() => this.probes.named(by.press !== 0 ? this.narrator.press() : `${free ? '' : 'Rim of the scene, '}${this.narrator.motion()}`), Importance.motion);
+    this.page.say(by.press !== 0 ? this.narrator.press() : this.narrator.step(free), Importance.motion);
   }
 
   recentre(): void {

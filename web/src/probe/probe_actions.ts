@@ -1,9 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Probes come, are chosen and go: by key, by the panel, by fingers; and what is said of it.
-import { Importance, type Words } from '../sound/announcer';
-import { noScene } from '../sound/describe';
-import type { FromPage, ProbeState } from '../generated/protocol';
+import { Importance, noScene, type Words } from '../sound/announcer';
+import type { FromPage } from '../generated/protocol';
 import type { Probes } from './probes';
 import { ProbesPanel, type ProbesTarget } from './probes_panel';
 import { figuresEvery } from '../figures';
@@ -13,9 +12,10 @@ export interface ProbesPage {
   surface(): Surface | null;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
-  /** What the surface is like under the chosen probe. */
-  motionWords(): string;
-  labelOf(state: ProbeState): string;
+  /** What was done, and what lies under the chosen probe. */
+  chosenWords(what: string): Words;
+  /** How many probes there are, where, and what each feels. */
+  allWords(): Words;
   draw(): void;
 }
 
@@ -34,7 +34,7 @@ export class ProbeActions implements ProbesTarget {
     if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
     if (!own.choose(probe, this.probes.placeOf(own.chosen))) return this.page.say('There can be no probe of that number.', Importance.answer);
     const how = own.numbers.length > before ? ' put down' : '';
-    this.page.say(() => `Probe ${probe + 1}${how}, ${this.page.motionWords()}.`, Importance.answer);
+    this.page.say(this.page.chosenWords(`Probe ${probe + 1}${how}`), Importance.answer);
     this.changed();
   }
   add(): void {
@@ -48,9 +48,7 @@ export class ProbeActions implements ProbesTarget {
     this.page.say(`Probe ${probe + 1} taken away. The keys move probe 1.`, Importance.answer);
   }
   describeProbes(): void {
-    const surface = this.page.surface();
-    if (surface === null || this.probes.states.length === 0) return this.page.say(noScene, Importance.answer);
-    this.page.say(this.probes.words(surface, (state) => this.page.labelOf(state)), Importance.answer);
+    this.page.say(this.page.allWords(), Importance.answer);
   }
 
   /** A finger has put a probe down; has lifted it; or finds no further one. */

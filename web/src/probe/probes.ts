@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // All probes as the page knows them: those that it moves itself, and what the program says of each.
 import type { ProbeState, State } from '../generated/protocol';
-import { probeWords } from '../sound/describe';
 import type { Place, Surface } from '../surface';
 import type { ProbeView } from '../view/view';
 import { PageProbes } from './page_probes';
@@ -64,13 +63,6 @@ export class Probes {
   /** Says which probe these words are about once there are several. */
   named(words: string): string {
     return this.own.several ? `Probe ${this.own.chosen + 1}: ${words}` : words;
-  }
-
-  /** How many there are, where, and the force on each. */
-  words(surface: Surface, labelOf: (state: ProbeState) => string): string {
-    const each = this.states.map((state) => `Probe ${state.probe + 1}: ${probeWords(this.placeOf(state.probe), state.surface_m, newtons(state), labelOf(state), surface)}.`);
-    const count = each.length === 1 ? 'One probe.' : `${each.length} probes, the keys move probe ${this.own.chosen + 1}.`;
-    return `${count} ${each.join(' ')}`;
   }
 
   /** As they are drawn. */

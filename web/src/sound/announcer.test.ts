@@ -48,4 +48,24 @@ describe('the announcer', () => {
     announcer.say('free', Importance.motion, 2001);
     expect(said).toEqual(['first', 'height 2', 'free']);
   });
+  it('asks when its turn comes, and says the answer when it arrives', async () => {
+    const announcer = fresh();
+    announcer.say('first', Importance.motion, 0);
+    let asked = 0;
+    announcer.say(() => Promise.resolve(`answer ${(asked += 1)}`), Importance.answer, 100);
+    announcer.tick(900);
+    expect(asked).toBe(0);
+    announcer.tick(1000);
+    await Promise.resolve();
+    expect(said).toEqual(['first', 'answer 1']);
+  });
+  it('drops an answer that comes after something else was said', async () => {
+    const announcer = fresh();
+    let answer: (text: string) => void = () => undefined;
+    announcer.say(() => new Promise<string>((resolve) => (answer = resolve)), Importance.answer, 0);
+    announcer.say('fault', Importance.fault, 1100);
+    answer('too late');
+    await Promise.resolve();
+    expect(said).toEqual(['fault']);
+  });
 });

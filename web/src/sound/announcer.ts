@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Words for the live region: at most one utterance a second, the most important first, and nothing that is out of date.
 
-/** What to say, worked out when its turn comes; null if there is nothing to say any more. */
-export type Words = () => string | null;
+/** What to say, worked out or asked for when its turn comes; null if there is nothing to say any more. */
+export type Words = () => string | null | Promise<string | null>;
+
+/** What is said where there is nothing to describe. */
+export const noScene = 'There is no scene yet.';
 
 export enum Importance {
   motion,
@@ -48,6 +51,8 @@ export class Announcer {
     const text = words();
     if (text === null || text === '') return;
     this.spokeAt = now;
-    this.speak(text);
+    if (typeof text === 'string') return this.speak(text);
+    // What was asked for is said when it comes, unless something was said meanwhile.
+    void text.then((answer) => answer && this.spokeAt === now && this.speak(answer));
   }
 }

@@ -1,0 +1,71 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/page/spoken_words.hpp"
+
+#include "palpable/describe/numbers.hpp"
+#include "palpable/describe/scene_words.hpp"
+
+#include <chrono>
+
+#include <fmt/format.h>
+
+namespace palpable::page {
+namespace {
+
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+describe::Place place_of(const protocol::ProbeState& probe) { return {probe.x_m, probe.y_m}; }
+
+/// Whether the probe follows the surface; one that is lifted meets nothing.
+bool is_near_surface(const protocol::ProbeState& probe) {
+  constexpr double kNear_m = 0.002;
+  return probe.contact || probe.z_m - probe.surface_m < kNear_m;
+}
+
+std::string sentence(std::string words) { return describe::capitalised(std::move(words)) + "."; }
+
+}  // namespace
+
+std::string SpokenWords::answer(const protocol::Ask& ask) {
+  const auto scene = session_.scene();
+  const double depth = session_.settings().depth;
+  const describe::Place place{ask.x_m, ask.y_m};
+  const auto probe = static_cast<std::size_t>(ask.probe);
+  if (ask.what == "opening") return describe::opening_words(*scene);
+  if (ask.what == "scene")
+    return describe::scene_part(*scene, depth, place, static_cast<std::size_t>(ask.part));
+  if (ask.what == "press") return sentence(describe::press_words(ask.press_m));
+  if (ask.what == "position" || ask.what == "step") {
+    commentaries_.at(probe).heard(*scene, place, now_s());
+    return ask.what == "position" ? describe::position_words(*scene, depth, place)
+                                  : sentence(describe::step_words(*scene, depth, place));
+  }
+  if (ask.what == "probe")
+    return describe::felt_words(*scene, depth, place, norm(session_.latest(probe).written_force_N.v)) + ".";
+  return {};
+}
+
+std::optional<std::string> SpokenWords::remark(const protocol::State& state) {
+  const auto scene = session_.scene();
+  const double depth = session_.settings().depth, now = now_s();
+  if (scene->model != model_) {
+    model_ = scene->model;
+    commentaries_.fill(describe::Commentary());
+    // Where the probes are already is no news.
+    for (const auto& probe : state.probes)
+      commentaries_.at(static_cast<std::size_t>(probe.probe)).heard(*scene, place_of(probe), now);
+  }
+  std::optional<std::string> remark;
+  for (const auto& probe : state.probes) {
+    if (!is_near_surface(probe)) continue;
+    auto words =
+        commentaries_.at(static_cast<std::size_t>(probe.probe)).at(*scene, depth, place_of(probe), now);
+    if (!words || remark) continue;
+    remark = state.probes.size() > 1 ? fmt::format("Probe {}: {}", probe.probe + 1, *words) : *words;
+  }
+  return remark;
+}
+
+}  // namespace palpable::page

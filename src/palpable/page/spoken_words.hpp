@@ -1,0 +1,35 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/describe/commentary.hpp"
+#include "palpable/page/protocol.hpp"
+#include "palpable/session/touch/touch_session.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace palpable::page {
+
+/// What the page says of a touch (describe/): answers to questions, and remarks on what sweeping probes meet.
+/// One thread.
+class SpokenWords {
+ public:
+  /// `session` must outlive it.
+  explicit SpokenWords(const session::TouchSession& session) : session_(session) {}
+
+  /// The words for a question; empty for one that there is not.
+  std::string answer(const protocol::Ask& ask);
+  /// What a probe has just met; nothing most of the time. To be called with every state.
+  std::optional<std::string> remark(const protocol::State& state);
+
+ private:
+  const session::TouchSession& session_;
+  /// The model that the commentaries are about.
+  models::Model model_;
+  std::array<describe::Commentary, protocol::kMostProbes> commentaries_;
+};
+
+}  // namespace palpable::page
