@@ -190,18 +190,19 @@ void tell_grid(const char* name, const char* nano_name, const Mesh& mesh,
 }
 
 int compare(const char* path) {
-  auto mesh = sources::read_mesh(path);
-  if (!mesh) return std::fprintf(stderr, "%s\n", mesh.error().sentence().c_str()), 3;
-  sculpt::Box box = sculpt::bounds_of(*mesh);
+  auto file = sources::read_mesh(path);
+  if (!file) return std::fprintf(stderr, "%s\n", file.error().sentence().c_str()), 3;
+  Mesh& mesh = file->mesh;
+  sculpt::Box box = sculpt::bounds_of(mesh);
   const Vec3 size = box.size_m(), middle = 0.5 * (box.least_m + box.most_m);
   const double scale = kSize_m / std::max({size.x, size.y, size.z});
-  for (Vec3& v : mesh->vertices_m) v = scale * (v - middle);
+  for (Vec3& v : mesh.vertices_m) v = scale * (v - middle);
   const Work work;
   Result<sculpt::MeshSolid> solid = Error{};
   Result<models::DistanceField> distance = Error{};
   Row row;
   row.build_s = seconds_of([&] {
-    solid = sculpt::solid_from_mesh(*mesh, kSize_m / kVoxels, work);
+    solid = sculpt::solid_from_mesh(mesh, kSize_m / kVoxels, work);
     if (solid) distance = sculpt::field_from_source(*solid->distance, {kVoxels}, work);
   });
   if (!solid || !distance) return std::fprintf(stderr, "%s: no field\n", path), 1;

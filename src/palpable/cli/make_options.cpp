@@ -40,6 +40,22 @@ sources::DepthSettings depth_settings(const MakeArguments& arguments) {
   return settings;
 }
 
+std::vector<std::string> up_names() {
+  std::vector<std::string> names;
+  for (const AxisDirection direction : kAxisDirections) names.emplace_back(name_of(direction));
+  return names;
+}
+
+/// A solid's place: a file's solid is fitted for a hand where it has no size.
+sculpt::PlacementOptions placement_options(const MakeArguments& arguments) {
+  sculpt::PlacementOptions placement;
+  placement.default_size = sculpt::DefaultSize::for_a_hand;
+  placement.up = axis_direction_from(arguments.up);
+  if (arguments.lay == "upright") placement.lay = sculpt::Lay::upright;
+  if (arguments.lay == "flat") placement.lay = sculpt::Lay::flat;
+  return placement;
+}
+
 }  // namespace
 
 void add_make_options(Options& options, MakeArguments& arguments) {
@@ -53,7 +69,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.text("--kind", arguments.kind,
                "picture, stereo, depth, mesh, level-set, points, shapes or scene; else by content");
   options.text("--size", arguments.size,
-               "Largest size of the scene, WxHxD in mm; else 100x100 and 15 high, and a mesh as it is");
+               "Largest size of the scene, WxHxD in mm; else 100x100 and 15 high, and solids as they are or "
+               "100x100x50");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
                  "Metres for one step of a depth map; else as its sidecar or kind says");
   options.choice("--depth-as", arguments.depth_as, {"depth", "distance", "disparity", "nearness", "zbuffer"},
@@ -84,6 +101,11 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Pair or depth map: what to do with the background");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on the relief; front = as seen from between the cameras of a pair");
+  options.under("Meshes and other solids");
+  options.choice("--up", arguments.up, up_names(), "Which way is up in the file; else z in STL, y in others");
+  options.choice("--lay", arguments.lay, {"auto", "upright", "flat"},
+                 "Seen from the front or from above; auto = from above what is low and wide, as a map");
+  options.number("--sheet", arguments.sheet_mm, {0.0, 10.0}, "Open sheet: height above its base, mm");
   options.under("Fields and grids");
   options.integer("--grid-points", arguments.grid_points, {8, 512}, "Grid: points along the longest side");
   options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
@@ -170,7 +192,8 @@ Result<recipes::ReliefRecipe> relief_recipe(const MakeArguments& arguments) {
   const auto ground = vision::ground_treatment_from(arguments.ground);
   if (!ground)
     return Error{ErrorCode::usage,
-                 unknown_word(arguments.ground, std::vector<std::string>{"keep", "flatten", "remove"}), "--ground"};
+                 unknown_word(arguments.ground, std::vector<std::string>{"keep", "flatten", "remove"}),
+                 "--ground"};
   recipe.ground = *ground;
   return recipe;
 }
@@ -191,6 +214,7 @@ Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
   if ((arguments.dense || arguments.paper) && arguments.max_error_mm)
     return Error{ErrorCode::usage, "a dense field has no --max-error: its resolution decides", {}};
   recipes::FieldRecipe recipe;
+  recipe.placement = placement_options(arguments);
   recipe.field.resolution = arguments.resolution;
   if (arguments.max_error_mm) recipe.field.max_error_m = *arguments.max_error_mm / 1000.0;
   if (arguments.dense) recipe.storage = recipes::FieldStorage::dense;
@@ -204,7 +228,7 @@ Result<void> set_size(const std::string& text, session::Recipes& recipes) {
   const auto size = size_from(text);
   if (!size) return size.error();
   recipes.relief.relief.size_m = *size;
-  recipes.field.size_m = *size;
+  recipes.field.placement.size_m = *size;
   recipes.contours.map.width_m = size->x;
   recipes.contours.map.height_m = size->y;
   return {};
@@ -225,7 +249,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (!relief) return relief.error();
   const auto stereo = stereo_recipe(arguments);
   if (!stereo) return stereo.error();
-  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {{arguments.grid_points}}};
+  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {{arguments.grid_points}}};
+  options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
   options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);
   if (const auto sized = set_size(arguments.size, options.recipes); !sized) return sized.error();

@@ -18,9 +18,11 @@ inline constexpr const char* kCompareDetails = "compare";
 /// What a scene is made from, and how, as given on the command line; shared by make and touch.
 struct MakeArguments {
   std::vector<std::string> inputs;
-  std::string kind, size;
+  std::string kind, size, up;
   /// "relief", "contours", "field", "grid"; empty: by the input.
   std::string as;
+  std::string lay = "auto";
+  double sheet_mm = 1.0;
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
   std::string depth_as;

@@ -55,7 +55,7 @@ Result<MadeScene> field_from_relief(MadeScene made, const FieldRecipe& given, co
   const auto relief = relief_to_fill(made.scene);
   if (!relief) return relief.error();
   FieldRecipe recipe = given;
-  recipe.size_m.reset();
+  recipe.placement = {};
   auto solid = solid_of(models::solid_of(**relief), recipe, work);
   if (!solid) return solid.error();
   auto field = stored_field(*solid, recipe, work);

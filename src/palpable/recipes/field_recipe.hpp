@@ -11,8 +11,8 @@
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"
 #include "palpable/sculpt/points/cloud_surface.hpp"
+#include "palpable/sculpt/triangles/placement.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace palpable::recipes {
@@ -29,9 +29,8 @@ enum class FieldStorage {
 
 /// How a solid becomes a distance field.
 struct FieldRecipe {
-  /// The solid is scaled into this box, its lowest point at z = 0 and its middle over the origin; each 1 mm
-  /// ... 1 m. Not given: it keeps its metres and its origin.
-  std::optional<Vec3> size_m;
+  /// Not given: the solid keeps its metres, axes and origin.
+  sculpt::PlacementOptions placement;
   sculpt::FieldOptions field;
   FieldStorage storage = FieldStorage::adaptive;
   /// Of points: their surface.
@@ -42,7 +41,7 @@ struct FieldRecipe {
 // Errors have no place: invalid_input for values that bound no solid, usage for options out of range, failed
 // for a field that needs too much memory, interrupted.
 
-/// The field of the solid that a mesh means (sculpt::solid_from_mesh()), in the scene frame's axes, metres.
+/// The field of the solid that a mesh means (sculpt::solid_from_mesh()).
 Result<MadeScene> field_from_mesh(Mesh mesh, const FieldRecipe& recipe, const Work& work);
 
 /// The same from points on a solid's surface; normals are estimated where the cloud has none, with a note.
@@ -56,7 +55,7 @@ Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> sha
 Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& recipe, const Work& work);
 
 /// The volume behind the surface of a scene that is a relief (Park & Howard 2012), down to a base plate, as a
-/// field. recipe.size_m is not used. Errors: also usage for a scene of another kind.
+/// field. recipe.placement is not used. Errors: also usage for a scene of another kind.
 Result<MadeScene> field_from_relief(MadeScene made, const FieldRecipe& recipe, const Work& work);
 
 }  // namespace palpable::recipes

@@ -20,9 +20,7 @@ using WorldFromCamera = Transform<models::InputFrame, CameraFrame>;
 
 /// First the one, which neither scales nor moves, then the other.
 SceneFromInput then(const SceneFromInput& turn, const SceneFromInput& place) {
-  SceneFromInput both = place;
-  both.rotation = turn.rotation;
-  return both;
+  return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
 
 }  // namespace
@@ -52,10 +50,16 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
                                  given.size() == 1 ? " was" : "s were", 1000.0 * voxel_m));
   // The noise of depth cameras is no finer.
   constexpr double kOfAVoxel = 0.5;
-  auto solid = solid_of_contour(std::move(*surface), kOfAVoxel * voxel_m, recipe.field);
+  // Depth cameras' metres are known, and y is up by now.
+  FieldRecipe field = recipe.field;
+  field.placement.default_size = sculpt::DefaultSize::own;
+  field.placement.convention = {AxisDirection::plus_y, LengthUnit::metre};
+  if (field.placement.size_m && field.placement.lay == sculpt::Lay::automatic)
+    field.placement.lay = sculpt::Lay::upright;
+  auto solid = solid_of_contour(std::move(*surface), kOfAVoxel * voxel_m, field);
   if (!solid) return solid.error();
   solid->scene_from_input = then(upright, solid->scene_from_input);
-  solid->notes = std::move(notes);
+  solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
   return field_scene(*std::move(solid), "depth", recipe.field, work);
 }
 

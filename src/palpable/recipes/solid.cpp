@@ -3,6 +3,7 @@
 #include "palpable/recipes/solid.hpp"
 
 #include "palpable/core/memory.hpp"
+#include "palpable/recipes/placement_notes.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/superquadric_source.hpp"
 
@@ -30,28 +31,21 @@ Result<sculpt::Box> box_of(const Mesh& mesh) {
   return *box;
 }
 
-/// Into the box of that size, standing on z = 0.
-SceneFromInput fitted(const sculpt::Box& box, Vec3 size_m) {
-  const Vec3 extent = box.most_m - box.least_m;
-  double scale = 1e12;
-  for (const auto& [have, want] :
-       {std::pair(extent.x, size_m.x), std::pair(extent.y, size_m.y), std::pair(extent.z, size_m.z)})
-    if (have > 0.0) scale = std::min(scale, want / have);
-  SceneFromInput transform;
-  transform.scale = scale;
-  const Vec3 middle = 0.5 * (box.least_m + box.most_m);
-  transform.translation_m = -scale * Vec3{middle.x, middle.y, box.least_m.z};
-  return transform;
-}
+struct Placed {
+  SceneFromInput scene_from_input;
+  std::vector<Note> notes;
+};
 
-/// Scales a mesh into that box, if one is given, and says how.
-Result<SceneFromInput> place_mesh(Mesh& mesh, const std::optional<Vec3>& size_m) {
+/// Moves a mesh to its place.
+Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   const auto box = box_of(mesh);
   if (!box) return box.error();
-  if (!size_m) return SceneFromInput{};
-  const SceneFromInput transform = fitted(*box, *size_m);
-  for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
-  return transform;
+  const auto placement = sculpt::placement_of(*box, options);
+  if (!placement) return placement.error();
+  const SceneFromInput& transform = placement->scene_from_input;
+  if (placement->fitted)
+    for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
+  return Placed{transform, placement_notes(*placement, *box, options)};
 }
 
 /// Refuses what is known to be too large from its extent alone, before anything else is done.
@@ -62,10 +56,12 @@ Result<void> check_size(const sculpt::Box& box, const FieldRecipe& recipe) {
   return {};
 }
 
-/// Scaled and moved as the transform says, which does not turn.
 models::Superquadric placed(models::Superquadric shape, const SceneFromInput& transform) {
-  Vec3& at_m = shape.scene_from_shape.translation_m;
-  at_m = transform.scale * at_m + transform.translation_m;
+  auto& scene_from_shape = shape.scene_from_shape;
+  const Transform<SceneFrame, SceneFrame> turned{transform.rotation, {}, 1.0};
+  const Vec3 at_m = (transform * Point<models::InputFrame>{scene_from_shape.translation_m}).v;
+  scene_from_shape = turned * scene_from_shape;
+  scene_from_shape.translation_m = at_m;
   shape.size_m *= transform.scale;
   shape.bend_per_m /= transform.scale;
   return shape;
@@ -109,10 +105,11 @@ sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe) {
 }
 
 Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
-  const auto transform = place_mesh(mesh, recipe.size_m);
-  if (!transform) return transform.error();
+  auto place = place_mesh(mesh, recipe.placement);
+  if (!place) return place.error();
   Solid solid;
-  solid.scene_from_input = *transform;
+  solid.scene_from_input = place->scene_from_input;
+  solid.notes = std::move(place->notes);
   const auto box = box_of(mesh);
   if (!box) return box.error();
   if (const auto fits = check_size(*box, recipe); !fits) return fits.error();
@@ -127,7 +124,7 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   if (!made) return made.error();
   solid.distance = std::move(made->distance);
   const auto notes = made->repair.notes();
-  solid.notes.assign(notes.begin(), notes.end());
+  solid.notes.insert(solid.notes.end(), notes.begin(), notes.end());
   return solid;
 }
 
@@ -135,8 +132,12 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldReci
   auto distance = sculpt::distance_of(shapes);
   if (!distance) return distance.error();
   Solid solid;
-  if (recipe.size_m) {
-    solid.scene_from_input = fitted((*distance)->bounds(), *recipe.size_m);
+  const sculpt::Box box = (*distance)->bounds();
+  const auto placement = sculpt::placement_of(box, recipe.placement);
+  if (!placement) return placement.error();
+  solid.notes = placement_notes(*placement, box, recipe.placement);
+  if (placement->fitted) {
+    solid.scene_from_input = placement->scene_from_input;
     for (models::Superquadric& shape : shapes) shape = placed(shape, solid.scene_from_input);
     distance = sculpt::distance_of(shapes);
     if (!distance) return distance.error();
@@ -147,8 +148,8 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldReci
 }
 
 Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecipe& recipe) {
-  const auto transform = place_mesh(surface, recipe.size_m);
-  if (!transform) return transform.error();
+  auto place = place_mesh(surface, recipe.placement);
+  if (!place) return place.error();
   const auto box = box_of(surface);
   if (!box) return box.error();
   if (const auto fits = check_size(*box, recipe); !fits) return fits.error();
@@ -156,8 +157,9 @@ Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecip
   if (!distance) return distance.error();
   Solid solid;
   solid.distance = std::move(*distance);
-  solid.scene_from_input = *transform;
-  solid.exact_to_m = transform->scale * exact_to_m;
+  solid.exact_to_m = place->scene_from_input.scale * exact_to_m;
+  solid.scene_from_input = place->scene_from_input;
+  solid.notes = std::move(place->notes);
   return solid;
 }
 

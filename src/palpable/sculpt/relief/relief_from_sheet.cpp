@@ -160,8 +160,6 @@ Result<models::Relief> relief_from_sheet(const Mesh& mesh, const SheetOptions& o
   for (float& z : heights->values()) z = std::isnan(z) ? 0.0F : static_cast<float>(z + lift_m);
   work.report(0.8, "limiting slopes");
   models::limit_slope(*heights, pixel_m, options.steepest_slope);
-  const float lowest = *std::min_element(heights->values().begin(), heights->values().end());
-  for (float& z : heights->values()) z -= lowest;
   return models::Relief::from_samples(*std::move(heights), pixel_m);
 }
 

@@ -10,19 +10,6 @@
 namespace palpable::sculpt {
 namespace {
 
-/// What faces the person when that axis points up: +z as in glTF, and for z upwards -y as modellers' front
-/// views have it.
-AxisDirection front_of(AxisDirection up) {
-  switch (up) {
-    case AxisDirection::plus_z:
-      return AxisDirection::minus_y;
-    case AxisDirection::minus_z:
-      return AxisDirection::plus_y;
-    default:
-      return AxisDirection::plus_z;
-  }
-}
-
 bool along_one_axis(AxisDirection a, AxisDirection b) { return dot(unit_vector(a), unit_vector(b)) != 0.0; }
 
 Vec3 rotated(const std::array<double, 9>& r, Vec3 p) {
@@ -36,6 +23,23 @@ Lay automatic_lay(Vec3 upright_size) {
 }
 
 }  // namespace
+
+AxisDirection front_of(AxisDirection up) {
+  switch (up) {
+    case AxisDirection::plus_z:
+      return AxisDirection::minus_y;
+    case AxisDirection::minus_z:
+      return AxisDirection::plus_y;
+    default:
+      return AxisDirection::plus_z;
+  }
+}
+
+bool suits_a_hand(Vec3 extent_m) {
+  constexpr double kLeast_m = 0.02, kMost_m = 0.25;
+  const double longest_m = std::max({extent_m.x, extent_m.y, extent_m.z});
+  return longest_m >= kLeast_m && longest_m <= kMost_m;
+}
 
 std::array<double, 9> turn_towards_person(AxisDirection towards, AxisDirection up) {
   const Vec3 z = unit_vector(towards);
@@ -74,20 +78,17 @@ Result<void> check_size_m(Vec3 size_m) {
   return {};
 }
 
-Result<Placement> placement_of(const Box& box, AxisDirection up_by_convention,
-                               const PlacementOptions& options) {
+Result<Placement> placement_of(const Box& box, const PlacementOptions& options) {
   const Vec3 extent = box.size_m();
-  const double longest_m = std::max({extent.x, extent.y, extent.z});
-  if (!is_finite(box.least_m) || !is_finite(box.most_m) || !(longest_m > 0.0))
+  if (!is_finite(box.least_m) || !is_finite(box.most_m) || !(norm(extent) > 0.0))
     return invalid_input("is a solid without a finite extent");
   if (options.size_m)
     if (const auto valid = check_size_m(*options.size_m); !valid) return valid.error();
   Placement placement;
-  placement.up = options.up.value_or(up_by_convention);
-  const bool as_it_is = !options.size_m && !options.up && options.lay == Lay::automatic;
-  if (as_it_is && longest_m >= kLeastForAHand_m && longest_m <= kMostForAHand_m) return placement;
-  const AxisDirection front = front_of(placement.up);
-  const auto upright = turn_towards_person(front, placement.up);
+  placement.up = options.up.value_or(options.convention.up);
+  const bool nothing_asked = !options.size_m && !options.up && options.lay == Lay::automatic;
+  if (nothing_asked && (options.default_size == DefaultSize::own || suits_a_hand(extent))) return placement;
+  const auto upright = turn_towards_person(front_of(placement.up), placement.up);
   placement.lay = options.lay == Lay::automatic ? automatic_lay(turned(box, upright).size_m()) : options.lay;
   const auto rotation =
       placement.lay == Lay::upright ? upright : turn_towards_person(placement.up, placement.up);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/axis_direction.hpp"
+#include "palpable/core/coordinate_convention.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
@@ -21,21 +22,28 @@ enum class Lay {
   flat
 };
 
+/// The size of a solid for which none is given.
+enum class DefaultSize {
+  /// Its own: metres, axes and origin stay as they are.
+  own,
+  /// Its own if its longest side is 20 to 250 mm, which a hand can feel; else the default working volume.
+  for_a_hand
+};
+
 /// How a solid comes into the scene.
 struct PlacementOptions {
-  /// Width, height and depth of the box that it is fitted into, each 1 mm ... 1 m. Not given: see
-  /// placement_of().
+  /// Width, height and depth of the box that it is fitted into, each 1 mm ... 1 m.
   std::optional<Vec3> size_m;
-  /// Which way is up in the solid's own coordinates. Not given: as its format's convention says.
+  DefaultSize default_size = DefaultSize::own;
+  /// Which way is up in the solid's own coordinates; not given: as the convention says. A solid for which
+  /// this or `lay` is given is fitted into the default working volume where it has no size.
   std::optional<AxisDirection> up;
   Lay lay = Lay::automatic;
+  CoordinateConvention convention;
 };
 
 /// Where a solid without a size of its own is fitted: the default working volume.
 inline constexpr Vec3 kWorkingVolume_m{0.10, 0.10, 0.05};
-/// A longest side within these is one that a hand can feel.
-inline constexpr double kLeastForAHand_m = 0.02;
-inline constexpr double kMostForAHand_m = 0.25;
 
 struct Placement {
   Transform<SceneFrame, models::InputFrame> scene_from_input;
@@ -46,14 +54,18 @@ struct Placement {
   AxisDirection up = AxisDirection::plus_y;
 };
 
-/// Where a solid in `box` goes, one of its units being a metre. Where no option is given and its longest side
-/// is one that a hand can feel, it keeps its metres, axes and origin. Else it is turned by quarter turns,
-/// `options.up` or `up_by_convention` being its up, scaled into the size (not given: the default working
-/// volume), centred above the origin, its lowest point at z = 0. Where z is up, the person looks along +y;
-/// where another axis is, along -z, or along +y where that is z downwards. Errors: usage for sizes out of
-/// range, invalid_input for a box without a finite extent.
-Result<Placement> placement_of(const Box& box, AxisDirection up_by_convention,
-                               const PlacementOptions& options);
+/// Where a solid in `box` goes, one of its units being a metre. It keeps its place as `default_size` says, or
+/// it is turned by quarter turns, its up to the scene's up or to the person, scaled into the size, centred
+/// above the origin, its lowest point at z = 0. Upright, its front faces the person: -y where z is up (as
+/// modellers' front views), +y where that is down, else +z (as glTF). Errors: usage for sizes out of range,
+/// invalid_input for a box without a finite extent.
+Result<Placement> placement_of(const Box& box, const PlacementOptions& options);
+
+/// Which side of a solid faces the person when that direction is up.
+AxisDirection front_of(AxisDirection up);
+
+/// Whether a solid of these extents has a size that a hand can feel.
+bool suits_a_hand(Vec3 extent_m);
 
 /// The quarter turns after which `towards` points to the person (+z) and `up` up (+y); where both are along
 /// one axis, what was at the front is at the bottom, as of a map.

@@ -2,12 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/triangles/placement.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace palpable::sculpt {
 namespace {
 
 using InputPoint = Point<models::InputFrame>;
+
+/// As files' solids are placed.
+PlacementOptions with_up(AxisDirection up) {
+  PlacementOptions options;
+  options.default_size = DefaultSize::for_a_hand;
+  options.convention.up = up;
+  return options;
+}
 
 /// 8 m wide, 6 m high and 10 m long where y is up.
 constexpr Box kHouse{{-4.0, 0.0, -5.0}, {4.0, 6.0, 5.0}};
@@ -17,16 +28,24 @@ Vec3 placed(const Placement& placement, Vec3 p) { return (placement.scene_from_i
 void expect_near(Vec3 a, Vec3 b) { EXPECT_LT(norm(a - b), 1e-12) << a.x << ' ' << a.y << ' ' << a.z; }
 
 TEST(Placement, KeepsASolidThatAHandCanFeel) {
-  const auto placement = placement_of({{-0.03, 0.0, 0.0}, {0.03, 0.06, 0.06}}, AxisDirection::plus_z, {});
+  const auto placement =
+      placement_of({{-0.03, 0.0, 0.0}, {0.03, 0.06, 0.06}}, with_up(AxisDirection::plus_z));
   ASSERT_TRUE(placement);
   EXPECT_FALSE(placement->fitted);
   expect_near(placed(*placement, {0.01, 0.02, 0.03}), {0.01, 0.02, 0.03});
 }
 
+TEST(Placement, KeepsAnySolidWhereItsOwnSizeIsAskedFor) {
+  const auto placement = placement_of(kHouse, {});
+  ASSERT_TRUE(placement);
+  EXPECT_FALSE(placement->fitted);
+  expect_near(placed(*placement, {1.0, 2.0, 3.0}), {1.0, 2.0, 3.0});
+}
+
 TEST(Placement, FitsWhatIsTooLargeOrTooSmallIntoTheWorkingVolume) {
   for (const double scale : {1.0, 1e-6}) {
     const auto placement =
-        placement_of({scale * kHouse.least_m, scale * kHouse.most_m}, AxisDirection::plus_y, {});
+        placement_of({scale * kHouse.least_m, scale * kHouse.most_m}, with_up(AxisDirection::plus_y));
     ASSERT_TRUE(placement);
     EXPECT_TRUE(placement->fitted);
     EXPECT_EQ(placement->lay, Lay::upright);
@@ -38,7 +57,7 @@ TEST(Placement, FitsWhatIsTooLargeOrTooSmallIntoTheWorkingVolume) {
 
 TEST(Placement, StandsWhatHasZUpUprightWithItsFrontToThePerson) {
   // Front at -y, up +z.
-  const auto placement = placement_of({{-4.0, -5.0, 0.0}, {4.0, 5.0, 6.0}}, AxisDirection::plus_z, {});
+  const auto placement = placement_of({{-4.0, -5.0, 0.0}, {4.0, 5.0, 6.0}}, with_up(AxisDirection::plus_z));
   ASSERT_TRUE(placement);
   EXPECT_EQ(placement->lay, Lay::upright);
   expect_near(placed(*placement, {4.0, -5.0, 6.0}), {0.02, 0.015, 0.05});
@@ -50,7 +69,7 @@ TEST(Placement, LaysAMapFlatWithNorthUpwards) {
     const Vec3 top = unit_vector(up), p = south_east_top;
     const Vec3 half = p - 4.0 * top;
     const Vec3 size{std::abs(half.x), std::abs(half.y), std::abs(half.z)};
-    const auto placement = placement_of({-size, size + 4.0 * top}, up, {});
+    const auto placement = placement_of({-size, size + 4.0 * top}, with_up(up));
     ASSERT_TRUE(placement);
     EXPECT_EQ(placement->lay, Lay::flat);
     expect_near(placed(*placement, p), {0.05, -0.05, 0.004});
@@ -62,7 +81,7 @@ TEST(Placement, DoesWhatIsAsked) {
   options.up = AxisDirection::minus_x;
   options.lay = Lay::flat;
   options.size_m = Vec3{0.1, 0.1, 0.1};
-  const auto placement = placement_of(kHouse, AxisDirection::plus_y, options);
+  const auto placement = placement_of(kHouse, options);
   ASSERT_TRUE(placement);
   EXPECT_EQ(placement->up, AxisDirection::minus_x);
   EXPECT_NEAR(placed(*placement, {-4.0, 0.0, 0.0}).z, 0.08, 1e-12);
@@ -82,9 +101,8 @@ TEST(Placement, OnlyTurnsWithoutAMirror) {
 TEST(Placement, RefusesASizeOutOfRangeAndABoxWithoutExtent) {
   PlacementOptions options;
   options.size_m = Vec3{0.1, 0.1, 2.0};
-  EXPECT_EQ(placement_of(kHouse, AxisDirection::plus_y, options).error().code, ErrorCode::usage);
-  EXPECT_EQ(placement_of({{1, 1, 1}, {1, 1, 1}}, AxisDirection::plus_y, {}).error().code,
-            ErrorCode::invalid_input);
+  EXPECT_EQ(placement_of(kHouse, options).error().code, ErrorCode::usage);
+  EXPECT_EQ(placement_of({{1, 1, 1}, {1, 1, 1}}, {}).error().code, ErrorCode::invalid_input);
 }
 
 }  // namespace

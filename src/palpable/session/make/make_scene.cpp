@@ -5,6 +5,8 @@
 #include "palpable/recipes/regions.hpp"
 #include "palpable/session/make/places.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,7 +55,8 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
   if (!adaptive && options.as != MakeAs::field && !is_solid(input.kind))
     return Error{ErrorCode::usage, "dense storage is for fields, and this does not become one",
                  names_of(input.files), Reason::needs_field};
-  if (is_solid(input.kind)) return field_by_input ? Result<void>() : cannot_become(input);
+  const bool possible = field_by_input || (input.kind == InputKind::mesh && options.as == MakeAs::relief);
+  if (is_solid(input.kind)) return possible ? Result<void>() : cannot_become(input);
   if (input.kind == InputKind::scene || input.kind == InputKind::depth || input.kind == InputKind::stereo)
     return {};
   return cannot_become(input);
@@ -65,6 +68,11 @@ Result<MadeScene> filled(Result<MadeScene> made, const MakeOptions& options, con
   if (options.as == MakeAs::field) return field_from_relief(std::move(*made), options.recipes.field, work);
   if (options.as == MakeAs::grid) return grid_from_relief(std::move(*made), options.recipes.grid, work);
   return made;
+}
+
+/// Whether a mesh becomes a relief of one of its sides.
+bool becomes_relief(const Mesh& mesh, const MakeOptions& options) {
+  return options.as == MakeAs::relief || (options.as == MakeAs::by_input && sculpt::is_open_sheet(mesh));
 }
 
 /// Runs the recipe that fits the values.
@@ -85,8 +93,18 @@ struct RunRecipe {
   Result<MadeScene> operator()(const std::vector<recipes::PosedDepth>& views) const {
     return field_from_depth_maps(views, {options.recipes.fusion, options.recipes.field}, work);
   }
-  Result<MadeScene> operator()(Mesh mesh) const {
-    return field_from_mesh(std::move(mesh), options.recipes.field, work);
+  Result<MadeScene> operator()(sources::MeshFile file) const {
+    recipes::FieldRecipe field = options.recipes.field;
+    field.placement.convention = file.convention;
+    if (!becomes_relief(file.mesh, options)) return field_from_mesh(std::move(file.mesh), field, work);
+    const recipes::SheetRecipe sheet{field.placement, options.recipes.sheet};
+    auto made = recipes::relief_from_mesh(std::move(file.mesh), sheet, work);
+    if (made && options.as == MakeAs::by_input)
+      made->notes.emplace(
+          made->notes.begin(),
+          "The mesh is an open sheet, which encloses no solid: it became a relief of the side "
+          "that it faces.");
+    return made;
   }
   Result<MadeScene> operator()(PointCloud cloud) const {
     return field_from_points(std::move(cloud), options.recipes.field, work);
@@ -148,6 +166,29 @@ Result<MadeScene> finished(Result<MadeScene> made, const Prepared& from, const M
   return made;
 }
 
+/// The options of a field that can be touched soon, while the one that is asked for is made; nothing where
+/// that one is soon there itself.
+std::optional<MakeOptions> coarse_first(const InputValues& values, const MakeOptions& options) {
+  const CoarseField& coarse = options.coarse_field;
+  const auto* file = std::get_if<sources::MeshFile>(&values);
+  if (file == nullptr || coarse.resolution == 0 || becomes_relief(file->mesh, options)) return std::nullopt;
+  const auto triangles = file->mesh.triangles.size();
+  const bool slow = triangles >= static_cast<std::size_t>(coarse.least_triangles) &&
+                    options.recipes.field.field.resolution >= 2 * coarse.resolution &&
+                    options.recipes.field.storage == recipes::FieldStorage::adaptive;
+  if (!slow) return std::nullopt;
+  MakeOptions first = options;
+  first.recipes.field.field.resolution = coarse.resolution;
+  first.recipes.field.field.max_error_m = std::max(first.recipes.field.field.max_error_m, coarse.max_error_m);
+  return first;
+}
+
+/// The progress that a person sees is that of the scene that they asked for.
+Work without_progress(Work work) {
+  work.progress = {};
+  return work;
+}
+
 }  // namespace
 
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
@@ -161,6 +202,12 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
   if (!from) return from.error();
   const auto* pair = std::get_if<ReadyPair>(&from->values);
   if (pair == nullptr) {
+    if (const auto coarse = coarse_first(from->values, options)) {
+      auto made =
+          finished(std::visit(RunRecipe{*coarse, without_progress(work)}, from->values), *from, *coarse);
+      if (!made) return made.error();
+      take(std::move(*made));
+    }
     auto made = finished(std::visit(RunRecipe{options, work}, std::move(from->values)), *from, options);
     if (!made) return made.error();
     take(std::move(*made));

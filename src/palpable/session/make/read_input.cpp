@@ -8,7 +8,6 @@
 #include "palpable/session/make/places.hpp"
 #include "palpable/session/make/read_depth_maps.hpp"
 #include "palpable/sources/picture/picture.hpp"
-#include "palpable/sources/solid/mesh_file.hpp"
 #include "palpable/sources/solid/points_file.hpp"
 
 #include <string>

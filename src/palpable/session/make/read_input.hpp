@@ -4,7 +4,6 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/core/level_set.hpp"
-#include "palpable/core/mesh.hpp"
 #include "palpable/core/note.hpp"
 #include "palpable/core/point_cloud.hpp"
 #include "palpable/core/result.hpp"
@@ -16,6 +15,7 @@
 #include "palpable/session/make/stereo_input.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/input/input.hpp"
+#include "palpable/sources/solid/mesh_file.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -48,8 +48,8 @@ struct InputOptions {
 
 /// What the files hold.
 using InputValues =
-    std::variant<Image, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>, Mesh, PointCloud,
-                 std::vector<models::Superquadric>, LevelSet, models::Scene>;
+    std::variant<Image, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>, sources::MeshFile,
+                 PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
 
 struct ReadInput {
   InputValues values;

@@ -69,16 +69,25 @@ Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& end
   }
 }
 
-Result<Mesh> read_mesh(const std::filesystem::path& path) {
+Result<MeshFile> read_mesh(const std::filesystem::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
   if (as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096))).find("\"CityJSON\"") !=
       std::string_view::npos)
     return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
                          path.string());
-  auto mesh = decode_mesh(*file, ending_of(*file));
-  if (!mesh) mesh.error().place = path.string();
-  return mesh;
+  const std::string ending = ending_of(*file);
+  auto mesh = decode_mesh(*file, ending);
+  if (!mesh) {
+    mesh.error().place = path.string();
+    return mesh.error();
+  }
+  return MeshFile{std::move(*mesh), convention_of_format(ending)};
+}
+
+CoordinateConvention convention_of_format(const std::string& ending) {
+  if (ending == "glb") return {AxisDirection::plus_y, LengthUnit::metre};
+  return {ending == "stl" ? AxisDirection::plus_z : AxisDirection::plus_y, LengthUnit::unknown};
 }
 
 }  // namespace palpable::sources

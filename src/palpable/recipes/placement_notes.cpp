@@ -1,0 +1,42 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/placement_notes.hpp"
+
+#include <string>
+
+#include <fmt/format.h>
+
+namespace palpable::recipes {
+namespace {
+
+/// "1 : 250" or "4 : 1", with two digits.
+std::string scale_text(double scale) {
+  return scale <= 1.0 ? fmt::format("1 : {:.2g}", 1.0 / scale) : fmt::format("{:.2g} : 1", scale);
+}
+
+}  // namespace
+
+std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
+                                  const sculpt::PlacementOptions& options) {
+  std::vector<Note> notes;
+  if (!placement.fitted) return notes;
+  const Vec3 extent = box.size_m();
+  const double scale = placement.scene_from_input.scale;
+  if (options.convention.unit == LengthUnit::metre) {
+    notes.emplace_back(fmt::format("The input is {:.3g} x {:.3g} x {:.3g} m; its scale here is {}.", extent.x,
+                                   extent.y, extent.z, scale_text(scale)));
+  } else if (!options.size_m) {
+    notes.emplace_back(fmt::format(
+        "The input states no unit: it was scaled to fit a hand, one unit being {:.3g} mm.", 1000.0 * scale));
+  }
+  const bool asked = options.up && options.lay != sculpt::Lay::automatic;
+  const bool as_it_was = placement.lay == sculpt::Lay::upright && placement.up == AxisDirection::plus_y;
+  if (!asked && !as_it_was)
+    notes.emplace_back(fmt::format("Up was taken to be {} in the input, and {}.", name_of(placement.up),
+                                   placement.lay == sculpt::Lay::flat
+                                       ? "it lies flat, seen from above"
+                                       : "it stands upright, seen from the front"));
+  return notes;
+}
+
+}  // namespace palpable::recipes

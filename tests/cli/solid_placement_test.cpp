@@ -1,0 +1,121 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Where solids go in the scene: their size, which way is up, and open sheets, through the real program.
+#include <cmath>
+#include <cstdlib>
+
+#include "program.hpp"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A box from the origin, its triangles outwards.
+std::string box_obj(double x, double y, double z) {
+  std::string obj;
+  for (int k = 0; k < 8; ++k)
+    obj += "v " + std::to_string((k & 1) != 0 ? x : 0.0) + ' ' + std::to_string((k & 2) != 0 ? y : 0.0) +
+           ' ' + std::to_string((k & 4) != 0 ? z : 0.0) + '\n';
+  return obj +
+         "f 1 3 2\nf 2 3 4\nf 5 6 7\nf 6 8 7\nf 1 2 5\nf 2 6 5\nf 3 7 4\nf 4 7 8\nf 1 5 3\nf 3 5 7\nf 2 4 6\n"
+         "f 4 8 6\n";
+}
+
+class SolidPlacement : public InFolder {
+ protected:
+  Outcome make(const std::string& input, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"make", input, "-o", path("out.palp"), "--resolution", "32"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return palpable(arguments);
+  }
+  nlohmann::json info() { return palpable({"info", path("out.palp"), "--json"}).json(); }
+  void expect_size_mm(double width, double height, double depth) {
+    const auto size = info().at("size_m");
+    EXPECT_NEAR(size[0].get<double>(), 0.001 * width, 1e-6);
+    EXPECT_NEAR(size[1].get<double>(), 0.001 * height, 1e-6);
+    EXPECT_NEAR(size[2].get<double>(), 0.001 * depth, 1e-6);
+  }
+};
+
+TEST_F(SolidPlacement, AMeshWithoutUnitsIsFittedAndSaysSo) {
+  write_text(path("m.obj"), box_obj(8.0, 6.0, 10.0));
+  const Outcome outcome = make(path("m.obj"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("states no unit"));
+  expect_size_mm(40.0, 30.0, 50.0);
+  EXPECT_NEAR(info().at("scene_from_input")[0][0].get<double>(), 0.005, 1e-9);
+}
+
+TEST_F(SolidPlacement, AMeshOfAHandsSizeKeepsItsMetresAndOrigin) {
+  write_text(path("m.obj"), box_obj(0.08, 0.01, 0.1));
+  const Outcome outcome = make(path("m.obj"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, Not(HasSubstr("unit")));
+  expect_size_mm(80.0, 10.0, 100.0);
+  EXPECT_EQ(info().at("scene_from_input")[0][3].get<double>(), 0.0);
+}
+
+TEST_F(SolidPlacement, UpIsUpByTheFormatsConventionOrAsAsked) {
+  // STL: 8 wide, 10 deep, 6 high along z.
+  write_text(path("m.obj"), box_obj(8.0, 10.0, 6.0));
+  ASSERT_EQ(make(path("m.obj"), {"--up", "z"}).exit_code, 0);
+  expect_size_mm(40.0, 30.0, 50.0);
+  ASSERT_EQ(make(path("m.obj"), {"--up", "z", "--lay", "flat"}).exit_code, 0);
+  expect_size_mm(66.6667, 83.3333, 50.0);
+  EXPECT_EQ(make(path("m.obj"), {"--up", "w"}).exit_code, 2);
+}
+
+TEST_F(SolidPlacement, AnOpenSheetBecomesAReliefAndSaysSo) {
+  // A flat map about y: two squares, 100 wide together.
+  write_text(path("m.obj"),
+             "v 0 0 0\nv 40 0 0\nv 40 0 40\nv 0 0 40\nv 60 0 0\nv 100 0 0\nv 100 0 40\nv 60 0 40\n"
+             "f 1 4 3\nf 1 3 2\nf 5 8 7\nf 5 7 6\n");
+  const Outcome outcome = make(path("m.obj"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("open sheet"));
+  EXPECT_EQ(info().at("kind"), "relief");
+  write_text(path("q.csv"), "x_m,y_m,z_m\n0.03,0,0.01\n0,0,0.01\n");
+  ASSERT_EQ(palpable({"sample", path("out.palp"), "--points", path("q.csv"), "-o", path("v.csv")}).exit_code,
+            0);
+  EXPECT_EQ(make(path("m.obj"), {"--as", "field"}).exit_code, 3);
+}
+
+TEST_F(SolidPlacement, ABoxThatFillsItsSizeIsDrawnFromAllSides) {
+  write_text(path("m.obj"), box_obj(1.0, 1.0, 1.0));
+  for (const char* size : {"100x100x100", "100x100x50", "30x30x30"}) {
+    ASSERT_EQ(make(path("m.obj"), {"--size", size}).exit_code, 0);
+    for (const char* view : {"relief", "depth", "force", "section", "solid"}) {
+      const Outcome shown = palpable({"show", path("out.palp"), "-o", path("p.png"), "--view", view});
+      EXPECT_EQ(shown.exit_code, 0) << size << ' ' << view << ' ' << shown.err;
+    }
+  }
+}
+
+TEST_F(SolidPlacement, OnlyFieldsAreDrawnAsSolids) {
+  write_text(path("m.obj"), box_obj(1.0, 1.0, 1.0));
+  ASSERT_EQ(make(path("m.obj"), {"--as", "relief"}).exit_code, 0);
+  const Outcome shown = palpable({"show", path("out.palp"), "-o", path("p.png"), "--view", "solid"});
+  EXPECT_EQ(shown.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(shown.err)) << shown.err;
+}
+
+TEST_F(SolidPlacement, RealMeshesFillTheirDepth) {
+  const char* data = std::getenv("PALPABLE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
+  for (const char* mesh : {"/mesh/objects/spot.obj", "/mesh/kenney_city/building-small-a.glb"})
+    for (const char* size : {"100x100x100", "100x100x50"}) {
+      ASSERT_EQ(make(data + std::string(mesh), {"--size", size}).exit_code, 0) << mesh;
+      const Outcome shown = palpable({"show", path("out.palp"), "-o", path("p.png"), "--view", "relief"});
+      EXPECT_EQ(shown.exit_code, 0) << mesh << ' ' << size << shown.err;
+    }
+  const Outcome map = make(data + std::string("/mesh/touchmapper_map/map.obj"));
+  ASSERT_EQ(map.exit_code, 0) << map.err;
+  EXPECT_EQ(info().at("kind"), "relief");
+}
+
+}  // namespace
+}  // namespace palpable::test
