@@ -11,12 +11,8 @@ namespace {
 
 /// 20 x 10 mm; label 0 upper left, 1 upper right, 2 below.
 Scene three_materials() {
-  Scene scene{std::make_shared<const Relief>(*Relief::from_samples(Raster<float>(20, 10, 0.001F), 0.001)),
-              {},
-              {},
-              {},
-              {},
-              {}};
+  Scene scene;
+  scene.model = std::make_shared<const Relief>(*Relief::from_samples(Raster<float>(20, 10, 0.001F), 0.001));
   scene.materials.resize(3);
   scene.labels = Raster<std::uint8_t>(2, 2);
   scene.labels(1, 0) = 1;

@@ -201,13 +201,12 @@ Result<Input> recognise_grey(const fs::path& path, const Image& image) {
   if (is_stretched_from_8_bits(image))
     return Input{InputKind::picture,
                  {path},
-                 {"This grey picture has 16 bits but only 256 levels: it was taken as a picture; say --kind "
-                  "depth where it holds depth."}};
+                 {{"This grey picture has 16 bits but only 256 levels: it was taken as a picture.",
+                   Reason::deep_picture_taken_as_picture}}};
   return Input{InputKind::depth,
                {path},
-               {fmt::format("This picture of one channel and {} bits was taken as depth; say --kind picture "
-                            "for its contours.",
-                            image.bits)}};
+               {{fmt::format("This picture of one channel and {} bits was taken as depth.", image.bits),
+                 Reason::deep_picture_taken_as_depth}}};
 }
 
 /// One picture is a picture, unless a phone has put depth inside or its pixels are depth.
