@@ -1,4 +1,5 @@
 # Every outside library, found once. Nothing is downloaded at build time; packages/*.txt name the Debian packages.
+include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
 find_package(PkgConfig REQUIRED)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d video)
 find_package(Eigen3 REQUIRED NO_MODULE)
@@ -13,15 +14,7 @@ find_package(OpenEXR REQUIRED CONFIG)
 find_package(TIFF REQUIRED)
 find_package(assimp REQUIRED)
 find_package(ZLIB REQUIRED)
-find_package(TBB REQUIRED)
-# OpenVDB's own CMake file is outside CMake's path, and looks for Python too.
-find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
-find_library(OPENVDB_LIBRARY openvdb REQUIRED)
-add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
-set_target_properties(
-  OpenVDB::openvdb
-  PROPERTIES IMPORTED_LOCATION ${OPENVDB_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OPENVDB_INCLUDE_DIR}
-             INTERFACE_LINK_LIBRARIES "TBB::tbb;Imath::Imath;Boost::headers")
+palpable_find_openvdb()
 pkg_check_modules(BLOSC REQUIRED IMPORTED_TARGET blosc)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(HEIF REQUIRED IMPORTED_TARGET libheif)

@@ -1,6 +1,8 @@
 # palpable_module(NAME x SOURCES … TESTS … USES modules… LINKS libraries…): one static library palpable_x, and its tests
 # in one program palpable_x_test. USES is checked against the table in Layers.cmake.
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/Install.cmake)
 include(GoogleTest)
 
 function(palpable_module)
@@ -14,12 +16,17 @@ function(palpable_module)
     endif()
   endforeach()
   add_library(palpable_${M_NAME} STATIC ${M_SOURCES})
-  target_include_directories(palpable_${M_NAME} PUBLIC ${PROJECT_SOURCE_DIR}/src)
-  target_link_libraries(palpable_${M_NAME} PRIVATE palpable_options)
+  target_compile_features(palpable_${M_NAME} PUBLIC cxx_std_20)
+  target_include_directories(palpable_${M_NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                                                       $<INSTALL_INTERFACE:include>)
+  target_link_libraries(palpable_${M_NAME} PRIVATE $<BUILD_INTERFACE:palpable_options> Threads::Threads)
   foreach(used ${M_USES})
     target_link_libraries(palpable_${M_NAME} PUBLIC palpable_${used})
   endforeach()
   target_link_libraries(palpable_${M_NAME} PRIVATE ${M_LINKS})
+  if(M_NAME IN_LIST PALPABLE_COMPONENTS)
+    palpable_install(${M_NAME} "${M_USES}" "${M_LINKS}")
+  endif()
   if(M_TESTS AND PALPABLE_TESTS)
     add_executable(palpable_${M_NAME}_test ${M_TESTS})
     target_link_libraries(palpable_${M_NAME}_test PRIVATE palpable_options palpable_${M_NAME} ${M_TEST_LINKS}

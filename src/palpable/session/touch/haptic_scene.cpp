@@ -15,18 +15,6 @@
 
 namespace palpable::session {
 
-Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device) {
-  const Vec3 size = models::size_m(scene);
-  const Vec3 work = device.workspace_m;
-  double scale = std::max({1.0, size.x / work.x, size.y / work.y});
-  // A hand must come to the scene from above: a quarter of the device's depth stays free over it.
-  if (device.degrees_of_freedom > 2) scale = std::max(scale, size.z / (0.75 * work.z));
-  Transform<SceneFrame, DeviceFrame> fit;
-  fit.scale = scale;
-  fit.translation_m = models::centre_m(scene);
-  return fit;
-}
-
 Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
   if (!(std::abs(depth) <= 4.0)) return Error{ErrorCode::usage, "the depth must be from -4 to 4", {}};
   if (depth == 1.0) return scene;

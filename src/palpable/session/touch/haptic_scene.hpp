@@ -25,10 +25,6 @@ struct PreparedScene {
   std::vector<std::string> notices;
 };
 
-/// The device's workspace laid over the scene: centred on it, and scaled so that the scene's width and height
-/// fit into the device's; a scene that fits is never enlarged.
-Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device);
-
 /// The scene with its height multiplied, kept for kinds other than reliefs. Errors (usage): depth outside
 /// -4…4, or not 1 for a scene that is no relief.
 Result<models::Scene> with_depth(const models::Scene& scene, double depth);

@@ -3,6 +3,7 @@
 #include "palpable/session/touch/haptic_scene.hpp"
 
 #include "palpable/device/drivers/open.hpp"
+#include "palpable/haptics/servo/start_touch.hpp"
 
 #include <cmath>
 #include <memory>
@@ -35,7 +36,8 @@ class PreparingAScene : public testing::Test {
     traits_ = (*device)->traits();
   }
   PreparedScene prepare(const TouchSettings& settings, KeptSurfaces& kept) const {
-    auto prepared = prepare_scene(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept);
+    auto prepared =
+        prepare_scene(scene_, settings, traits_, kRate_hz, haptics::fit_workspace(scene_, traits_), kept);
     EXPECT_TRUE(prepared);
     return prepared ? std::move(*prepared) : PreparedScene{};
   }
@@ -109,7 +111,8 @@ TEST_F(PreparingAScene, RefusesADepthThatIsNone) {
   TouchSettings settings;
   settings.depth = std::nan("");
   KeptSurfaces kept;
-  EXPECT_FALSE(prepare_scene(scene_, settings, traits_, kRate_hz, fit_workspace(scene_, traits_), kept));
+  EXPECT_FALSE(
+      prepare_scene(scene_, settings, traits_, kRate_hz, haptics::fit_workspace(scene_, traits_), kept));
 }
 
 }  // namespace

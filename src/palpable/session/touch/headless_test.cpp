@@ -4,6 +4,7 @@
 
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/recording/recording.hpp"
+#include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
@@ -87,7 +88,8 @@ TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
   ASSERT_TRUE(device);
   const auto& traits = (*device)->traits();
   KeptSurfaces kept;
-  const auto prepared = prepare_scene(*scene, {}, traits, 1000.0, fit_workspace(*scene, traits), kept);
+  const auto prepared =
+      prepare_scene(*scene, {}, traits, 1000.0, haptics::fit_workspace(*scene, traits), kept);
   ASSERT_TRUE(prepared) << prepared.error().sentence();
   Ring<haptics::TouchEvent> events(4096);
   haptics::TickPipeline tick(**device, prepared->scene, {}, events);

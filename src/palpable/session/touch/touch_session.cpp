@@ -5,6 +5,7 @@
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/models/material/material_check.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
@@ -145,7 +146,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   auto device =
       device::open_device(device_url, {options.seed, options.servo.rate_hz, impl->pointers.front()});
   if (!device) return std::move(device).error();
-  const auto place = fit_workspace(*scene, (*device)->traits());
+  const auto place = haptics::fit_workspace(*scene, (*device)->traits());
   auto prepared =
       prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, impl->kept);
   if (!prepared) return std::move(prepared).error();
@@ -170,7 +171,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
 Result<void> TouchSession::change_scene(std::shared_ptr<const models::Scene> scene) {
   PALPABLE_CHECK(scene != nullptr);
   const std::lock_guard changing(impl_->changing);
-  auto place = fit_workspace(*scene, impl_->loop->device_traits());
+  auto place = haptics::fit_workspace(*scene, impl_->loop->device_traits());
   if (impl_->stance) place = with_explorer(place, *impl_->stance);
   return impl_->change(std::move(scene), settings(), place);
 }

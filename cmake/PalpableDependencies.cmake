@@ -1,0 +1,51 @@
+# The outside libraries behind our link targets: how each is found, by the build and by the installed package, and what
+# pkg-config calls it (or, where it has no such file, how it is linked). In the names of variables "::" is "_".
+set(palpable_pc_fmt_fmt fmt)
+set(palpable_pc_JPEG_JPEG libjpeg)
+set(palpable_pc_PNG_PNG libpng)
+set(palpable_pc_TIFF_TIFF libtiff-4)
+set(palpable_pc_ZLIB_ZLIB zlib)
+set(palpable_pc_OpenEXR_OpenEXR OpenEXR)
+set(palpable_pc_assimp_assimp assimp)
+set(palpable_pc_PkgConfig_BLOSC blosc)
+set(palpable_pc_PkgConfig_CAIRO cairo)
+set(palpable_pc_PkgConfig_HEIF libheif)
+set(palpable_pc_PkgConfig_PANGO pangocairo)
+set(palpable_pc_PkgConfig_SPEECHD speech-dispatcher)
+set(palpable_pc_PkgConfig_WEBP libwebp)
+set(palpable_pc_PkgConfig_ZIP libzip)
+set(palpable_pc_PkgConfig_ZSTD libzstd)
+set(palpable_libs_OpenVDB_openvdb "-lopenvdb -ltbb -lImath")
+set(palpable_libs_Ceres_ceres "-lceres -lglog")
+
+# OpenVDB's own CMake file is outside CMake's path, and looks for Python too.
+macro(palpable_find_openvdb)
+  find_package(TBB REQUIRED)
+  find_package(Imath REQUIRED CONFIG)
+  find_package(Boost REQUIRED)
+  find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h REQUIRED)
+  find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+  add_library(OpenVDB::openvdb UNKNOWN IMPORTED)
+  set_target_properties(
+    OpenVDB::openvdb
+    PROPERTIES IMPORTED_LOCATION ${OPENVDB_LIBRARY} INTERFACE_INCLUDE_DIRECTORIES ${OPENVDB_INCLUDE_DIR}
+               INTERFACE_LINK_LIBRARIES "TBB::tbb;Imath::Imath;Boost::headers")
+endmacro()
+
+# Finds what stands behind one link target.
+macro(palpable_find_link link)
+  if(TARGET ${link})
+  elseif("${link}" STREQUAL "OpenVDB::openvdb")
+    palpable_find_openvdb()
+  elseif("${link}" MATCHES "^opencv_(.*)$")
+    find_package(OpenCV REQUIRED COMPONENTS ${CMAKE_MATCH_1})
+  elseif("${link}" MATCHES "^PkgConfig::(.*)$")
+    set(palpable_prefix ${CMAKE_MATCH_1})
+    find_package(PkgConfig REQUIRED)
+    pkg_check_modules(${palpable_prefix} REQUIRED IMPORTED_TARGET ${palpable_pc_PkgConfig_${palpable_prefix}})
+  elseif("${link}" MATCHES "^(Eigen3|OpenEXR|fmt|nlohmann_json|assimp|Ceres|CLI11)::")
+    find_package(${CMAKE_MATCH_1} REQUIRED CONFIG)
+  elseif("${link}" MATCHES "^([A-Za-z0-9_]+)::")
+    find_package(${CMAKE_MATCH_1} REQUIRED)
+  endif()
+endmacro()
