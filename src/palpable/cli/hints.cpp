@@ -25,10 +25,7 @@ std::string_view hint_for(Reason reason) {
     case Reason::unexpected_input_kind:
       return "--kind KIND, where it was recognised wrongly";
     case Reason::photo_depth_used:
-    case Reason::deep_picture_taken_as_depth:
       return "--kind picture for its contours";
-    case Reason::deep_picture_taken_as_picture:
-      return "--kind depth where it holds depth";
     case Reason::needs_field:
       return "--as field; --dense and --paper are ways to store one";
     case Reason::no_ground_found:

@@ -30,9 +30,6 @@ enum class Reason : std::uint8_t {
   unexpected_input_kind,
   /// A photograph with depth inside was taken as depth, not as a picture.
   photo_depth_used,
-  /// A 16-bit picture of one channel was taken as depth; or, having 256 levels only, as a picture.
-  deep_picture_taken_as_depth,
-  deep_picture_taken_as_picture,
   /// Ways to store a field were given for a scene that is not one.
   needs_field,
   /// No ground was found that could be treated.

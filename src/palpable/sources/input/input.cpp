@@ -202,11 +202,11 @@ Result<Input> recognise_grey(const fs::path& path, const Image& image) {
     return Input{InputKind::picture,
                  {path},
                  {{"This grey picture has 16 bits but only 256 levels: it was taken as a picture.",
-                   Reason::deep_picture_taken_as_picture}}};
+                   Reason::unexpected_input_kind}}};
   return Input{InputKind::depth,
                {path},
                {{fmt::format("This picture of one channel and {} bits was taken as depth.", image.bits),
-                 Reason::deep_picture_taken_as_depth}}};
+                 Reason::photo_depth_used}}};
 }
 
 /// One picture is a picture, unless a phone has put depth inside or its pixels are depth.

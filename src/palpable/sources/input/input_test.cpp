@@ -57,7 +57,7 @@ TEST_F(AnInput, OfOneChannelAndSixteenBitsIsDepthAndSaysSo) {
   ASSERT_TRUE(input);
   EXPECT_EQ(input->kind, InputKind::depth);
   ASSERT_EQ(input->notes.size(), 1U);
-  EXPECT_EQ(input->notes[0].reason, Reason::deep_picture_taken_as_depth);
+  EXPECT_EQ(input->notes[0].reason, Reason::photo_depth_used);
   EXPECT_EQ(kind(one, InputKind::picture), "picture");
 }
 
@@ -69,7 +69,7 @@ TEST_F(AnInput, OfSixteenBitsThatWereEightIsAPictureAndSaysSo) {
   ASSERT_TRUE(input);
   EXPECT_EQ(input->kind, InputKind::picture);
   ASSERT_EQ(input->notes.size(), 1U);
-  EXPECT_EQ(input->notes[0].reason, Reason::deep_picture_taken_as_picture);
+  EXPECT_EQ(input->notes[0].reason, Reason::unexpected_input_kind);
 }
 
 TEST_F(AnInput, IsDepthWhereItsSidecarSaysSo) {
