@@ -191,7 +191,7 @@ TEST_F(BadPairs, OfACameraThatOnlyTurnedAreSaidToHoldNoDepth) {
     return std::pair(170.0 + c * (x - 160) - s * (y - 120), 116.0 + s * (x - 160) + c * (y - 120));
   });
   const Outcome still = depth(pair_.left, turned, {"--moved", "50"});
-  EXPECT_THAT(still.err, AllOf(HasSubstr("hardly moved"), HasSubstr("pixels (RMS) beyond what turning")));
+  EXPECT_THAT(still.err, AllOf(HasSubstr("hardly moved"), HasSubstr("pixels (RMS) beyond what a rotation")));
 }
 
 }  // namespace

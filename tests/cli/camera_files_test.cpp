@@ -130,11 +130,11 @@ TEST_F(CameraFiles, APictureThatHoldsNoPairIsNamed) {
   const Outcome none = palpable({"info", path("one.png")});
   EXPECT_EQ(none.exit_code, 3);
   EXPECT_TRUE(is_one_sentence(none.err));
-  EXPECT_THAT(none.err, HasSubstr("is no scene but an input of the kind picture"));
+  EXPECT_THAT(none.err, HasSubstr("is a picture, and not a scene"));
   const Outcome alone = palpable({"depth", path("one.png"), "-o", path("d.pfm")});
   EXPECT_EQ(alone.exit_code, 2);
   EXPECT_TRUE(is_one_sentence(alone.err));
-  EXPECT_THAT(alone.err, HasSubstr("name the right picture too"));
+  EXPECT_THAT(alone.err, HasSubstr("give the right picture too"));
   write_text(path("cut.mpo"),
              sources::mpo(jpeg(pair_.left), jpeg(pair_.right), sources::kDisparity).substr(0, 40000));
   const Outcome cut = palpable({"depth", path("cut.mpo"), "-o", path("d.pfm")});

@@ -192,7 +192,8 @@ TEST_F(FieldCommands, BadSolidsAreRefusedInOneSentence) {
        "1\n"}};
   for (const auto& [name, text] : cases) {
     write_text(path(name), text);
-    const Outcome outcome = palpable({"make", path(name), "-o", path("x.palp"), "--resolution", "32"});
+    const Outcome outcome =
+        palpable({"make", path(name), "--as", "field", "-o", path("x.palp"), "--resolution", "32"});
     EXPECT_EQ(outcome.exit_code, 3) << name << ": " << outcome.err;
     EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr(name));
