@@ -10,6 +10,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 if(PALPABLE_WERROR)
   target_compile_options(palpable_options INTERFACE -Werror)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Warnings that depend on what the optimiser sees are shown but stop no build: g++ 12 is often wrong about them, and
+    # differently at each level of optimisation.
+    target_compile_options(palpable_options INTERFACE -Wno-error=maybe-uninitialized -Wno-error=array-bounds
+                           -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=free-nonheap-object)
+  endif()
 endif()
 find_package(Threads REQUIRED)
 target_link_libraries(palpable_options INTERFACE Threads::Threads)

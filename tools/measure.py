@@ -51,14 +51,14 @@ class Measurement:
         print(f"{figure}, {of}: {value:.4g} {unit} {('(' + bar + ')') if bar else ''}", file=sys.stderr)
 
 
-# Pair, left, right, truth, scale of the truth, masks.
+# Pair, left, right, truth, what the truth's values are multiples of, masks.
 PAIRS = [
-    ("tsukuba", "mid2_tsukuba", "imL.png", "imR.png", "groundtruth.png", 1 / 16, ("nonocc", "all", "disc")),
-    ("venus", "mid2_venus", "imL.png", "imR.png", "groundtruth.png", 1 / 8, ("nonocc", "all", "disc")),
-    ("cones", "mid2_cones", "imL.png", "imR.png", "groundtruth.png", 1 / 4, ("nonocc", "all", "disc")),
-    ("Art", "mid05_Art", "view1.png", "view5.png", "disp1.png", 1 / 3, ()),
-    ("Laundry", "mid05_Laundry", "view1.png", "view5.png", "disp1.png", 1 / 3, ()),
-    ("Reindeer", "mid06_Reindeer", "view1.png", "view5.png", "disp1.png", 1 / 2, ()),
+    ("tsukuba", "mid2_tsukuba", "imL.png", "imR.png", "groundtruth.png", 16, ("nonocc", "all", "disc")),
+    ("venus", "mid2_venus", "imL.png", "imR.png", "groundtruth.png", 8, ("nonocc", "all", "disc")),
+    ("cones", "mid2_cones", "imL.png", "imR.png", "groundtruth.png", 4, ("nonocc", "all", "disc")),
+    ("Art", "mid05_Art", "view1.png", "view5.png", "disp1.png", 3, ()),
+    ("Laundry", "mid05_Laundry", "view1.png", "view5.png", "disp1.png", 3, ()),
+    ("Reindeer", "mid06_Reindeer", "view1.png", "view5.png", "disp1.png", 2, ()),
 ]
 STEREO_BARS = {
     "best": {"tsukuba": 2.7, "venus": 0.6, "cones": 5.4},
