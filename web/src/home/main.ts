@@ -244,6 +244,7 @@ class TouchPage implements KeyTarget {
         this.loaded.scene = message;
         element('scene-name').textContent = message.name;
         element('scene-description').textContent = message.description;
+        element('scene-description').title = message.description ?? '';
         element('scene-description').hidden = message.description === null;
         this.trace.scene(message.kind, message.width_m, message.depth_m);
         this.controls.offerCells(message.cells !== null);
