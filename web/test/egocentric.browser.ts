@@ -56,6 +56,6 @@ it('walks by buttons too, and every one of them has a name', async () => {
   await page.getByRole('button', { name: 'Turn right' }).click();
   await page.getByRole('button', { name: 'Walk ahead' }).click();
   await page.getByRole('button', { name: 'Where do I stand?' }).click();
-  await says(page, 'You stand 4 millimetres right of and 4 millimetres above the middle, facing up and right.');
+  await says(page, 'You stand 3.5 millimetres right of and 3.5 millimetres above the middle, facing up and right.');
   expect(await violations(page)).toEqual([]);
 });

@@ -110,7 +110,7 @@ it('by the panel: every control has a name, and the choice is heard', async () =
   const choice = page.getByRole('combobox', { name: 'Keys move' });
   expect(await choice.inputValue()).toBe('1');
   await choice.selectOption({ label: '1, the first' });
-  await says(page, 'Probe 1,');
+  await says(page, 'Probe 1. ');
   expect(await page.getByRole('button', { name: 'Take it away' }).isDisabled()).toBe(true);
   await choice.selectOption({ label: '2' });
   await page.getByRole('button', { name: 'Take it away' }).click();
