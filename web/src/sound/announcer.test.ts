@@ -37,6 +37,17 @@ describe('the announcer', () => {
     announcer.tick(2000);
     expect(said).toEqual(['first', 'answer', 'fault']);
   });
+  it('says where the probe is once an answer was said, when the probe moved after the question', () => {
+    const announcer = fresh();
+    announcer.say('opening', Importance.news, 0);
+    announcer.say('in the middle', Importance.answer, 10);
+    announcer.say('a step to the right', Importance.motion, 20);
+    announcer.tick(1000);
+    expect(announcer.due(1000)).toBe(1000);
+    announcer.tick(2000);
+    expect(said).toEqual(['opening', 'in the middle', 'a step to the right']);
+    expect(announcer.due(2000)).toBe(null);
+  });
   it('works its words out when it speaks, and says nothing if there is nothing to say any more', () => {
     const announcer = fresh();
     let height = 1;

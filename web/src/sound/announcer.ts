@@ -22,7 +22,8 @@ interface Waiting {
 }
 
 export class Announcer {
-  private waiting: Waiting | null = null;
+  /** By falling importance: what is less important here was said later than what is more important. */
+  private waiting: Waiting[] = [];
   private spokeAt = -Infinity;
 
   constructor(
@@ -30,26 +31,29 @@ export class Announcer {
     private readonly gap = 1000,
   ) {}
 
-  /** Says it now if a second has passed, else when it has, unless something as important comes or it grows old (ms). */
+  /**
+   * Says it now if a second has passed, else when it has, unless something as important comes or it grows old (ms).
+   * What is more important and waits already is said first.
+   */
   say(words: Words | string, importance: Importance, now: number, lifetime = 2500): void {
-    const entry = { words: typeof words === 'string' ? () => words : words, importance, until: now + lifetime };
-    if (this.waiting === null || this.waiting.until < now || importance >= this.waiting.importance) this.waiting = entry;
+    const before = this.waiting.filter((entry) => entry.importance > importance && entry.until >= now);
+    this.waiting = [...before, { words: typeof words === 'string' ? () => words : words, importance, until: now + lifetime }];
     this.tick(now);
   }
 
   /** When tick() has something to do (ms from `now`); null if nothing waits. */
   due(now: number): number | null {
-    return this.waiting === null ? null : Math.max(0, this.spokeAt + this.gap - now);
+    return this.waiting.length === 0 ? null : Math.max(0, this.spokeAt + this.gap - now);
   }
 
   /** Says what waits, if it is time. */
   tick(now: number): void {
-    if (this.waiting === null || now - this.spokeAt < this.gap) return;
-    const { words, until } = this.waiting;
-    this.waiting = null;
-    if (until < now) return;
-    const text = words();
-    if (text === null || text === '') return;
+    if (now - this.spokeAt < this.gap) return;
+    this.waiting = this.waiting.filter((entry) => entry.until >= now);
+    const next = this.waiting.shift();
+    if (next === undefined) return;
+    const text = next.words();
+    if (text === null || text === '') return this.tick(now);
     this.spokeAt = now;
     if (typeof text === 'string') return this.speak(text);
     // What was asked for is said when it comes, unless something was said meanwhile.
