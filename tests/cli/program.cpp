@@ -164,7 +164,11 @@ Outcome palpable_on_a_terminal(const std::vector<std::string>& arguments) {
   return outcome;
 }
 
-void InFolder::SetUp() { folder_ = new_folder(); }
+void InFolder::SetUp() {
+  folder_ = new_folder();
+  // No test finds what another one left, nor what the person has.
+  setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
+}
 void InFolder::TearDown() { std::filesystem::remove_all(folder_); }
 
 void write_text(const std::string& file, const std::string& text) {

@@ -61,6 +61,16 @@ std::string box_obj(double x, double half, int first_vertex, bool outwards = tru
   return obj;
 }
 
+TEST_F(SolidCommands, MakeAMeshOnceUnlessToldOtherwise) {
+  write_text(path("box.obj"), box_obj(0.0, 0.02, 1));
+  const Outcome first = make("box.obj"), second = make("box.obj"), anew = make("box.obj", {"--no-cache"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_THAT(first.err, Not(HasSubstr("cache")));
+  EXPECT_THAT(second.err, HasSubstr("came from the cache"));
+  EXPECT_THAT(anew.err, Not(HasSubstr("cache")));
+  EXPECT_TRUE(std::filesystem::is_directory(path("cache/palpable/scenes")));
+}
+
 TEST_F(SolidCommands, AMeshThatCrossesItselfIsTheUnionOfItsBodies) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1) + box_obj(0.02, 0.015, 9));
   const Outcome outcome = make("m.obj");

@@ -113,6 +113,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Greatest error of the distance near the surface, mm; else 1/10000 of the longest side");
   options.text("--poses", arguments.poses,
                "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz");
+  options.flag("--no-cache", arguments.no_cache,
+               "Make a mesh's field anew; else one that was made before is taken from the cache "
+               "(~/.cache/palpable)");
   options.flag("--dense", arguments.dense, "Field: distances at every point of a lattice, for comparison");
   options.flag("--paper", arguments.paper,
                "Field: dense, by fast marching, with stored forces (Moustakas 2007)");
@@ -239,6 +242,7 @@ Result<void> set_size(const std::string& text, session::Recipes& recipes) {
 Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   session::MakeOptions options;
   options.made_by = kMadeBy;
+  if (!arguments.no_cache) options.cache.folder = session::user_cache_folder();
   options.as = make_as_from(arguments.as);
   auto input = input_options(arguments);
   if (!input) return input.error();

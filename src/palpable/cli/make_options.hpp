@@ -45,6 +45,7 @@ struct MakeArguments {
   int grid_points = 160;
   std::optional<double> max_error_mm;
   bool dense = false;
+  bool no_cache = false;
   std::string poses;
   bool paper = false;
   std::string background = "keep";

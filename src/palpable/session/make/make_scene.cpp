@@ -166,6 +166,32 @@ Result<MadeScene> finished(Result<MadeScene> made, const Prepared& from, const M
   return made;
 }
 
+/// The key of a mesh that becomes a cached field; nothing for other scenes.
+std::optional<std::string> key_of(const InputValues& values, const MakeOptions& options) {
+  const auto* file = std::get_if<sources::MeshFile>(&values);
+  const bool is_cached = file != nullptr && !options.cache.folder.empty() &&
+                         !becomes_relief(file->mesh, options) &&
+                         options.recipes.field.storage == recipes::FieldStorage::adaptive;
+  if (!is_cached) return std::nullopt;
+  recipes::FieldRecipe recipe = options.recipes.field;
+  recipe.placement.convention = file->convention;
+  return cache_key(file->mesh, recipe, options.made_by);
+}
+
+std::optional<MadeScene> from_cache(const MakeOptions& options, const std::optional<std::string>& key) {
+  auto made = key ? read_cached(options.cache, *key) : std::nullopt;
+  if (made) made->notes.emplace_back("This scene was made before and came from the cache.");
+  return made;
+}
+
+/// Runs the recipe and stores what it made under the key, if there is one.
+Result<MadeScene> made_for_cache(InputValues values, const MakeOptions& options,
+                                 const std::optional<std::string>& key, const Work& work) {
+  auto made = std::visit(RunRecipe{options, work}, std::move(values));
+  if (made && key) write_cached(options.cache, *key, *made);
+  return made;
+}
+
 /// The options of a field that can be touched soon, while the one that is asked for is made; nothing where
 /// that one is soon there itself.
 std::optional<MakeOptions> coarse_first(const InputValues& values, const MakeOptions& options) {
@@ -194,7 +220,9 @@ Work without_progress(Work work) {
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
   auto from = prepared(options, work);
   if (!from) return from.error();
-  return finished(std::visit(RunRecipe{options, work}, std::move(from->values)), *from, options);
+  const auto key = key_of(from->values, options);
+  if (auto made = from_cache(options, key)) return finished(std::move(*made), *from, options);
+  return finished(made_for_cache(std::move(from->values), options, key, work), *from, options);
 }
 
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work) {
@@ -202,13 +230,18 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
   if (!from) return from.error();
   const auto* pair = std::get_if<ReadyPair>(&from->values);
   if (pair == nullptr) {
+    const auto key = key_of(from->values, options);
+    if (auto made = from_cache(options, key)) {
+      take(*finished(std::move(*made), *from, options));
+      return {};
+    }
     if (const auto coarse = coarse_first(from->values, options)) {
       auto made =
           finished(std::visit(RunRecipe{*coarse, without_progress(work)}, from->values), *from, *coarse);
       if (!made) return made.error();
       take(std::move(*made));
     }
-    auto made = finished(std::visit(RunRecipe{options, work}, std::move(from->values)), *from, options);
+    auto made = finished(made_for_cache(std::move(from->values), options, key, work), *from, options);
     if (!made) return made.error();
     take(std::move(*made));
     return {};

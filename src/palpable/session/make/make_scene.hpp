@@ -11,6 +11,7 @@
 #include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/recipes/sheet_recipe.hpp"
 #include "palpable/session/make/read_input.hpp"
+#include "palpable/session/make/scene_cache.hpp"
 
 #include <functional>
 #include <string>
@@ -61,21 +62,23 @@ struct MakeOptions {
   Recipes recipes;
   /// Of make_scenes().
   CoarseField coarse_field;
+  /// Where adaptive fields of meshes are stored; none unless its folder is given.
+  SceneCache cache;
   /// Written into the scene's provenance: "palpable 0.1.0".
   std::string made_by;
 };
 
-/// From files to a touchable scene: recognises them, reads them and runs the recipe that fits. Long work:
-/// reports progress, polls cancel. Errors: invalid_input naming the file, usage for options that do not fit
-/// the input, interrupted.
+/// From files to a touchable scene: recognises them, reads them and runs the recipe that fits, or takes
+/// the scene from the cache. Long work: reports progress, polls cancel. Errors: invalid_input naming the
+/// file, usage for options that do not fit the input, interrupted.
 Result<recipes::MadeScene> make_scene(const MakeOptions& options, const Work& work);
 
 /// Receives a scene as soon as it is made.
 using TakeScene = std::function<void(recipes::MadeScene)>;
 
 /// The same for a touch that is to begin at once: where no stereo method is fixed, a pair's scene comes first
-/// by the fastest method, then by the best one; a large mesh's field comes coarse first, then as asked for.
-/// Errors: as make_scene(); scenes that were made before an error have been delivered.
+/// by the fastest method, then by the best one; a large mesh's field that is not cached comes coarse first,
+/// then as asked for. Errors: as make_scene(); scenes that were made before an error have been delivered.
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work);
 
 }  // namespace palpable::session

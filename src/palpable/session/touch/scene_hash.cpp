@@ -2,44 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/scene_hash.hpp"
 
+#include "palpable/core/fnv1a.hpp"
+
 #include <bit>
 #include <cmath>
-#include <concepts>
 #include <string_view>
 
 namespace palpable::session {
 namespace {
 
-class Fnv1a {
- public:
-  template <std::unsigned_integral T>
-  void add(T value) {
-    for (std::size_t i = 0; i < sizeof(T); ++i) {
-      hash_ ^= static_cast<std::uint64_t>(value >> (8 * i) & 0xFFU);
-      hash_ *= 0x100000001B3U;
-    }
-  }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
-  void add(float value) { add(std::bit_cast<std::uint32_t>(value)); }
-  void add(std::string_view text) {
-    add(static_cast<std::uint64_t>(text.size()));
-    for (const char letter : text) add(static_cast<std::uint8_t>(letter));
-  }
-  template <class T>
-  void add(const Raster<T>& raster) {
-    add(static_cast<std::uint32_t>(raster.width()));
-    add(static_cast<std::uint32_t>(raster.height()));
-    for (const T value : raster.values()) add(value);
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xCBF29CE484222325U;
-};
+template <class T>
+void add_raster(Fnv1a& hash, const Raster<T>& raster) {
+  hash.add(static_cast<std::uint32_t>(raster.width()));
+  hash.add(static_cast<std::uint32_t>(raster.height()));
+  for (const T value : raster.values()) hash.add(value);
+}
 
 void add_model(Fnv1a& hash, const std::shared_ptr<const models::Relief>& relief) {
   hash.add(relief->pixel_m());
-  hash.add(relief->samples_m());
+  add_raster(hash, relief->samples_m());
 }
 
 void add_model(Fnv1a& hash, const std::shared_ptr<const models::Contours>& contours) {
@@ -98,11 +79,8 @@ std::string scene_hash(const models::Scene& scene) {
     hash.add(material.dynamic_friction);
     add_texture(hash, material.texture);
   }
-  hash.add(scene.labels);
-  std::string digits(16, '0');
-  for (std::size_t i = 0; i < digits.size(); ++i)
-    digits[i] = "0123456789abcdef"[hash.value() >> (60 - 4 * i) & 0xFU];
-  return digits;
+  add_raster(hash, scene.labels);
+  return hash.digits();
 }
 
 std::string SceneHashes::of(const std::shared_ptr<const models::Scene>& scene) {

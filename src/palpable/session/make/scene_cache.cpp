@@ -1,0 +1,170 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/make/scene_cache.hpp"
+
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/crc32.hpp"
+#include "palpable/core/fnv1a.hpp"
+#include "palpable/formats/scene/scene_file.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::session {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The member of an entry that holds its key and the notes of its making.
+constexpr const char* kMember = "cache.json";
+constexpr const char* kEnding = ".palp";
+
+fs::path path_of(const SceneCache& cache, const std::string& key) {
+  Fnv1a hash;
+  hash.add(std::string_view(key));
+  return cache.folder / (hash.digits() + kEnding);
+}
+
+std::string text_of(const Mesh& mesh) {
+  Fnv1a hash;
+  for (const Vec3 v : mesh.vertices_m)
+    for (const double c : {v.x, v.y, v.z}) hash.add(c);
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t) hash.add(v);
+  // Two hashes of different kinds: another mesh has neither the one nor the other.
+  return fmt::format("{} vertices, {} triangles, {} {:08x}", mesh.vertices_m.size(), mesh.triangles.size(),
+                     hash.digits(), crc32(std::as_bytes(std::span(mesh.vertices_m))));
+}
+
+/// Fields are named one by one, so that one which is added cannot be left out of the key.
+std::string text_of(const sculpt::PlacementOptions& placement) {
+  const auto& [size, default_size, up, lay, convention] = placement;
+  const auto& [convention_up, unit] = convention;
+  const std::string box = size ? fmt::format("{:a} {:a} {:a}", size->x, size->y, size->z) : "none";
+  return fmt::format("{}; {}; {}; {}; {}; {}", box, static_cast<int>(default_size),
+                     up ? static_cast<int>(*up) : -1, static_cast<int>(lay), static_cast<int>(convention_up),
+                     static_cast<int>(unit));
+}
+std::string text_of(const sculpt::FieldOptions& field) {
+  // The limit of memory decides whether there is a field, not what it holds.
+  const auto& [resolution, max_error_m, inside_m, outside_m, most_bytes] = field;
+  static_cast<void>(most_bytes);
+  return fmt::format("{}; {:a}; {:a}; {:a}", resolution, max_error_m, inside_m, outside_m);
+}
+std::string text_of(const recipes::FieldRecipe& recipe) {
+  // Clouds of points are not meshes.
+  const auto& [placement, field, storage, cloud] = recipe;
+  static_cast<void>(cloud);
+  return fmt::format("{}; {}; {}", text_of(placement), text_of(field), static_cast<int>(storage));
+}
+
+/// The size and time of the running program's file.
+std::string text_of_program() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const auto bytes = fs::file_size(program, error);
+  const auto time = fs::last_write_time(program, error);
+  return error ? "unknown" : fmt::format("{} {}", bytes, time.time_since_epoch().count());
+}
+
+struct Entry {
+  fs::path path;
+  std::uintmax_t bytes = 0;
+  fs::file_time_type used;
+};
+
+/// All entries, those used last first.
+std::vector<Entry> entries_of(const fs::path& folder) {
+  std::vector<Entry> entries;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code gone;
+    if (at->path().extension() != kEnding || !at->is_regular_file(gone)) continue;
+    const Entry entry{at->path(), at->file_size(gone), at->last_write_time(gone)};
+    // Another process may have removed it meanwhile.
+    if (!gone) entries.push_back(entry);
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used > b.used; });
+  return entries;
+}
+
+void remove_oldest(const SceneCache& cache) {
+  std::uintmax_t sum = 0;
+  for (const Entry& entry : entries_of(cache.folder)) {
+    sum += entry.bytes;
+    std::error_code ignored;
+    if (sum > cache.most_bytes) fs::remove(entry.path, ignored);
+  }
+}
+
+/// The notes of an entry with this key; nothing for another key or a damaged member.
+std::optional<std::vector<Note>> notes_of(const formats::ZipMembers& members, const std::string& key) {
+  const auto member = members.find(kMember);
+  if (member == members.end()) return std::nullopt;
+  const auto* text = reinterpret_cast<const char*>(member->second.data());
+  const auto json = nlohmann::json::parse(text, text + member->second.size(), nullptr, false);
+  if (!json.is_object() || json.value("key", "") != key || !json.contains("notes") ||
+      !json["notes"].is_array())
+    return std::nullopt;
+  std::vector<Note> notes;
+  for (const auto& note : json["notes"]) {
+    if (!note.is_string()) return std::nullopt;
+    notes.emplace_back(note.get<std::string>());
+  }
+  return notes;
+}
+
+}  // namespace
+
+fs::path user_cache_folder() {
+  const auto absolute = [](const char* name) {
+    const char* value = std::getenv(name);
+    const fs::path path = value != nullptr ? value : "";
+    return path.is_absolute() ? path : fs::path();
+  };
+  if (const fs::path cache = absolute("XDG_CACHE_HOME"); !cache.empty()) return cache / "palpable" / "scenes";
+  if (const fs::path home = absolute("HOME"); !home.empty()) return home / ".cache" / "palpable" / "scenes";
+  return {};
+}
+
+std::string cache_key(const Mesh& mesh, const recipes::FieldRecipe& recipe, const std::string& made_by) {
+  return fmt::format("{}; {}; {}; {}", made_by, text_of_program(), text_of(mesh), text_of(recipe));
+}
+
+std::optional<recipes::MadeScene> read_cached(const SceneCache& cache, const std::string& key) {
+  const fs::path path = path_of(cache, key);
+  std::error_code error;
+  if (cache.folder.empty() || !fs::is_regular_file(path, error)) return std::nullopt;
+  auto file = formats::read_scene(path);
+  if (!file) return std::nullopt;
+  auto notes = notes_of(file->others, key);
+  if (!notes) return std::nullopt;
+  fs::last_write_time(path, fs::file_time_type::clock::now(), error);
+  return recipes::MadeScene{std::move(file->scene), std::move(*notes)};
+}
+
+void write_cached(const SceneCache& cache, const std::string& key, const recipes::MadeScene& made) {
+  if (cache.folder.empty()) return;
+  nlohmann::json json{{"key", key}, {"notes", nlohmann::json::array()}};
+  for (const Note& note : made.notes) {
+    // A note with a reason is worded for who asks: such scenes are made again.
+    if (note.reason != Reason::unspecified) return;
+    json["notes"].push_back(note.sentence);
+  }
+  const std::string text = json.dump();
+  const auto bytes = std::as_bytes(std::span(text));
+  const auto file = formats::encode_scene(made.scene, {{kMember, {bytes.begin(), bytes.end()}}});
+  if (!file || file->size() > cache.most_bytes) return;
+  std::error_code error;
+  if (fs::create_directories(cache.folder, error)) fs::permissions(cache.folder, fs::perms::owner_all, error);
+  if (write_file_atomically(path_of(cache, key), *file)) remove_oldest(cache);
+}
+
+}  // namespace palpable::session
