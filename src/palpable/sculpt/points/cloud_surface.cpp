@@ -59,7 +59,7 @@ double reach_of(const PointIndex& index, Vec3 p, double guess_m, double most_m) 
   return std::sqrt(*at);
 }
 
-/// Each point as a small triangle of the surface that it stands for, so that a tree over them winds.
+/// Each point as a small triangle of the surface around it, so that a tree over them winds.
 Mesh shingles(const PointCloud& cloud, const std::vector<double>& reaches_m) {
   Mesh mesh;
   for (std::size_t i = 0; i < cloud.places_m.size(); ++i) {
@@ -119,7 +119,7 @@ class CloudSolid {
 }  // namespace
 
 Result<Mesh> surface_of_cloud(const PointCloud& cloud, const CloudOptions& options, const Work& work) {
-  if (const auto sound = check(cloud); !sound) return sound.error();
+  if (const auto valid = check(cloud); !valid) return valid.error();
   PointCloud points = cloud;
   for (Vec3& n : points.normals) n = unit(n);
   Box box = bounds_of(points.places_m);
@@ -142,7 +142,7 @@ Result<Mesh> surface_of_cloud(const PointCloud& cloud, const CloudOptions& optio
   std::nth_element(sorted.begin(), middle, sorted.end());
   // Eight neighbours lie within about 1.6 spacings of an evenly sampled surface.
   const double spacing_m = std::max(*middle / 1.6, longest_m / 2048.0);
-  // A point that stands alone is not given all the empty space around it.
+  // An isolated point is not given all the empty space around it.
   for (double& reach : reaches_m) reach = std::min(reach, 4.0 * *middle);
   const TriangleTree tree(shingles(points, reaches_m));
   const CloudSolid solid(points, index, tree, 2.5 * spacing_m);

@@ -88,9 +88,9 @@ class Voices {
       near_behind_ = near_behind_ || along_m > -fill_m_;
       return;
     }
-    // At a step the depth of one side may stand on the other.
-    for (const float beside : {depth(x - 1, y), depth(x + 1, y), depth(x, y - 1), depth(x, y + 1)})
-      if (!(std::abs(beside - here) < static_cast<float>(truncation_m_))) return;
+    // At a depth discontinuity, a pixel may have the depth of the other side.
+    for (const float neighbour : {depth(x - 1, y), depth(x + 1, y), depth(x, y - 1), depth(x, y + 1)})
+      if (!(std::abs(neighbour - here) < static_cast<float>(truncation_m_))) return;
     const double distance_m = std::min(along_m, truncation_m_);
     sum_m_ += distance_m;
     squares_m2_ += distance_m * distance_m;
@@ -102,7 +102,7 @@ class Voices {
     const bool solid = near_behind_ || 2 * behind_ > maps;
     return static_cast<float>(solid ? -truncation_m_ : truncation_m_);
   }
-  /// Of that value, squared; negative where fewer than two maps told it.
+  /// Of that value, squared; negative where fewer than two maps have a value.
   float noise2_m2() const {
     if (told_ < 2) return -1.0F;
     const double mean_m = sum_m_ / told_;
@@ -159,7 +159,7 @@ std::vector<LevelSet::Block> blocks_of(const FusedNumbers& numbers, const std::a
 
 Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptions& options,
                              const Work& work) {
-  if (const auto sound = check(views, options); !sound) return sound.error();
+  if (const auto valid = check(views, options); !valid) return valid.error();
   const auto box = seen_box(views, options);
   if (!box) return invalid_input("holds no depth that counts, and neither do the others");
   const Vec3 size = box->size_m();

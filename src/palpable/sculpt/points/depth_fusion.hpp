@@ -18,7 +18,7 @@ struct FusionOptions {
   /// Depths nearer or farther than this do not count, metres.
   double near_m = 0.0;
   double far_m = std::numeric_limits<double>::infinity();
-  /// Beyond so many voxels along a line of sight a distance is not told further.
+  /// Distances are truncated beyond so many voxels along a line of sight.
   double truncation_voxels = 4.0;
   /// Of the longest side: how far behind a surface that few maps saw it is solid.
   double fill_share = 0.05;

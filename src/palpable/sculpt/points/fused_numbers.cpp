@@ -19,8 +19,8 @@ void for_inner(const FusedNumbers& numbers, const Work& work, const Visit& visit
   });
 }
 
-/// The mean of what is known around each voxel: two maps alone tell little of their noise. Where nothing is
-/// known, the mean over all.
+/// The mean of what is known around each voxel: two maps alone are a poor estimate of their noise. Where
+/// nothing is known, the mean over all.
 std::vector<float> noise_around(const FusedNumbers& numbers, const Work& work) {
   double sum = 0.0, count = 0.0;
   for (const float n : numbers.noise2_m2)

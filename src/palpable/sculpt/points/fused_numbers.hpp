@@ -10,12 +10,12 @@
 
 namespace palpable::sculpt {
 
-/// Truncated signed distances on a box of voxels, each the mean of what several maps told.
+/// Truncated signed distances on a box of voxels, each the mean of several maps.
 struct FusedNumbers {
   std::array<int, 3> size{};
-  /// z innermost. Where no map told any, the truncation, positive or negative.
+  /// z innermost. Where no map has a value, the truncation, positive or negative.
   std::vector<float> distance_m;
-  /// How much that mean errs, squared; negative: not known (one map told it, or none).
+  /// How much that mean errs, squared; negative: not known (fewer than two maps have a value).
   std::vector<float> noise2_m2;
 
   std::size_t index(int x, int y, int z) const {

@@ -55,7 +55,7 @@ Superquadric draw_shape(Draw& draw, FitDeformation deformation) {
   return s;
 }
 
-/// Points of a mesh, evenly by area, of the triangles that look towards `eye` where there is one.
+/// Points of a mesh, evenly by area, of the triangles that face `eye` where there is one.
 std::vector<Vec3> scatter(const Mesh& mesh, int count, const std::optional<Vec3>& eye, Draw& draw) {
   std::vector<double> sums;
   sums.reserve(mesh.triangles.size());
@@ -110,9 +110,9 @@ FitView see(const Superquadric& truth, const Mesh& mesh, Draw& draw) {
       const Vec3 along{(column - middle) / focal, (row - middle) / focal, 1.0};
       sights.push_back({eye, unit(scene_from_camera.rotate(along))});
     }
-  Stands stands;
-  exact.stands_of(exact.nearest_on(sights), stands);
-  std::transform(stands.radial.begin(), stands.radial.end(), mask.values().begin(),
+  RadialDistances distances;
+  exact.radial_distances_of(exact.nearest_on(sights), distances);
+  std::transform(distances.radial.begin(), distances.radial.end(), mask.values().begin(),
                  [](double r) -> std::uint8_t { return r < 0.0 ? 1 : 0; });
   return {{eye}, outline_of(mask, 1, camera, scene_from_camera)};
 }

@@ -130,15 +130,15 @@ class Refinement {
     double lengths = 0.0;
     const auto all = static_cast<double>(points_.count());
     c.cost = -all * std::log(inlier);
-    here.stands_of(points_, stands_);
+    here.radial_distances_of(points_, distances_);
     for (std::size_t i = 0; i < points_.count(); ++i) {
-      const double r = stands_.euclidean_share[i] * stands_.radial[i];
+      const double r = distances_.euclidean_share[i] * distances_.radial[i];
       // A point on the side that could not be seen is no point of this shape.
-      const bool seen = !evidence_.eye || here.faces(points_.at(i), stands_.outward.at(i), *evidence_.eye);
+      const bool seen = !evidence_.eye || here.faces(points_.at(i), distances_.outward.at(i), *evidence_.eye);
       const double near = seen ? std::exp(narrow * r * r) : 0.0;
       const double belief = near / (near + ratio);
       c.cost -= std::log(near + ratio);
-      weights_[i] = std::sqrt(belief) * stands_.euclidean_share[i];
+      weights_[i] = std::sqrt(belief) * distances_.euclidean_share[i];
       sum += belief;
       squares += belief * r * r;
       lengths += belief * std::abs(r);
@@ -157,13 +157,13 @@ class Refinement {
 
   void weigh_outline(const ResidualsAt& here, Candidate& c) {
     const Columns grazes = here.nearest_on(evidence_.outline);
-    here.stands_of(grazes, stands_);
+    here.radial_distances_of(grazes, distances_);
     double sum = 0.0;
     double squares = 0.0;
     const double narrow = -0.5 / (c.sight_noise * c.sight_noise);
     const std::size_t first = points_.count();
     for (std::size_t i = 0; i < grazes.count(); ++i) {
-      const double r = stands_.euclidean_share[i] * stands_.radial[i];
+      const double r = distances_.euclidean_share[i] * distances_.radial[i];
       const double near = std::exp(narrow * r * r);
       constexpr double kStray = 0.1;
       constexpr double kStrayCost = 1e-3;
@@ -172,7 +172,7 @@ class Refinement {
       sum += belief;
       squares += belief * r * r;
       places_.set(first + i, grazes.at(i));
-      weights_[first + i] = std::sqrt(belief) * stands_.euclidean_share[i];
+      weights_[first + i] = std::sqrt(belief) * distances_.euclidean_share[i];
     }
     if (sum > 0.1 * static_cast<double>(grazes.count()))
       c.sight_noise = std::clamp(std::sqrt(squares / sum), kLeastNoise, c.sight_noise);
@@ -207,7 +207,7 @@ class Refinement {
   Columns points_;
   Columns places_;  // the points, then where the lines of sight graze
   std::vector<double> weights_;
-  Stands stands_;
+  RadialDistances distances_;
   double inliers_ = 1.0;
   double error_ = 0.0;
 };
@@ -246,7 +246,7 @@ FittedSuperquadric fit_robustly(const Evidence& all, FitDeformation deformation)
   Refinement quick(some, volume, kPlainParameters);
   auto candidates = starts_for(some);
   for (Candidate& c : candidates) quick.run(c, 3, 2);
-  // Among outliers, and of half views, it takes another round to tell which of them lead somewhere.
+  // Among outliers, and of half views, another round is needed to find out which of them converge.
   constexpr double kManyOutliers = 0.1;
   const double outliers = std::min_element(candidates.begin(), candidates.end(), cheaper)->outliers;
   if (some.eye || outliers > kManyOutliers)
@@ -306,12 +306,12 @@ FittedSuperquadric fit_as_solina(const Evidence& all, FitDeformation deformation
   Parameters moved = rest;
   if (x.allFinite()) std::copy_n(x.data(), count, moved.begin());
   const ResidualsAt here(moved, reference, count);
-  Stands stands;
-  here.stands_of(places, stands);
+  RadialDistances distances;
+  here.radial_distances_of(places, distances);
   double squares = 0.0;
   double lengths = 0.0;
   for (std::size_t i = 0; i < places.count(); ++i) {
-    const double r = stands.euclidean_share[i] * stands.radial[i];
+    const double r = distances.euclidean_share[i] * distances.radial[i];
     squares += r * r;
     lengths += std::abs(r);
   }

@@ -122,7 +122,8 @@ Powers powers_of(const models::Superquadric& s) {
 
 }  // namespace
 
-PALPABLE_VECTORIZE void stand_all(const models::Superquadric& shape, const Columns& local, Stands& out) {
+PALPABLE_VECTORIZE void radial_distances(const models::Superquadric& shape, const Columns& local,
+                                         RadialDistances& out) {
   const Powers s = powers_of(shape);
   const std::size_t n = local.count();
   const double* __restrict x = local.x.data();

@@ -22,13 +22,13 @@ struct Columns {
   void resize(std::size_t count) { x.resize(count), y.resize(count), z.resize(count); }
 };
 
-/// How points stand to an undeformed shape.
-struct Stands {
+/// The radial distances of points from an undeformed shape.
+struct RadialDistances {
   /// |r| (1 - 1 / gauge): the distance along the ray from the centre.
   std::vector<double> radial;
   /// The share of it that is Euclidean distance to first order: the cosine between ray and normal.
   std::vector<double> euclidean_share;
-  /// Where the gauge grows: its gradient in the shape's frame.
+  /// The gradient of the gauge in the shape's frame.
   Columns outward;
 
   void resize(std::size_t count) {
@@ -38,7 +38,7 @@ struct Stands {
 
 /// Fills `out` for `local`, points in the shape's frame with taper and bend undone. Accurate to 1e-9 of the
 /// shape's size.
-void stand_all(const models::Superquadric& shape, const Columns& local, Stands& out);
+void radial_distances(const models::Superquadric& shape, const Columns& local, RadialDistances& out);
 
 /// Weighted radial residuals of an undeformed shape with their derivatives by the eleven parameters
 /// (superquadric_residuals.hpp), column after column of `count` rows. `turned` is the right Jacobian of the

@@ -254,26 +254,26 @@ Columns ResidualsAt::nearest_on(std::span<const Sight> sights) const {
   };
   std::vector<Line> lines(n);
   Columns places(n);
-  Stands stands;
+  RadialDistances distances;
   std::vector<double> slopes(n);
   const auto slopes_at = [&](auto&& parameter) {
     const double h = 1e-4 * reach;
     const auto look = [&](double beyond) {
       for (std::size_t i = 0; i < n; ++i)
         places.set(i, sights[i].origin_m + (parameter(lines[i]) + beyond) * sights[i].direction);
-      stands_of(places, stands);
+      radial_distances_of(places, distances);
     };
     if (shape_.deformed()) {
       look(-h);
-      for (std::size_t i = 0; i < n; ++i) slopes[i] = -stands.radial[i];
+      for (std::size_t i = 0; i < n; ++i) slopes[i] = -distances.radial[i];
       look(h);
-      for (std::size_t i = 0; i < n; ++i) slopes[i] += stands.radial[i];
+      for (std::size_t i = 0; i < n; ++i) slopes[i] += distances.radial[i];
       return;
     }
     look(0.0);
     for (std::size_t i = 0; i < n; ++i)
-      slopes[i] =
-          dot(stands.outward.at(i), transposed_times(shape_.scene_from_shape.rotation, sights[i].direction));
+      slopes[i] = dot(distances.outward.at(i),
+                      transposed_times(shape_.scene_from_shape.rotation, sights[i].direction));
   };
   for (std::size_t i = 0; i < n; ++i) {
     const double middle =
@@ -302,14 +302,14 @@ Columns ResidualsAt::nearest_on(std::span<const Sight> sights) const {
   return places;
 }
 
-void ResidualsAt::stands_of(const Columns& places, Stands& out) const {
+void ResidualsAt::radial_distances_of(const Columns& places, RadialDistances& out) const {
   Columns straight(places.count());
   for (std::size_t i = 0; i < places.count(); ++i) {
     const Vec3 placed = local(places.at(i));
     straight.set(i, shape_.deformed() ? models::undeform(shape_, placed) : placed);
   }
   out.resize(places.count());
-  stand_all(shape_, straight, out);
+  radial_distances(shape_, straight, out);
 }
 
 bool ResidualsAt::faces(Vec3 place, Vec3 outward, Vec3 eye) const {

@@ -26,7 +26,7 @@ constexpr int kBendParameters = 15;
 constexpr int kMostParameters = kBendParameters;
 using Parameters = std::array<double, kMostParameters>;
 
-/// The shape that the parameters stand for, and the parameters of a shape (its rotation goes into
+/// The shape that the parameters describe, and the parameters of a shape (its rotation goes into
 /// `reference`).
 models::Superquadric shape_from(const Parameters& parameters, const std::array<double, 9>& reference);
 Parameters parameters_of(const models::Superquadric& shape, std::array<double, 9>& reference);
@@ -53,9 +53,9 @@ class ResidualsAt {
   /// 0 for a line that grazes. By the envelope theorem the place's own motion does not count in derivatives.
   Columns nearest_on(std::span<const Sight> sights) const;
 
-  /// How points stand to the shape.
-  void stands_of(const Columns& places, Stands& out) const;
-  /// Whether the surface nearest to point i of `places` looks towards `eye`.
+  /// The radial distances of points from the shape.
+  void radial_distances_of(const Columns& places, RadialDistances& out) const;
+  /// Whether the surface nearest to point i of `places` faces `eye`.
   bool faces(Vec3 place, Vec3 outward, Vec3 eye) const;
 
   /// Weighted radial residuals of all points, and unless `jacobian` is null their derivatives, column after

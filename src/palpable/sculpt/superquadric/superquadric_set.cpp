@@ -21,9 +21,9 @@ namespace {
 using models::SuperquadricDistance;
 
 constexpr std::size_t kFewest = 12;
-/// So many points tell the shapes; more only cost time.
+/// A fit uses at most so many points; more only cost time.
 constexpr std::size_t kKept = 6000;
-/// A fit looks at so many of a part's points, a measure of it at so many.
+/// How many of a part's points a fit uses, and how many an error measure.
 constexpr std::size_t kFitted = 400, kMeasured = 250;
 /// A point that lies farther from a shape than this many tolerances counts no more than that.
 constexpr double kCap = 4.0;

@@ -332,7 +332,7 @@ class Contourer {
 }  // namespace
 
 Result<Mesh> dual_contour(const SolidFunction& solid, const Box& bounds, std::span<const Vec3> seeds_m,
-                          const ContourOptions& options, const Work& work) {
+                          const DualContourOptions& options, const Work& work) {
   const Vec3 size = bounds.size_m();
   constexpr double kMostCubes = 1 << 19;
   if (!(options.spacing_m > 0.0) || std::max({size.x, size.y, size.z}) / options.spacing_m > kMostCubes)

@@ -14,10 +14,10 @@
 namespace palpable::sculpt {
 
 /// A solid as a function: negative inside, with a gradient, or with none (0) where edges need not be sharp:
-/// then vertices stand in the middle of their crossings. Any thread.
+/// then each vertex is the mean of its edge crossings. Any thread.
 using SolidFunction = std::function<models::FieldSample(Vec3 place_m)>;
 
-struct ContourOptions {
+struct DualContourOptions {
   /// Side of the cubes that hold one vertex each, > 0.
   double spacing_m = 0.0;
 };
@@ -28,6 +28,6 @@ struct ContourOptions {
 /// to cube within `bounds`; where it leaves them it is left open. Errors: usage for a spacing that makes over
 /// 2^19 cubes along a side; interrupted.
 Result<Mesh> dual_contour(const SolidFunction& solid, const Box& bounds, std::span<const Vec3> seeds_m,
-                          const ContourOptions& options, const Work& work);
+                          const DualContourOptions& options, const Work& work);
 
 }  // namespace palpable::sculpt

@@ -17,9 +17,9 @@ struct OrientedBox {
   std::array<double, 3> low, high;
 };
 
-/// Four such boxes side by side, in single precision and from an origin near them: their distances are told
-/// in one go. What is put in is widened by `slack`, which covers the rounding, so a distance is never told
-/// too long. A box that was not put in is far away.
+/// Four such boxes side by side, in single precision and from an origin near them: their distances are
+/// computed in one go. What is put in is widened by `slack`, which covers the rounding, so a distance is
+/// never given too long. A box that was not put in is far away.
 class FourBoxes {
  public:
   static constexpr std::size_t kCount = 4;

@@ -10,9 +10,9 @@
 
 namespace palpable::sculpt {
 
-/// Four triangles side by side, in single precision and from an origin near them: their distances are told in
-/// one go, each right to a few last digits of the farthest coordinate. Slivers are no worse, for the normals
-/// come from double precision.
+/// Four triangles side by side, in single precision and from an origin near them: their distances are
+/// computed in one go, each right to a few last digits of the farthest coordinate. Slivers are no worse, for
+/// the normals come from double precision.
 class FourTriangles {
  public:
   static constexpr std::size_t kCount = 4;
@@ -57,7 +57,7 @@ class FourTriangles {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
   static Four to_edge(const Triple& edge, const Triple& way) {
-    // An edge shorter than single precision tells is its corner.
+    // An edge shorter than single precision resolves counts as its corner.
     constexpr float kLeast = 1e-30F;
     const Four length2 = larger(dot3(edge, edge), Four{kLeast, kLeast, kLeast, kLeast});
     const Four one{1.0F, 1.0F, 1.0F, 1.0F};

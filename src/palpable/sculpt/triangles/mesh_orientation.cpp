@@ -60,7 +60,7 @@ std::vector<Triangle> neighbours_of(const Mesh& mesh) {
   return neighbours;
 }
 
-/// Whether more of a part's front than of its back looks into the solid, by the parity of rays.
+/// Whether more of a part's front than of its back faces the solid, by the parity of rays.
 bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
                    double lift_m, std::mt19937_64& random) {
   std::vector<double> area_until(part.size());
@@ -109,13 +109,13 @@ Mesh welded(const Mesh& mesh, std::size_t& removed) {
   }
   removed = 0;
   for (const Triangle& t : mesh.triangles) {
-    const bool sound = std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+    const bool is_valid = std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
       return v < mesh.vertices_m.size() && is_finite(mesh.vertices_m[v]);
     });
-    const Triangle n = sound ? Triangle{now[t[0]], now[t[1]], now[t[2]]} : Triangle{};
+    const Triangle n = is_valid ? Triangle{now[t[0]], now[t[1]], now[t[2]]} : Triangle{};
     const bool has_area =
-        sound && squared_norm(cross(result.vertices_m[n[1]] - result.vertices_m[n[0]],
-                                    result.vertices_m[n[2]] - result.vertices_m[n[0]])) > 0.0;
+        is_valid && squared_norm(cross(result.vertices_m[n[1]] - result.vertices_m[n[0]],
+                                       result.vertices_m[n[2]] - result.vertices_m[n[0]])) > 0.0;
     if (has_area)
       result.triangles.push_back(n);
     else
@@ -232,7 +232,7 @@ class SharedEdges {
 };
 
 /// A closed solid's triangles run to and fro along every edge. A wall that two bodies share is a part of its
-/// own for each, and rays tell nothing of it, for it has a solid on both sides: it is turned as its edges
+/// own for each, and rays cannot decide, since there is solid on both of its sides: it is turned as its edges
 /// want, small parts before large ones.
 void turn_as_shared_edges_want(Mesh& mesh, std::vector<Part>& parts) {
   if (parts.size() < 2) return;

@@ -17,7 +17,7 @@ Mesh welded(const Mesh& mesh, std::size_t& removed);
 /// Makes neighbouring triangles agree about their outer side, then turns each connected part outwards where
 /// most rays from its front meet an odd number of triangles (Takayama et al. 2014). Parts that meet in edges
 /// of more than two triangles are then turned so that as little as may be of these edges is left open: of
-/// walls that two bodies share, rays tell nothing. Returns how many parts were turned.
+/// walls that two bodies share, rays cannot decide. Returns how many parts were turned.
 std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed);
 
 /// Of a mesh whose holes are closed: turns the connected parts that most of the mesh winds round negatively

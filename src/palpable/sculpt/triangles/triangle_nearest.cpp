@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What a tree of triangles is asked: the nearest one, those that may be nearest in a ball, whether any is
+// Queries of a tree of triangles: the nearest one, those that may be nearest in a ball, whether any is
 // near.
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
@@ -57,7 +57,7 @@ struct Leaves {
   }
 };
 
-/// Roughly is enough, and quicker than sorting.
+/// A bucket sort: an approximate order is enough.
 void put_nearest_first(const Leaves& found, TriangleShortlist& list) {
   constexpr std::size_t kSteps = 32;
   const float per_step = static_cast<float>(kSteps) / (found.most2 - found.least2);
@@ -153,7 +153,7 @@ NearestTriangle TriangleTree::nearest(Vec3 p, std::uint32_t guess) const {
     }
     const Four& four = fours_[entry.below];
     const FourBoxes::Distances squared = four.boxes.squared_distances(place);
-    // The nearest comes last, and is looked at first.
+    // The nearest is pushed last and so visited first.
     const std::size_t first = size;
     for (std::size_t lane = 0; lane < FourBoxes::kCount; ++lane) {
       if (!(static_cast<double>(squared[lane]) < kShare * best.squared_distance_m2)) continue;

@@ -35,8 +35,8 @@ class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
 
-  /// These triangles of the mesh went elsewhere: only what stands over them is bounded anew. The tree is
-  /// divided as before, so triangles that move far make it slower, never wrong. No query at the same time.
+  /// Updates the boxes above these triangles, whose vertices have moved. The tree's division does not change,
+  /// so triangles that move far make it slower, never wrong. No query at the same time.
   void move(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
   Box bounds() const { return {nodes_[0].low, nodes_[0].high}; }
