@@ -236,8 +236,9 @@ int main(int argc, char** argv) {
     if (!mesh) return 1;
     scale_to_hand(*mesh);
     const auto begin = Clock::now();
-    const double rounding_m = sculpt::facet_rounding_m(sculpt::bounds_of(*mesh), {});
-    const auto solid = sculpt::solid_from_mesh(*mesh, 0.1 / 512, {}, rounding_m);
+    sculpt::FacetOptions facets;
+    facets.rounding_m = sculpt::facet_rounding_m(sculpt::bounds_of(*mesh), {});
+    const auto solid = sculpt::solid_from_mesh(*mesh, 0.1 / 512, {}, facets);
     if (!solid) return 1;
     const double solid_s = seconds_since(begin);
     auto field = sculpt::field_from_source(*solid->distance, {}, {});

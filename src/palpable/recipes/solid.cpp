@@ -118,9 +118,10 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   if (const auto free_bytes = available_memory_bytes())
     if (auto refused = sculpt::mesh_too_large(mesh.triangles.size(), *free_bytes)) return *std::move(refused);
   // The dense fields are for comparison: they keep the triangles as they are.
-  const double rounding_m =
-      recipe.storage == FieldStorage::adaptive ? sculpt::facet_rounding_m(*box, recipe.field) : 0.0;
-  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, rounding_m);
+  sculpt::FacetOptions facets;
+  if (recipe.storage == FieldStorage::adaptive)
+    facets.rounding_m = sculpt::facet_rounding_m(*box, recipe.field);
+  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets);
   if (!made) return made.error();
   solid.distance = std::move(made->distance);
   const auto notes = made->repair.notes();

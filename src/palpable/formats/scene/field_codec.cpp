@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -22,7 +23,9 @@ using models::FieldGrid;
 
 constexpr const char* kCells = "cells.field.zst";
 /// How the cells are kept: the streams of field_streams.hpp, one after the other, each packed by zstd.
-constexpr int kLayout = 2;
+constexpr int kLayout = 3;
+/// The layout before compact leaves, which is still read.
+constexpr int kLayoutBefore = 2;
 constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
 
 Error damaged() { return invalid_input("holds a field that is damaged or cut off"); }
@@ -58,7 +61,8 @@ Result<void> write_field(const models::Field& field, nlohmann::json& description
 Result<models::Model> read_field(const nlohmann::json& description, const ZipMembers& members) {
   const auto member = members.find(description.at("cells").get<std::string>());
   if (member == members.end()) return invalid_input("lacks the cells of its field");
-  if (description.at("layout").get<int>() != kLayout)
+  const int layout = description.at("layout").get<int>();
+  if (layout != kLayout && layout != kLayoutBefore)
     return invalid_input("holds a field in a layout that is not known here: make it again");
   FieldGrid grid;
   grid.origin_m = vec3_from(description.at("origin_m"));
@@ -68,7 +72,9 @@ Result<models::Model> read_field(const nlohmann::json& description, const ZipMem
   if (grid.levels < 0 || grid.levels > 10) return damaged();
   for (const int n : grid.roots)
     if (n < 1 || n > (1 << 20)) return damaged();
-  const auto sizes = description.at("parts").get<std::array<std::size_t, FieldStreams::kCount>>();
+  const auto sizes = description.at("parts").get<std::vector<std::size_t>>();
+  if (sizes.size() != (layout == kLayout ? FieldStreams::kCount : FieldStreams::kCountBefore))
+    return damaged();
   FieldStreams streams;
   std::span<const std::byte> left(member->second);
   for (std::size_t i = 0; i < sizes.size(); ++i) {

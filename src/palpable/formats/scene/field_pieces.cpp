@@ -9,41 +9,28 @@
 namespace palpable::formats {
 namespace {
 
+using models::CompactQuadratic;
 using models::LeafHead;
 
 /// Halves of the leaf's side in one step of the middle.
 double middle_step(int level) { return 2.0 / (LeafHead::kValuesPerCell * (1 << level)); }
 
+std::int32_t held(double v) { return static_cast<std::int32_t>(std::clamp(v, -1e9, 1e9)); }
+
 /// The piece of a leaf nearby, continued into the leaf at `to`.
-Curved continued(const Curved& piece, const Place& from, const Place& to) {
+QuadraticValues continued(const QuadraticValues& piece, const Place& from, const Place& to) {
   const double scale = to.half() / from.half();
   const auto way = [&](std::size_t axis) {
     return (to.corner[axis] + to.half() - from.corner[axis] - from.half()) / from.half();
   };
   const double x = way(0), y = way(1), z = way(2);
-  const auto& n = piece.numbers;
-  const auto number = [&](std::size_t k) { return LeafHead::kStep * n[k]; };
-  const double lx = number(0), ly = number(1), lz = number(2), xx = number(3), yy = number(4), zz = number(5),
-               xy = number(6), xz = number(7), yz = number(8);
-  const double middle = piece.middle * middle_step(from.level) + x * (lx + xx * x + xy * y + xz * z) +
-                        y * (ly + yy * y + yz * z) + z * (lz + zz * z);
-  const std::array<double, Curved::kNumbers> moved{lx + 2 * xx * x + xy * y + xz * z,
-                                                   ly + 2 * yy * y + xy * x + yz * z,
-                                                   lz + 2 * zz * z + xz * x + yz * y,
-                                                   scale * xx,
-                                                   scale * yy,
-                                                   scale * zz,
-                                                   scale * xy,
-                                                   scale * xz,
-                                                   scale * yz};
-  Curved curved;
-  const auto held = [](double v) { return static_cast<std::int32_t>(std::clamp(v, -1e9, 1e9)); };
-  curved.middle = held(std::round(middle / scale / middle_step(to.level)));
-  const int multiple = LeafHead::multiple(to.level);
-  for (std::size_t k = 0; k < Curved::kNumbers; ++k)
-    curved.numbers[k] =
-        std::clamp(multiple * held(std::round(moved[k] / (multiple * LeafHead::kStep))), -32768, 32767);
-  return curved;
+  const auto [lx, ly, lz, xx, yy, zz, xy, xz, yz] = piece.numbers;
+  const double middle =
+      piece.middle + x * (lx + xx * x + xy * y + xz * z) + y * (ly + yy * y + yz * z) + z * (lz + zz * z);
+  return {middle / scale,
+          {lx + 2 * xx * x + xy * y + xz * z, ly + 2 * yy * y + xy * x + yz * z,
+           lz + 2 * zz * z + xz * x + yz * y, scale * xx, scale * yy, scale * zz, scale * xy, scale * xz,
+           scale * yz}};
 }
 
 }  // namespace
@@ -81,13 +68,44 @@ void set_words(const Curved& curved, int level, std::vector<std::uint32_t>& word
   }
 }
 
-void RecentPieces::add(const Curved& piece, const Place& place) {
+QuadraticValues values_of(const Curved& curved, int level) {
+  QuadraticValues values;
+  values.middle = curved.middle * middle_step(level);
+  for (std::size_t k = 0; k < Curved::kNumbers; ++k) values.numbers[k] = LeafHead::kStep * curved.numbers[k];
+  return values;
+}
+QuadraticValues values_of(const CompactQuadratic& compact) {
+  QuadraticValues values;
+  values.middle = CompactQuadratic::kMiddleStep * compact.middle;
+  for (std::size_t k = 0; k < Curved::kNumbers; ++k)
+    values.numbers[k] = CompactQuadratic::step_of(k) * compact.numbers[k];
+  return values;
+}
+
+Curved rounded_curved(const QuadraticValues& values, int level) {
+  Curved curved;
+  curved.middle = held(std::round(values.middle / middle_step(level)));
+  const int multiple = LeafHead::multiple(level);
+  for (std::size_t k = 0; k < Curved::kNumbers; ++k)
+    curved.numbers[k] = std::clamp(
+        multiple * held(std::round(values.numbers[k] / (multiple * LeafHead::kStep))), -32768, 32767);
+  return curved;
+}
+CompactQuadratic rounded_compact(const QuadraticValues& values) {
+  CompactQuadratic compact;
+  compact.middle = held(std::round(values.middle / CompactQuadratic::kMiddleStep));
+  for (std::size_t k = 0; k < Curved::kNumbers; ++k)
+    compact.numbers[k] = held(std::round(values.numbers[k] / CompactQuadratic::step_of(k)));
+  return compact;
+}
+
+void RecentPieces::add(const QuadraticValues& piece, const Place& place) {
   std::rotate(pieces_.begin(), pieces_.end() - 1, pieces_.end());
   pieces_.front() = {piece, place};
   count_ = std::min(count_ + 1, kMost);
 }
 
-Curved RecentPieces::predict(std::size_t k, const Place& place) const {
+QuadraticValues RecentPieces::predict(std::size_t k, const Place& place) const {
   return continued(pieces_[k].first, pieces_[k].second, place);
 }
 

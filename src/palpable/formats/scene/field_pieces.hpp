@@ -27,7 +27,13 @@ struct Place {
 };
 Place root_place(const models::FieldGrid& grid, std::size_t index);
 
-/// A curved piece in whole steps: its middle, and l and Q (xx, yy, zz, xy, xz, yz).
+/// A quadratic in halves of its leaf's side: its middle, and l and Q (xx, yy, zz, xy, xz, yz).
+struct QuadraticValues {
+  double middle = 0.0;
+  std::array<double, 9> numbers{};
+};
+
+/// A curved piece in whole steps.
 struct Curved {
   static constexpr std::size_t kNumbers = 9;
   std::int32_t middle = 0;
@@ -39,17 +45,23 @@ std::optional<Curved> steps_of(const std::uint32_t* words, int level);
 /// Appends the words.
 void set_words(const Curved& curved, int level, std::vector<std::uint32_t>& words);
 
-/// The last curved pieces, the latest first.
+QuadraticValues values_of(const Curved& curved, int level);
+QuadraticValues values_of(const models::CompactQuadratic& compact);
+/// To the nearest steps of a curved piece at that level, and of a compact leaf.
+Curved rounded_curved(const QuadraticValues& values, int level);
+models::CompactQuadratic rounded_compact(const QuadraticValues& values);
+
+/// The last quadratics, the latest first.
 class RecentPieces {
  public:
   static constexpr std::size_t kMost = 4;
-  void add(const Curved& piece, const Place& place);
+  void add(const QuadraticValues& piece, const Place& place);
   std::size_t count() const { return count_; }
   /// Piece k, continued into the leaf at `place`. k < count().
-  Curved predict(std::size_t k, const Place& place) const;
+  QuadraticValues predict(std::size_t k, const Place& place) const;
 
  private:
-  std::array<std::pair<Curved, Place>, kMost> pieces_{};
+  std::array<std::pair<QuadraticValues, Place>, kMost> pieces_{};
   std::size_t count_ = 0;
 };
 

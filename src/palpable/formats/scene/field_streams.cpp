@@ -18,6 +18,7 @@
 namespace palpable::formats {
 namespace {
 
+using models::CompactQuadratic;
 using models::FieldGrid;
 using models::FieldTree;
 using models::LeafHead;
@@ -79,6 +80,7 @@ class Writer {
     for (std::size_t i = 0; i < tree_.roots.size(); ++i) add(tree_.roots[i], root_place(grid_, i));
     out_.bytes[FieldStreams::planes] = planes_of(new_planes_, LeafHead::kPlaneWords, 4);
     out_.bytes[FieldStreams::shapes] = planes_of(new_shapes_, Curved::kNumbers, 2);
+    out_.bytes[FieldStreams::compact_numbers] = planes_of(new_compact_, Curved::kNumbers, 2);
     out_.bytes[FieldStreams::raw] = planes_of(raw_, LeafHead::kCurvedWords, 4);
     return std::move(out_);
   }
@@ -101,6 +103,7 @@ class Writer {
   void add_words(const std::uint32_t* words, const Place& place) {
     const LeafHead head{words[0]};
     out_.bytes[FieldStreams::heads].push_back(static_cast<std::uint8_t>(head.bits));
+    if (head.compact()) return add_compact(words, place);
     const std::uint32_t* piece = words + 1 + 2 * (head.pieces() - 1);
     for (int i = 0; i < head.pieces(); ++i) {
       if (head.curved(i))
@@ -125,31 +128,53 @@ class Writer {
       raw_.insert(raw_.end(), words, words + LeafHead::kCurvedWords);
       return;
     }
-    const auto cost = [&](const Curved& p) {
-      double bits = std::log2(1.0 + std::abs(1.0 * steps->middle - p.middle));
+    const auto residual = residual_of(
+        *steps, [&](const QuadraticValues& values) { return rounded_curved(values, place.level); }, place);
+    put_count(out_.bytes[FieldStreams::middles], residual.middle);
+    for (const std::uint32_t number : residual.numbers) new_shapes_.push_back(number & 0xFFFFU);
+    pieces_.add(values_of(*steps, place.level), place);
+  }
+
+  void add_compact(const std::uint32_t* words, const Place& place) {
+    const CompactQuadratic steps = models::compact_of(words);
+    const auto residual = residual_of(steps, rounded_compact, place);
+    put_count(out_.bytes[FieldStreams::compact_middles], residual.middle);
+    for (const std::uint32_t number : residual.numbers) new_compact_.push_back(number & 0xFFFFU);
+    pieces_.add(values_of(steps), place);
+  }
+
+  struct Residual {
+    std::uint32_t middle = 0;
+    std::array<std::uint32_t, Curved::kNumbers> numbers{};
+  };
+  /// How far a piece in steps is from the nearest prediction, `round`ed to such steps; notes which.
+  template <class Steps, class Round>
+  Residual residual_of(const Steps& steps, const Round& round, const Place& place) {
+    const auto cost = [&](const Steps& p) {
+      double bits = std::log2(1.0 + std::abs(1.0 * steps.middle - p.middle));
       for (std::size_t k = 0; k < Curved::kNumbers; ++k)
-        bits += std::log2(1.0 + std::abs(steps->numbers[k] - p.numbers[k]));
+        bits += std::log2(1.0 + std::abs(steps.numbers[k] - p.numbers[k]));
       return bits;
     };
-    Curved best;
+    Steps best;
     std::uint8_t by = kByNothing;
     for (std::size_t k = 0; k < pieces_.count(); ++k) {
-      const Curved p = pieces_.predict(k, place);
+      const Steps p = round(pieces_.predict(k, place));
       if (cost(p) < cost(best)) best = p, by = static_cast<std::uint8_t>(k);
     }
     out_.bytes[FieldStreams::predictions].push_back(by);
-    put_count(out_.bytes[FieldStreams::middles],
-              folded(static_cast<std::int32_t>(static_cast<std::uint32_t>(steps->middle) -
-                                               static_cast<std::uint32_t>(best.middle))));
+    Residual residual;
+    residual.middle = folded(static_cast<std::int32_t>(static_cast<std::uint32_t>(steps.middle) -
+                                                       static_cast<std::uint32_t>(best.middle)));
     for (std::size_t k = 0; k < Curved::kNumbers; ++k)
-      new_shapes_.push_back(folded(static_cast<std::int16_t>(steps->numbers[k] - best.numbers[k])) & 0xFFFFU);
-    pieces_.add(*steps, place);
+      residual.numbers[k] = folded(static_cast<std::int16_t>(steps.numbers[k] - best.numbers[k]));
+    return residual;
   }
 
   const FieldGrid& grid_;
   const FieldTree& tree_;
   FieldStreams out_;
-  std::vector<std::uint32_t> last_, new_planes_, new_shapes_, raw_;
+  std::vector<std::uint32_t> last_, new_planes_, new_shapes_, new_compact_, raw_;
   RecentPlanes planes_;
   RecentPieces pieces_;
   std::uint32_t leaves_ = 0;
@@ -162,6 +187,7 @@ class Reader {
         in_(in),
         new_planes_(words_of(in.bytes[FieldStreams::planes], LeafHead::kPlaneWords, 4)),
         new_shapes_(words_of(in.bytes[FieldStreams::shapes], Curved::kNumbers, 2)),
+        new_compact_(words_of(in.bytes[FieldStreams::compact_numbers], Curved::kNumbers, 2)),
         raw_(words_of(in.bytes[FieldStreams::raw], LeafHead::kCurvedWords, 4)) {}
 
   Result<FieldTree> read(std::size_t roots) {
@@ -225,6 +251,7 @@ class Reader {
     const auto bits = byte(FieldStreams::heads);
     if (!bits) return false;
     const LeafHead head{*bits};
+    if (head.compact()) return add_compact(place);
     if (head.pieces() > 3) return false;
     const std::size_t begin = tree_.words.size();
     tree_.words.push_back(head.bits);
@@ -258,27 +285,54 @@ class Reader {
       tree_.words.insert(tree_.words.end(), w, w + LeafHead::kCurvedWords);
       return true;
     }
-    if (*by < kByNothing && *by >= pieces_.count()) return false;
     const auto middle = count(FieldStreams::middles);
     const std::uint32_t* w = words(new_shapes_, shape_at_, Curved::kNumbers);
-    if (!middle || w == nullptr) return false;
-    Curved curved = *by == kByNothing ? Curved{} : pieces_.predict(*by, place);
-    curved.middle = static_cast<std::int32_t>(static_cast<std::uint32_t>(curved.middle) +
-                                              static_cast<std::uint32_t>(unfolded(*middle)));
-    for (std::size_t k = 0; k < Curved::kNumbers; ++k)
-      curved.numbers[k] = static_cast<std::int16_t>(curved.numbers[k] + unfolded(w[k]));
+    const auto values = predicted(*by, place);
+    if (!middle || w == nullptr || !values) return false;
+    Curved curved = *by == kByNothing ? Curved{} : rounded_curved(*values, place.level);
+    add_residual(curved, *middle, w);
+    for (std::int32_t& number : curved.numbers) number = static_cast<std::int16_t>(number);
     set_words(curved, place.level, tree_.words);
-    pieces_.add(curved, place);
+    pieces_.add(values_of(curved, place.level), place);
     return true;
+  }
+
+  bool add_compact(const Place& place) {
+    const auto by = byte(FieldStreams::predictions);
+    if (!by || *by > kByNothing) return false;
+    const auto middle = count(FieldStreams::compact_middles);
+    const std::uint32_t* w = words(new_compact_, compact_at_, Curved::kNumbers);
+    const auto values = predicted(*by, place);
+    if (!middle || w == nullptr || !values) return false;
+    CompactQuadratic compact = *by == kByNothing ? CompactQuadratic{} : rounded_compact(*values);
+    add_residual(compact, *middle, w);
+    if (!compact.fits()) return false;
+    const auto leaf = models::words_of(compact);
+    tree_.words.insert(tree_.words.end(), leaf.begin(), leaf.end());
+    pieces_.add(values_of(compact), place);
+    return true;
+  }
+
+  /// What a leaf is predicted from; nothing where there is no such piece.
+  std::optional<QuadraticValues> predicted(std::uint8_t by, const Place& place) const {
+    if (by == kByNothing) return QuadraticValues{};
+    if (by >= pieces_.count()) return std::nullopt;
+    return pieces_.predict(by, place);
+  }
+  template <class Steps>
+  static void add_residual(Steps& steps, std::uint32_t middle, const std::uint32_t* numbers) {
+    steps.middle = static_cast<std::int32_t>(static_cast<std::uint32_t>(steps.middle) +
+                                             static_cast<std::uint32_t>(unfolded(middle)));
+    for (std::size_t k = 0; k < Curved::kNumbers; ++k) steps.numbers[k] += unfolded(numbers[k]);
   }
 
   const FieldGrid& grid_;
   const FieldStreams& in_;
-  std::vector<std::uint32_t> new_planes_, new_shapes_, raw_;
+  std::vector<std::uint32_t> new_planes_, new_shapes_, new_compact_, raw_;
   FieldTree tree_;
   std::vector<std::uint32_t> leaves_;
   std::array<std::size_t, FieldStreams::kCount> at_{};
-  std::size_t plane_at_ = 0, shape_at_ = 0, raw_at_ = 0;
+  std::size_t plane_at_ = 0, shape_at_ = 0, compact_at_ = 0, raw_at_ = 0;
   RecentPlanes planes_;
   RecentPieces pieces_;
   bool ok_ = true;

@@ -16,11 +16,26 @@ namespace palpable::formats {
 /// (0: new); the new leaves' heads; for each plane how recently it was met (0: new); new planes in four byte
 /// planes; for each curved piece what it is predicted from; how far its middle and its nine numbers are from
 /// that prediction, number by number, low bytes and high bytes apart; and curved pieces that are no multiples
-/// of the steps (models/field/field_leaf.hpp), as they are. No number leads anywhere by itself, so a damaged
+/// of the steps (models/field/field_leaf.hpp), as they are; and of compact leaves, which are predicted in the
+/// same way, the middles and the nine numbers. No number leads anywhere by itself, so a damaged
 /// file cannot build a tree that is not one.
 struct FieldStreams {
-  static constexpr std::size_t kCount = 9;
-  enum Name : std::size_t { tree, shared, heads, plane_ranks, planes, predictions, middles, shapes, raw };
+  static constexpr std::size_t kCount = 11;
+  /// Of files that were written before there were compact leaves.
+  static constexpr std::size_t kCountBefore = 9;
+  enum Name : std::size_t {
+    tree,
+    shared,
+    heads,
+    plane_ranks,
+    planes,
+    predictions,
+    middles,
+    shapes,
+    raw,
+    compact_middles,
+    compact_numbers
+  };
   std::array<std::vector<std::uint8_t>, kCount> bytes;
 };
 

@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/scene/field_streams.hpp"
 
+#include "palpable/formats/scene/model_codec.hpp"
+#include "palpable/models/field/field.hpp"
 #include "palpable/models/field/field_leaf.hpp"
 
 #include <bit>
+#include <memory>
 #include <random>
+#include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace palpable::formats {
 namespace {
@@ -17,14 +23,22 @@ using models::LeafHead;
 
 models::FieldGrid grid() { return {{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}}; }
 
-/// Leaves of all kinds: planes, curved pieces in whole steps and others, up to three of them.
-FieldTree tree_of_everything() {
+/// Leaves of all kinds: planes, curved pieces in whole steps and others, up to three of them; compact ones.
+FieldTree tree_of_everything(bool with_compact = true) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
   const auto number = [&] { return static_cast<std::uint32_t>(random()); };
   FieldTree tree;
   const auto leaf = [&] {
     const auto at = static_cast<std::uint32_t>(tree.words.size());
+    if (with_compact && number() % 3 == 0) {
+      models::CompactQuadratic q;
+      q.middle = static_cast<std::int32_t>(number() % 4000) - 2000;
+      for (std::int32_t& v : q.numbers) v = static_cast<std::int32_t>(number() % 1000) - 500;
+      const auto words = models::words_of(q);
+      tree.words.insert(tree.words.end(), words.begin(), words.end());
+      return at | FieldTree::kLeaf;
+    }
     const std::uint32_t pieces = number() % 3, curved = number() % 8;
     tree.words.push_back(pieces | curved << 2U | (number() % 4) << 5U);
     const LeafHead head{tree.words[at]};
@@ -73,6 +87,33 @@ TEST(FieldStreams, BringEveryKindOfLeafBackToTheBit) {
   };
   for (std::size_t i = 0; i < tree.roots.size(); ++i)
     EXPECT_TRUE(same(tree.roots[i], again->roots[i], same)) << i;
+}
+
+TEST(FieldCodec, ReadsFieldsThatWereWrittenBeforeThereWereCompactLeaves) {
+  auto distance = models::DistanceField::from_tree(grid(), tree_of_everything(false), {1e-5, 2e-5, 3e-5});
+  ASSERT_TRUE(distance) << distance.error().sentence();
+  auto field = models::field_of(*std::move(distance), {-0.005, 0.001, 0.003}, {0.005, 0.006, 0.008});
+  ASSERT_TRUE(field) << field.error().sentence();
+  nlohmann::json description;
+  ZipMembers members;
+  ASSERT_TRUE(write_field(*field, description, members));
+  // Then there were two streams fewer, and another layout's number.
+  description["layout"] = 2;
+  auto& parts = description["parts"];
+  Bytes& cells = members.at(description["cells"].get<std::string>());
+  for (int k = 0; k < 2; ++k) {
+    cells.resize(cells.size() - parts.back().get<std::size_t>());
+    parts.erase(parts.size() - 1);
+  }
+  const auto model = read_field(description, members);
+  ASSERT_TRUE(model) << model.error().sentence();
+  const auto& back = std::get<std::shared_ptr<const models::Field>>(*model)->distance;
+  for (int k = 0; k < 500; ++k) {
+    const Vec3 p{-0.01 + 0.00003 * k, 0.00001 * k, 0.002 + 0.000012 * k};
+    ASSERT_EQ(back.sample(p).distance_m, field->distance.sample(p).distance_m);
+  }
+  description["layout"] = 3;
+  EXPECT_FALSE(read_field(description, members));
 }
 
 TEST(FieldStreams, AreRefusedOrHarmlessWhenDamagedAnywhere) {

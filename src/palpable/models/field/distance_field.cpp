@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostLevels = 10;
 constexpr std::size_t kMostRoots = std::size_t{1} << 24U;
 
-bool grid_is_sound(const FieldGrid& grid) {
+bool grid_is_valid(const FieldGrid& grid) {
   if (!is_finite(grid.origin_m) || !(grid.cell_m >= 1e-6 && grid.cell_m <= 1.0)) return false;
   if (grid.levels < 0 || grid.levels > kMostLevels) return false;
   std::size_t count = 1;
@@ -27,9 +27,11 @@ bool grid_is_sound(const FieldGrid& grid) {
 }
 
 /// Whether the words that begin there are a leaf, all of it in place and finite.
-bool leaf_is_sound(const std::vector<std::uint32_t>& words, std::size_t at) {
+bool leaf_is_valid(const std::vector<std::uint32_t>& words, std::size_t at) {
   if (at >= words.size()) return false;
   const LeafHead head{words[at]};
+  // Whatever its other bits say is a finite number.
+  if (head.compact()) return (head.bits & 0x7FU) == 4U && at + head.words() <= words.size();
   if (head.pieces() > 3 || head.bits >> 7U != 0 || at + head.words() > words.size()) return false;
   const std::uint32_t* next = &words[at] + 1;
   for (int i = 1; i < head.pieces(); ++i, next += 2) {
@@ -46,7 +48,7 @@ bool leaf_is_sound(const std::vector<std::uint32_t>& words, std::size_t at) {
   return true;
 }
 
-/// Every entry leads to a sound leaf or, deeper, to a node of its own; counts the leaves.
+/// Every entry leads to a valid leaf or, deeper, to a node of its own; counts the leaves.
 Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree) {
   const Error damaged = invalid_input("holds a field whose cells are damaged");
   const std::size_t roots = static_cast<std::size_t>(grid.roots[0]) *
@@ -59,7 +61,7 @@ Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree)
   const auto check = [&](std::uint32_t entry, int entry_level, std::size_t after) {
     if ((entry & FieldTree::kLeaf) != 0) {
       ++leaves;
-      return leaf_is_sound(tree.words, entry & ~FieldTree::kLeaf);
+      return leaf_is_valid(tree.words, entry & ~FieldTree::kLeaf);
     }
     if (entry >= nodes || entry < after || entry_level < 1 || level[entry] != -1) return false;
     level[entry] = static_cast<std::int8_t>(entry_level);
@@ -87,11 +89,71 @@ Share share_above(double place_over_face) {
   return {t < 0.0 ? 0.5 * rest * rest : 1.0 - 0.5 * rest * rest, 2.0 * rest};
 }
 
+/// Starts to load a leaf's words; a compact leaf may lie across two cache lines.
+void prefetch(const std::uint32_t* words) {
+  __builtin_prefetch(words);
+  __builtin_prefetch(words + LeafHead::kCompactWords - 1);
+}
+
+std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
+  const int level = grid.levels;
+  return static_cast<std::size_t>((z >> level) * grid.roots[1] + (y >> level)) *
+             static_cast<std::size_t>(grid.roots[0]) +
+         static_cast<std::size_t>(x >> level);
+}
+
+/// Two finest cells along each axis.
+using CellPairs = std::array<std::array<int, 2>, 3>;
+
+/// The leaves of the eight finest cells, from an entry `from` at `level` that holds all of them; above the
+/// roots' level, from the roots. Level by level, so that the eight loads of a level do not wait for each
+/// other.
+std::array<DistanceField::Leaf, 8> leaves_of(const FieldGrid& grid, const FieldTree& tree,
+                                             const CellPairs& cell, int level, std::uint32_t from) {
+  const auto along = [&](std::size_t axis, unsigned octant) { return cell[axis][octant >> axis & 1U]; };
+  std::array<std::uint32_t, 8> entries;
+  entries.fill(from);
+  if (level > grid.levels) {
+    level = grid.levels;
+    for (unsigned k = 0; k < 8; ++k)
+      entries[k] = tree.roots[root_index(grid, along(0, k), along(1, k), along(2, k))];
+  }
+  std::array<int, 8> levels;
+  levels.fill(level);
+  const auto all_are_leaves = [&] {
+    std::uint32_t all = FieldTree::kLeaf;
+    for (const std::uint32_t entry : entries) all &= entry;
+    return all != 0;
+  };
+  while (!all_are_leaves()) {
+    --level;
+    for (unsigned k = 0; k < 8; ++k) {
+      const std::uint32_t entry = entries[k];
+      const bool is_leaf = (entry & FieldTree::kLeaf) != 0;
+      const int child =
+          (along(0, k) >> level & 1) | (along(1, k) >> level & 1) << 1 | (along(2, k) >> level & 1) << 2;
+      // Without a branch: for a leaf any node is read, and not used.
+      const std::uint32_t next =
+          tree.nodes[is_leaf ? 0 : 8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
+      entries[k] = is_leaf ? entry : next;
+      levels[k] -= is_leaf ? 0 : 1;
+    }
+  }
+  std::array<DistanceField::Leaf, 8> leaves;
+  for (unsigned k = 0; k < 8; ++k) {
+    const int mask = -(1 << levels[k]);
+    leaves[k] = {{along(0, k) & mask, along(1, k) & mask, along(2, k) & mask},
+                 1 << levels[k],
+                 entries[k] & ~FieldTree::kLeaf};
+  }
+  return leaves;
+}
+
 }  // namespace
 
 Result<DistanceField> DistanceField::from_tree(const FieldGrid& grid, FieldTree tree,
                                                const FieldErrors& errors) {
-  if (!grid_is_sound(grid)) return invalid_input("holds a field whose grid makes no sense");
+  if (!grid_is_valid(grid)) return invalid_input("holds a field whose grid makes no sense");
   const auto leaves = checked_leaves(grid, tree);
   if (!leaves) return leaves.error();
   DistanceField field;
@@ -126,10 +188,7 @@ DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& way) co
   int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
   if (level > grid_.levels) {
     level = grid_.levels;
-    const auto root = static_cast<std::size_t>((z >> level) * grid_.roots[1] + (y >> level)) *
-                          static_cast<std::size_t>(grid_.roots[0]) +
-                      static_cast<std::size_t>(x >> level);
-    way.entries[static_cast<std::size_t>(level)] = tree_.roots[root];
+    way.entries[static_cast<std::size_t>(level)] = tree_.roots[root_index(grid_, x, y, z)];
   }
   std::uint32_t entry = way.entries[static_cast<std::size_t>(level)];
   while ((entry & FieldTree::kLeaf) == 0) {
@@ -165,6 +224,7 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   const auto cell = [](double v, int n) { return std::min(static_cast<int>(v), n - 1); };
   Descent way;
   const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), way);
+  prefetch(&tree_.words[home.words]);
   const auto inside = [&](double v, std::size_t axis) {
     return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
   };
@@ -180,52 +240,48 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   return sample;
 }
 
-FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept {
+FieldSample DistanceField::mixed(Vec3 cells, const Leaf& /*home*/, Descent& way) const noexcept {
   // On each axis one face of the finest grid is nearest: the window reaches over it or ends at the next two.
   struct Side {
     int cell;
     double share, slope;
-    bool at_home;
   };
   std::array<std::array<Side, 2>, 3> sides;
   const std::array<double, 3> place{cells.x, cells.y, cells.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int face = static_cast<int>(place[axis] + 0.5);
     const Share share = share_above(place[axis] - face);
-    const int last = grid_.cells(axis) - 1, from = home.corner[axis], to = from + home.side;
-    const int below = std::max(face - 1, 0), above = std::min(face, last);
-    sides[axis][0] = {below, 1.0 - share.upper, -share.slope, below >= from && below < to};
-    sides[axis][1] = {above, share.upper, share.slope, above >= from && above < to};
+    sides[axis][0] = {std::max(face - 1, 0), 1.0 - share.upper, -share.slope};
+    sides[axis][1] = {std::min(face, grid_.cells(axis) - 1), share.upper, share.slope};
   }
-  // The leaves under the window, and the share that each has of it. Planes do not depend on their leaf: along
-  // an edge, all leaves round it say the same.
+  const CellPairs pairs{{{sides[0][0].cell, sides[0][1].cell},
+                         {sides[1][0].cell, sides[1][1].cell},
+                         {sides[2][0].cell, sides[2][1].cell}}};
+  // The way to the leaf in the middle leads to the entry from which the ways to all eight part.
+  unsigned differing = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int c : pairs[axis]) differing |= static_cast<unsigned>(c ^ way.cell[axis]);
+  const int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
+  const std::uint32_t from = level > grid_.levels ? 0 : way.entries[static_cast<std::size_t>(level)];
+  const std::array<Leaf, 8> leaves = leaves_of(grid_, tree_, pairs, level, from);
+  for (const Leaf& leaf : leaves) prefetch(&tree_.words[leaf.words]);
+  // The different leaves under the window, and the share that each has of it. Planes do not depend on their
+  // leaf: along an edge, all leaves round it hold the same words, and one evaluation is enough.
   struct Part {
-    Leaf leaf;
-    bool flat;
+    const Leaf* leaf;
     double share, along_x, along_y, along_z;
   };
-  const auto is_flat = [&](const Leaf& leaf) { return LeafHead{tree_.words[leaf.words]}.flat(); };
-  const auto holds = [](const Leaf& leaf, int x, int y, int z) {
-    const auto along = [&](int v, std::size_t axis) {
-      return static_cast<unsigned>(v - leaf.corner[axis]) < static_cast<unsigned>(leaf.side);
-    };
-    return along(x, 0) && along(y, 1) && along(z, 2);
+  const auto are_one = [&](const Leaf& a, const Leaf& b) {
+    return a.words == b.words &&
+           ((a.corner == b.corner && a.side == b.side) || LeafHead{tree_.words[a.words]}.flat());
   };
   std::array<Part, 8> parts;
-  parts[0] = {home, is_flat(home), 0.0, 0.0, 0.0, 0.0};
-  std::size_t count = 1;
+  std::size_t count = 0;
   for (unsigned octant = 0; octant < 8; ++octant) {
     const Side &x = sides[0][octant & 1U], &y = sides[1][octant >> 1U & 1U], &z = sides[2][octant >> 2U];
     std::size_t k = 0;
-    if (!(x.at_home && y.at_home && z.at_home)) {
-      for (k = 1; k < count && !holds(parts[k].leaf, x.cell, y.cell, z.cell);) ++k;
-      if (k == count) {
-        const Leaf leaf = down_to(x.cell, y.cell, z.cell, way);
-        const bool flat = is_flat(leaf);
-        for (k = 0; k < count && !(flat && parts[k].leaf.words == leaf.words);) ++k;
-        if (k == count) parts[count++] = {leaf, flat, 0.0, 0.0, 0.0, 0.0};
-      }
-    }
+    while (k < count && !are_one(leaves[octant], *parts[k].leaf)) ++k;
+    if (k == count) parts[count++] = {&leaves[octant], 0.0, 0.0, 0.0, 0.0};
     const double xy = x.share * y.share;
     Part& part = parts[k];
     part.share += xy * z.share;
@@ -233,11 +289,11 @@ FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) con
     part.along_y += x.share * y.slope * z.share;
     part.along_z += xy * z.slope;
   }
-  if (count == 1) return leaf_sample(home, cells);
+  if (count == 1) return leaf_sample(*parts[0].leaf, cells);
   FieldSample sample;
   for (std::size_t k = 0; k < count; ++k) {
     const Part& part = parts[k];
-    const FieldSample s = leaf_sample(part.leaf, cells);
+    const FieldSample s = leaf_sample(*part.leaf, cells);
     sample.distance_m += part.share * s.distance_m;
     sample.gradient += part.share * s.gradient +
                        (s.distance_m * cells_per_m_) * Vec3{part.along_x, part.along_y, part.along_z};

@@ -4,6 +4,7 @@
 
 #include "palpable/models/field/field_leaf.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <random>
@@ -41,6 +42,52 @@ TEST(FieldLeaf, FacesBackToBackHaveNoEdge) {
     EXPECT_DOUBLE_EQ(convex_meeting(3e-3, 1e-3, {cosine, 1.0F}, 1e-4, da, db), 3e-3);
     EXPECT_DOUBLE_EQ(da, 1.0);
     EXPECT_DOUBLE_EQ(db, 0.0);
+  }
+}
+
+TEST(FieldLeaf, ACompactQuadraticComesBackFromItsWords) {
+  CompactQuadratic q;
+  q.middle = -8388608;
+  q.numbers = {-2048, 2047, 1, -512, 511, -1, 300, -300, 0};
+  ASSERT_TRUE(q.fits());
+  const auto words = words_of(q);
+  const CompactQuadratic back = compact_of(words.data());
+  EXPECT_EQ(back.middle, q.middle);
+  EXPECT_EQ(back.numbers, q.numbers);
+  const LeafHead head{words[0]};
+  EXPECT_EQ(head.words(), words.size());
+  EXPECT_EQ(head.pieces(), 1);
+  EXPECT_FALSE(head.flat());
+  for (const std::size_t k : {std::size_t{0}, std::size_t{8}}) {
+    CompactQuadratic large = q;
+    large.numbers[k] = k == 0 ? 2048 : 512;
+    EXPECT_FALSE(large.fits());
+  }
+}
+
+TEST(FieldLeaf, ACompactQuadraticIsTheSamePieceInFewerWords) {
+  std::mt19937 random(4);
+  const auto number = [&](int most) {
+    return static_cast<int>(random() % (2U * static_cast<unsigned>(most))) - most;
+  };
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int i = 0; i < 200; ++i) {
+    CompactQuadratic q;
+    q.middle = number(4000);
+    for (std::size_t k = 0; k < 9; ++k) q.numbers[k] = number(k < 3 ? 1024 : 256);
+    // The same numbers in the steps of a curved piece.
+    std::array<std::uint32_t, 7> curved{4U,
+                                        word(static_cast<float>(q.middle * CompactQuadratic::kMiddleStep))};
+    for (std::size_t k = 0; k < 9; ++k) {
+      const auto steps = static_cast<int>(q.numbers[k] * CompactQuadratic::step_of(k) / LeafHead::kStep);
+      curved[2 + k / 2] |= (static_cast<std::uint32_t>(steps) & 0xFFFFU) << (k % 2 == 0 ? 0U : 16U);
+    }
+    const auto compact = words_of(q);
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const FieldSample a = leaf_at(compact.data(), {}, {x, y, z}, 1e-4, 1e-4);
+    const FieldSample b = leaf_at(curved.data(), {}, {x, y, z}, 1e-4, 1e-4);
+    ASSERT_NEAR(a.distance_m, b.distance_m, 1e-15);
+    ASSERT_LT(norm(a.gradient - b.gradient), 1e-12);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "palpable/core/vec3.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -15,7 +16,8 @@ namespace palpable::models {
 
 // What a leaf of a distance field holds: one to three smooth pieces, and how they meet. A piece is a plane
 // (exact for flat faces) or a quadratic polynomial; two pieces meet in an exact edge, convex or concave, or
-// in a medial sheet; three in a corner. Kept as 32-bit words: a head, the meetings, the pieces.
+// in a medial sheet; three in a corner. Stored as 32-bit words: a head, the meetings, the pieces. Most leaves
+// of a scanned mesh are small and hold one quadratic: these have a compact form of four words.
 
 /// How two pieces a and b meet. The solid is where both are negative (convex), or where one is (concave).
 enum class Meeting : std::uint8_t { convex, concave };
@@ -71,7 +73,8 @@ inline FieldSample joined(const FieldSample& a, const FieldSample& b, Meeting me
 }
 
 /// The head of a leaf: pieces - 1 (2 bits), for each piece whether it is curved (3 bits), the two meetings
-/// (2 bits; set = concave).
+/// (2 bits; set = concave), whether the leaf is in the compact form (1 bit), of which the other 24 bits are a
+/// part (CompactQuadratic).
 struct LeafHead {
   std::uint32_t bits = 0;
   int pieces() const noexcept { return static_cast<int>(bits & 3U) + 1; }
@@ -81,13 +84,17 @@ struct LeafHead {
   Meeting meeting(int which) const noexcept {
     return (bits >> (5 + which) & 1U) != 0 ? Meeting::concave : Meeting::convex;
   }
+  bool compact() const noexcept { return (bits & kCompact) != 0; }
   std::size_t words() const noexcept {
+    if (compact()) return kCompactWords;
     std::size_t count = 1 + 2 * static_cast<std::size_t>(pieces() - 1);
     for (int i = 0; i < pieces(); ++i) count += curved(i) ? kCurvedWords : kPlaneWords;
     return count;
   }
   static constexpr std::size_t kPlaneWords = 4;
   static constexpr std::size_t kCurvedWords = 6;
+  static constexpr std::uint32_t kCompact = 0x80U;
+  static constexpr std::size_t kCompactWords = 4;
   /// One step of a curved piece's 16-bit numbers.
   static constexpr double kStep = 1.0 / 16384.0;
   /// A small leaf needs fewer of them than a large one: its numbers are multiples of this many steps.
@@ -97,6 +104,34 @@ struct LeafHead {
   }
   /// A curved piece's value in the middle is a multiple of a finest cell's side over this.
   static constexpr double kValuesPerCell = 2048.0;
+};
+
+/// One quadratic in four words, head included, for leaves up to four finest cells long: their errors are
+/// bounded far above these steps. half (c + l·u + u·Qu) as in a curved piece.
+struct CompactQuadratic {
+  /// Leaves of a side up to 2^kMostLevel finest cells.
+  static constexpr int kMostLevel = 2;
+  /// Steps of c, of l and of Q, and the bits of each.
+  static constexpr double kMiddleStep = 1.0 / 512.0, kSlopeStep = 1.0 / 1024.0, kBendStep = 1.0 / 256.0;
+  static constexpr unsigned kMiddleBits = 24, kSlopeBits = 12, kBendBits = 10;
+  /// c; l (x, y, z) and Q (xx, yy, zz, xy, xz, yz) in steps.
+  std::int32_t middle = 0;
+  std::array<std::int32_t, 9> numbers{};
+
+  static constexpr unsigned bits_of(std::size_t number) noexcept {
+    return number < 3 ? kSlopeBits : kBendBits;
+  }
+  static constexpr double step_of(std::size_t number) noexcept { return number < 3 ? kSlopeStep : kBendStep; }
+  /// Whether every number fits into its bits.
+  bool fits() const noexcept {
+    const auto within = [](std::int32_t value, unsigned bits) {
+      const std::int32_t end = std::int32_t{1} << (bits - 1);
+      return value >= -end && value < end;
+    };
+    bool all = within(middle, kMiddleBits);
+    for (std::size_t k = 0; k < numbers.size(); ++k) all = all && within(numbers[k], bits_of(k));
+    return all;
+  }
 };
 
 namespace detail {
@@ -122,7 +157,51 @@ inline FieldSample curved_at(const std::uint32_t* words, Vec3 u, double half_m) 
            lz + 2.0 * zz * u.z + xz * u.x + yz * u.y}};
 }
 
+/// Word k + 1 of a compact leaf: l along axis k (12 bits), Q's diagonal (10), and Q's yz, xz or xy (10).
+inline std::int32_t signed_bits(std::uint32_t word, unsigned from, unsigned bits) noexcept {
+  return static_cast<std::int32_t>(word << (32U - from - bits)) >> (32U - bits);
+}
+
 }  // namespace detail
+
+/// Both ways between a compact leaf's words and its numbers, which fit().
+inline std::array<std::uint32_t, LeafHead::kCompactWords> words_of(const CompactQuadratic& q) noexcept {
+  const auto field = [](std::int32_t value, unsigned from, unsigned bits) {
+    return (static_cast<std::uint32_t>(value) & ((1U << bits) - 1U)) << from;
+  };
+  const auto row = [&](std::size_t axis) {
+    return field(q.numbers[axis], 0, 12) | field(q.numbers[3 + axis], 12, 10) |
+           field(q.numbers[8 - axis], 22, 10);
+  };
+  constexpr std::uint32_t kOneCurvedPiece = 4U;
+  return {kOneCurvedPiece | LeafHead::kCompact | field(q.middle, 8, 24), row(0), row(1), row(2)};
+}
+inline CompactQuadratic compact_of(const std::uint32_t* words) noexcept {
+  CompactQuadratic q;
+  q.middle = detail::signed_bits(words[0], 8, 24);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    q.numbers[axis] = detail::signed_bits(words[1 + axis], 0, 12);
+    q.numbers[3 + axis] = detail::signed_bits(words[1 + axis], 12, 10);
+    q.numbers[8 - axis] = detail::signed_bits(words[1 + axis], 22, 10);
+  }
+  return q;
+}
+
+/// A compact leaf's distance and gradient; u from the leaf's centre in halves of its side.
+inline FieldSample compact_at(const std::uint32_t* words, Vec3 u, double half_m) noexcept {
+  constexpr double kL = CompactQuadratic::kSlopeStep, kQ = CompactQuadratic::kBendStep;
+  const auto slope = [&](std::size_t k) { return kL * detail::signed_bits(words[k], 0, 12); };
+  const auto bend = [&](std::size_t k) { return kQ * detail::signed_bits(words[k], 12, 10); };
+  const auto mixed = [&](std::size_t k) { return kQ * detail::signed_bits(words[k], 22, 10); };
+  const double lx = slope(1), ly = slope(2), lz = slope(3), xx = bend(1), yy = bend(2), zz = bend(3),
+               yz = mixed(1), xz = mixed(2), xy = mixed(3);
+  const double c = CompactQuadratic::kMiddleStep * detail::signed_bits(words[0], 8, 24);
+  // u.Qu and its gradient share Qu.
+  const Vec3 q{xx * u.x + 0.5 * (xy * u.y + xz * u.z), yy * u.y + 0.5 * (xy * u.x + yz * u.z),
+               zz * u.z + 0.5 * (xz * u.x + yz * u.y)};
+  return {half_m * (c + u.x * (lx + q.x) + u.y * (ly + q.y) + u.z * (lz + q.z)),
+          {lx + 2.0 * q.x, ly + 2.0 * q.y, lz + 2.0 * q.z}};
+}
 
 /// Which way a piece rises, in its leaf's middle.
 inline Vec3 rise_of(const std::uint32_t* piece, bool curved) noexcept {
@@ -141,6 +220,7 @@ inline HalfAngle half_angle_between(Vec3 a, Vec3 b) noexcept {
 /// these and the third.
 inline void set_half_angles(std::uint32_t* words) noexcept {
   const LeafHead head{words[0]};
+  if (head.compact()) return;
   const std::uint32_t* piece = words + 1 + 2 * (head.pieces() - 1);
   Vec3 rise;
   for (int i = 0; i < head.pieces(); ++i) {
@@ -160,6 +240,7 @@ inline void set_half_angles(std::uint32_t* words) noexcept {
 template <class Visit>
 void visit_pieces(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m, const Visit& visit) noexcept {
   const LeafHead head{words[0]};
+  if (head.compact()) return visit(0, compact_at(words, u, half_m));
   const int pieces = head.pieces();
   const std::uint32_t* at = words + 1 + 2 * (pieces - 1);
   for (int i = 0; i < pieces; ++i) {
@@ -179,6 +260,7 @@ inline FieldSample joined_by(const std::uint32_t* words, int i, const FieldSampl
 /// A leaf's distance and gradient; arguments as visit_pieces(). Tick path.
 inline FieldSample leaf_at(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m,
                            double round_m) noexcept {
+  if (LeafHead{words[0]}.compact()) return compact_at(words, u, half_m);
   FieldSample sample;
   visit_pieces(words, x, u, half_m, [&](int i, const FieldSample& piece) {
     sample = i == 0 ? piece : joined_by(words, i, sample, piece, round_m);

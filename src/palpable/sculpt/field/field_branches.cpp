@@ -20,8 +20,8 @@ using models::FieldGrid;
 using models::FieldSample;
 using models::FieldTree;
 
-/// A source's answers at the places of a root cell's lattice, half a finest cell apart: neighbours and all
-/// levels of the tree share them. Remembers as many as fit; the others are asked again.
+/// A source's samples on a root cell's lattice, half a finest cell apart, shared by neighbouring cells and by
+/// all levels of the tree. A cache of fixed size: what was replaced is sampled again.
 class SharedSamples {
  public:
   SharedSamples(const DistanceSource& source, const Earlier* earlier)
@@ -110,7 +110,7 @@ class BranchBuilder {
   BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
                 const Earlier* earlier, const Work& work)
       : grid_(grid), bounds_(bounds), earlier_(earlier), work_(work), shared_(source, earlier) {
-    // A cell on the surface is never larger than this: finer things could hide between its samples.
+    // A cell on the surface is never larger than this: small details could lie between its samples.
     longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
   }
 
@@ -217,7 +217,7 @@ class BranchBuilder {
                                             {-0.66, 0.62, -0.7},
                                             {0.66, -0.68, -0.64},
                                             {-0.62, -0.7, -0.66}}};
-    // Of edges less is forgiven: what they are rounded by comes on top.
+    // Edges are allowed less: the rounding of the edge adds to the error.
     const bool has_edge = models::LeafHead{leaf.words[0]}.pieces() > 1;
     const double slack = has_edge ? 1.1 : 1.5;
     constexpr std::ptrdiff_t kFew = 4;
@@ -240,8 +240,7 @@ class BranchBuilder {
     return true;
   }
   static constexpr int kLarge = 4, kMorePerCell = 8;
-  /// The i-th of places that fill a cell evenly, however many are taken (Roberts 2018: powers of the plastic
-  /// number's kin in three dimensions).
+  /// The i-th of places that fill a cell evenly, however many are taken (Roberts 2018: the sequence R3).
   static Vec3 spread_place(int i) {
     const auto along = [&](double step) {
       const double v = 0.5 + i * step;
@@ -250,7 +249,7 @@ class BranchBuilder {
     return {along(0.8191725133961645), along(0.6710436067037893), along(0.5497004779019703)};
   }
 
-  /// Far from the surface nothing small is felt: there cells stay larger.
+  /// Far from the surface small details do not matter: there cells stay larger.
   int smallest_side(const CellSamples& samples) const {
     double nearest_m = std::numeric_limits<double>::infinity();
     bool outside = true;
@@ -275,10 +274,11 @@ class BranchBuilder {
   int longest_on_surface_ = 1;
 };
 
-/// Foretells what all root cells take from those that are done, which are spread over the solid.
-class Forecast {
+/// Estimates the total size from the root cells that are done, which are spread over the solid.
+class SizeEstimate {
  public:
-  Forecast(int count, std::size_t most_bytes) : count_(count), most_bytes_(static_cast<double>(most_bytes)) {}
+  SizeEstimate(int count, std::size_t most_bytes)
+      : count_(count), most_bytes_(static_cast<double>(most_bytes)) {}
 
   void add(const Branch& branch) {
     const auto bytes =
@@ -289,14 +289,14 @@ class Forecast {
     squares_ += bytes * bytes;
     const double mean = sum_ / done_;
     const double variance = std::max(0.0, squares_ / done_ - mean * mean) * (count_ - done_) / count_;
-    // Root cells differ a hundredfold: the mean of a few tells little, and how little follows from them too.
+    // Root cells differ a hundredfold: the estimate needs enough of them, and its standard error counts.
     constexpr double kLeast = 64.0, kSure = 4.0;
     const double least = count_ * (mean - kSure * std::sqrt(variance / done_));
     if (sum_ > most_bytes_ || (done_ >= kLeast && least > most_bytes_)) too_much_ = true;
   }
   bool is_too_much() const { return too_much_.load(std::memory_order_relaxed); }
 
-  /// What a field takes grows with its surface, that is, with the square of its resolution.
+  /// A field's size grows with its surface, that is, with the square of its resolution.
   Error too_large(const FieldOptions& options) const {
     const double needed_bytes = count_ * sum_ / std::max(1.0, done_);
     const double share = std::sqrt(most_bytes_ / needed_bytes);
@@ -312,7 +312,7 @@ class Forecast {
   std::atomic<bool> too_much_{false};
 };
 
-/// Steps of so many root cells, of `count` in all, meet each of them once, the first ones spread over all.
+/// A step that visits each of `count` root cells once, the first ones spread over all.
 int spread_step(int count) {
   constexpr double kGolden = 0.618034;
   int step = std::max(1, static_cast<int>(kGolden * count));
@@ -329,21 +329,21 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
   std::vector<Branch> branches(static_cast<std::size_t>(count));
   std::atomic<int> next{0};
   std::atomic<int> done{0};
-  Forecast forecast(count, options.most_bytes);
+  SizeEstimate estimate(count, options.most_bytes);
   const std::int64_t step = spread_step(count);
   std::mutex reporting;
   // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
   parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
     if (begin == end) return;
     BranchBuilder builder(source, grid, bounds, earlier, work);
-    for (int n = next++; n < count && !work.cancelled() && !forecast.is_too_much(); n = next++) {
+    for (int n = next++; n < count && !work.cancelled() && !estimate.is_too_much(); n = next++) {
       const int side = 1 << grid.levels;
       const auto i = static_cast<int>(n * step % count);
       const auto root = static_cast<std::size_t>(i);
       branches[root] = builder.build({i % grid.roots[0] * side, i / grid.roots[0] % grid.roots[1] * side,
                                       i / (grid.roots[0] * grid.roots[1]) * side},
                                      root);
-      forecast.add(branches[root]);
+      estimate.add(branches[root]);
       const int ready = ++done;
       if (ready % 32 == 0) {
         const std::lock_guard lock(reporting);
@@ -352,7 +352,7 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
     }
   });
   if (work.cancelled()) return Work::interrupted();
-  if (forecast.is_too_much()) return forecast.too_large(options);
+  if (estimate.is_too_much()) return estimate.too_large(options);
   return branches;
 }
 

@@ -23,7 +23,7 @@ struct Branch {
   std::uint32_t entry = 0;
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> words;
-  /// As the source's hint tells it (DistanceSource::Hint).
+  /// From the source (DistanceSource::Hint).
   double greatest_difference_m = 0.0;
   /// Nothing changed in it: it stays as in the earlier tree, and the rest is empty.
   bool kept = false;
@@ -33,14 +33,14 @@ struct Branch {
 struct Earlier {
   const models::FieldTree& tree;
   /// Whether the nearest place of the surface may be among what changed, of a place from the grid's origin
-  /// and the distance that the source now tells there. Any thread.
+  /// and the distance that the source now has there. Any thread.
   std::function<bool(Vec3 from_origin_m, double distance_m)> changed_at;
   /// Of a cell, without asking the source: true only where nothing changed.
   std::function<bool(Vec3 centre_m, double half_m)> is_far;
 };
 
 /// Samples all root cells, x fastest. With an earlier tree of the same grid, its cells that did not change
-/// are copied, to the bit; where a cell changed in part, its children are looked at. Errors: failed for more
+/// are copied, to the bit; where a cell changed in part, its children are visited. Errors: failed for more
 /// than options.most_bytes, interrupted.
 Result<std::vector<Branch>> branches_of(const DistanceSource& source, const models::FieldGrid& grid,
                                         const FitBounds& bounds, const FieldOptions& options,

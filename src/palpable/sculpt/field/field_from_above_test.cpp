@@ -75,7 +75,7 @@ std::vector<Shape> shapes_of(double size_m) {
 /// The heights of `shape` seen from above, by the way of keeping it that `sample` stands for.
 template <class Sample>
 void expect_top_at(const Shape& shape, double size_m, Sample sample) {
-  const auto solid = solid_from_mesh(shape.mesh, size_m / kResolution, {}, 0.0);
+  const auto solid = solid_from_mesh(shape.mesh, size_m / kResolution, {});
   ASSERT_TRUE(solid) << shape.name;
   auto distance = sample(*solid->distance);
   ASSERT_TRUE(distance) << shape.name;

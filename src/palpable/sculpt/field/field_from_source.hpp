@@ -29,17 +29,17 @@ struct FieldOptions {
 /// for a solid without extent.
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 
-/// How far beside the facets of a curved surface the smooth one may be taken that they stand for
-/// (solid_from_mesh()): a tenth of a finest cell, as a kink may lie beside its true place (docs/fields.md),
-/// and no more than twice the error bound. 0 for what finest_cell_m() refuses.
+/// FacetOptions::rounding_m for a field (solid_from_mesh()): a tenth of a finest cell, the tolerance of an
+/// edge's position (docs/fields.md), and no more than twice the error bound. 0 for what finest_cell_m()
+/// refuses.
 double facet_rounding_m(const Box& bounds, const FieldOptions& options);
 
 /// How far a field reaches beyond the solid in `bounds`: 6 % of its longest side, at least 2 mm.
 double field_margin_m(const Box& bounds);
 
-/// Samples a solid's distance adaptively: cells that no leaf of models/field/field_leaf.hpp fits are cut into
-/// eight until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2 mm.
-/// Long work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as
+/// Samples a solid's distance adaptively: cells that no leaf of models/field/field_leaf.hpp fits are split
+/// into eight until they are the finest. The grid surrounds the solid by 6 % of its longest side, at least 2
+/// mm. Long work: all threads, reports progress, polls cancel; the same for any number of threads. Errors: as
 /// finest_cell_m(); failed for a field over most_bytes, naming about what it would take and the resolution
 /// that fits; interrupted.
 Result<models::DistanceField> field_from_source(const DistanceSource& source, const FieldOptions& options,

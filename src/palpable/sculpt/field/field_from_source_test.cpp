@@ -358,7 +358,7 @@ TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {
   ball.size_m = {0.02, 0.02, 0.02};
   const Mesh mesh = models::mesh_of(ball, 0.001);
   constexpr double kFinest_m = 0.0005, kRounding_m = 2e-5;
-  const auto rounded = solid_from_mesh(mesh, kFinest_m, {}, kRounding_m);
+  const auto rounded = solid_from_mesh(mesh, kFinest_m, {}, {.rounding_m = kRounding_m});
   const auto exact = solid_from_mesh(mesh, kFinest_m, {});
   ASSERT_TRUE(rounded && exact);
   EXPECT_EQ(rounded->repair.rounded, mesh.triangles.size());
@@ -381,13 +381,53 @@ TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {
   EXPECT_GT(facets_m, 3e-6);
 }
 
+TEST(FieldFromSource, FollowsAScanOnlyAsCloselyAsItsFacetsAgree) {
+  constexpr double kRadius_m = 0.006, kSide_m = 0.0006;
+  constexpr FieldOptions kField{.resolution = 64, .max_error_m = 1e-5};
+  models::Superquadric ball;
+  ball.size_m = {kRadius_m, kRadius_m, kRadius_m};
+  Mesh noisy = models::mesh_of(ball, kSide_m);
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (Vec3& v : noisy.vertices_m) v = (1.0 + 0.04 * kSide_m / kRadius_m * uniform(random)) * v;
+  const auto field_of = [&](const Mesh& mesh, const FacetOptions& facets) {
+    const auto solid = solid_from_mesh(mesh, 2.0 * kRadius_m / kField.resolution, {}, facets);
+    return field_from_source(*solid->distance, kField, {});
+  };
+  const FacetOptions as_chosen{.rounding_m = 1.5e-5};
+  FacetOptions closely = as_chosen;
+  closely.noise_turn_share = closely.noise_rise_share = 0.0;
+  const auto followed = field_of(noisy, closely), field = field_of(noisy, as_chosen);
+  ASSERT_TRUE(followed && field);
+  EXPECT_LT(2 * field->memory_bytes(), followed->memory_bytes());
+  // It stays near the facets.
+  const auto facets = solid_from_mesh(noisy, 1e-4, {});
+  DistanceSource::Hint hint;
+  double squares = 0.0;
+  int count = 0;
+  while (count < 3000) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p = 1.1 * kRadius_m * Vec3{x, y, z};
+    const double distance_m = field->sample(p).distance_m;
+    if (std::abs(distance_m) > 0.001) continue;
+    squares += std::pow(distance_m - facets->distance->at(p, hint).distance_m, 2);
+    ++count;
+  }
+  EXPECT_LT(std::sqrt(squares / count), 8e-6);
+  // A smooth surface's facets agree: hardly anything is left out.
+  const Mesh fine = models::mesh_of(ball, 0.5 * kSide_m);
+  const auto smooth = field_of(fine, as_chosen), smooth_closely = field_of(fine, closely);
+  ASSERT_TRUE(smooth && smooth_closely);
+  EXPECT_GT(10 * smooth->memory_bytes(), 8 * smooth_closely->memory_bytes());
+}
+
 TEST(MeshSolid, KeepsFacetsThatStandTooFarOffASmoothSurfaceOrAreLarge) {
   models::Superquadric ball;
   ball.size_m = {0.02, 0.02, 0.02};
   const Mesh mesh = models::mesh_of(ball, 0.001);
   const auto exact = solid_from_mesh(mesh, 0.0005, {});
-  const auto too_far = solid_from_mesh(mesh, 0.0005, {}, 1e-6);
-  const auto too_large = solid_from_mesh(mesh, 0.00005, {}, 2e-5);
+  const auto too_far = solid_from_mesh(mesh, 0.0005, {}, {.rounding_m = 1e-6});
+  const auto too_large = solid_from_mesh(mesh, 0.00005, {}, {.rounding_m = 2e-5});
   ASSERT_TRUE(exact && too_far && too_large);
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> uniform(-0.024, 0.024);

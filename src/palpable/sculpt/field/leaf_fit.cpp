@@ -10,6 +10,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ using models::HalfAngle;
 using models::LeafHead;
 using models::Meeting;
 
-/// How much a place forgives, at most and as the root mean square over a leaf.
+/// The error that is allowed at a place: its maximum, and its root mean square over a leaf.
 struct Allowance {
   double value_m = 0.0;
   double value_rms_m = 0.0;
@@ -104,6 +105,7 @@ class Judge {
   }
   /// Whether the cell is one that is not cut any more.
   bool is_finest() const { return side_ < 1.5; }
+  bool may_be_compact() const { return side_ < 1.5 * (1 << models::CompactQuadratic::kMostLevel); }
 
   /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
   double error(const LeafFit& leaf, double enough) const {
@@ -167,8 +169,26 @@ Piece quadratic_of(const Quadratic& c, double half_m, double cell_m) {
   return piece;
 }
 
+/// A quadratic as a compact leaf; nothing where it does not fit into one.
+std::optional<LeafFit> compact_leaf_of(const Quadratic& c) {
+  models::CompactQuadratic compact;
+  const auto steps = [](double value, double step) {
+    constexpr double kMost = 1e8;
+    return static_cast<std::int32_t>(std::clamp(std::round(value / step), -kMost, kMost));
+  };
+  compact.middle = steps(c[0], models::CompactQuadratic::kMiddleStep);
+  for (std::size_t k = 0; k < compact.numbers.size(); ++k)
+    compact.numbers[k] = steps(c[k + 1], models::CompactQuadratic::step_of(k));
+  if (!compact.fits()) return std::nullopt;
+  LeafFit leaf;
+  const auto words = models::words_of(compact);
+  std::copy(words.begin(), words.end(), leaf.words.begin());
+  leaf.count = words.size();
+  return leaf;
+}
+
 /// Pieces that meet at less than a degree are one.
-bool meet_well(HalfAngle half) { return half.sine > 0.01F; }
+bool have_distinct_normals(HalfAngle half) { return half.sine > 0.01F; }
 
 LeafFit leaf_of(std::span<const Piece> pieces, std::span<const Meeting> meetings) {
   LeafFit leaf;
@@ -225,18 +245,18 @@ class Search {
     const double turn2 = ends_.ab;
     constexpr double kFlat = 1e-3;
     if (turn2 < 4e-4 && try_leaf(leaf_of(std::array{plane(kCentre)}, {}))) return best_;
+    if (is_noisy() && turn2 < 2.0 && try_leaf(quadratic_leaf())) return best_;
     for (const LeafFit& leaf : recent.all())
       if (turn2 > kFlat && try_leaf(leaf)) return best_;
     if (turn2 > kFlat && try_planes()) return best_;
-    if (turn2 < 2.0 && try_leaf(leaf_of(std::array{quadratic(quadratic_through(samples_))}, {})))
-      return best_;
+    if (!is_noisy() && turn2 < 2.0 && try_leaf(quadratic_leaf())) return best_;
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
     if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
     if (!judge_.is_finest()) return best_;
-    if (closest_m_ > kAstray * bounds_.cell_m) try_all_planes();
-    const double astray_m = std::max(kAstray * bounds_.cell_m, closest_m_);
-    return judge_.greatest_m(best_, kNoLimit) > astray_m ? closest_ : best_;
+    if (closest_m_ > kTooFar * bounds_.cell_m) try_all_planes();
+    const double too_far_m = std::max(kTooFar * bounds_.cell_m, closest_m_);
+    return judge_.greatest_m(best_, kNoLimit) > too_far_m ? closest_ : best_;
   }
 
  private:
@@ -245,6 +265,14 @@ class Search {
   Piece plane(std::size_t k) const { return plane_through(samples_, k, bounds_.cell_m); }
   Piece quadratic(const Quadratic& c) const { return quadratic_of(c, samples_.half_m, bounds_.cell_m); }
 
+  bool is_noisy() const { return samples_.coarse_turn > bounds_.noisy_turn; }
+  /// One quadratic through all samples; compact where noise is larger than the steps of a compact leaf.
+  LeafFit quadratic_leaf() const {
+    const Quadratic c = quadratic_through(samples_);
+    if (is_noisy() && judge_.may_be_compact())
+      if (const auto compact = compact_leaf_of(c)) return *compact;
+    return leaf_of(std::array{quadratic(c)}, {});
+  }
   bool try_leaf(LeafFit leaf) {
     leaf.error = judge_.error(leaf, samples_.is_last ? std::max(1.0, best_.error) : 1.0);
     if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
@@ -255,7 +283,7 @@ class Search {
   /// A finest cell whose best leaf errs by more than the rounding of an edge does takes the leaf that is
   /// nearest to the true distance: where many faces meet, none has the gradient right everywhere, and the one
   /// that errs least in it may be far off. In finest cells.
-  static constexpr double kAstray = 0.3;
+  static constexpr double kTooFar = 0.3;
   void keep_closest(LeafFit leaf) {
     const double greatest_m = judge_.greatest_m(leaf, closest_m_);
     if (!(greatest_m < closest_m_)) return;
@@ -263,11 +291,11 @@ class Search {
     leaf.error = std::max(leaf.error, 1.0 + 1e-9);
     closest_ = leaf;
   }
-  /// Where many faces meet, those whose directions differ most need not be the ones that are felt: of all
+  /// Where many faces meet, those whose directions differ most need not be those of the surface: of all
   /// planes that the samples lie in, the most frequent ones, each two and each three of them; and one smooth
   /// piece through everything.
   void try_all_planes() {
-    keep_closest(leaf_of(std::array{quadratic(quadratic_through(samples_))}, {}));
+    keep_closest(quadratic_leaf());
     std::vector<std::pair<int, Piece>> planes;
     for (std::size_t k = 0; k < kFitPlaces; ++k) {
       const Piece piece = plane(k);
@@ -290,14 +318,14 @@ class Search {
       }
   }
   void try_closest_pair(const Piece& a, const Piece& b) {
-    if (!meet_well(models::half_angle_between(a.normal, b.normal))) return;
+    if (!have_distinct_normals(models::half_angle_between(a.normal, b.normal))) return;
     for (const Meeting m : {Meeting::convex, Meeting::concave})
       keep_closest(leaf_of(std::array{a, b}, std::array{m}));
   }
   void try_closest_corner(const std::array<Piece, 3>& p) {
     for (const auto& order : kOrders) {
       const std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
-      if (!corner_meets_well(pieces)) continue;
+      if (!corner_has_distinct_normals(pieces)) continue;
       for (const Meeting m : {Meeting::convex, Meeting::concave})
         for (const Meeting n : {Meeting::convex, Meeting::concave})
           keep_closest(leaf_of(pieces, std::array{m, n}));
@@ -306,7 +334,7 @@ class Search {
   /// Which of the two comes first is no matter: one order makes equal leaves of equal pieces.
   bool try_pair(Piece a, Piece b) {
     const HalfAngle half = models::half_angle_between(a.normal, b.normal);
-    if (!meet_well(half)) return false;
+    if (!have_distinct_normals(half)) return false;
     if (b.words < a.words) std::swap(a, b);
     return try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::convex})) ||
            try_leaf(leaf_of(std::array{a, b}, std::array{Meeting::concave}));
@@ -330,16 +358,16 @@ class Search {
   }
   /// Which two of three meet first.
   static constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
-  static bool corner_meets_well(const std::array<Piece, 3>& p) {
-    return meet_well(models::half_angle_between(p[0].normal, p[1].normal)) &&
-           meet_well(models::half_angle_between(p[0].normal + p[1].normal, p[2].normal));
+  static bool corner_has_distinct_normals(const std::array<Piece, 3>& p) {
+    return have_distinct_normals(models::half_angle_between(p[0].normal, p[1].normal)) &&
+           have_distinct_normals(models::half_angle_between(p[0].normal + p[1].normal, p[2].normal));
   }
   bool try_corner() {
     const std::array<Piece, 3> p{plane(ends_.a), plane(ends_.b), plane(ends_.c)};
     for (const auto& order : kOrders) {
       std::array<Piece, 3> pieces{p[order[0]], p[order[1]], p[order[2]]};
       if (pieces[1].words < pieces[0].words) std::swap(pieces[0], pieces[1]);
-      if (!corner_meets_well(pieces)) continue;
+      if (!corner_has_distinct_normals(pieces)) continue;
       for (const Meeting m : {Meeting::convex, Meeting::concave})
         for (const Meeting n : {Meeting::convex, Meeting::concave})
           if (try_leaf(leaf_of(pieces, std::array{m, n}))) return true;

@@ -14,21 +14,24 @@
 namespace palpable::sculpt {
 
 /// How closely a field must follow its source (docs/fields.md). Near the surface: value within bound_m, and
-/// root-mean-square and gradient so close that neighbouring leaves join without a felt step. Elsewhere the
-/// same, loosened with the distance from that band.
+/// root-mean-square and gradient so close that neighbouring leaves join without a perceptible step. Elsewhere
+/// the same, loosened with the distance from that band.
 struct FitBounds {
   double bound_m = 1e-5;
   /// The band: this deep inside and this far outside.
   double inside_m = 0.003;
   double outside_m = 0.001;
   double cell_m = 0.0;
+  /// Over facets whose samples may turn by more (CellSamples::coarse_turn, radians), a leaf is tried as one
+  /// smooth piece, in the compact form, before the edges between the facets: it is smaller.
+  double noisy_turn = 0.03;
 };
 
-/// How far beside its true place a kink may lie, in finest cells.
+/// The tolerance of an edge's position, in finest cells.
 inline constexpr double kKinkInCells = 0.1;
 
-/// Where a cell is asked for its distance: 3 x 3 x 3 places over it, its corners among them. Each answers
-/// with a value and a gradient, so 108 numbers meet the 10 of a quadratic.
+/// Where a cell is sampled: 3 x 3 x 3 places over it, its corners among them. Each gives a value and a
+/// gradient, so 108 numbers determine the 10 of a quadratic.
 inline constexpr std::size_t kFitPlaces = 27;
 /// Place k of a cell, from its centre in halves of its side.
 Vec3 fit_place(std::size_t k);
@@ -38,11 +41,11 @@ struct CellSamples {
   Vec3 centre_m;
   double half_m = 0.0;
   std::array<models::FieldSample, kFitPlaces> at;
-  /// How far they may be beside what their surface stands for (DistanceSource::Hint): a leaf need not follow
-  /// them more closely.
+  /// How far the samples may differ from the surface that they approximate (DistanceSource::Hint): a leaf
+  /// need not follow them more closely.
   double coarse_m = 0.0, coarse_turn = 0.0;
-  /// The cell is not cut any further: if no leaf keeps the bounds, the one that errs least is wanted. Of
-  /// others it is then not known by how much they are missed.
+  /// The cell is not split any further: if no leaf keeps the bounds, the search is for the one with the least
+  /// error. For other cells the error of a leaf that fails is not computed to the end.
   bool is_last = true;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using models::FieldSample;
 
-/// What the gradient counts beside the value.
+/// The weight of the gradient, relative to the value.
 constexpr double kGradientWeight = 0.25;
 
 /// A row of the least-squares problem for a value, or one axis of the gradient.

@@ -10,7 +10,7 @@
 
 namespace palpable::sculpt {
 
-/// How far a field may be from its source's distance, and where that is asked.
+/// The range of distances in which a field's errors are measured.
 struct ErrorRange {
   double inside_m = 0.0;
   double outside_m = 0.0;

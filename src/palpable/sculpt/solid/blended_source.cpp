@@ -11,7 +11,7 @@ namespace palpable::sculpt {
 namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-/// On the way from one distance to the other neither is right: a part of their difference is forgiven (and
+/// In the transition neither distance is right: a part of their difference is allowed (and
 /// some more of the direction), less towards both ends.
 constexpr double kLoose = 0.05;
 

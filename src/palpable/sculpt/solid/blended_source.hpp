@@ -15,7 +15,7 @@ namespace palpable::sculpt {
 /// where it does, the hint notes |D - E|.
 class BlendedSource final : public DistanceSource {
  public:
-  /// As far as this in u the solid's own distance is told; 0 <= both < 1.
+  /// Up to this u the distance is the solid's own; 0 <= both < 1.
   struct Whole {
     double inside = 0.0, outside = 0.0;
   };

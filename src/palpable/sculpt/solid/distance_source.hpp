@@ -14,38 +14,38 @@
 
 namespace palpable::sculpt {
 
-/// A solid that knows its exact distance: what a distance field is sampled from (a mesh, superquadrics, a
-/// relief, points). Any thread.
+/// A solid whose exact distance can be queried: what a distance field is sampled from (a mesh, superquadrics,
+/// a relief, points). Any thread.
 class DistanceSource {
  public:
   virtual ~DistanceSource() = default;
 
-  /// A source's own memory from one call to the next, a start for places near each other. New at first, one
-  /// for each thread.
+  /// State that a source keeps from one call to the next, so that queries near each other are fast. Default
+  /// constructed at first; one for each thread.
   struct Hint {
     std::uint32_t triangle = 0;
-    /// Of a second surface that a source looks at.
+    /// The same of a source's second surface.
     std::uint32_t second_triangle = 0;
-    /// The last places and their distances (0: none yet): nearer to them than that, nothing changes its side.
-    struct Answered {
+    /// The last places and their distances (0: none yet): the sign is the same everywhere within that
+    /// distance.
+    struct PreviousSample {
       Vec3 place_m;
       double distance_m = 0.0;
     };
-    std::array<Answered, 8> last;
+    std::array<PreviousSample, 8> last;
     std::size_t oldest = 0;
-    /// How far the last answer may be beside what its surface stands for, metres and radians: between samples
-    /// it is a guess. 0 where the surface is exact.
+    /// How far the last sample may differ from the surface that the source approximates, metres and radians:
+    /// between the vertices of a scan it is an estimate. 0 where the surface is exact.
     double coarse_m = 0.0, coarse_turn = 0.0;
-    /// Of a source that goes over from one distance to another: the most that these differed by, of all
-    /// places on the way.
+    /// Of a source that blends two distances: the greatest difference between them at the places queried.
     double greatest_difference_m = 0.0;
-    /// What was found of the balls that were entered; the first `entered` count.
+    /// The triangles near the balls that were entered; the first `entered` are in use.
     std::vector<TriangleShortlist> balls;
     std::size_t entered = 0;
   };
 
-  /// The next places all lie in this ball, which lies in the last one entered and not left: a source may look
-  /// round it once, for all of them.
+  /// The next places all lie in this ball, which lies in the last one entered and not left: a source may
+  /// search it once, for all of them.
   virtual void enter(Vec3 /*centre_m*/, double /*radius_m*/, Hint& /*hint*/) const {}
   virtual void leave(Hint& /*hint*/) const {}
 

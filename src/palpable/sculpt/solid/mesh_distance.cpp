@@ -77,7 +77,7 @@ std::vector<Vec3> face_normals(const Mesh& mesh) {
   return faces;
 }
 
-/// For each part of each triangle, what is needed to tell the side of a place that is nearest to it.
+/// For each part of each triangle, what decides the sign for a point that is nearest to it.
 class Joints {
  public:
   explicit Joints(const Mesh& surface)
@@ -161,7 +161,7 @@ class MeshDistance final : public DistanceSource {
   Box bounds_;
   double touching_m_ = 0.0;
   /// Farther away, one side of a thin sheet may have been taken for the nearest triangle instead of the
-  /// other: there the winding number tells the side of a place.
+  /// other: there the winding number decides the sign.
   double normals_tell_m_ = 0.0;
 };
 

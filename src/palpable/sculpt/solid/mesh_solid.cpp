@@ -16,46 +16,42 @@ namespace palpable::sculpt {
 
 std::vector<std::string> MeshRepair::notes() const {
   std::vector<std::string> notes;
-  const auto tell = [&](std::size_t count, const char* one, const char* many) {
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
     if (count == 1) notes.emplace_back(one);
     if (count > 1) notes.push_back(std::to_string(count) + many);
   };
-  tell(degenerate, "One triangle without an area was left out.", " triangles without an area were left out.");
-  tell(turned_parts, "One part of the mesh was turned to face outwards.",
-       " parts of the mesh were turned to face outwards.");
-  tell(closed_holes, "One hole in the mesh was closed.", " holes in the mesh were closed.");
-  tell(inner, "One triangle inside the solid was left out.", " triangles inside the solid were left out.");
+  add(degenerate, "One triangle without an area was left out.", " triangles without an area were left out.");
+  add(turned_parts, "One part of the mesh was turned to face outwards.",
+      " parts of the mesh were turned to face outwards.");
+  add(closed_holes, "One hole in the mesh was closed.", " holes in the mesh were closed.");
+  add(inner, "One triangle inside the solid was left out.", " triangles inside the solid were left out.");
   if (rounded > 0)
-    notes.push_back(std::to_string(rounded) +
-                    " small facets were taken for the smooth surface that they stand for, at most " +
-                    std::to_string(std::lround(1e6 * rounded_m)) + " um beside them.");
+    notes.push_back(std::to_string(rounded) + " small facets were smoothed, by at most " +
+                    std::to_string(std::lround(1e6 * rounded_m)) + " um.");
   return notes;
 }
 
 namespace {
 
-/// Few small facets are not worth it.
-constexpr std::size_t kOneOf = 10;
-
-/// Null where there are few facets to be rounded.
-std::unique_ptr<DistanceSource> rounded(const Mesh& whole, double finest_m, double rounding_m,
-                                        MeshRepair& repair) {
-  constexpr double kFinestCells = 2.0;
-  // Corners are exact; between them, normals that are means of facets leave about so much open.
-  constexpr double kCoarseShare = 0.1;
+/// Null where there are few facets to be smoothed.
+std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, const FacetOptions& facets,
+                                         MeshRepair& repair) {
   auto smooth = std::make_unique<SmoothSurface>(
-      whole, SmoothSurface::Rounding{rounding_m, kFinestCells * finest_m, kCoarseShare});
+      whole, SmoothSurface::Rounding{facets.rounding_m, facets.most_cells_to_edge * finest_m,
+                                     facets.coarse_share, facets.noise_turn_share, facets.noise_rise_share});
   const std::size_t count = smooth->rounded_facets();
-  if (count * kOneOf < whole.triangles.size()) return nullptr;
+  if (static_cast<double>(count) < facets.least_share * static_cast<double>(whole.triangles.size()))
+    return nullptr;
   repair.rounded = count;
-  repair.rounded_m = rounding_m;
+  repair.rounded_m = facets.rounding_m;
   return smooth;
 }
 
 }  // namespace
 
-Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work, double rounding_m) {
-  work.report(0.0, "mending the mesh");
+Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
+                                  const FacetOptions& facets) {
+  work.report(0.0, "repairing the mesh");
   MeshSolid solid;
   Mesh whole = welded(mesh, solid.repair.degenerate);
   if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
@@ -64,9 +60,9 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   const std::size_t first_added = whole.triangles.size();
   solid.repair.closed_holes = close_holes(whole);
   if (work.cancelled()) return Work::interrupted();
-  // Given back before the distance makes its own: of millions of triangles it takes gigabytes.
+  // Freed before the distance builds its own: for millions of triangles it takes gigabytes.
   std::optional<TriangleTree> tree(whole);
-  // What rays told of parts that were still open may be wrong.
+  // The orientation that rays found for parts that were still open may be wrong.
   if (solid.repair.closed_holes > 0) {
     const std::size_t turned = turn_inside_out_parts(whole, *tree);
     if (turned > 0) {
@@ -80,7 +76,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   if (work.cancelled()) return Work::interrupted();
   if (is_watertight(whole) && is_own_surface(whole, *tree, first_added, work)) {
     tree.reset();
-    if (rounding_m > 0.0) solid.distance = rounded(whole, finest_m, rounding_m, solid.repair);
+    if (facets.rounding_m > 0.0) solid.distance = smoothed(whole, finest_m, facets, solid.repair);
     if (!solid.distance) solid.distance = mesh_distance(whole, whole);
     return solid;
   }

@@ -42,11 +42,12 @@ inline bool is_behind(const TriangleTree& tree, Vec3 p, const DistanceSource::Hi
       return last.distance_m < 0.0;
   return tree.winding(p) > 0.5;
 }
-/// Whether a place is inside, told by `normal` where it is nearest to a closed surface, on the `way` from
+/// Whether a place is inside, decided by `normal` where it is nearest to a closed surface, on the `way` from
 /// there.
 inline bool is_behind(const TriangleTree& tree, Vec3 p, Vec3 way, Vec3 normal,
                       const DistanceSource::Hint& hint) {
-  // The nearest place is known to a few parts in ten thousand: hardly turned, a normal tells nothing.
+  // The nearest place is known to a few parts in ten thousand: a normal nearly at right angles decides
+  // nothing.
   constexpr double kTelling = 0.1;
   const double height = dot(way, normal);
   if (height * height > kTelling * kTelling * squared_norm(way) * squared_norm(normal)) return height < 0.0;

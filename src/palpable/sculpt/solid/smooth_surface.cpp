@@ -19,13 +19,13 @@ struct SmoothSurface::Patch {
   Vec3 normal(double u, double v) const {
     return normals[0] + u * (normals[1] - normals[0]) + v * (normals[2] - normals[0]);
   }
-  /// How far the smooth surface lies before the triangle.
+  /// The height of the smooth surface above the triangle.
   double bulge_m(double u, double v) const {
     const Vec3 q = place(u, v);
     return 0.5 * ((1.0 - u - v) * dot(corners[0] - q, normals[0]) + u * dot(corners[1] - q, normals[1]) +
                   v * dot(corners[2] - q, normals[2]));
   }
-  /// More than that nowhere.
+  /// An upper bound of |bulge_m()|.
   double greatest_bulge_m() const {
     double most = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -50,8 +50,8 @@ double inradius_m(const std::array<Vec3, 3>& t) {
   return norm(cross(t[1] - t[0], t[2] - t[0])) / around_m;
 }
 
-/// How far a surface that bends evenly would stand before two triangles that turn by `turn` over a common
-/// edge: before the middle of equal-sided ones h turn / 3, of long strips h turn / 8.
+/// The height of an evenly bent surface above two triangles that turn by `turn` over a common
+/// edge: h turn / 3 above the centre of equilateral ones, h turn / 8 of long strips.
 double bulge_over_edge_m(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double edge_m,
                          double turn) {
   const auto height_m = [&](const std::array<Vec3, 3>& t) {
@@ -62,7 +62,7 @@ double bulge_over_edge_m(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>
 
 double angle_between(Vec3 a, Vec3 b) { return std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0)); }
 
-/// Where a place stands: weights on a patch's plane, and how many of its normals above it.
+/// The coordinates of a point over a patch: weights in its plane, and the multiple of its normal above it.
 struct Foot {
   double u = 0.0, v = 0.0, along = 0.0;
 };
@@ -78,7 +78,7 @@ Foot foot_at(const SmoothSurface::Patch& patch, Vec3 q, double along) {
 }
 
 /// Newton's method for place(u, v) + along normal(u, v) = p.
-bool stand(const SmoothSurface::Patch& patch, Vec3 p, Foot& foot) {
+bool solve_foot(const SmoothSurface::Patch& patch, Vec3 p, Foot& foot) {
   const Vec3 a = patch.corners[1] - patch.corners[0], b = patch.corners[2] - patch.corners[0];
   const Vec3 na = patch.normals[1] - patch.normals[0], nb = patch.normals[2] - patch.normals[0];
   const double enough2 = 1e-16 * std::max(dot(a, a), dot(b, b));
@@ -90,7 +90,7 @@ bool stand(const SmoothSurface::Patch& patch, Vec3 p, Foot& foot) {
     const Vec3 by_u = a + foot.along * na, by_v = b + foot.along * nb;
     const Vec3 vn = cross(by_v, n);
     const double det = dot(by_u, vn);
-    // Where the normals cross, the surface above the patch turns over.
+    // Beyond the place where the normals cross, the offset surface folds over.
     if (!(det > 0.0)) return false;
     foot.u += dot(rest, vn) / det;
     foot.v += dot(rest, cross(n, by_u)) / det;
@@ -124,6 +124,7 @@ SmoothSurface::SmoothSurface(Mesh mesh, const Rounding& rounding)
   find_neighbours();
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) set_edges(t);
   for (std::uint32_t v = 0; v < mesh_.vertices_m.size(); ++v) set_normals(v);
+  if (rounding_.noise_turn_share > 0.0 || rounding_.noise_rise_share > 0.0) measure_noise();
 }
 
 SmoothSurface::Patch SmoothSurface::patch_of(std::uint32_t triangle) const {
@@ -218,6 +219,43 @@ void SmoothSurface::move(std::span<const Move> moves) {
   tree_.move(mesh_, triangles);
 }
 
+/// The squared difference between the normal at a vertex and the mean normal of its neighbours, which is 0
+/// where a surface bends evenly. Also 0 where an edge turns by more than 20 degrees, or a facet is not small:
+/// there the mesh has a shape of its own.
+double SmoothSurface::normal_scatter2(std::uint32_t vertex) const {
+  Vec3 sum;
+  for (const std::uint32_t corner : fan(vertex)) {
+    const std::uint32_t t = corner / 3, other = across_[t][corner % 3];
+    if (dot(faces_[t], faces_[other]) <= kSmoothCosine ||
+        inradius_m(patch_of(t).corners) > rounding_.largest_facet_m)
+      return 0.0;
+    sum += unit(around_[mesh_.triangles[t][(corner % 3 + 1) % 3]]);
+  }
+  return squared_norm(unit(around_[vertex]) - unit(sum));
+}
+
+/// Of each triangle the root mean square over the vertices of the triangles around it.
+void SmoothSurface::measure_noise() {
+  const std::size_t count = mesh_.triangles.size();
+  std::vector<double> at_vertex(mesh_.vertices_m.size());
+  for (std::uint32_t v = 0; v < at_vertex.size(); ++v) at_vertex[v] = normal_scatter2(v);
+  const auto mean_of = [&](std::uint32_t t) {
+    const auto& of = mesh_.triangles[t];
+    return (at_vertex[of[0]] + at_vertex[of[1]] + at_vertex[of[2]]) / 3.0;
+  };
+  noise_.resize(count);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    double sum = 0.0, triangles = 0.0;
+    for (const std::uint32_t v : mesh_.triangles[t])
+      for (const std::uint32_t corner : fan(v)) sum += mean_of(corner / 3), triangles += 1.0;
+    const Patch patch = patch_of(t);
+    const double size_m = std::sqrt(
+        0.5 * norm(cross(patch.corners[1] - patch.corners[0], patch.corners[2] - patch.corners[0])));
+    const double turn = std::sqrt(sum / triangles);
+    noise_[t] = {static_cast<float>(turn), static_cast<float>(turn * size_m)};
+  }
+}
+
 Vec3 SmoothSurface::pseudo_normal(const NearestTriangle& near) const {
   using enum TrianglePart;
   if (near.part == face) return faces_[near.triangle];
@@ -256,7 +294,7 @@ std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const Neares
   for (int hop = 0; hop < kHops; ++hop) {
     const Patch patch = patch_of(triangle);
     Foot foot = foot_at(patch, from, along);
-    if (!stand(patch, p, foot)) return std::nullopt;
+    if (!solve_foot(patch, p, foot)) return std::nullopt;
     const std::array<double, 3> weights{1.0 - foot.u - foot.v, foot.u, foot.v};
     const auto least =
         static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
@@ -292,6 +330,10 @@ models::FieldSample SmoothSurface::at(Vec3 place_m, Hint& hint) const {
   const Patch patch = patch_of(near.triangle);
   hint.coarse_m = rounding_.coarse_share * patch.greatest_bulge_m();
   hint.coarse_turn = rounding_.coarse_share * patch.greatest_turn();
+  if (!noise_.empty()) {
+    hint.coarse_m += rounding_.noise_rise_share * static_cast<double>(noise_[near.triangle].rise_m);
+    hint.coarse_turn += rounding_.noise_turn_share * static_cast<double>(noise_[near.triangle].turn);
+  }
   models::FieldSample sample = faceted(place_m, near, hint);
   if (const auto smooth = projected(place_m, near, sample.distance_m)) sample = *smooth;
   remember(near, place_m, sample.distance_m, hint);

@@ -17,38 +17,42 @@
 
 namespace palpable::sculpt {
 
-/// The smooth solid that a closed mesh's triangles are facets of. Over each triangle the normals at its
-/// corners are blended, and the surface is bent half way to the corners' tangent planes (Phong tessellation,
-/// Boubekeur & Alexa 2008; one half is exact for a sphere to the second order). A place's distance is told
-/// along the blended normal that leads to it, so it has no facets, and a field of it needs far fewer cells.
-/// Edges that turn by over 20 degrees stay sharp; where blended normals cross on their way (about a middle of
-/// curvature), the triangles themselves are told. Vertices may move. Queries: any thread, none while vertices
-/// move.
+/// The smooth solid that a closed mesh's triangles approximate. Over each triangle the normals at its corners
+/// are interpolated, and the surface is bent half way to the corners' tangent planes (Phong tessellation,
+/// Boubekeur & Alexa 2008; one half is exact for a sphere to the second order). The distance of a point is
+/// measured along the interpolated normal through it, so it has no facets, and a field of it needs far fewer
+/// cells. Edges that turn by over 20 degrees stay sharp; where interpolated normals cross (near a centre of
+/// curvature), the distance is that of the triangles. Vertices may move. Queries: any thread, none while
+/// vertices move.
 class SmoothSurface final : public DistanceSource {
  public:
-  /// Which facets are taken for a smooth surface; all, unless it is said.
+  /// Which facets are smoothed; all of them by default.
   struct Rounding {
     /// The smooth surface lies no farther beside the facets than this: edges that would need more stay sharp.
     double most_m = std::numeric_limits<double>::infinity();
     /// Edges of facets whose greatest inscribed circle is larger stay sharp, however little they turn.
     double largest_facet_m = std::numeric_limits<double>::infinity();
-    /// The part of a facet's rise and turn that a field of it need not follow (DistanceSource::Hint): a
-    /// surface that bends evenly stands a quarter of the rise before the facet's middle, and that far corners
-    /// that were measured may be beside it.
+    /// The part of a facet's rise and turn that a field of it need not follow (DistanceSource::Hint): an
+    /// evenly bent surface rises above the facet's centre by a quarter of it, and measured corners may err by
+    /// as much.
     double coarse_share = 0.25;
+    /// The same of a scan's noise: how far the normals at the vertices scatter around the mean of their
+    /// neighbours (as an angle), and that angle times the facet's size. A tessellated smooth surface has
+    /// none. Measured once, when the surface is made.
+    double noise_turn_share = 0.0, noise_rise_share = 0.0;
   };
   /// A mesh that is_watertight().
   explicit SmoothSurface(Mesh mesh) : SmoothSurface(std::move(mesh), Rounding{}) {}
   SmoothSurface(Mesh mesh, const Rounding& rounding);
 
-  /// How many facets are not flat any more.
+  /// How many facets were smoothed.
   std::size_t rounded_facets() const;
 
   struct Move {
     std::uint32_t vertex = 0;
     Vec3 to_m;
   };
-  /// Puts vertices elsewhere; looks only at the triangles around them.
+  /// Moves vertices; updates only the triangles around them.
   void move(std::span<const Move> moves);
 
   models::FieldSample at(Vec3 place_m, Hint& hint) const override;
@@ -68,6 +72,8 @@ class SmoothSurface final : public DistanceSource {
   void set_face(std::uint32_t triangle);
   void set_edges(std::uint32_t triangle);
   void set_normals(std::uint32_t vertex);
+  void measure_noise();
+  double normal_scatter2(std::uint32_t vertex) const;
   /// Across a triangle's edge.
   bool is_smooth(std::uint32_t triangle, std::size_t side) const {
     return (smooth_[triangle] >> side & 1U) != 0;
@@ -86,6 +92,11 @@ class SmoothSurface final : public DistanceSource {
   std::vector<std::array<std::uint32_t, 3>> across_;
   /// Which of these edges are smooth, a bit each.
   std::vector<std::uint8_t> smooth_;
+  /// For each triangle: the scatter of the normals around it, radians, and that times the triangle's size.
+  struct Noise {
+    float turn = 0.0F, rise_m = 0.0F;
+  };
+  std::vector<Noise> noise_;
   /// For each vertex the sum of the faces around it, weighted by their angles.
   std::vector<Vec3> around_;
   /// The corners at each vertex, as 3 triangle + corner; vertex v's from fan_begin_[v].

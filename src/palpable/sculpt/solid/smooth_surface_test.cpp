@@ -62,6 +62,43 @@ TEST(SmoothSurface, KeepsEdgesAsSharpAsTheyAre) {
   }
 }
 
+/// As a scanner would leave it: vertices displaced along their normals by up to `share` of the facets' side.
+Mesh noisy_sphere(double share) {
+  Mesh mesh = sphere();
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (Vec3& v : mesh.vertices_m) v = (1.0 + share * kSpacing_m / kRadius_m * uniform(random)) * v;
+  return mesh;
+}
+
+/// The mean over places of how far a field need not follow the surface in direction, radians.
+double mean_coarse_turn(const Mesh& mesh, const SmoothSurface::Rounding& rounding) {
+  const SmoothSurface smooth(mesh, rounding);
+  std::mt19937_64 random(10);
+  DistanceSource::Hint hint;
+  double sum = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    static_cast<void>(smooth.at(place_near(random), hint));
+    sum += hint.coarse_turn / 1000.0;
+  }
+  return sum;
+}
+
+TEST(SmoothSurface, KnowsAScansNoiseFromTheCurvatureOfASmoothSurface) {
+  SmoothSurface::Rounding noise_only;
+  noise_only.coarse_share = 0.0;
+  noise_only.noise_turn_share = 1.0;
+  // The facets of the ball turn by 3 degrees from one to the next, all alike.
+  const double smooth = mean_coarse_turn(sphere(), noise_only);
+  const double noisy = mean_coarse_turn(noisy_sphere(0.05), noise_only);
+  EXPECT_GT(noisy, 0.02);
+  EXPECT_LT(smooth, 0.3 * noisy);
+  // Noise twice as high turns the normals nearly twice as far.
+  EXPECT_NEAR(mean_coarse_turn(noisy_sphere(0.1), noise_only), 2.0 * noisy, 0.4 * noisy);
+  noise_only.noise_turn_share = 0.0;
+  EXPECT_EQ(mean_coarse_turn(noisy_sphere(0.05), noise_only), 0.0);
+}
+
 TEST(SmoothSurface, AnswersAfterItsVerticesMovedAsOneThatWasMadeThere) {
   const Mesh before = sphere();
   Mesh after = before;

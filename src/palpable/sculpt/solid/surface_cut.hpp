@@ -13,7 +13,7 @@ namespace palpable::sculpt {
 /// The surface of the solid that a mesh's triangles wind round at least once.
 struct SolidSurface {
   /// Triangles facing outwards. Those that others cross are cut along the crossing lines, so corners may
-  /// stand on other triangles' edges.
+  /// lie on other triangles' edges.
   Mesh mesh;
   /// Triangles of the mesh that have the solid on both of their sides, or on none.
   std::size_t inner = 0;

@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/mesh.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace palpable::bench {
+
+/// Meshes of the kinds that scanners and sculpting programs give, from seeds: the parameters of fields are
+/// chosen on them.
+enum class ScannedKind {
+  /// A ball whose vertices are displaced at random along its normals, as by a scanner.
+  noisy_ball,
+  /// A superquadric with many small bumps, and a little noise.
+  bumpy_superquadric,
+  /// A block with a fractal terrain on top.
+  terrain
+};
+std::string_view name_of(ScannedKind kind);
+
+/// A closed mesh of about `triangles` triangles that faces outwards; its longest side is `longest_m`. The
+/// same arguments give the same mesh.
+Mesh scanned_mesh(ScannedKind kind, std::uint32_t seed, int triangles, double longest_m);
+
+}  // namespace palpable::bench
