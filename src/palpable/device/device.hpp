@@ -65,6 +65,10 @@ class Device {
   virtual void write(Vector<DeviceFrame> force_N) noexcept = 0;
   /// Zero force at once; safe from any state and more than once.
   virtual void stop() noexcept = 0;
+  /// Zero force at once, for a watchdog: called by another thread while the servo's may be anywhere in read()
+  /// or write(), or hang there. Must not wait for that thread; the servo's next write() counts again. A
+  /// driver whose stop() may not be called so has one of its own.
+  virtual void cut_force() noexcept { stop(); }
   /// What happened, after Status::fault; outside the tick.
   virtual std::string fault() const { return {}; }
 };

@@ -57,6 +57,7 @@ Reading SimulatedHand::read() noexcept {
 }
 
 void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
+  if (cut_.exchange(false, std::memory_order_acq_rel)) on_the_way_N_.fill({});
   const auto size = static_cast<std::size_t>(options_.delay_samples) + 1;
   on_the_way_N_[(delayed_ + size - 1) % size] = force_N.v;
   const Vec3 motor_N = on_the_way_N_[delayed_ % size];

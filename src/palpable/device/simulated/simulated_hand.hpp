@@ -6,6 +6,7 @@
 #include "palpable/device/simulated/explorer.hpp"
 
 #include <array>
+#include <atomic>
 #include <memory>
 
 namespace palpable::device {
@@ -44,6 +45,7 @@ class SimulatedHand final : public Device {
   Reading read() noexcept override;
   void write(Vector<DeviceFrame> force_N) noexcept override;
   void stop() noexcept override;
+  void cut_force() noexcept override { cut_.store(true, std::memory_order_release); }
 
   /// Where the hand wants to be, for the script `hold`.
   void set_goal(Vec3 goal_m) noexcept { explorer_.set_goal(goal_m); }
@@ -64,6 +66,8 @@ class SimulatedHand final : public Device {
   /// A ring of forces on their way; the next to act stands at delayed_.
   std::array<Vec3, kMostDelay + 1> on_the_way_N_{};
   std::size_t delayed_ = 0;
+  /// The motors were cut: what was on its way to them is gone.
+  std::atomic<bool> cut_{false};
 };
 
 class DeviceUrl;

@@ -23,6 +23,7 @@ class ContactLaw {
 
   const Surface& surface() const noexcept { return *surface_; }
   const MaterialMap& materials() const noexcept { return materials_; }
+  EnergyModel energy_model() const noexcept { return EnergyModel::none; }
   double damping_Ns_per_m() const noexcept { return materials_.contact(0).damping_Ns_per_m; }
   std::size_t memory_bytes() const noexcept { return surface_->memory_bytes() + materials_.memory_bytes(); }
 

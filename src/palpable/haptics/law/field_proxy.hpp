@@ -3,8 +3,9 @@
 #pragma once
 
 #include "palpable/haptics/law/contact_law.hpp"
+#include "palpable/haptics/law/hand_over.hpp"
+#include "palpable/haptics/law/proxy_force.hpp"
 #include "palpable/haptics/law/surface_proxy.hpp"
-#include "palpable/haptics/law/texture_touch.hpp"
 #include "palpable/models/field/distance_surface.hpp"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ struct FieldProxy {
   Vec3 hand_m;
   /// The surface's outward unit normal at place_m; only when touching.
   Vec3 normal;
+  /// A distance to the surface that place_m has for certain; only when free.
+  double clearance_m = 0.0;
   /// As SurfaceProxy::step_share.
   double step_share = 0.0;
   Phase phase = Phase::fresh;
@@ -30,16 +33,17 @@ struct FieldProxy {
 };
 
 /// `proxy` on a solid: a spring from the hand to a point that stays on the surface and slides towards the
-/// hand under a friction cone (Zilles & Salisbury 1995; on implicit surfaces Salisbury & Tarr 1997), and a
-/// damper along the normal. The point moves along the surface only, in steps shorter than a cell or half of
-/// the hand's own way, and each must bring it nearer to the hand; free, it walks by the distance itself: it
-/// never jumps to the far side of a thin wall.
+/// hand under a friction cone (Zilles & Salisbury 1995; on implicit surfaces Salisbury & Tarr 1997), with the
+/// dampers of proxy_force(). Free, the hand's whole way of the tick is judged: a stretch is clear where the
+/// distances at its two ends are together longer than it, and within half a cell the surface hides nothing.
+/// Sliding, the point moves along the surface in steps shorter than a cell or half of the hand's own way,
+/// each of which must bring it nearer to the hand: it never jumps to the far side of a thin wall.
 template <models::DistanceSurface Surface>
 class FieldProxyLaw : public ContactLaw<Surface> {
  public:
   struct State {
     FieldProxy proxy;
-    TextureTouch texture;
+    ContactMemory memory;
   };
 
   FieldProxyLaw(std::shared_ptr<const Surface> surface, MaterialMap materials, double radius_m,
@@ -50,40 +54,67 @@ class FieldProxyLaw : public ContactLaw<Surface> {
 
   LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     FieldProxy& proxy = state.proxy;
+    const bool is_new = proxy.phase == FieldProxy::Phase::fresh;
+    const ProxyBefore before{proxy.place_m, proxy.phase == FieldProxy::Phase::touching};
     // What is felt is what the proxy touches, wherever the hand has gone under the surface.
-    const Vec3 from = proxy.phase == FieldProxy::Phase::fresh ? hand.position.v : proxy.place_m;
-    const Contact& under = this->materials().contact(this->materials().label_at(from.x, from.y));
-    follow(hand.position.v, {under.static_friction, under.dynamic_friction}, proxy);
+    const Contact contact = eased_contact(this->materials(), is_new ? hand.position.v : proxy.place_m,
+                                          before.touching, hand.dt_s, state.memory);
+    follow(hand.position.v, {contact.static_friction, contact.dynamic_friction}, proxy);
     LawOutput output;
     output.has_proxy = true;
     output.proxy.v = proxy.place_m;
-    output.label = this->materials().label_at(proxy.place_m.x, proxy.place_m.y);
+    output.label = state.memory.label;
     output.contact = proxy.phase == FieldProxy::Phase::touching;
     output.stored_J = 0.0;
     if (!output.contact) {
-      state.texture.share = 0.0;
+      state.memory.texture.share = 0.0;
       return output;
     }
-    const Contact& contact = this->materials().contact(output.label);
-    const Vec3 stretch = proxy.place_m - hand.position.v;
-    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretch);
-    output.spring_N.v = contact.stiffness_N_per_m * stretch;
-    const double damper = contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, proxy.normal);
-    const double spring = contact.stiffness_N_per_m * dot(stretch, proxy.normal);
-    // The damper may take all of the push along the normal, and never pulls.
-    output.force_N.v =
-        contact.stiffness_N_per_m * stretch - std::min(damper, std::max(spring, 0.0)) * proxy.normal;
+    const Vec3 stretched = proxy.place_m - hand.position.v;
+    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, {proxy.normal, 1.0});
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
+    output.spring_N.v = contact.stiffness_N_per_m * stretched;
     if (textures_.any())
       add_texture(hand, textures_.of(output.label),
-                  {proxy.place_m, proxy.normal, dot(stretch, proxy.normal), contact.stiffness_N_per_m},
-                  on_solid, state.texture, output);
+                  {proxy.place_m, proxy.normal, dot(stretched, proxy.normal), contact.stiffness_N_per_m},
+                  on_solid, state.memory.texture, output);
     return output;
   }
 
+  EnergyModel energy_model() const noexcept { return EnergyModel::spring; }
+
+  HandOver hand_over(const State& state) const noexcept {
+    return {state.proxy.phase == FieldProxy::Phase::touching,
+            state.proxy.slipping,
+            {state.proxy.place_m},
+            {state.proxy.hand_m},
+            state.memory};
+  }
+
+  /// The proxy goes to the nearest place of this surface, if it is near, and keeps its grip.
+  void take_over(const HandOver& from, State& state) const noexcept {
+    if (!from.touching) return;
+    FieldProxy& proxy = state.proxy;
+    proxy.place_m = from.place.v;
+    int evaluations = kSettling;
+    if (!settle(proxy.place_m, proxy.normal, evaluations)) return;
+    proxy.hand_m = from.hand.v;
+    proxy.phase = FieldProxy::Phase::touching;
+    proxy.slipping = from.slipping;
+    state.memory = from.memory;
+  }
+
  private:
-  static constexpr int kMaxEvaluations = 3;
+  /// Of a resting hand; for each cell that it moved; and at most.
+  static constexpr int kEvaluations = 24;
+  static constexpr double kPerCell = 3.0;
+  static constexpr int kMaxEvaluations = 64;
+  /// To find the surface from somewhere near it, once.
+  static constexpr int kSettling = 12;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
+  /// A field's gradient is within a few per cent of 1.
+  static constexpr double kSafe = 0.95;
 
   models::FieldSample sample(Vec3 place_m) const noexcept {
     models::FieldSample s = this->surface().sample(place_m);
@@ -105,59 +136,85 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return true;
   }
 
-  void follow(Vec3 hand_m, Friction friction, FieldProxy& proxy) const noexcept {
-    if (proxy.phase == FieldProxy::Phase::fresh) {
-      // A hand that begins inside is taken to the nearest surface, once.
-      proxy.place_m = hand_m;
-      proxy.hand_m = hand_m;
-      const models::FieldSample s = sample(hand_m);
-      proxy.phase = FieldProxy::Phase::free;
-      if (s.distance_m < 0.0) {
-        int evaluations = 4 * kMaxEvaluations;
-        if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
-      }
-    }
-    const double longest_m = std::max(this->surface().cell_m(), 0.5 * norm(hand_m - proxy.hand_m));
+  /// A hand that begins inside is taken to the nearest surface, once.
+  void begin(Vec3 hand_m, FieldProxy& proxy) const noexcept {
+    proxy.place_m = hand_m;
     proxy.hand_m = hand_m;
-    int evaluations = kMaxEvaluations;
+    proxy.phase = FieldProxy::Phase::free;
+    proxy.clearance_m = sample(hand_m).distance_m;
+    if (proxy.clearance_m >= 0.0) return;
+    proxy.clearance_m = 0.0;
+    int evaluations = kSettling;
+    if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
+  }
+
+  void follow(Vec3 hand_m, Friction friction, FieldProxy& proxy) const noexcept {
+    if (proxy.phase == FieldProxy::Phase::fresh) begin(hand_m, proxy);
+    const double cell_m = this->surface().cell_m();
+    const double moved_m = norm(hand_m - proxy.hand_m);
+    const double longest_m = std::max(cell_m, 0.5 * moved_m);
+    proxy.hand_m = hand_m;
+    int evaluations =
+        kEvaluations + static_cast<int>(std::min(kPerCell * moved_m / cell_m, 1.0 * kMaxEvaluations));
     while (evaluations > 0) {
       if (proxy.phase == FieldProxy::Phase::free && !fly(hand_m, proxy, evaluations)) return;
-      if (evaluations <= 0 || slide(hand_m, longest_m, friction, proxy, evaluations)) return;
+      if (slide(hand_m, longest_m, friction, proxy, evaluations)) return;
       proxy.phase = FieldProxy::Phase::free;
+      proxy.clearance_m = 0.0;
     }
   }
 
-  /// Walks to the hand by the distance to the surface; true if it meets the surface.
+  /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
+  /// Otherwise it is at the hand, or, after a jump, as far on the way as `evaluations` reach.
   bool fly(Vec3 hand_m, FieldProxy& proxy, int& evaluations) const noexcept {
-    while (evaluations > 0) {
-      --evaluations;
-      const Vec3 way = hand_m - proxy.place_m;
-      const double left_m = norm(way);
-      const models::FieldSample s = sample(proxy.place_m);
-      if (left_m <= s.distance_m) {
-        proxy.place_m = hand_m;
-        return false;
-      }
-      // A field's gradient is within a few per cent of 1: a step of the whole distance stays outside.
-      if (s.distance_m > 10.0 * kTolerance_m) {
-        proxy.place_m += (0.97 * s.distance_m / left_m) * way;
-        continue;
-      }
-      if (dot(s.gradient, way) >= 0.0 && s.distance_m >= -kTolerance_m) {
-        // Off the surface: a short step on the free side, where the distance will say how far more.
-        proxy.place_m += std::min(1.0, 0.25 * this->surface().cell_m() / left_m) * way;
-        if (sample(proxy.place_m).distance_m >= 0.0) continue;
-      }
-      proxy.normal = unit(s.gradient);
-      proxy.place_m -= s.distance_m * proxy.normal;
-      proxy.phase = FieldProxy::Phase::touching;
-      proxy.step_share = 0.0;
-      return true;
+    const Vec3 from = proxy.place_m;
+    const Vec3 way = hand_m - from;
+    const double length_m = norm(way);
+    if (length_m < kSafe * proxy.clearance_m) {
+      proxy.place_m = hand_m;
+      proxy.clearance_m -= length_m / kSafe;
+      return false;
     }
+    // Half a cell hides nothing.
+    const double shortest = 0.5 * this->surface().cell_m() / std::max(length_m, 1e-12);
+    double clear = 0.0;
+    // Once the whole way; then as far as the distance lets it go for certain (sphere tracing).
+    double piece = 1.0;
+    while (clear < 1.0 && evaluations > 1) {
+      --evaluations;
+      const double next = std::min(1.0, clear + piece);
+      const Vec3 b = from + next * way;
+      const models::FieldSample s = sample(b);
+      const double stretch_m = (next - clear) * length_m;
+      const bool is_short = piece <= shortest;
+      if (s.distance_m >= 0.0 && (is_short || stretch_m < kSafe * (proxy.clearance_m + s.distance_m))) {
+        clear = next;
+        proxy.clearance_m = s.distance_m;
+      } else if (is_short) {
+        meet(from + clear * way, b, s.distance_m, clear == 0.0, proxy);
+        return true;
+      }
+      piece = std::max(0.99 * kSafe * proxy.clearance_m / length_m, shortest);
+    }
+    proxy.place_m = clear >= 1.0 ? hand_m : from + clear * way;
     return false;
   }
 
-  /// Along the surface towards the hand; false if the hand stands on the free side.
+  /// The surface is met between a, outside, and b, `distance_m` < 0 inside, half a cell apart at most.
+  void meet(Vec3 a, Vec3 b, double distance_m, bool from_the_start, FieldProxy& proxy) const noexcept {
+    // A way that begins on the surface leaves it at first: there the rise takes the place of the distance.
+    const double rise_m = dot(proxy.normal, b - a);
+    const double clear_m =
+        from_the_start && proxy.clearance_m <= 0.0 ? std::max(0.0, rise_m) : std::max(0.0, proxy.clearance_m);
+    proxy.place_m = a + (clear_m / (clear_m - distance_m)) * (b - a);
+    int evaluations = 3;
+    settle(proxy.place_m, proxy.normal, evaluations);
+    proxy.phase = FieldProxy::Phase::touching;
+    proxy.slipping = false;
+    proxy.step_share = 0.0;
+  }
+
+  /// Along the surface towards the hand; false if the hand is on the free side.
   bool slide(Vec3 hand_m, double longest_m, Friction friction, FieldProxy& proxy,
              int& evaluations) const noexcept {
     double share = proxy.step_share > 0.0 ? proxy.step_share : 1.0;

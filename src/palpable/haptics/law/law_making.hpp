@@ -59,8 +59,9 @@ void read_pages(const models::DistanceField& field) noexcept;
 void read_pages(const models::DenseField& field) noexcept;
 void read_pages(const models::OccupancyGrid& grid) noexcept;
 
-/// Gives one law the interface of a Touchable. A law has a State, evaluate(), surface(), damping_Ns_per_m(),
-/// memory_bytes(); read_pages() exists for its surface.
+/// Gives one law the interface of a Touchable. A law has a State, evaluate(), energy_model(), surface(),
+/// damping_Ns_per_m(), memory_bytes(), and, where it has a proxy, hand_over() and take_over(); read_pages()
+/// exists for its surface.
 template <class L>
 class LawTouchable final : public Touchable {
  public:
@@ -69,6 +70,17 @@ class LawTouchable final : public Touchable {
     return law_.evaluate(hand, state_as<typename L::State>(state));
   }
   std::uint64_t state_family() const noexcept override { return family_; }
+  EnergyModel energy_model() const noexcept override { return law_.energy_model(); }
+  HandOver hand_over(const TouchState& state) const noexcept override {
+    if constexpr (requires(const typename L::State& s) { law_.hand_over(s); })
+      return law_.hand_over(state_as<typename L::State>(state));
+    else
+      return {};
+  }
+  void take_over(const HandOver& from, TouchState& state) const noexcept override {
+    if constexpr (requires(typename L::State & s) { law_.take_over(from, s); })
+      law_.take_over(from, state_as<typename L::State>(state));
+  }
   double damping_Ns_per_m() const noexcept override { return law_.damping_Ns_per_m(); }
   void touch_pages() const noexcept override { read_pages(law_.surface()); }
   std::size_t memory_bytes() const noexcept override { return law_.memory_bytes(); }

@@ -19,8 +19,9 @@ extern const LawDescription kPenaltyLaw;
 /// surface's tangent plane there, d = (h - z) / sqrt(1 + |grad h|^2), as depth. Plain, the force is the exact
 /// gradient of k d^2 / 2, so without damping it makes no energy; shaded, it points along the surface's normal
 /// (Moustakas 2007, Gomez 2012), which feels smoother on rough ground and makes energy where the ground is
-/// curved. It forgets on which side of a wall the hand came in, and in concave places its force changes
-/// quickly from one wall's to the other's.
+/// curved. It is kept as the papers give it, for comparison: it forgets on which side of a wall the hand came
+/// in, and in concave places the plane turns so quickly that its force is many times the wall's own (docs/
+/// laws.md has figures). `proxy` is the law to touch with.
 template <models::CurvedHeightField Surface>
 class PenaltyLaw : public ContactLaw<Surface> {
  public:
@@ -35,22 +36,31 @@ class PenaltyLaw : public ContactLaw<Surface> {
     LawOutput output;
     output.label = this->materials().label_at(p.x, p.y);
     output.contact = p.z < s.z_m;
+    output.stored_J = 0.0;
     if (!output.contact) return output;
     const double length2 = 1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy;
     const double length = std::sqrt(length2);
     const double depth = (s.z_m - p.z) / length;
     const Vec3 normal = Vec3{-s.dzdx, -s.dzdy, 1.0} / length;
     const Contact& contact = this->materials().contact(output.label);
-    output.force_N.v =
-        damped_push(contact.stiffness_N_per_m * depth, normal, hand.velocity_m_per_s.v, contact);
+    const double spring_N = contact.stiffness_N_per_m * depth;
+    output.force_N.v = damped_push(spring_N, normal, hand.velocity_m_per_s.v, contact);
+    output.spring_N.v = spring_N * normal;
+    output.stored_J = 0.5 * spring_N * depth;
     if (shading_ < 1.0) {
       // -grad d is the normal and what the normal's own turning adds.
       const double turning = (1.0 - shading_) * depth / length2;
-      output.force_N.v += contact.stiffness_N_per_m * depth * turning *
-                          Vec3{s.dzdx * s.dzdxx_per_m + s.dzdy * s.dzdxy_per_m,
-                               s.dzdx * s.dzdxy_per_m + s.dzdy * s.dzdyy_per_m, 0.0};
+      const Vec3 turned_N = contact.stiffness_N_per_m * depth * turning *
+                            Vec3{s.dzdx * s.dzdxx_per_m + s.dzdy * s.dzdxy_per_m,
+                                 s.dzdx * s.dzdxy_per_m + s.dzdy * s.dzdyy_per_m, 0.0};
+      output.force_N.v += turned_N;
+      output.spring_N.v += turned_N;
     }
     return output;
+  }
+
+  EnergyModel energy_model() const noexcept {
+    return shading_ > 0.0 ? EnergyModel::none : EnergyModel::spring;
   }
 
  private:
@@ -87,10 +97,14 @@ class FieldPenaltyLaw : public ContactLaw<Surface> {
     const double length = norm(s.gradient);
     if (!(length > 0.0)) return output;
     const Vec3 outward = s.gradient / length;
-    output.spring_N.v = contact.stiffness_N_per_m * depth * outward;
+    output.spring_N.v = (contact.stiffness_N_per_m * depth) * s.gradient;
     const double spring_N = contact.stiffness_N_per_m * depth * (shading_ + (1.0 - shading_) * length);
     output.force_N.v = damped_push(spring_N, outward, hand.velocity_m_per_s.v, contact);
     return output;
+  }
+
+  EnergyModel energy_model() const noexcept {
+    return shading_ > 0.0 ? EnergyModel::none : EnergyModel::spring;
   }
 
  private:

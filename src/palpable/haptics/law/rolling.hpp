@@ -36,6 +36,7 @@ class RollingLaw {
     return output;
   }
 
+  EnergyModel energy_model() const noexcept { return EnergyModel::weight; }
   const Surface& surface() const noexcept { return *surface_; }
   double damping_Ns_per_m() const noexcept { return damping_Ns_per_m_; }
   std::size_t memory_bytes() const noexcept { return surface_->memory_bytes(); }

@@ -34,7 +34,7 @@ constexpr std::array kParameters{kSlopeForce, kPlaneDamping};
 MadeLaw make(const LawInput& in) {
   const auto& relief = models::relief_of(in.scene);
   const LawParameters& p = in.parameters;
-  return made_law(SobelLaw(*relief, value_or_preset(p, kSlopeForce), value_or_preset(p, kPlaneDamping)),
+  return made_law(SobelLaw(relief, value_or_preset(p, kSlopeForce), value_or_preset(p, kPlaneDamping)),
                   mixed(static_cast<std::uint64_t>(p.law), content_hash(*relief)));
 }
 
@@ -78,6 +78,7 @@ LawOutput SobelLaw::evaluate(const Hand& hand, State&) const noexcept {
   const Vec3 v = hand.velocity_m_per_s.v;
   LawOutput output;
   output.contact = true;
+  output.stored_J = slope_force_N_ * relief_->sample(hand.position.v.x, hand.position.v.y).z_m;
   output.force_N.v = {-slope_force_N_ * double{s.dzdx} - damping_Ns_per_m_ * v.x,
                       -slope_force_N_ * double{s.dzdy} - damping_Ns_per_m_ * v.y, 0.0};
   return output;

@@ -7,6 +7,8 @@
 #include "palpable/models/relief/relief.hpp"
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 
 namespace palpable::haptics {
 
@@ -41,15 +43,22 @@ class SobelLaw {
  public:
   struct State {};
 
-  SobelLaw(const models::Relief& relief, double slope_force_N, double damping_Ns_per_m)
-      : slopes_(relief), slope_force_N_(slope_force_N), damping_Ns_per_m_(damping_Ns_per_m) {}
+  SobelLaw(std::shared_ptr<const models::Relief> relief, double slope_force_N, double damping_Ns_per_m)
+      : relief_(std::move(relief)),
+        slopes_(*relief_),
+        slope_force_N_(slope_force_N),
+        damping_Ns_per_m_(damping_Ns_per_m) {}
 
   LawOutput evaluate(const Hand& hand, State&) const noexcept;
+  /// The potential is that of the relief, whose slopes these are but for the operator's errors: what it makes
+  /// beyond is counted.
+  EnergyModel energy_model() const noexcept { return EnergyModel::weight; }
   const SobelSlopes& surface() const noexcept { return slopes_; }
   double damping_Ns_per_m() const noexcept { return damping_Ns_per_m_; }
-  std::size_t memory_bytes() const noexcept { return slopes_.memory_bytes(); }
+  std::size_t memory_bytes() const noexcept { return slopes_.memory_bytes() + relief_->memory_bytes(); }
 
  private:
+  std::shared_ptr<const models::Relief> relief_;
   SobelSlopes slopes_;
   double slope_force_N_;
   double damping_Ns_per_m_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/vec3.hpp"
+#include "palpable/core/frame.hpp"
 #include "palpable/models/relief/nearest_step.hpp"
 #include "palpable/models/relief/relief.hpp"
 
@@ -13,12 +13,12 @@
 namespace palpable::haptics {
 
 /// A point that follows the hand but stays on or above a height field: free, it is the hand; in contact, it
-/// stands on the surface at the place nearest to the hand that it can reach by sliding (god-object, Zilles &
+/// is on the surface at the place nearest to the hand that it can reach by sliding (god-object, Zilles &
 /// Salisbury 1995; Ruspini 1997), held back by a friction cone. All zero = a new touch.
 struct SurfaceProxy {
   enum class Phase : std::uint8_t {
     fresh,
-    /// Above the surface: at the hand, or, for a few ticks, on its way there.
+    /// Above the surface, at the hand (or, after a jump that is too long for one tick, on its way there).
     free,
     touching
   };
@@ -28,7 +28,7 @@ struct SurfaceProxy {
   Vec3 hand_m;
   /// The surface at place_m; only when touching.
   models::CurvedSample surface;
-  /// A height above the surface that place_m has for sure; only when free.
+  /// A height above the surface that place_m has for certain; only when free.
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
   /// The share of the longest step that last brought the proxy nearer; 0 = all of it. Kept from tick to tick:
@@ -38,7 +38,7 @@ struct SurfaceProxy {
   /// The last tick moved the proxy against friction: the dynamic coefficient holds.
   bool slipping = false;
 
-  bool holds_the_hand() const noexcept { return phase == Phase::touching || place_m != hand_m; }
+  bool holds_the_hand() const noexcept { return phase == Phase::touching; }
 };
 
 /// Coulomb's coefficients, >= 0, the dynamic one at most the static one.
@@ -47,24 +47,28 @@ struct Friction {
   double sliding = 0.0;
 };
 
-/// Moves a SurfaceProxy over one height field; the solid lies below the surface. Sliding, each step is at
-/// most a pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's own movement
-/// in the tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and never passes
-/// through it. A tick evaluations at the surface once or twice as a
-/// rule, and kMaxEvaluations times at most, so that no tick is long: what is farther is reached in the next
-/// ticks, at three pixels a tick or one and a half times the hand's own speed.
+/// Moves a SurfaceProxy over one height field; the solid lies below the surface. Free, the hand's whole way
+/// of the tick is judged: pieces that are above the upper bound of the heights below them at once, others by
+/// bisection down to a pixel, so that a first contact is found in the tick in which it happens. Sliding, each
+/// step is at most a pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's
+/// own movement in the tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and
+/// never passes through it. A tick evaluates the surface once or twice as a rule; the more pixels the hand
+/// moved the more often, and kMaxEvaluations times at most, so that no tick is long.
 template <models::CurvedHeightField Surface>
 class ProxyFollower {
  public:
   ProxyFollower(const Surface& surface, Friction friction) noexcept
       : surface_(surface), friction_(friction) {}
 
-  /// One tick: the hand is at `hand_m`, finite.
-  void follow(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+  /// One tick: the hand is at `hand`, finite.
+  void follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
+    const Vec3 hand_m = hand.v;
     if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand_m, proxy);
-    const double longest_m = std::max(surface_.pixel_m(), 0.5 * norm(hand_m - proxy.hand_m));
+    const double moved_m = norm(hand_m - proxy.hand_m);
+    const double longest_m = std::max(surface_.pixel_m(), 0.5 * moved_m);
     proxy.hand_m = hand_m;
-    int evaluations = kMaxEvaluations;
+    int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
+                                                               1.0 * kMaxEvaluations));
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
     while (evaluations > 0) {
       if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, evaluations)) return;
@@ -79,8 +83,13 @@ class ProxyFollower {
  private:
   /// A slow hand's steps are never longer than a pixel, and need not be watched: its tick is the shorter.
   enum class Steps : std::uint8_t { pixels, longer };
-  static constexpr int kMaxEvaluations = 3;
-  /// In steps: so far ahead the memory's answer is there when the look is.
+  /// Of a resting hand; for each pixel that it moved; and at most (a jump of many pixels).
+  static constexpr int kEvaluations = 3;
+  static constexpr double kPerPixel = 1.5;
+  static constexpr int kMaxEvaluations = 96;
+  /// Bounds are much cheaper than evaluations.
+  static constexpr int kPiecesPerEvaluation = 8;
+  /// In steps: so far ahead that the memory's answer is there when the place is evaluated.
   static constexpr double kAhead = 3.0;
   /// 1 + slope^2 above which a step is a pixel at most: half-way up a wall a longer one might pass over its
   /// top.
@@ -108,8 +117,8 @@ class ProxyFollower {
     proxy.phase = SurfaceProxy::Phase::touching;
   }
 
-  /// Straight towards the hand. True if the surface is in the way: then the proxy rests where it was met.
-  /// Otherwise it is at the hand, or as far on the way as `evaluations` reach.
+  /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
+  /// Otherwise it is at the hand, or, after a jump, as far on the way as `evaluations` reach.
   bool fly(Vec3 hand_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
     const Vec3 from = proxy.place_m;
     const Vec3 way = hand_m - from;
@@ -122,41 +131,56 @@ class ProxyFollower {
       return false;
     }
     // The surface hides nothing within a pixel.
-    const double stretch = std::min(1.0, surface_.pixel_m() / std::max(across, 1e-12));
-    double before = 0.0;
-    while (before < 1.0 && evaluations > 1) {
+    const double shortest = surface_.pixel_m() / std::max(across, 1e-12);
+    double clear = 0.0;
+    double piece = 1.0;
+    // Each evaluation goes on by a pixel at least, and between two of them the pieces are halved a few times.
+    for (int pieces = kPiecesPerEvaluation * evaluations; clear < 1.0 && evaluations > 1 && pieces > 0;
+         --pieces) {
+      const double next = std::min(1.0, clear + piece);
+      const Vec3 a = from + clear * way;
+      const Vec3 b = from + next * way;
+      const double above_all = std::min(a.z, b.z) - surface_.highest_over_m(a.x, a.y, b.x, b.y);
+      if (above_all > 0.0) {
+        proxy.clearance_m = above_all;
+        clear = next;
+        piece *= 2.0;
+        continue;
+      }
+      if (piece > shortest) {
+        piece = std::max(0.5 * piece, shortest);
+        continue;
+      }
       --evaluations;
-      const double safe = shrinks > 0.0 ? proxy.clearance_m / shrinks : 0.0;
-      // A branch, not a maximum: the processor goes on to the next stretch before this one is known.
-      const double next = std::min(1.0, safe > 2.0 * stretch ? before + safe : before + stretch);
-      const Vec3 p = from + next * way;
-      const double ahead = kAhead * (next - before);
-      surface_.prefetch(p.x + ahead * way.x, p.y + ahead * way.y);
-      const models::CurvedSample s = surface_.curved_sample(p.x, p.y);
-      const double clearance = p.z - s.z_m;
-      if (clearance < 0.0) {
-        // By the secant; what is on either side of the crossing is less than a stretch away. A way that
-        // begins on the surface rises from it at first: there the rise takes the place of the clearance, or
-        // the proxy would meet the surface again where it stands, for ever.
-        const double rise = way.z - proxy.surface.dzdx * way.x - proxy.surface.dzdy * way.y;
-        const double clear =
-            proxy.clearance_m > 0.0 ? proxy.clearance_m : std::max(0.0, rise * (next - before));
-        const double met = before + (next - before) * clear / (clear - clearance);
-        const Vec3 m = from + met * way;
-        --evaluations;
-        rest(proxy, m.x, m.y, surface_.curved_sample(m.x, m.y));
-        proxy.slipping = false;
+      surface_.prefetch(b.x + kAhead * (b.x - a.x), b.y + kAhead * (b.y - a.y));
+      const models::CurvedSample s = surface_.curved_sample(b.x, b.y);
+      if (b.z < s.z_m) {
+        meet(a, b, s.z_m - b.z, clear == 0.0, proxy);
+        evaluations -= 2;
         return true;
       }
-      before = next;
-      proxy.clearance_m = clearance;
-      proxy.place_m = p;
+      proxy.clearance_m = b.z - s.z_m;
+      clear = next;
     }
-    if (before >= 1.0) proxy.place_m = hand_m;
+    proxy.place_m = clear >= 1.0 ? hand_m : from + clear * way;
     return false;
   }
 
-  /// Along the surface towards the hand; false if the hand stands on the free side of the surface where it
+  /// The surface is met between a, above it, and b, `depth_m` below it, a pixel apart at most.
+  void meet(Vec3 a, Vec3 b, double depth_m, bool from_the_start, SurfaceProxy& proxy) const noexcept {
+    // A way that begins on the surface rises from it at first: there the rise takes the place of the
+    // clearance, or the proxy would meet the surface again where it is, for ever.
+    const Vec3 way = b - a;
+    const bool from_contact = from_the_start && proxy.clearance_m <= 0.0;
+    const double clear_m =
+        from_contact ? std::max(0.0, way.z - proxy.surface.dzdx * way.x - proxy.surface.dzdy * way.y)
+                     : std::max(0.0, a.z - surface_.curved_sample(a.x, a.y).z_m);
+    const Vec3 m = a + (clear_m / (clear_m + depth_m)) * way;
+    rest(proxy, m.x, m.y, surface_.curved_sample(m.x, m.y));
+    proxy.slipping = false;
+  }
+
+  /// Along the surface towards the hand; false if the hand is on the free side of the surface where it
   /// ends.
   template <Steps kSteps>
   bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {

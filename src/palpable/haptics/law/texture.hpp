@@ -25,12 +25,23 @@ inline double min_pitch_m(double rate_hz, double position_resolution_m) noexcept
   return std::max(kTicksPerForm * kTextureSpeed_m_per_s / rate_hz, 4.0 * position_resolution_m);
 }
 
+/// A texture's force grows with the depth of the hand up to here, and ends to grow at the depth that counts
+/// as the second (texture_depth()).
+inline constexpr double kTextureDepth_m = 0.001;
+inline constexpr double kMaxTextureDepth_m = 0.00125;
+
 /// A texture adds its own stiffness to the wall's, in proportion to the depth: k·depth·h''. To stay below
-/// half of the wall's at a depth of 1 mm, it may be this high at most.
+/// half of the wall's at kTextureDepth_m, it may be this high at most.
 inline double max_texture_height_m(double pitch_m) noexcept {
-  constexpr double kDepth_m = 0.001;
   constexpr double kTurn = 6.283185307179586;
-  return 0.5 * pitch_m * pitch_m / (kTurn * kTurn * kDepth_m);
+  return 0.5 * pitch_m * pitch_m / (kTurn * kTurn * kTextureDepth_m);
+}
+
+/// How much stiffer than its wall a material with this texture is at most: 1 without one.
+inline double texture_stiffening(const models::TouchTexture& texture) noexcept {
+  if (texture.kind == models::TouchTexture::Kind::none) return 1.0;
+  const double share = std::min(1.0, texture.height_m / max_texture_height_m(texture.pitch_m));
+  return 1.0 + 0.5 * share * kMaxTextureDepth_m / kTextureDepth_m;
 }
 
 /// The textures of a scene's materials, ready for the tick. Immutable.

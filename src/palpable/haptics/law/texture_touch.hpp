@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/haptics/law/law_output.hpp"
 #include "palpable/haptics/law/texture.hpp"
-#include "palpable/haptics/law/touchable.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +65,23 @@ inline TextureRise on_solid(const models::TexturePattern& pattern, const Texture
   return rise;
 }
 
-/// A texture of height h under the proxy is a surface that stands h higher: the potential k·depth·h more, and
+/// How deep a texture takes the hand to be, and how that changes with the true depth.
+struct TextureDepth {
+  double value_m = 0.0;
+  double slope = 1.0;
+};
+
+/// The true depth up to kTextureDepth_m, then less and less, and never more than kMaxTextureDepth_m: the
+/// stiffness that a texture adds, k·depth·h'', is bounded at any depth. Tick path.
+inline TextureDepth texture_depth(double depth_m) noexcept {
+  constexpr double kEase_m = 2.0 * (kMaxTextureDepth_m - kTextureDepth_m);
+  if (depth_m <= kTextureDepth_m) return {depth_m, 1.0};
+  const double slope = 1.0 - (depth_m - kTextureDepth_m) / kEase_m;
+  if (slope <= 0.0) return {kMaxTextureDepth_m, 0.0};
+  return {kMaxTextureDepth_m - 0.5 * kEase_m * slope * slope, slope};
+}
+
+/// A texture of height h under the proxy is a surface that is h higher: the potential k·depth·h more, and
 /// its gradient as force (height maps after Minsky 1995). The push is never taken away altogether. `laid` is
 /// on_plan or on_solid; a null pattern is none. Tick path.
 template <class Laid>
@@ -85,11 +101,12 @@ void add_texture(const Hand& hand, const models::TexturePattern* pattern, const 
       state.share * Textures::carried(hand.velocity_m_per_s.v, hand.dt_s, pattern->pitch_m());
   const TextureRise rise = laid(*pattern, at);
   const double k = share * at.stiffness_N_per_m;
-  const double higher_N = std::max(k * rise.height_m, -dot(output.force_N.v, at.normal));
-  const Vec3 pushed_N = higher_N * at.normal - (k * at.depth_m) * rise.slope;
+  const TextureDepth depth = texture_depth(at.depth_m);
+  const double higher_N = std::max(k * depth.slope * rise.height_m, -dot(output.force_N.v, at.normal));
+  const Vec3 pushed_N = higher_N * at.normal - (k * depth.value_m) * rise.slope;
   output.force_N.v += pushed_N;
   output.spring_N.v += pushed_N;
-  output.stored_J += k * at.depth_m * rise.height_m;
+  output.stored_J += k * depth.value_m * rise.height_m;
 }
 
 }  // namespace palpable::haptics

@@ -2,41 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/frame.hpp"
+#include "palpable/haptics/law/hand_over.hpp"
+#include "palpable/haptics/law/law_output.hpp"
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 #include <type_traits>
 
 namespace palpable::haptics {
 
-/// The hand at one tick, in the scene's frame.
-struct Hand {
-  Point<SceneFrame> position;
-  Vector<SceneFrame> velocity_m_per_s;
-  double dt_s = 0.001;
-};
-
-/// What the hand feels at one tick, before caps, ramps and passivity.
-struct LawOutput {
-  Vector<SceneFrame> force_N;
-  /// Where the law keeps a proxy on the surface: its place. Meaningful only if has_proxy.
-  Point<SceneFrame> proxy;
-  /// Energy that the law stores now and may give back: ½K·d² of a spring (0 out of contact), k_g·z of a
-  /// weight on a slope. Only differences count. It lets the observer (passivity.hpp) tell energy given back
-  /// from energy made; a law without a potential leaves it NaN, and is not watched.
-  double stored_J = std::numeric_limits<double>::quiet_NaN();
-  /// The part of the force that this energy makes: minus its gradient, without dampers. 0 where none is
-  /// stored.
-  Vector<SceneFrame> spring_N;
-  bool contact = false;
-  bool has_proxy = false;
-  /// Index of the material or region touched.
-  std::uint16_t label = 0;
+/// What the passivity observer knows of a law's energy.
+enum class EnergyModel : std::uint8_t {
+  /// No potential: the plain work of each contact that begins in free air is counted.
+  none,
+  /// LawOutput::stored_J is the energy of a contact spring, 0 out of contact.
+  spring,
+  /// stored_J is a potential that holds everywhere, as of a weight on a slope.
+  weight,
+  /// The law gives energy on purpose and bounds it itself: observed, not controlled.
+  self_limited
 };
 
 /// All memory of one touch: owned by the servo loop, trivially copyable, given to the law as bytes. A law's
@@ -53,6 +39,12 @@ State& state_as(TouchState& state) noexcept {
   return *reinterpret_cast<State*>(state.bytes.data());
 }
 
+template <class State>
+const State& state_as(const TouchState& state) noexcept {
+  static_assert(std::is_trivially_copyable_v<State> && sizeof(State) <= sizeof(TouchState::bytes));
+  return *reinterpret_cast<const State*>(state.bytes.data());
+}
+
 /// Surface + law + effects: what the servo loop asks, once a tick. Immutable; a change of parameters is a new
 /// Touchable.
 class Touchable {
@@ -65,8 +57,13 @@ class Touchable {
   /// Tick path: no allocation, lock, exception or output. `hand` is finite.
   virtual LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept = 0;
   /// Touchables of the same family continue each other's TouchState (same law on the same surface, other
-  /// parameters); others begin with a new one.
+  /// parameters); others take over what they can.
   virtual std::uint64_t state_family() const noexcept = 0;
+  /// What a touch can take along to another Touchable; and the start of a touch that brings it, in a state
+  /// that is all zero. Tick path.
+  virtual HandOver hand_over(const TouchState& /*state*/) const noexcept { return {}; }
+  virtual void take_over(const HandOver& /*from*/, TouchState& /*state*/) const noexcept {}
+  virtual EnergyModel energy_model() const noexcept { return EnergyModel::none; }
   /// Viscous damping the law promises to take out when in contact, in N·s/m: the passivity observer's
   /// reserve.
   virtual double damping_Ns_per_m() const noexcept = 0;

@@ -64,6 +64,7 @@ class TracingLaw {
 
   LawOutput evaluate(const Hand& hand, State& state) const noexcept;
 
+  EnergyModel energy_model() const noexcept { return EnergyModel::self_limited; }
   const models::BoundaryMap& surface() const noexcept { return *map_; }
   double damping_Ns_per_m() const noexcept { return p_.damping_Ns_per_m; }
   std::size_t memory_bytes() const noexcept { return map_->memory_bytes(); }

@@ -7,6 +7,7 @@
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/watchdog.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -45,6 +46,13 @@ Percentiles in_us(const LatencySummary& summary) {
   return {1e-3 * summary.p50_ns, 1e-3 * summary.p99_ns, 1e-3 * summary.p99_9_ns, 1e-3 * summary.max_ns};
 }
 
+/// The times of the tick's options that depend on the loop's rate.
+ServoOptions for_rate(ServoOptions options) {
+  options.tick.stall_s = std::max(options.tick.stall_s, 3.0 / options.rate_hz);
+  options.tick.max_rise_time_s = 1.5 / options.rate_hz;
+  return options;
+}
+
 Result<void> check(const ServoOptions& options) {
   const auto usage = [](std::string message) { return Error{ErrorCode::usage, std::move(message), {}}; };
   if (!(options.rate_hz >= 100.0 && options.rate_hz <= 4000.0))
@@ -79,7 +87,7 @@ struct FurtherProbe {
 struct ServoLoop::Impl {
   Impl(std::unique_ptr<device::Device> opened, HapticScene first, const ServoOptions& wanted,
        std::vector<std::unique_ptr<device::Device>> more)
-      : options(wanted),
+      : options(for_rate(wanted)),
         device(std::move(opened)),
         recorded(wanted.recording_capacity),
         tick(*device, own(std::move(first)), options.tick, events) {
@@ -139,6 +147,7 @@ struct ServoLoop::Impl {
 
 void ServoLoop::Impl::serve() {
   const RunningServo self(*device);
+  Watchdog watchdog(*device, 1.0 / options.rate_hz, options.realtime_priority);
   {
     std::string priority = request_priority(options.realtime_priority);
     const std::lock_guard lock(mutex);
@@ -158,11 +167,15 @@ void ServoLoop::Impl::serve() {
     before_ns = wake.now_ns;
     if (wake.periods > 1) note_missed(wake);
     swap_scenes();
+    if (watchdog.take_cut()) tick.note_cut_force();
     tick_once(wake, 1e-9 * static_cast<double>(period_ns));
     counts.allocations += allocations.count();
     counts_out.put(counts);
-    timings.put({period_ns, monotonic_ns() - wake.now_ns});
+    const std::int64_t done_ns = monotonic_ns();
+    watchdog.note_write(done_ns);
+    timings.put({period_ns, done_ns - wake.now_ns});
   }
+  watchdog.stop();
   device->write({});
   device->stop();
 }

@@ -39,12 +39,14 @@ inline constexpr std::uint32_t kFading = 1U << 5;
 /// The force is on its way to zero or back: pause, fault, stale source, start.
 inline constexpr std::uint32_t kRamping = 1U << 6;
 inline constexpr std::uint32_t kPaused = 1U << 7;
-/// The device's reading was not finite or jumped faster than a hand can: the last good one was used.
+/// The device's reading was not finite or jumped faster than a hand can: it was not used.
 inline constexpr std::uint32_t kImplausible = 1U << 8;
 /// The law's force was not finite: zero was used, and the force ramps down.
 inline constexpr std::uint32_t kNotFinite = 1U << 9;
 /// The first tick of a new touch (state, velocity and energy began anew).
 inline constexpr std::uint32_t kNewTouch = 1U << 10;
+/// The tick came so late that the watchdog had written zero force: the force began anew.
+inline constexpr std::uint32_t kStalled = 1U << 11;
 }  // namespace flag
 
 /// Everything about one tick; its flags are haptics::flag's.
@@ -116,12 +118,17 @@ struct TickCounts {
   std::uint64_t rate_capped_ticks = 0;
   std::uint64_t passivity_ticks = 0;
   std::uint64_t contact_ticks = 0;
+  /// Ticks that came so late that the force had been cut to zero before them.
+  std::uint64_t stalls = 0;
   /// Ticks without a valid reading or force.
   std::uint64_t fault_ticks = 0;
   /// Greatest energy made beyond the virtual damper's reserve (passivity.hpp), as the hand received it, and
   /// had the controller not been there.
   double made_max_J = 0.0;
   double made_max_without_controller_J = 0.0;
+  /// The greatest energy that the rise limit kept back from a spring: the wall is weaker by it until the hand
+  /// leaves.
+  double withheld_max_J = 0.0;
   /// Work done on the hand while one scene gave way to another: the change's, not the law's.
   double scene_change_J = 0.0;
   /// Since the first tick, to the first force that a hand can feel (0.02 N); NaN before it.

@@ -51,6 +51,7 @@ class SpringSurface final : public Touchable {
   }
   std::uint64_t state_family() const noexcept override { return family_; }
   double damping_Ns_per_m() const noexcept override { return damping_; }
+  EnergyModel energy_model() const noexcept override { return EnergyModel::spring; }
   void touch_pages() const noexcept override {}
 
  private:

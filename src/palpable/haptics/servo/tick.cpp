@@ -10,12 +10,16 @@
 namespace palpable::haptics {
 namespace {
 
-/// What a hand and the lightest known device weigh together at least; used where the device does not say.
-constexpr double kLightest_kg = 0.05;
 /// Less cannot be felt (the detection threshold of a fingertip's force is of this size).
 constexpr double kFelt_N = 0.02;
 /// A reading further out than this many workspaces is no reading.
 constexpr double kWorkspaces = 10.0;
+/// So many readings in a row are taken for a glitch that may pass.
+constexpr int kGlitch = 2;
+
+bool is_same(const Transform<SceneFrame, DeviceFrame>& a, const Transform<SceneFrame, DeviceFrame>& b) {
+  return a.rotation == b.rotation && a.translation_m == b.translation_m && a.scale == b.scale;
+}
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
@@ -27,8 +31,9 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
       events_(events),
       options_(options),
       max_force_N_(std::min(options.max_force_N, device.traits().max_force_N)),
-      mass_kg_(known_or(device.traits().mass_kg, kLightest_kg)),
       planar_(device.traits().degrees_of_freedom < 3),
+      max_speed_m_per_s_(device.traits().pushes_back ? options.max_speed_m_per_s
+                                                     : options.max_pointer_speed_m_per_s),
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
       ramp_(options.ramp_down_s, options.ramp_up_s),
@@ -40,37 +45,82 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
 const TouchSample& TickPipeline::step(double t_s, double dt_s) noexcept {
   const TouchSample before = sample_;
   flags_ = 0;
+  if (force_was_cut_ || (dt_s > options_.stall_s && counts_.ticks > 0)) {
+    force_was_cut_ = false;
+    flags_ |= flag::kStalled;
+    ++counts_.stalls;
+    drop_force();
+  }
   const device::Reading reading = device_.read();
-  const bool good = accept(reading, dt_s);
+  const Accepted accepted = accept(reading, dt_s);
+  const bool good = accepted == Accepted::good;
+  const bool is_glitch = accepted == Accepted::glitch;
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
-  make_force(dt_s, valid && !paused_);
+  if (!is_glitch) make_force(dt_s, valid && !paused_);
+  send();
   device_.write(written_N_);
 
   sample_.t_s = t_s;
   sample_.dt_s = dt_s;
   describe(reading);
   if (good && !valid) emit(TouchEvent::Kind::not_finite, 0);
-  report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
+  if (!is_glitch)
+    report_status(valid, static_cast<std::uint32_t>(good ? device::Status::ok : reading.status));
   report_changes(before);
   count();
   return sample_;
 }
 
-bool TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
+TickPipeline::Accepted TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
   moved_ = {};
   since_good_s_ += dt_s;
-  if (reading.status != device::Status::ok) return false;
+  if (reading.status != device::Status::ok) return Accepted::bad;
   const Point<DeviceFrame> place = reading.position;
-  const bool first = !std::isfinite(since_good_s_);
-  const double reach = kWorkspaces * norm(device_.traits().workspace_m);
-  if (!is_finite(place) || norm(place.v) > reach ||
-      (!first && norm(place - position_) > options_.max_speed_m_per_s * since_good_s_)) {
-    flags_ |= flag::kImplausible;
-    return false;
+  if (std::isfinite(since_good_s_) ? !is_plausible(place) : !is_in_reach(place)) {
+    const Accepted jump = judge_jump(place, dt_s);
+    if (jump != Accepted::good) {
+      flags_ |= flag::kImplausible;
+      return jump;
+    }
+    // The hand is there: whatever brought it, this is a new touch, and the force comes up from zero.
+    drop_force();
+    begin_touch();
+    since_good_s_ = std::numeric_limits<double>::infinity();
   }
+  implausible_ = 0;
+  agreeing_ = 0;
+  take(place, dt_s);
+  return Accepted::good;
+}
+
+bool TickPipeline::is_in_reach(Point<DeviceFrame> place) const noexcept {
+  return is_finite(place) && norm(place.v) <= kWorkspaces * norm(device_.traits().workspace_m);
+}
+
+bool TickPipeline::is_plausible(Point<DeviceFrame> place) const noexcept {
+  if (!is_in_reach(place)) return false;
+  const double from_last_m = norm(place - position_);
+  if (from_last_m > max_speed_m_per_s_ * since_good_s_) return false;
+  // Nearer to where it jumped to than to where it was: the jump lasts.
+  return agreeing_ == 0 || norm(place - jumped_to_) >= from_last_m;
+}
+
+TickPipeline::Accepted TickPipeline::judge_jump(Point<DeviceFrame> place, double dt_s) noexcept {
+  ++implausible_;
+  const bool agrees =
+      is_in_reach(place) && (agreeing_ == 0 || norm(place - jumped_to_) <= max_speed_m_per_s_ * dt_s);
+  agreeing_ = agrees ? agreeing_ + 1 : (is_in_reach(place) ? 1 : 0);
+  jumped_to_ = place;
+  if (agreeing_ > kGlitch) return Accepted::good;
+  // The first reading of all has no force to keep.
+  return implausible_ <= kGlitch && std::isfinite(since_good_s_) ? Accepted::glitch : Accepted::bad;
+}
+
+void TickPipeline::take(Point<DeviceFrame> place, double dt_s) noexcept {
+  const bool first = !std::isfinite(since_good_s_);
   position_ = place;
   const double passed_s = first ? dt_s : since_good_s_;
   velocity_m_per_s_ = velocity_.update(place, passed_s);
@@ -78,7 +128,17 @@ bool TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept 
   const Point<DeviceFrame> now = fine_.update(place, velocity_m_per_s_, passed_s);
   if (!first) moved_ = now - before;
   since_good_s_ = 0.0;
-  return true;
+}
+
+void TickPipeline::drop_force() noexcept {
+  ramp_.reset();
+  rise_.reset();
+  uncontrolled_rise_.reset();
+  written_N_ = {};
+  uncontrolled_N_ = {};
+  sent_.fill({});
+  velocity_.begin();
+  shortened_ = ramped_ = true;
 }
 
 bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
@@ -98,10 +158,18 @@ Vector<DeviceFrame> TickPipeline::device_force_N(const Side& side,
 }
 
 double TickPipeline::device_stored_J() const noexcept {
+  // Of a spring that presses more than the device can, the hand loads only what the device pushes with: a
+  // spring that stores U at a force f stores U (2r - r^2) up to the cap r f.
+  Vector<DeviceFrame> spring_N = device_force_N(now_, now_.output.spring_N);
+  double stored_J = now_.output.stored_J / now_.scene->scene_from_device.scale;
+  if (const double size_N = norm(spring_N); now_.energy == EnergyModel::spring && size_N > max_force_N_) {
+    const double ratio = max_force_N_ / size_N;
+    stored_J *= ratio * (2.0 - ratio);
+    spring_N = ratio * spring_N;
+  }
   // The law knows the reading; within the sensor's step the hand is elsewhere, and the spring is the slope
   // between. (A damper is none: its jumps with the sensor's steps would look like energy.)
-  return now_.output.stored_J / now_.scene->scene_from_device.scale -
-         dot(device_force_N(now_, now_.output.spring_N), fine_.place() - position_);
+  return stored_J - dot(spring_N, fine_.place() - position_);
 }
 
 bool TickPipeline::evaluate_laws(double dt_s) noexcept {
@@ -140,7 +208,13 @@ void TickPipeline::end_fade() noexcept {
 
 void TickPipeline::change(const HapticScene& scene) noexcept {
   coming_.begin(scene);
-  if (scene.touchable->state_family() == now_.scene->touchable->state_family()) coming_.state = now_.state;
+  const bool is_same_place = is_same(scene.scene_from_device, now_.scene->scene_from_device);
+  same_surface_ = is_same_place && scene.touchable->state_family() == now_.scene->touchable->state_family();
+  if (same_surface_) {
+    coming_.state = now_.state;
+  } else if (is_same_place) {
+    scene.touchable->take_over(now_.scene->touchable->hand_over(now_.state), coming_.state);
+  }
   faded_ = 0.0;
 }
 
@@ -148,51 +222,68 @@ const HapticScene* TickPipeline::take_retired() noexcept { return std::exchange(
 
 void TickPipeline::observe(double dt_s) noexcept {
   const bool contact = now_.output.contact;
-  // What the motors held since the last reading was written a tick ago, or as much longer as the device is
-  // late.
-  const Sent& held = sent_[(newest_ + sent_.size() - delay_) % sent_.size()];
   PassivityObserver::Step step;
-  step.held_force_N = held.written_N;
+  step.held_force_N = held().written_N;
   step.moved_m = moved_;
   step.dt_s = dt_s;
   step.stored_J = device_stored_J();
+  step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
+  step.ramped = ramped_;
   // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
   if ((flags_ & flag::kFading) != 0) counts_.scene_change_J += dot(step.held_force_N, step.moved_m);
-  const bool new_account = (flags_ & (flag::kFading | flag::kNewTouch)) != 0;
-  if (new_account || !std::isfinite(step.stored_J)) {
+  const bool new_account =
+      (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
+  if (new_account) {
     observer_.begin(step.stored_J);
     without_controller_.begin(step.stored_J);
     return;
   }
   observer_.update(step);
-  step.held_force_N = held.uncontrolled_N;
+  step.held_force_N = held().uncontrolled_N;
   without_controller_.update(step);
 }
 
 void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   const auto capped = cap_force(law_force_N_, max_force_N_);
   const double gain = ramp_.step(wanted, dt_s);
-  const auto risen = cap_rise(gain * capped.force_N, uncontrolled_N_, options_.max_force_rate_N_per_s * dt_s);
-  uncontrolled_N_ = risen.force_N;
+  const bool has_spring = now_.energy == EnergyModel::spring && (!fading() || same_surface_);
+  RiseLimit::Input in;
+  in.force_N = gain * capped.force_N;
+  in.spring_N = gain * cap_force(device_force_N(now_, now_.output.spring_N), max_force_N_).force_N;
+  in.stored_J = has_spring ? gain * device_stored_J() : std::numeric_limits<double>::quiet_NaN();
+  in.moved_m = moved_;
+  in.max_rise_N = options_.max_force_rate_N_per_s * std::min(dt_s, options_.max_rise_time_s);
+  in.held_force_N = held().written_N;
+  const auto risen = rise_.limit(in);
+  in.held_force_N = held().uncontrolled_N;
+  uncontrolled_N_ = uncontrolled_rise_.limit(in).force_N;
   written_N_ = risen.force_N;
-  const double made_J = observer_.made_J();
-  if (options_.passivity == Passivity::control && made_J > 0.0 && gain > 0.0) {
-    Vector<DeviceFrame> braked =
-        control_passivity(written_N_, velocity_m_per_s_, made_J, dt_s,
-                          max_passive_damping_Ns_per_m(mass_kg_, dt_s, static_cast<int>(delay_)));
-    if (!(braked == written_N_)) flags_ |= flag::kPassivityActed;
-    if (planar_) braked.v.z = 0.0;
-    written_N_ = cap_force(braked, max_force_N_).force_N;
-  }
-  newest_ = (newest_ + 1) % sent_.size();
-  sent_[newest_] = {written_N_, uncontrolled_N_};
+  if (gain > 0.0) control_energy(dt_s);
+  counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
   if (capped.limited) flags_ |= flag::kForceCapped;
   if (risen.limited) flags_ |= flag::kRateCapped;
   if (gain < 1.0) flags_ |= flag::kRamping;
   if (paused_) flags_ |= flag::kPaused;
-  shortened_ = capped.limited || gain < 1.0 || fading();
+  ramped_ = gain < 1.0 || (fading() && !same_surface_);
+  shortened_ = ramped_ || (capped.limited && !has_spring);
+}
+
+void TickPipeline::control_energy(double dt_s) noexcept {
+  if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
+  const Vector<DeviceFrame> weakened =
+      control_passivity(written_N_, velocity_m_per_s_, observer_.made_J(), dt_s);
+  if (weakened == written_N_) return;
+  flags_ |= flag::kPassivityActed;
+  written_N_ = weakened;
+  // From here it grows again no faster than any force.
+  rise_.weakened_to(written_N_);
+}
+
+void TickPipeline::send() noexcept {
+  newest_ = (newest_ + 1) % sent_.size();
+  sent_[newest_] = {written_N_, uncontrolled_N_};
 }
 
 void TickPipeline::describe(const device::Reading& reading) noexcept {

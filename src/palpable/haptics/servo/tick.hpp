@@ -6,6 +6,7 @@
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
+#include "palpable/haptics/safety/rise_limit.hpp"
 #include "palpable/haptics/servo/servo_types.hpp"
 #include "palpable/haptics/servo/velocity.hpp"
 
@@ -29,15 +30,22 @@ struct TickOptions {
   /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
   double ramp_down_s = 0.02;
   double ramp_up_s = 0.25;
-  /// A reading that moved faster than this since the last good one is not a hand's: it is refused.
-  double max_speed_m_per_s = 8.0;
+  /// A reading that moved faster than this since the last good one is not a hand's: it is not felt, and if it
+  /// lasts it is a new touch. The second is for devices without motors, whose probe may be anywhere.
+  double max_speed_m_per_s = 2.5;
+  double max_pointer_speed_m_per_s = 8.0;
+  /// A tick that comes later than this after the one before: by then the watchdog has written zero force, and
+  /// the force begins anew from there.
+  double stall_s = 0.005;
+  /// No tick's force grows by more than this time allows, however late the tick is.
+  double max_rise_time_s = 0.0015;
 };
 
-/// One tick of touch, without thread or clock: read the device; refuse what is not finite or plausible; ask
-/// the law; refuse what is not finite; cap the force; ramp; cap its rise; let the passivity controller take
-/// energy out and cap again; write. What was written is observed at the next reading. The servo loop calls it
-/// in time, tests call it as fast as they like: given the same readings it does the same. One thread; step()
-/// never allocates, locks, throws or prints.
+/// One tick of touch, without thread or clock: read the device; refuse what is not finite or plausible;
+/// evaluate the law; refuse what is not finite; observe the energy of the force that was held until now; cap
+/// the force; ramp; limit its rise; let the passivity controller take energy out; write. The servo loop calls
+/// it in time, tests call it as fast as they like: given the same readings it does the same. One thread;
+/// step() never allocates, locks, throws or prints.
 class TickPipeline {
  public:
   /// `device`, `events` and `scene` (with its touchable) outlive this or, for the scene, the next
@@ -54,6 +62,8 @@ class TickPipeline {
   /// The scene that the last step() stopped using, once; else null.
   const HapticScene* take_retired() noexcept;
   void set_paused(bool paused) noexcept { paused_ = paused; }
+  /// Somebody else has written zero force: the next step() begins from there.
+  void note_cut_force() noexcept { force_was_cut_ = true; }
 
   const TickCounts& counts() const noexcept { return counts_; }
 
@@ -64,16 +74,32 @@ class TickPipeline {
       *this = {};
       scene = &next;
       device_from_scene = next.scene_from_device.inverse();
+      energy = next.touchable->energy_model();
     }
     const HapticScene* scene = nullptr;
     Transform<DeviceFrame, SceneFrame> device_from_scene;
+    EnergyModel energy = EnergyModel::none;
     TouchState state;
     LawOutput output;
   };
-  bool accept(const device::Reading& reading, double dt_s) noexcept;
+  /// What a reading is good for.
+  enum class Accepted : std::uint8_t {
+    good,
+    /// Not plausible, and not yet known whether it lasts: the force stays as it is.
+    glitch,
+    bad
+  };
+  Accepted accept(const device::Reading& reading, double dt_s) noexcept;
+  bool is_in_reach(Point<DeviceFrame> place) const noexcept;
+  bool is_plausible(Point<DeviceFrame> place) const noexcept;
+  Accepted judge_jump(Point<DeviceFrame> place, double dt_s) noexcept;
+  void take(Point<DeviceFrame> place, double dt_s) noexcept;
+  void drop_force() noexcept;
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   double device_stored_J() const noexcept;
+  void control_energy(double dt_s) noexcept;
+  void send() noexcept;
   bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
   void end_fade() noexcept;
@@ -90,13 +116,15 @@ class TickPipeline {
   Ring<TouchEvent>& events_;
   TickOptions options_;
   double max_force_N_;
-  double mass_kg_;
   bool planar_;
+  double max_speed_m_per_s_;
 
   Side now_;
   /// Its scene is null when nothing is fading in.
   Side coming_;
   double faded_ = 0.0;
+  /// The scene that fades in is the same law on the same surface: springs and energies go on.
+  bool same_surface_ = false;
   const HapticScene* retired_ = nullptr;
 
   VelocityEstimator velocity_;
@@ -107,8 +135,16 @@ class TickPipeline {
   Vector<DeviceFrame> moved_;
   /// Since the last good reading; infinite before the first.
   double since_good_s_ = std::numeric_limits<double>::infinity();
+  /// Readings in a row that were not plausible, and how many of the last of them agree about where the hand
+  /// is.
+  int implausible_ = 0;
+  int agreeing_ = 0;
+  Point<DeviceFrame> jumped_to_;
 
   Ramp ramp_;
+  /// Of the written force, and of what it would be without the controller.
+  RiseLimit rise_;
+  RiseLimit uncontrolled_rise_;
   /// The law's (the last finite one), after the caps and ramp, and as written.
   Vector<DeviceFrame> law_force_N_;
   Vector<DeviceFrame> uncontrolled_N_;
@@ -122,9 +158,14 @@ class TickPipeline {
   std::array<Sent, kMaxDelay + 1> sent_{};
   std::size_t newest_ = 0;
   std::size_t delay_;
-  /// The held force was shortened by the cap, a ramp or a fade.
+  /// What the motors held since the last reading: written a tick ago, or as much longer as the device is
+  /// late.
+  const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }
+  /// The held force was shortened by a ramp or a fade, or by the cap of a law without a spring.
   bool shortened_ = true;
+  bool ramped_ = true;
   bool paused_ = false;
+  bool force_was_cut_ = false;
   bool healthy_ = true;
   std::uint32_t flags_ = 0;
   PassivityObserver observer_;

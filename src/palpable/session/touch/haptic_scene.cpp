@@ -64,19 +64,23 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
 void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
                PreparedScene& prepared) {
   auto& law = prepared.law;
-  if (!haptics::description_of(law.law).is_contact) return;
+  const haptics::LawDescription& description = haptics::description_of(law.law);
+  if (!description.is_contact) return;
   std::string lowered;
   for (auto& material : scene.materials) {
     const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
     const double damping = law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
     // What is out of range is the law's to refuse.
     if (!(stiffness > 0.0) || !(damping >= 0.0)) return;
-    const auto safe = haptics::safe_contact(device, rate_hz, scale, stiffness, damping);
-    material.stiffness_N_per_m = safe.stiffness_N_per_m;
+    // A texture makes its wall stiffer.
+    const double stiffening =
+        description.renders_textures ? haptics::texture_stiffening(material.texture) : 1.0;
+    const auto safe = haptics::safe_contact(device, rate_hz, scale, stiffening * stiffness, damping);
+    material.stiffness_N_per_m = safe.stiffness_N_per_m / stiffening;
     material.damping_Ns_per_m = safe.damping_Ns_per_m;
     if (safe.bound != haptics::StiffnessBound::none && lowered.empty())
       lowered = fmt::format("Stiffness {:.0f} N/m was lowered to {:.0f} N/m: {}.", stiffness,
-                            safe.stiffness_N_per_m, haptics::reason(safe.bound));
+                            material.stiffness_N_per_m, haptics::reason(safe.bound));
   }
   law.stiffness_N_per_m.reset();
   law.damping_Ns_per_m.reset();

@@ -28,6 +28,7 @@ std::string to_json(const TouchStatistics& statistics) {
   json["servo"] = {{"ticks", touch.ticks},
                    {"rate_hz", number(servo.rate_hz)},
                    {"missed", servo.missed},
+                   {"stalls", touch.stalls},
                    {"missed_by_cause",
                     {{"late_wake", cause[0]},
                      {"held_up_waiting", cause[1]},
@@ -41,6 +42,7 @@ std::string to_json(const TouchStatistics& statistics) {
   json["energy"] = {{"made_max_J", number(touch.made_max_J)},
                     {"made_max_without_controller_J", number(touch.made_max_without_controller_J)},
                     {"controlled_ticks", touch.passivity_ticks},
+                    {"rise_limit_withheld_max_J", number(touch.withheld_max_J)},
                     {"scene_change_J", number(touch.scene_change_J)}};
   json["contact_ticks"] = touch.contact_ticks;
   json["fault_ticks"] = touch.fault_ticks;

@@ -1,0 +1,85 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/law/law_output.hpp"
+#include "palpable/haptics/law/material_map.hpp"
+#include "palpable/haptics/law/texture_touch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace palpable::haptics {
+
+// The force between a hand and the proxy that it drags over a surface, the same on reliefs and on fields.
+
+/// What a touch remembers of the material under its proxy. All zero = a new touch.
+struct ContactMemory {
+  /// Follows the material, so that a border between two is no kick.
+  Contact contact;
+  std::uint16_t label = 0;
+  bool is_known = false;
+  TextureTouch texture{};
+};
+
+/// The material under a proxy at `place_m`. In contact its values follow within about 10 ms. Tick path.
+inline Contact eased_contact(const MaterialMap& materials, Vec3 place_m, bool in_contact, double dt_s,
+                             ContactMemory& memory) noexcept {
+  constexpr double kEase_s = 0.010;
+  if (!materials.has_labels()) return materials.contact(0);
+  memory.label = materials.label_at(place_m.x, place_m.y);
+  const Contact& here = materials.contact(memory.label);
+  const double share = memory.is_known && in_contact ? dt_s / (dt_s + kEase_s) : 1.0;
+  memory.is_known = true;
+  const auto ease = [share](double& value, double target) { value += share * (target - value); };
+  ease(memory.contact.stiffness_N_per_m, here.stiffness_N_per_m);
+  ease(memory.contact.damping_Ns_per_m, here.damping_Ns_per_m);
+  ease(memory.contact.static_friction, here.static_friction);
+  ease(memory.contact.dynamic_friction, here.dynamic_friction);
+  return memory.contact;
+}
+
+/// The proxy as the last tick left it.
+struct ProxyBefore {
+  Vec3 place_m;
+  bool touching = false;
+};
+
+/// A direction out of the solid, of any length, and one over its length's square: the force does not wait for
+/// a root.
+struct Outward {
+  Vec3 v;
+  double per_length2 = 1.0;
+};
+
+/// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it
+/// needs a damper, or it makes energy. Where the proxy slides along with the hand nothing stretches and
+/// nothing is damped. Friction carries it: at most as much as the cone allows. Tick path.
+inline Vec3 friction_damper(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
+                            const Outward& out, double pressing_out) noexcept {
+  if (!before.touching) return {};
+  const Vec3 v = hand.velocity_m_per_s.v;
+  const Vec3 along = v - (dot(v, out.v) * out.per_length2) * out.v;
+  const double speed = norm(along);
+  const double held = speed - norm(place_m - before.place_m) / hand.dt_s;
+  if (held <= 0.0) return {};
+  const double pressing_N = pressing_out * std::sqrt(out.per_length2);
+  const double drag_N = std::min(contact.damping_Ns_per_m * held, contact.static_friction * pressing_N);
+  return (-drag_N / speed) * along;
+}
+
+/// Spring and dampers from the hand to a proxy at `place_m` on the surface. Tick path.
+inline Vec3 proxy_force(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
+                        const Outward& out) noexcept {
+  const Vec3 spring = contact.stiffness_N_per_m * (place_m - hand.position.v);
+  const double spring_out = dot(spring, out.v);
+  const double damper_out = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, out.v);
+  // The damper may take the push away but never turns it into a pull. A proxy that the surface let go of in
+  // this very tick is followed by the spring alone.
+  const double pressing_out = spring_out > 0.0 ? std::max(0.0, spring_out + damper_out) : spring_out;
+  return spring + ((pressing_out - spring_out) * out.per_length2) * out.v +
+         friction_damper(hand, contact, place_m, before, out, pressing_out);
+}
+
+}  // namespace palpable::haptics

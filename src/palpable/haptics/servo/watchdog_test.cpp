@@ -1,0 +1,96 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/servo/watchdog.hpp"
+
+#include "palpable/haptics/servo/servo_loop.hpp"
+#include "palpable/haptics/servo/test_touch.hpp"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+/// What a hanging device and its test share.
+struct Hang {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool wanted = false;
+  bool hangs = false;
+  bool was_cut = false;
+  bool freed = false;
+  Vec3 force_when_cut_N;
+};
+
+/// Hangs in read() when asked to, as a driver does whose cable is pulled.
+class HangingDevice final : public device::Device {
+ public:
+  explicit HangingDevice(std::shared_ptr<Hang> hang) : hang_(std::move(hang)) {}
+  const device::Traits& traits() const noexcept override { return traits_; }
+  device::Reading read() noexcept override {
+    std::unique_lock lock(hang_->mutex);
+    if (hang_->wanted && force_N_.z > 0.5) {
+      hang_->wanted = false;
+      hang_->hangs = true;
+      hang_->changed.notify_all();
+      hang_->changed.wait(lock, [&] { return hang_->freed; });
+      hang_->hangs = false;
+    }
+    device::Reading reading;
+    reading.position.v = {0.0, 0.0, -0.002};
+    return reading;
+  }
+  void write(Vector<DeviceFrame> force_N) noexcept override {
+    const std::lock_guard lock(hang_->mutex);
+    force_N_ = force_N.v;
+  }
+  void stop() noexcept override { write({}); }
+  void cut_force() noexcept override {
+    const std::lock_guard lock(hang_->mutex);
+    if (!hang_->hangs) return;
+    hang_->force_when_cut_N = force_N_;
+    force_N_ = {};
+    hang_->was_cut = true;
+    hang_->changed.notify_all();
+  }
+
+ private:
+  std::shared_ptr<Hang> hang_;
+  device::Traits traits_;
+  Vec3 force_N_;
+};
+
+TEST(Watchdog, CutsTheForceOfALoopThatHangsInItsDriver) {
+  const auto hang = std::make_shared<Hang>();
+  ServoOptions options;
+  options.realtime_priority = 0;
+  options.memory = Memory::leave;
+  auto loop = ServoLoop::start(std::make_unique<HangingDevice>(hang),
+                               {std::make_shared<SpringSurface>(flat, 500.0, 0.0), {}, 1}, options);
+  ASSERT_TRUE(loop);
+  {
+    std::unique_lock lock(hang->mutex);
+    hang->wanted = true;
+    // The loop's thread hangs all the while; only another one can have cut the force.
+    hang->changed.wait(lock, [&] { return hang->was_cut; });
+    EXPECT_TRUE(hang->hangs);
+    EXPECT_GT(hang->force_when_cut_N.z, 0.5);
+    hang->freed = true;
+    hang->changed.notify_all();
+  }
+  // The touch goes on from zero force, and says so.
+  bool stalled = false;
+  while (!stalled)
+    if (const auto sample = (*loop)->take_latest()) {
+      stalled = sample->has(flag::kStalled);
+      if (sample->has(flag::kRamping) && sample->tick > 300) stalled = true;
+    }
+  (*loop)->stop();
+  EXPECT_GE((*loop)->statistics().touch.stalls, 1U);
+}
+
+}  // namespace
+}  // namespace palpable::haptics

@@ -1,0 +1,53 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/models/relief/height_bounds.hpp"
+
+#include "palpable/models/relief/relief.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::models {
+namespace {
+
+Raster<float> noise(int width, int height, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0.0F, 0.01F);
+  Raster<float> z(width, height);
+  for (float& value : z.values()) value = unit(random);
+  return z;
+}
+
+TEST(HeightBounds, AreNeverBelowTheSurfaceOverAnyRectangle) {
+  std::mt19937 random(3);
+  for (const auto& [width, height] :
+       {std::pair{2, 2}, std::pair{5, 3}, std::pair{64, 64}, std::pair{131, 77}}) {
+    const Relief relief = *Relief::from_samples(noise(width, height, 8), 0.001);
+    std::uniform_real_distribution<double> x(-0.7 * relief.width_m(), 0.7 * relief.width_m());
+    std::uniform_real_distribution<double> y(-0.7 * relief.depth_m(), 0.7 * relief.depth_m());
+    for (int k = 0; k < 300; ++k) {
+      const double x0 = x(random), x1 = x(random), y0 = y(random), y1 = y(random);
+      const double bound = relief.highest_over_m(x0, y0, x1, y1);
+      for (int i = 0; i <= 20; ++i)
+        for (int j = 0; j <= 20; ++j)
+          ASSERT_LE(relief.sample(x0 + i * (x1 - x0) / 20, y0 + j * (y1 - y0) / 20).z_m, bound + 1e-9);
+    }
+  }
+}
+
+TEST(HeightBounds, AreNearTheSurfaceOverSmallRectangles) {
+  Raster<float> step(400, 100);
+  for (int y = 0; y < 100; ++y)
+    for (int x = 200; x < 400; ++x) step(x, y) = 1.0F;
+  const HeightBounds bounds(step);
+  EXPECT_EQ(bounds.highest_in(100.0, 40.0, 104.0, 44.0), 0.0F);
+  EXPECT_EQ(bounds.highest_in(180.0, 40.0, 185.0, 44.0), 0.0F);
+  EXPECT_EQ(bounds.highest_in(198.0, 40.0, 199.0, 44.0), 1.0F);
+  EXPECT_EQ(bounds.highest_in(-50.0, -9.0, 100.0, 300.0), 0.0F);
+  EXPECT_LT(bounds.memory_bytes(), 400 * 100 * sizeof(float) / 10);
+}
+
+}  // namespace
+}  // namespace palpable::models
