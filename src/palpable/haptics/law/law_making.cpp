@@ -87,6 +87,7 @@ void read_pages(const void* data, std::size_t bytes) noexcept {
 void read_pages(const Relief& relief) noexcept {
   read_pages(relief.samples_m().data(), relief.samples_m().count() * sizeof(float));
 }
+void read_pages(const models::BoundedRelief& relief) noexcept { read_pages(relief.relief()); }
 void read_pages(const models::BoundaryMap& map) noexcept {
   read_pages(map.averaged().data(), map.averaged().count() * sizeof(*map.averaged().data()));
 }

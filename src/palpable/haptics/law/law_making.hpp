@@ -7,6 +7,7 @@
 #include "palpable/models/field/dense_field.hpp"
 #include "palpable/models/field/distance_field.hpp"
 #include "palpable/models/grid/occupancy_grid.hpp"
+#include "palpable/models/relief/height_bounds.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -54,6 +55,7 @@ Result<std::shared_ptr<const models::Relief>> dilated_surface(
 /// Reads every page of a model once.
 void read_pages(const void* data, std::size_t bytes) noexcept;
 void read_pages(const models::Relief& relief) noexcept;
+void read_pages(const models::BoundedRelief& relief) noexcept;
 void read_pages(const models::BoundaryMap& map) noexcept;
 void read_pages(const models::DistanceField& field) noexcept;
 void read_pages(const models::DenseField& field) noexcept;

@@ -24,8 +24,10 @@ MadeLaw make(const LawInput& in) {
     });
   return make_on_relief(
       in, [&](std::shared_ptr<const models::Relief> surface, MaterialMap materials, std::uint64_t family) {
-        return made_law(
-            ProxyLaw<models::Relief>(std::move(surface), std::move(materials), std::move(textures)), family);
+        using Bounded = models::BoundedRelief;
+        return made_law(ProxyLaw<Bounded>(std::make_shared<const Bounded>(std::move(surface)),
+                                          std::move(materials), std::move(textures)),
+                        family);
       });
 }
 

@@ -22,7 +22,7 @@ extern const LawDescription kGrooveLaw;
 /// dynamic coefficient (the proxy is Hayward & Armstrong's w: it moves only when the cone is left, so nothing
 /// drifts), and a damper along the surface's normal. The force never pulls the hand into the surface. A ball
 /// of finite radius is a point on the relief dilated by it (relief_shaping.hpp).
-template <models::CurvedHeightField Surface>
+template <models::BoundedHeightField Surface>
 class ProxyLaw : public ContactLaw<Surface> {
  public:
   struct State {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/models/relief/height_bounds.hpp"
 #include "palpable/models/relief/nearest_step.hpp"
 #include "palpable/models/relief/relief.hpp"
 
@@ -54,7 +55,7 @@ struct Friction {
 /// own movement in the tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and
 /// never passes through it. A tick evaluates the surface once or twice as a rule; the more pixels the hand
 /// moved the more often, and kMaxEvaluations times at most, so that no tick is long.
-template <models::CurvedHeightField Surface>
+template <models::BoundedHeightField Surface>
 class ProxyFollower {
  public:
   ProxyFollower(const Surface& surface, Friction friction) noexcept

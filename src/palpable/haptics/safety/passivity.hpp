@@ -113,8 +113,10 @@ class PassivityObserver {
 inline Vector<DeviceFrame> control_passivity(Vector<DeviceFrame> force_N,
                                              Vector<DeviceFrame> velocity_m_per_s, double made_J,
                                              double dt_s) noexcept {
+  // At rest everything is rounding: no hand notices less than a nanojoule.
+  constexpr double kNegligible_J = 1e-9;
   const double gives_W = dot(force_N, velocity_m_per_s);
-  if (made_J <= 0.0 || gives_W <= 0.0) return force_N;
+  if (made_J <= kNegligible_J || gives_W <= 0.0) return force_N;
   return std::max(0.0, 1.0 - made_J / (dt_s * gives_W)) * force_N;
 }
 

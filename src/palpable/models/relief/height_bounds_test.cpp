@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/relief/height_bounds.hpp"
 
-#include "palpable/models/relief/relief.hpp"
-
 #include <algorithm>
+#include <memory>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -24,12 +23,15 @@ TEST(HeightBounds, AreNeverBelowTheSurfaceOverAnyRectangle) {
   std::mt19937 random(3);
   for (const auto& [width, height] :
        {std::pair{2, 2}, std::pair{5, 3}, std::pair{64, 64}, std::pair{131, 77}}) {
-    const Relief relief = *Relief::from_samples(noise(width, height, 8), 0.001);
+    const auto samples =
+        std::make_shared<const Relief>(*Relief::from_samples(noise(width, height, 8), 0.001));
+    const Relief& relief = *samples;
+    const BoundedRelief bounded(samples);
     std::uniform_real_distribution<double> x(-0.7 * relief.width_m(), 0.7 * relief.width_m());
     std::uniform_real_distribution<double> y(-0.7 * relief.depth_m(), 0.7 * relief.depth_m());
     for (int k = 0; k < 300; ++k) {
       const double x0 = x(random), x1 = x(random), y0 = y(random), y1 = y(random);
-      const double bound = relief.highest_over_m(x0, y0, x1, y1);
+      const double bound = bounded.highest_over_m(x0, y0, x1, y1);
       for (int i = 0; i <= 20; ++i)
         for (int j = 0; j <= 20; ++j)
           ASSERT_LE(relief.sample(x0 + i * (x1 - x0) / 20, y0 + j * (y1 - y0) / 20).z_m, bound + 1e-9);

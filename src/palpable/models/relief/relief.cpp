@@ -59,7 +59,6 @@ Result<Relief> Relief::from_samples(Raster<float> height_m, double pixel_m) {
   relief.middle_y_px_ = 0.5 * (height_m.height() - 1);
   relief.inside_x_px_ = height_m.width() - 2;
   relief.inside_y_px_ = height_m.height() - 2;
-  relief.bounds_ = HeightBounds(height_m);
   relief.height_m_ = std::move(height_m);
   return relief;
 }
@@ -76,8 +75,6 @@ SplinePlace Relief::border_place(double x_px, double y_px, std::array<float, 16>
   return {copy.data(), 4, cx.fraction, cy.fraction};
 }
 
-std::size_t Relief::memory_bytes() const {
-  return sizeof(Relief) + height_m_.count() * sizeof(float) + bounds_.memory_bytes();
-}
+std::size_t Relief::memory_bytes() const { return sizeof(Relief) + height_m_.count() * sizeof(float); }
 
 }  // namespace palpable::models

@@ -5,10 +5,8 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/raster.hpp"
 #include "palpable/core/result.hpp"
-#include "palpable/models/relief/height_bounds.hpp"
 #include "palpable/models/relief/spline_block.hpp"
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -40,15 +38,14 @@ concept HeightField = requires(const M& m, double x_m, double y_m) {
   requires noexcept(m.sample(x_m, y_m));
 };
 
-/// What a law needs to follow such a surface closely: curvature, a bound of the slope, bounds of the height
-/// over rectangles, the step within which the surface hides nothing (its pixel), and a hint that a place will
-/// be evaluated soon. Never allocates, locks or throws.
+/// What a law needs to follow such a surface closely: curvature, a bound of the slope, the step within which
+/// the surface hides nothing (its pixel), and a hint that a place will be looked at soon. Never allocates,
+/// locks or throws.
 template <class M>
 concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, double y_m) {
   { m.curved_sample(x_m, y_m) } -> std::same_as<CurvedSample>;
   { m.steepest_slope() } -> std::same_as<double>;
   { m.pixel_m() } -> std::same_as<double>;
-  { m.highest_over_m(x_m, y_m, x_m, y_m) } -> std::same_as<double>;
   m.prefetch(x_m, y_m);
   requires noexcept(m.curved_sample(x_m, y_m))&& noexcept(m.prefetch(x_m, y_m));
 };
@@ -70,7 +67,8 @@ class Relief {
   /// The same with the exact second derivatives; costs little more. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
 
-  /// Lets the processor fetch what an evaluation at a place will read, and goes on at once. Tick path.
+  /// Lets the processor fetch what a look at a place will read, and goes on at once.
+  /// Tick path.
   void prefetch(double x_m, double y_m) const noexcept;
 
   const Raster<float>& samples_m() const { return height_m_; }
@@ -80,14 +78,6 @@ class Relief {
   /// Size between the outermost samples' outer edges: width * pixel_m, height * pixel_m.
   double width_m() const { return pixel_m_ * height_m_.width(); }
   double depth_m() const { return pixel_m_ * height_m_.height(); }
-  /// No place of the surface in the rectangle between two opposite corners, any finite, is higher. Tick path.
-  double highest_over_m(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {
-    const double left = middle_x_px_ + std::min(x0_m, x1_m) * pixels_per_m_;
-    const double right = middle_x_px_ + std::max(x0_m, x1_m) * pixels_per_m_;
-    const double top = middle_y_px_ - std::max(y0_m, y1_m) * pixels_per_m_;
-    const double bottom = middle_y_px_ - std::min(y0_m, y1_m) * pixels_per_m_;
-    return static_cast<double>(bounds_.highest_in(left, top, right, bottom));
-  }
   double lowest_m() const { return lowest_m_; }
   double highest_m() const { return highest_m_; }
   std::size_t memory_bytes() const;
@@ -98,7 +88,6 @@ class Relief {
   SplinePlace border_place(double x_px, double y_px, std::array<float, 16>& copy) const noexcept;
 
   Raster<float> height_m_;
-  HeightBounds bounds_;
   double pixel_m_ = 0.0;
   double pixels_per_m_ = 0.0;
   /// Where the scene's origin stands in pixels, and where the cells end whose 4 x 4 samples all exist.
