@@ -106,7 +106,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
 
  private:
   /// Of a resting hand; for each cell that it moved; and at most.
-  static constexpr int kEvaluations = 24;
+  static constexpr int kEvaluations = 12;
   static constexpr double kPerCell = 3.0;
   static constexpr int kMaxEvaluations = 64;
   /// To find the surface from somewhere near it, once.
@@ -115,6 +115,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   static constexpr double kTolerance_m = 1e-7;
   /// A field's gradient is within a few per cent of 1.
   static constexpr double kSafe = 0.95;
+  /// Cosine between the normals of places half a cell apart on one face.
+  static constexpr double kSameFace = 0.9;
 
   models::FieldSample sample(Vec3 place_m) const noexcept {
     models::FieldSample s = this->surface().sample(place_m);
@@ -157,11 +159,23 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     int evaluations =
         kEvaluations + static_cast<int>(std::min(kPerCell * moved_m / cell_m, 1.0 * kMaxEvaluations));
     while (evaluations > 0) {
-      if (proxy.phase == FieldProxy::Phase::free && !fly(hand_m, proxy, evaluations)) return;
+      if (proxy.phase == FieldProxy::Phase::free && !fly(hand_m, proxy, evaluations)) break;
       if (slide(hand_m, longest_m, friction, proxy, evaluations)) return;
       proxy.phase = FieldProxy::Phase::free;
       proxy.clearance_m = 0.0;
     }
+    if (proxy.clearance_m <= 0.0) hold_in_crease(hand_m, proxy);
+  }
+
+  /// A proxy that went from face to face of a crease until the evaluations were used up holds a hand that is
+  /// inside, straight from where it is.
+  void hold_in_crease(Vec3 hand_m, FieldProxy& proxy) const noexcept {
+    const Vec3 out = proxy.place_m - hand_m;
+    const double length_m = norm(out);
+    if (!(length_m > kTolerance_m) || sample(hand_m).distance_m >= 0.0) return;
+    proxy.normal = out / length_m;
+    proxy.phase = FieldProxy::Phase::touching;
+    proxy.slipping = false;
   }
 
   /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
@@ -191,7 +205,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
         clear = next;
         proxy.clearance_m = s.distance_m;
       } else if (is_short) {
-        meet(from + clear * way, b, s.distance_m, clear == 0.0, proxy);
+        meet(from + clear * way, b, s, clear == 0.0, proxy);
         return true;
       }
       piece = std::max(0.99 * kSafe * proxy.clearance_m / length_m, shortest);
@@ -200,15 +214,19 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return false;
   }
 
-  /// The surface is met between a, outside, and b, `distance_m` < 0 inside, half a cell apart at most.
-  void meet(Vec3 a, Vec3 b, double distance_m, bool from_the_start, FieldProxy& proxy) const noexcept {
+  /// The surface is met between a, outside, and b, inside as `at_b` says, half a cell apart at most.
+  void meet(Vec3 a, Vec3 b, const models::FieldSample& at_b, bool from_the_start,
+            FieldProxy& proxy) const noexcept {
     // A way that begins on the surface leaves it at first: there the rise takes the place of the distance.
     const double rise_m = dot(proxy.normal, b - a);
     const double clear_m =
         from_the_start && proxy.clearance_m <= 0.0 ? std::max(0.0, rise_m) : std::max(0.0, proxy.clearance_m);
-    proxy.place_m = a + (clear_m / (clear_m - distance_m)) * (b - a);
+    proxy.place_m = a + (clear_m / (clear_m - at_b.distance_m)) * (b - a);
     int evaluations = 3;
     settle(proxy.place_m, proxy.normal, evaluations);
+    // In a crease the place found may count as the other face's: the one that was entered holds the hand.
+    const Vec3 entered = unit(at_b.gradient);
+    if (dot(proxy.normal, entered) < kSameFace) proxy.normal = entered;
     proxy.phase = FieldProxy::Phase::touching;
     proxy.slipping = false;
     proxy.step_share = 0.0;

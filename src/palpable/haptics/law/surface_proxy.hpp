@@ -72,13 +72,18 @@ class ProxyFollower {
                                                                1.0 * kMaxEvaluations));
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
     while (evaluations > 0) {
-      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, evaluations)) return;
+      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, evaluations)) break;
       if (longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
                                          : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations))
         return;
       proxy.phase = SurfaceProxy::Phase::free;
       proxy.clearance_m = 0.0;
     }
+    // A proxy that left the surface and met it again until the evaluations were used up stays where it was,
+    // if the hand is under the surface.
+    if (proxy.clearance_m <= 0.0 && proxy.place_m != hand_m &&
+        hand_m.z < surface_.curved_sample(hand_m.x, hand_m.y).z_m)
+      proxy.phase = SurfaceProxy::Phase::touching;
   }
 
  private:
