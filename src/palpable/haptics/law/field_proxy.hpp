@@ -111,6 +111,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   static constexpr int kMaxEvaluations = 64;
   /// To find the surface from somewhere near it, once.
   static constexpr int kSettling = 12;
+  /// In cells: a last correction of this size is still good.
+  static constexpr double kOff = 0.05;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
   /// A field's gradient is within a few per cent of 1.
@@ -124,8 +126,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return s;
   }
 
-  /// From a place near the surface onto it, along the gradient (Newton's method).
+  /// From a place near the surface onto it, along the gradient (Newton's method). False if it does not come
+  /// near: the field has no gradient there, or two faces of a crease send it to and fro.
   bool settle(Vec3& place_m, Vec3& normal, int& evaluations) const noexcept {
+    double off_m = 0.0;
     while (evaluations > 0) {
       --evaluations;
       const models::FieldSample s = sample(place_m);
@@ -133,9 +137,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       if (!(length2 > 0.01)) return false;
       place_m -= (s.distance_m / length2) * s.gradient;
       normal = s.gradient / std::sqrt(length2);
-      if (std::abs(s.distance_m) < 10.0 * kTolerance_m) return true;
+      off_m = std::abs(s.distance_m);
+      if (off_m < 10.0 * kTolerance_m) return true;
     }
-    return true;
+    return off_m < kOff * this->surface().cell_m();
   }
 
   /// A hand that begins inside is taken to the nearest surface, once.
@@ -158,24 +163,34 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     proxy.hand_m = hand_m;
     int evaluations =
         kEvaluations + static_cast<int>(std::min(kPerCell * moved_m / cell_m, 1.0 * kMaxEvaluations));
-    while (evaluations > 0) {
-      if (proxy.phase == FieldProxy::Phase::free && !fly(hand_m, proxy, evaluations)) break;
+    bool met = false;
+    for (;;) {
+      if (proxy.phase == FieldProxy::Phase::free) {
+        met = fly(hand_m, proxy, evaluations);
+        if (!met) break;
+      }
       if (slide(hand_m, longest_m, friction, proxy, evaluations)) return;
+      // From face to face of a crease as often as it is tried.
+      if (met && evaluations <= 0) return hold_in_crease(hand_m, proxy);
       proxy.phase = FieldProxy::Phase::free;
       proxy.clearance_m = 0.0;
     }
-    if (proxy.clearance_m <= 0.0) hold_in_crease(hand_m, proxy);
+    if (proxy.place_m != hand_m) hold(hand_m, proxy);
   }
 
-  /// A proxy that went from face to face of a crease until the evaluations were used up holds a hand that is
-  /// inside, straight from where it is.
+  /// The way to the hand is longer than a tick's evaluations. If the hand is inside, the proxy goes to the
+  /// surface nearest to where it got to, which passes through nothing.
+  void hold(Vec3 hand_m, FieldProxy& proxy) const noexcept {
+    if (sample(hand_m).distance_m >= 0.0) return;
+    int evaluations = kSettling;
+    if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
+  }
+
+  /// A proxy between two faces of a crease holds the hand straight from where it is.
   void hold_in_crease(Vec3 hand_m, FieldProxy& proxy) const noexcept {
     const Vec3 out = proxy.place_m - hand_m;
     const double length_m = norm(out);
-    if (!(length_m > kTolerance_m) || sample(hand_m).distance_m >= 0.0) return;
-    proxy.normal = out / length_m;
-    proxy.phase = FieldProxy::Phase::touching;
-    proxy.slipping = false;
+    if (length_m > kTolerance_m && sample(hand_m).distance_m < 0.0) proxy.normal = out / length_m;
   }
 
   /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
@@ -194,7 +209,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     double clear = 0.0;
     // Once the whole way; then as far as the distance lets it go for certain (sphere tracing).
     double piece = 1.0;
-    while (clear < 1.0 && evaluations > 1) {
+    // Enough for the whole way.
+    const double pieces = std::min(2.0 * length_m / this->surface().cell_m(), 1.0 * kMaxEvaluations);
+    for (int left = std::max(evaluations, kEvaluations + static_cast<int>(pieces)); clear < 1.0 && left > 0;
+         --left) {
       --evaluations;
       const double next = std::min(1.0, clear + piece);
       const Vec3 b = from + next * way;
@@ -238,10 +256,11 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     double share = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     bool moved = false;
     const double coefficient = proxy.slipping ? friction.sliding : friction.at_rest;
-    while (evaluations > 0) {
+    for (;;) {
       const Vec3 d = hand_m - proxy.place_m;
       const double lifted = dot(d, proxy.normal);
       if (lifted > 0.0) return false;
+      if (evaluations <= 0) break;
       const Vec3 along = d - lifted * proxy.normal;
       const double along_m = norm(along);
       const double held_m = -lifted * (moved ? friction.sliding : coefficient);

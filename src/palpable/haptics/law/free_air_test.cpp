@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fast hands over cliffs, walls and hills of coarse and fine pixels, and round solids: no force in free air,
 // and a first contact in the tick in which it happens. The truth is taken from the surface itself, densely.
-#include "palpable/haptics/law/field_proxy.hpp"
-#include "palpable/haptics/law/test_scenes.hpp"
+#include "palpable/haptics/law/stroke_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,28 +13,7 @@
 namespace palpable::haptics {
 namespace {
 
-constexpr double kStiffness = 500.0;
 constexpr double kT_s = 0.001;
-
-/// Plateaus, walls and hills over 60 x 40 mm.
-models::Scene rough_scene(double pixel_m, std::mt19937& random) {
-  std::uniform_real_distribution<double> unit(0.0, 1.0);
-  Raster<float> z(static_cast<int>(0.06 / pixel_m), static_cast<int>(0.04 / pixel_m));
-  for (int k = 0; k < 30; ++k) {
-    const double x = unit(random) * z.width();
-    const double y = unit(random) * z.height();
-    const double half = (0.0005 + 0.006 * unit(random)) / pixel_m;
-    const float height = static_cast<float>(0.008 * unit(random));
-    const bool is_hill = k % 2 == 0;
-    for (int j = 0; j < z.height(); ++j)
-      for (int i = 0; i < z.width(); ++i) {
-        const double d = std::hypot(i - x, j - y) / half;
-        if (is_hill) z(i, j) += height * static_cast<float>(std::exp(-d * d));
-        if (!is_hill && d < 1.0) z(i, j) = std::max(z(i, j), height);
-      }
-  }
-  return scene_of(std::move(z), pixel_m);
-}
 
 struct Stroke {
   Vec3 from;
@@ -104,7 +82,7 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactOnReliefsOfEveryResolut
       const models::Scene scene = rough_scene(pixel_m, random);
       const auto& relief = *models::relief_of(scene);
       LawParameters p = frictionless();
-      p.stiffness_N_per_m = kStiffness;
+      p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
       p.static_friction = ground == 0 ? 0.0 : 0.5;
       const auto law = made(scene, p);
       for (int k = 0; k < 250; ++k)
@@ -114,45 +92,17 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactOnReliefsOfEveryResolut
     }
   EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
   EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
-  EXPECT_LE(findings.greatest_first_N, 1.01 * kStiffness);
+  EXPECT_LE(findings.greatest_first_N, 1.01 * kStrokeStiffness_N_per_m);
   EXPECT_GT(findings.clear_ticks, 20000);
   EXPECT_GT(findings.first_contacts, 500);
 }
-
-/// Balls of 3 mm on a plate, their union.
-class Pebbles {
- public:
-  models::FieldSample sample(Vec3 p) const noexcept {
-    const Vec3 middle{0.008 * std::round(p.x / 0.008), 0.008 * std::round(p.y / 0.008), 0.002};
-    const Vec3 away = p - middle;
-    const double ball = norm(away) - 0.003;
-    return ball < p.z ? models::FieldSample{ball, unit(away)} : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
-  }
-  double cell_m() const noexcept { return 2e-4; }
-  std::size_t memory_bytes() const noexcept { return sizeof(*this); }
-};
-
-class PebbleTouchable final : public Touchable {
- public:
-  explicit PebbleTouchable(double friction)
-      : law_(std::make_shared<const Pebbles>(), MaterialMap({kStiffness, 0.0, friction, friction}), 0.0) {}
-  LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
-    return law_.evaluate(hand, state_as<FieldProxyLaw<Pebbles>::State>(state));
-  }
-  std::uint64_t state_family() const noexcept override { return 1; }
-  double damping_Ns_per_m() const noexcept override { return 0.0; }
-  void touch_pages() const noexcept override {}
-
- private:
-  FieldProxyLaw<Pebbles> law_;
-};
 
 TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
   std::mt19937 random(6);
   Findings findings;
   const Pebbles pebbles;
   for (const double friction : {0.0, 0.5}) {
-    const PebbleTouchable touchable(friction);
+    const SolidTouchable<Pebbles> touchable(friction);
     for (int k = 0; k < 800; ++k) {
       Stroke stroke = random_stroke(random, 2.0);
       stroke.to.z -= 0.002;
@@ -162,7 +112,7 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
   }
   EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
   EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
-  EXPECT_LE(findings.greatest_first_N, 1.01 * kStiffness);
+  EXPECT_LE(findings.greatest_first_N, 1.01 * kStrokeStiffness_N_per_m);
   EXPECT_GT(findings.clear_ticks, 20000);
   EXPECT_GT(findings.first_contacts, 500);
 }

@@ -58,7 +58,7 @@ struct Outward {
 /// nothing is damped. Friction carries it: at most as much as the cone allows. Tick path.
 inline Vec3 friction_damper(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
                             const Outward& out, double pressing_out) noexcept {
-  if (!before.touching) return {};
+  if (!before.touching || pressing_out <= 0.0) return {};
   const Vec3 v = hand.velocity_m_per_s.v;
   const Vec3 along = v - (dot(v, out.v) * out.per_length2) * out.v;
   const double speed = norm(along);

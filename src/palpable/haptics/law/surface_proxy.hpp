@@ -71,19 +71,21 @@ class ProxyFollower {
     int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
                                                                1.0 * kMaxEvaluations));
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
-    while (evaluations > 0) {
-      if (proxy.phase == SurfaceProxy::Phase::free && !fly(hand_m, proxy, evaluations)) break;
+    bool met = false;
+    for (;;) {
+      if (proxy.phase == SurfaceProxy::Phase::free) {
+        met = fly(hand_m, proxy, evaluations);
+        if (!met) break;
+      }
       if (longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
                                          : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations))
         return;
+      // The way on from here is blocked as often as it is tried: the proxy stays touching.
+      if (met && evaluations <= 0) return;
       proxy.phase = SurfaceProxy::Phase::free;
       proxy.clearance_m = 0.0;
     }
-    // A proxy that left the surface and met it again until the evaluations were used up stays where it was,
-    // if the hand is under the surface.
-    if (proxy.clearance_m <= 0.0 && proxy.place_m != hand_m &&
-        hand_m.z < surface_.curved_sample(hand_m.x, hand_m.y).z_m)
-      proxy.phase = SurfaceProxy::Phase::touching;
+    if (proxy.place_m != hand_m) hold(hand_m, proxy);
   }
 
  private:
@@ -93,10 +95,15 @@ class ProxyFollower {
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 1.5;
   static constexpr int kMaxEvaluations = 96;
+  /// To find a first contact within a pixel.
+  static constexpr int kMeetings = 6;
   /// Bounds are much cheaper than evaluations.
   static constexpr int kPiecesPerEvaluation = 8;
   /// In steps: so far ahead that the memory's answer is there when the place is evaluated.
   static constexpr double kAhead = 3.0;
+  /// In longest steps: so far along the surface the proxy of a fast hand slides in a tick, so that it does
+  /// not climb over a wall in one.
+  static constexpr double kSlides = 3.0;
   /// 1 + slope^2 above which a step is a pixel at most: half-way up a wall a longer one might pass over its
   /// top.
   static constexpr double kSteep2 = 2.0;
@@ -115,6 +122,13 @@ class ProxyFollower {
       proxy.clearance_m = hand_m.z - s.z_m;
       proxy.phase = SurfaceProxy::Phase::free;
     }
+  }
+
+  /// The way to the hand is longer than a tick's evaluations. If the hand is under the surface, the proxy
+  /// goes straight down onto it from where it got to, which passes through nothing.
+  void hold(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
+    if (hand_m.z >= surface_.curved_sample(hand_m.x, hand_m.y).z_m) return;
+    rest(proxy, proxy.place_m.x, proxy.place_m.y, surface_.curved_sample(proxy.place_m.x, proxy.place_m.y));
   }
 
   static void rest(SurfaceProxy& proxy, double x_m, double y_m, const models::CurvedSample& s) noexcept {
@@ -140,9 +154,11 @@ class ProxyFollower {
     const double shortest = surface_.pixel_m() / std::max(across, 1e-12);
     double clear = 0.0;
     double piece = 1.0;
-    // Each evaluation goes on by a pixel at least, and between two of them the pieces are halved a few times.
-    for (int pieces = kPiecesPerEvaluation * evaluations; clear < 1.0 && evaluations > 1 && pieces > 0;
-         --pieces) {
+    // Enough for the whole way: each evaluation goes on by a pixel at least, and between two of them the
+    // pieces are halved a few times.
+    const double pixels = std::min(across / surface_.pixel_m(), 1.0 * kMaxEvaluations);
+    int left = std::max(evaluations, kEvaluations + static_cast<int>(pixels));
+    for (int pieces = kPiecesPerEvaluation * left; clear < 1.0 && left > 0 && pieces > 0; --pieces) {
       const double next = std::min(1.0, clear + piece);
       const Vec3 a = from + clear * way;
       const Vec3 b = from + next * way;
@@ -157,6 +173,7 @@ class ProxyFollower {
         piece = std::max(0.5 * piece, shortest);
         continue;
       }
+      --left;
       --evaluations;
       surface_.prefetch(b.x + kAhead * (b.x - a.x), b.y + kAhead * (b.y - a.y));
       const models::CurvedSample s = surface_.curved_sample(b.x, b.y);
@@ -178,11 +195,26 @@ class ProxyFollower {
     // clearance, or the proxy would meet the surface again where it is, for ever.
     const Vec3 way = b - a;
     const bool from_contact = from_the_start && proxy.clearance_m <= 0.0;
-    const double clear_m =
-        from_contact ? std::max(0.0, way.z - proxy.surface.dzdx * way.x - proxy.surface.dzdy * way.y)
-                     : std::max(0.0, a.z - surface_.curved_sample(a.x, a.y).z_m);
-    const Vec3 m = a + (clear_m / (clear_m + depth_m)) * way;
-    rest(proxy, m.x, m.y, surface_.curved_sample(m.x, m.y));
+    double clear_m = from_contact
+                         ? std::max(0.0, way.z - proxy.surface.dzdx * way.x - proxy.surface.dzdy * way.y)
+                         : std::max(0.0, a.z - surface_.curved_sample(a.x, a.y).z_m);
+    // By the false position (Illinois method).
+    for (int k = 0; k < kMeetings; ++k) {
+      const Vec3 m = a + (clear_m / (clear_m + depth_m)) * (b - a);
+      const models::CurvedSample s = surface_.curved_sample(m.x, m.y);
+      rest(proxy, m.x, m.y, s);
+      const double above_m = m.z - s.z_m;
+      if (std::abs(above_m) <= kTolerance_m) break;
+      if (above_m > 0.0) {
+        a = m;
+        clear_m = above_m;
+        depth_m *= 0.5;
+      } else {
+        b = m;
+        depth_m = -above_m;
+        clear_m *= 0.5;
+      }
+    }
     proxy.slipping = false;
   }
 
@@ -197,11 +229,13 @@ class ProxyFollower {
     bool moved = false;
     bool leaves = false;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
+    double left_m = kSlides * longest_m;
     for (;;) {
       const Vec3 d = hand_m - place;
       const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
       leaves = lifted > 0.0;
       if (leaves || evaluations <= 0) break;
+      if (kSteps == Steps::longer && left_m <= 0.0) break;
       // Squares of the distance's parts along the normal and along the surface, both times `steep2`.
       const double whole2 = squared_norm(d);
       const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
@@ -234,6 +268,8 @@ class ProxyFollower {
       shorter = std::min(1.0, 4.0 * shorter);
       moved = true;
       mu = friction_.sliding;
+      if constexpr (kSteps == Steps::longer)
+        left_m -= std::sqrt(dx * dx + dy * dy + (next.z_m - place.z) * (next.z_m - place.z));
       place = {x, y, next.z_m};
       s = next;
     }

@@ -82,34 +82,62 @@ class RandomHand {
   int left_ = 1;
 };
 
-/// How high the surface stands at most on the straight way from one place to another, shifted sideways.
-double top_between(const models::Relief& surface, Vec3 from, Vec3 way, Vec3 shift, int steps) {
+/// How high the surface is at most on the straight way from one place to another.
+double top_between(const models::Relief& surface, Vec3 from, Vec3 to) {
+  const Vec3 way = to - from;
+  const int steps = 1 + static_cast<int>(4.0 * std::hypot(way.x, way.y) / surface.pixel_m());
   double top_m = 0.0;
   for (int k = 0; k <= steps; ++k) {
-    const Vec3 p = from + shift + (static_cast<double>(k) / steps) * way;
+    const Vec3 p = from + (static_cast<double>(k) / steps) * way;
     top_m = std::max(top_m, surface.sample(p.x, p.y).z_m);
   }
   return top_m;
 }
 
+/// Whether a way leads from one place to another over ground that is nowhere higher than `ceiling_m`, within
+/// 3 mm of the straight one: a search over a grid of half pixels.
+bool leads_round(const models::Relief& surface, Vec3 from, Vec3 to, double ceiling_m) {
+  constexpr double kRound_m = 0.003;
+  const double step_m = 0.5 * surface.pixel_m();
+  const double left_m = std::min(from.x, to.x) - kRound_m;
+  const double low_m = std::min(from.y, to.y) - kRound_m;
+  const int width = 1 + static_cast<int>((std::abs(to.x - from.x) + 2.0 * kRound_m) / step_m);
+  const int height = 1 + static_cast<int>((std::abs(to.y - from.y) + 2.0 * kRound_m) / step_m);
+  const auto cell = [&](Vec3 p) {
+    return static_cast<int>((p.y - low_m) / step_m + 0.5) * width +
+           static_cast<int>((p.x - left_m) / step_m + 0.5);
+  };
+  const int goal = cell(to);
+  std::vector<bool> known(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  std::vector<int> reached{cell(from)};
+  known[static_cast<std::size_t>(reached.front())] = true;
+  for (std::size_t n = 0; n < reached.size(); ++n) {
+    if (reached[n] == goal) return true;
+    const int i = reached[n] % width;
+    const int j = reached[n] / width;
+    for (const auto& [x, y] : {std::pair(i - 1, j), {i + 1, j}, {i, j - 1}, {i, j + 1}}) {
+      if (x < 0 || x >= width || y < 0 || y >= height) continue;
+      const int next = y * width + x;
+      if (known[static_cast<std::size_t>(next)]) continue;
+      known[static_cast<std::size_t>(next)] = true;
+      if (next == goal || surface.sample(left_m + x * step_m, low_m + y * step_m).z_m <= ceiling_m)
+        reached.push_back(next);
+    }
+  }
+  return false;
+}
+
 /// Whether a proxy went through an obstacle: between the two places the surface rises above both by more than
-/// half of its height over the ground, and so it does on every way round within 3 mm. (A spike may be rounded
-/// within a tick, a wall may not.)
+/// half of its height over the ground, and no way round leads past it. (A spike may be rounded within a tick,
+/// a wall may not.)
 bool runs_through(const models::Relief& surface, Vec3 from, Vec3 to) {
-  const Vec3 way = to - from;
-  const double across_m = std::hypot(way.x, way.y);
-  if (across_m <= surface.pixel_m()) return false;
+  if (std::hypot(to.x - from.x, to.y - from.y) <= surface.pixel_m()) return false;
+  constexpr double kLeast_m = 0.0005;
   const double ends_m = std::max(from.z, to.z);
   const double foot_m = std::min({from.z, to.z, kGround_m});
-  const int steps = static_cast<int>(across_m / (0.25 * surface.pixel_m()));
-  const Vec3 sideways{-way.y / across_m, way.x / across_m, 0.0};
-  constexpr double kLeast_m = 0.0005, kRound_m = 0.003, kApart_m = 0.0005;
-  for (double shift_m = 0.0; shift_m <= kRound_m; shift_m += kApart_m)
-    for (const double side : {1.0, -1.0}) {
-      const double rises_m = top_between(surface, from, way, side * shift_m * sideways, steps) - ends_m;
-      if (rises_m <= kLeast_m || rises_m <= 0.5 * (rises_m + ends_m - foot_m)) return false;
-    }
-  return true;
+  const double top_m = top_between(surface, from, to);
+  const double ceiling_m = ends_m + std::max(kLeast_m, 0.5 * (top_m - foot_m));
+  return top_m > ceiling_m && !leads_round(surface, from, to, ceiling_m);
 }
 
 struct Moment {

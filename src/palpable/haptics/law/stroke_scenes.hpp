@@ -1,0 +1,88 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What fast strokes are tested on: rough reliefs of any resolution, and solids whose distance is known.
+
+#include "palpable/haptics/law/field_proxy.hpp"
+#include "palpable/haptics/law/test_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace palpable::haptics {
+
+inline constexpr double kStrokeStiffness_N_per_m = 500.0;
+
+/// Plateaus, walls and hills over 60 x 40 mm.
+inline models::Scene rough_scene(double pixel_m, std::mt19937& random) {
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Raster<float> z(static_cast<int>(0.06 / pixel_m), static_cast<int>(0.04 / pixel_m));
+  for (int k = 0; k < 30; ++k) {
+    const double x = unit(random) * z.width();
+    const double y = unit(random) * z.height();
+    const double half = (0.0005 + 0.006 * unit(random)) / pixel_m;
+    const float height = static_cast<float>(0.008 * unit(random));
+    const bool is_hill = k % 2 == 0;
+    for (int j = 0; j < z.height(); ++j)
+      for (int i = 0; i < z.width(); ++i) {
+        const double d = std::hypot(i - x, j - y) / half;
+        if (is_hill) z(i, j) += height * static_cast<float>(std::exp(-d * d));
+        if (!is_hill && d < 1.0) z(i, j) = std::max(z(i, j), height);
+      }
+  }
+  return scene_of(std::move(z), pixel_m);
+}
+
+/// Balls of 3 mm on a plate, their union.
+class Pebbles {
+ public:
+  models::FieldSample sample(Vec3 p) const noexcept {
+    const Vec3 middle{0.008 * std::round(p.x / 0.008), 0.008 * std::round(p.y / 0.008), 0.002};
+    const Vec3 away = p - middle;
+    const double ball = norm(away) - 0.003;
+    return ball < p.z ? models::FieldSample{ball, unit(away)} : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
+  }
+  double cell_m() const noexcept { return 2e-4; }
+  std::size_t memory_bytes() const noexcept { return sizeof(*this); }
+};
+
+/// Walls 1 mm thick and 9 mm high on a plate, 8 mm apart.
+class Walls {
+ public:
+  models::FieldSample sample(Vec3 p) const noexcept {
+    const double from_middle = p.x - 0.008 * std::round(p.x / 0.008);
+    const double side = from_middle < 0.0 ? -1.0 : 1.0;
+    const double out_x = std::abs(from_middle) - 0.0005;
+    const double out_z = p.z - 0.009;
+    models::FieldSample wall{std::max(out_x, out_z), {}};
+    wall.gradient = out_x > out_z ? Vec3{side, 0.0, 0.0} : Vec3{0.0, 0.0, 1.0};
+    if (out_x > 0.0 && out_z > 0.0) {
+      wall.distance_m = std::hypot(out_x, out_z);
+      wall.gradient = (1.0 / wall.distance_m) * Vec3{side * out_x, 0.0, out_z};
+    }
+    return wall.distance_m < p.z ? wall : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
+  }
+  double cell_m() const noexcept { return 2e-4; }
+  std::size_t memory_bytes() const noexcept { return sizeof(*this); }
+};
+
+template <class Solid>
+class SolidTouchable final : public Touchable {
+ public:
+  explicit SolidTouchable(double friction)
+      : law_(std::make_shared<const Solid>(),
+             MaterialMap({kStrokeStiffness_N_per_m, 0.0, friction, friction}), 0.0) {}
+  LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
+    return law_.evaluate(hand, state_as<typename FieldProxyLaw<Solid>::State>(state));
+  }
+  std::uint64_t state_family() const noexcept override { return 1; }
+  double damping_Ns_per_m() const noexcept override { return 0.0; }
+  void touch_pages() const noexcept override {}
+
+ private:
+  FieldProxyLaw<Solid> law_;
+};
+
+}  // namespace palpable::haptics
