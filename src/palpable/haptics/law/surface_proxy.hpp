@@ -49,12 +49,13 @@ struct Friction {
 };
 
 /// Moves a SurfaceProxy over one height field; the solid lies below the surface. Free, the hand's whole way
-/// of the tick is judged: pieces that are above the upper bound of the heights below them at once, others by
-/// bisection down to a pixel, so that a first contact is found in the tick in which it happens. Sliding, each
-/// step is at most a pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's
-/// own movement in the tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and
-/// never passes through it. A tick evaluates the surface once or twice as a rule; the more pixels the hand
-/// moved the more often, and kMaxEvaluations times at most, so that no tick is long.
+/// of the tick is judged: at once where it is above all heights below it, or higher than the steepest slope
+/// there can rise; else by evaluations as far apart as the height above the surface allows, and a pixel at
+/// least, so that a first contact is found in the tick in which it happens. Sliding, each step is at most a
+/// pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's own movement in the
+/// tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and never passes through
+/// it. A tick evaluates the surface once or twice as a rule; the more pixels the hand moved the more often,
+/// and about 100 times at most.
 template <models::BoundedHeightField Surface>
 class ProxyFollower {
  public:
@@ -72,33 +73,53 @@ class ProxyFollower {
                                                                1.0 * kMaxEvaluations));
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
     bool met = false;
+    Reach reach = Reach::whole_way;
     for (;;) {
       if (proxy.phase == SurfaceProxy::Phase::free) {
-        met = fly(hand_m, proxy, evaluations);
+        met = fly(hand_m, reach, proxy, evaluations);
         if (!met) break;
       }
-      if (longest_m > surface_.pixel_m() ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
-                                         : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations))
-        return;
-      // The way on from here is blocked as often as it is tried: the proxy stays touching.
-      if (met && evaluations <= 0) return;
+      const Vec3 from = proxy.place_m;
+      const Slid slid = longest_m > surface_.pixel_m()
+                            ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
+                            : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations);
+      // Where the way on is blocked as often as it is tried, the proxy stays touching.
+      if (slid == Slid::rests || (met && evaluations <= 0)) return;
+      const bool moved = proxy.place_m != from;
+      const bool is_under = hand_m.z < surface_.curved_sample(hand_m.x, hand_m.y).z_m;
+      if (is_under && (moved || slid == Slid::unfinished)) return;
+      // Only a hand in free air must be reached in this tick.
+      reach = is_under ? Reach::short_way : Reach::whole_way;
+      const SurfaceProxy there = proxy;
       proxy.phase = SurfaceProxy::Phase::free;
       proxy.clearance_m = 0.0;
+      if (!moved) continue;
+      // From where it slid to, it goes on to another place of the surface in the next tick: otherwise it
+      // would climb over a wall and come down behind it in one.
+      if (!fly(hand_m, reach, proxy, evaluations)) break;
+      proxy = there;
+      return;
     }
     if (proxy.place_m != hand_m) hold(hand_m, proxy);
   }
 
  private:
+  enum class Reach : std::uint8_t { whole_way, short_way };
+  /// How a slide ended: where it belongs; with the hand on the free side of the surface; or short of
+  /// evaluations.
+  enum class Slid : std::uint8_t { rests, leaves, unfinished };
   /// A slow hand's steps are never longer than a pixel, and need not be watched: its tick is the shorter.
   enum class Steps : std::uint8_t { pixels, longer };
   /// Of a resting hand; for each pixel that it moved; and at most (a jump of many pixels).
   static constexpr int kEvaluations = 3;
-  static constexpr double kPerPixel = 1.5;
+  static constexpr double kPerPixel = 0.75;
   static constexpr int kMaxEvaluations = 96;
+  /// In pixels: bounds over longer stretches are too coarse.
+  static constexpr double kStretch = 16.0;
   /// To find a first contact within a pixel.
   static constexpr int kMeetings = 6;
-  /// Bounds are much cheaper than evaluations.
-  static constexpr int kPiecesPerEvaluation = 8;
+  /// A first contact is found as precisely as this.
+  static constexpr double kMet_m = 1e-6;
   /// In steps: so far ahead that the memory's answer is there when the place is evaluated.
   static constexpr double kAhead = 3.0;
   /// In longest steps: so far along the surface the proxy of a fast hand slides in a tick, so that it does
@@ -138,47 +159,54 @@ class ProxyFollower {
   }
 
   /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
-  /// Otherwise it is at the hand, or, after a jump, as far on the way as `evaluations` reach.
-  bool fly(Vec3 hand_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
+  /// Otherwise it is at the hand, or as far on the way as the evaluations reach.
+  bool fly(Vec3 hand_m, Reach reach, SurfaceProxy& proxy, int& evaluations) const noexcept {
     const Vec3 from = proxy.place_m;
     const Vec3 way = hand_m - from;
     const double across = std::hypot(way.x, way.y);
-    // The height above the surface shrinks by no more than this all the way.
-    const double shrinks = across * surface_.steepest_slope() + std::max(0.0, -way.z);
-    if (proxy.clearance_m > shrinks) {
-      proxy.clearance_m -= shrinks;
+    const double falls = std::max(0.0, -way.z);
+    const auto is_there = [&](double clearance_m) {
+      proxy.clearance_m = clearance_m;
       proxy.place_m = hand_m;
       return false;
-    }
-    // The surface hides nothing within a pixel.
-    const double shortest = surface_.pixel_m() / std::max(across, 1e-12);
-    double clear = 0.0;
-    double piece = 1.0;
-    // Enough for the whole way: each evaluation goes on by a pixel at least, and between two of them the
-    // pieces are halved a few times.
+    };
+    // The height above the surface shrinks by no more than the steepest slope allows all the way.
+    double shrinks = across * surface_.steepest_slope() + falls;
+    if (proxy.clearance_m > shrinks) return is_there(proxy.clearance_m - shrinks);
+    const models::SurfaceBounds bounds = surface_.bounds_over(from.x, from.y, hand_m.x, hand_m.y);
+    const double above_all = std::min(from.z, hand_m.z) - static_cast<double>(bounds.highest);
+    if (above_all > 0.0) return is_there(above_all);
+    shrinks = across * static_cast<double>(bounds.steepest) + falls;
+    if (proxy.clearance_m > shrinks) return is_there(proxy.clearance_m - shrinks);
+    // As far as the clearance lets it go for certain, and a pixel at least: there the surface hides nothing.
     const double pixels = std::min(across / surface_.pixel_m(), 1.0 * kMaxEvaluations);
-    int left = std::max(evaluations, kEvaluations + static_cast<int>(pixels));
-    for (int pieces = kPiecesPerEvaluation * left; clear < 1.0 && left > 0 && pieces > 0; --pieces) {
-      const double next = std::min(1.0, clear + piece);
-      const Vec3 a = from + clear * way;
-      const Vec3 b = from + next * way;
-      const double above_all = std::min(a.z, b.z) - surface_.highest_over_m(a.x, a.y, b.x, b.y);
-      if (above_all > 0.0) {
-        proxy.clearance_m = above_all;
-        clear = next;
-        piece *= 2.0;
-        continue;
+    const double shortest = surface_.pixel_m() / std::max(across, 1e-12);
+    int left = std::max(evaluations, reach == Reach::whole_way ? 1 + static_cast<int>(pixels) : 1);
+    double clear = 0.0;
+    for (; clear < 1.0 && left > 0; --left) {
+      if (pixels > kStretch) {
+        // A long way is judged by stretches.
+        const double next = std::min(1.0, clear + kStretch * shortest);
+        const Vec3 a = from + clear * way;
+        const Vec3 b = from + next * way;
+        const double above_m =
+            std::min(a.z, b.z) - static_cast<double>(surface_.bounds_over(a.x, a.y, b.x, b.y).highest);
+        if (above_m > 0.0) {
+          proxy.clearance_m = above_m;
+          clear = next;
+          continue;
+        }
       }
-      if (piece > shortest) {
-        piece = std::max(0.5 * piece, shortest);
-        continue;
-      }
-      --left;
       --evaluations;
-      surface_.prefetch(b.x + kAhead * (b.x - a.x), b.y + kAhead * (b.y - a.y));
+      const double safe = shrinks > 0.0 ? proxy.clearance_m / shrinks : 0.0;
+      // A branch, not a maximum: the processor goes on to the next stretch before this one is known.
+      const double next = std::min(1.0, safe > 2.0 * shortest ? clear + safe : clear + shortest);
+      const Vec3 b = from + next * way;
+      const double ahead = kAhead * (next - clear);
+      surface_.prefetch(b.x + ahead * way.x, b.y + ahead * way.y);
       const models::CurvedSample s = surface_.curved_sample(b.x, b.y);
       if (b.z < s.z_m) {
-        meet(a, b, s.z_m - b.z, clear == 0.0, proxy);
+        meet(from + clear * way, b, s.z_m - b.z, clear == 0.0, proxy);
         evaluations -= 2;
         return true;
       }
@@ -204,7 +232,7 @@ class ProxyFollower {
       const models::CurvedSample s = surface_.curved_sample(m.x, m.y);
       rest(proxy, m.x, m.y, s);
       const double above_m = m.z - s.z_m;
-      if (std::abs(above_m) <= kTolerance_m) break;
+      if (std::abs(above_m) <= kMet_m) break;
       if (above_m > 0.0) {
         a = m;
         clear_m = above_m;
@@ -218,24 +246,24 @@ class ProxyFollower {
     proxy.slipping = false;
   }
 
-  /// Along the surface towards the hand; false if the hand is on the free side of the surface where it
-  /// ends.
+  /// Along the surface towards the hand.
   template <Steps kSteps>
-  bool slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
+  Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
     // What one step waits for of the step before is kept short: the tick's length is this chain's.
     models::CurvedSample s = proxy.surface;
     Vec3 place = proxy.place_m;
     double mu = proxy.slipping ? friction_.sliding : friction_.at_rest;
     bool moved = false;
-    bool leaves = false;
+    Slid slid = Slid::rests;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     double left_m = kSlides * longest_m;
     for (;;) {
       const Vec3 d = hand_m - place;
       const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
-      leaves = lifted > 0.0;
-      if (leaves || evaluations <= 0) break;
-      if (kSteps == Steps::longer && left_m <= 0.0) break;
+      if (lifted > 0.0) {
+        slid = Slid::leaves;
+        break;
+      }
       // Squares of the distance's parts along the normal and along the surface, both times `steep2`.
       const double whole2 = squared_norm(d);
       const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
@@ -244,6 +272,10 @@ class ProxyFollower {
       const double held2 = mu * mu * normal2;
       const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
       if (along2 <= near * near) break;
+      if (evaluations <= 0 || (kSteps == Steps::longer && left_m <= 0.0)) {
+        slid = Slid::unfinished;
+        break;
+      }
       const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
       const auto [dx, dy] =
           models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
@@ -274,10 +306,9 @@ class ProxyFollower {
       s = next;
     }
     if (moved) rest(proxy, place.x, place.y, s);
-    if (leaves) return false;
-    proxy.step_share = shorter;
     proxy.slipping = moved;
-    return true;
+    if (slid != Slid::leaves) proxy.step_share = shorter;
+    return slid;
   }
 
   const Surface& surface_;

@@ -24,7 +24,8 @@ namespace palpable::haptics {
 /// springs store more than the hand gave: W may then fall but not rise.
 ///
 /// Always: the plain work sum f·dx of a contact that began in free air. No passive surface lets it rise above
-/// 0, whatever its law; it is all that is known of laws without a potential, and what a recording shows.
+/// 0, whatever its law. It is all that is known of laws without a potential: there each tick without force
+/// begins a new account, as whoever reads a recording counts.
 /// Tick path; no allocation.
 class PassivityObserver {
  public:
@@ -82,7 +83,10 @@ class PassivityObserver {
     if (step.ramped) began_in_air_ = false;
     if (began_in_air_) work_J_ += received_J;
     if (!began_in_air_) work_J_ = 0.0;
-    if (!step.contact && step.held_force_N == Vector<DeviceFrame>{}) {
+    // What was given to a spring may come back after a tick without force; where no energy is stored, nothing
+    // may.
+    const bool ends = !step.contact || std::isnan(step.stored_J);
+    if (ends && step.held_force_N == Vector<DeviceFrame>{}) {
       began_in_air_ = true;
       work_J_ = 0.0;
     }

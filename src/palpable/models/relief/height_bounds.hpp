@@ -14,19 +14,25 @@
 
 namespace palpable::models {
 
-/// Upper bounds of a cubic B-spline height field over rectangles: the greatest control value of blocks of
-/// 4 x 4 pixels, and of blocks twice as wide at each further level (a max-pyramid). Immutable; any thread.
+/// What no place of a rectangle exceeds: the height, and the slope |grad z|.
+struct SurfaceBounds {
+  float highest = 0.0F;
+  float steepest = 0.0F;
+};
+
+/// Bounds of a cubic B-spline height field over rectangles, from its control values: for blocks of 4 x 4
+/// pixels, and for blocks twice as wide at each further level (a max-pyramid). Immutable; any thread.
 class HeightBounds {
  public:
   HeightBounds() = default;
   /// The spline's control values, at least one.
   explicit HeightBounds(const Raster<float>& control_values);
 
-  /// No place of the surface with x0 <= x <= x1 and y0 <= y <= y1 is higher. In pixels, sample centres at
-  /// integers, any finite values, x0 <= x1 and y0 <= y1. Reads four values at most. Tick path.
-  float highest_in(double x0_px, double y0_px, double x1_px, double y1_px) const noexcept;
+  /// Of all places with x0 <= x <= x1 and y0 <= y <= y1, in pixels, sample centres at integers, any finite
+  /// values; the slope in height per pixel. Reads four blocks at most. Tick path.
+  SurfaceBounds over(double x0_px, double y0_px, double x1_px, double y1_px) const noexcept;
 
-  std::size_t memory_bytes() const noexcept { return bounds_.size() * sizeof(float); }
+  std::size_t memory_bytes() const noexcept { return blocks_.size() * sizeof(SurfaceBounds); }
 
  private:
   static constexpr int kBlock_px = 4;
@@ -36,20 +42,21 @@ class HeightBounds {
     int width = 0;
     int height = 0;
   };
+  void add_coarser_levels(Level level);
 
-  std::vector<float> bounds_;
+  std::vector<SurfaceBounds> blocks_;
   std::vector<Level> levels_;
 };
 
-/// What a law needs besides to judge a long way over such a surface at once: bounds of its height over
-/// rectangles. Never allocates, locks or throws.
+/// What a law needs besides to judge a long way over such a surface at once: bounds over rectangles, heights
+/// in metres. Never allocates, locks or throws.
 template <class M>
 concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double x_m, double y_m) {
-  { m.highest_over_m(x_m, y_m, x_m, y_m) } -> std::same_as<double>;
-  requires noexcept(m.highest_over_m(x_m, y_m, x_m, y_m));
+  { m.bounds_over(x_m, y_m, x_m, y_m) } -> std::same_as<SurfaceBounds>;
+  requires noexcept(m.bounds_over(x_m, y_m, x_m, y_m));
 };
 
-/// A relief with the bounds of its heights, which take a twelfth of its memory. Immutable; any thread.
+/// A relief with the bounds of its surface, which take a sixth of its memory. Immutable; any thread.
 class BoundedRelief {
  public:
   explicit BoundedRelief(std::shared_ptr<const Relief> relief)
@@ -66,13 +73,15 @@ class BoundedRelief {
   [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { relief_->prefetch(x_m, y_m); }
   double steepest_slope() const noexcept { return relief_->steepest_slope(); }
   double pixel_m() const noexcept { return relief_->pixel_m(); }
-  /// No place of the surface in the rectangle between two opposite corners, any finite, is higher. Tick path.
-  double highest_over_m(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {
+  /// Of the rectangle between two opposite corners, any finite. Tick path.
+  SurfaceBounds bounds_over(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {
     const double left = middle_x_px_ + std::min(x0_m, x1_m) * pixels_per_m_;
     const double right = middle_x_px_ + std::max(x0_m, x1_m) * pixels_per_m_;
     const double top = middle_y_px_ - std::max(y0_m, y1_m) * pixels_per_m_;
     const double bottom = middle_y_px_ - std::min(y0_m, y1_m) * pixels_per_m_;
-    return static_cast<double>(bounds_.highest_in(left, top, right, bottom));
+    SurfaceBounds bounds = bounds_.over(left, top, right, bottom);
+    bounds.steepest *= static_cast<float>(pixels_per_m_);
+    return bounds;
   }
   const Relief& relief() const noexcept { return *relief_; }
   std::size_t memory_bytes() const { return relief_->memory_bytes() + bounds_.memory_bytes(); }
