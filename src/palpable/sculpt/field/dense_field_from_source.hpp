@@ -26,7 +26,7 @@ struct DenseFieldOptions {
 /// resolution that fits.
 Result<models::Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options);
 
-/// Long work: all threads where distances are asked for (fast marching has one), reports progress, polls
+/// Long work: all threads where distances are sampled (fast marching has one), reports progress, polls
 /// cancel; the same for any number of threads. Errors: as lattice_around(); interrupted.
 Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
                                                    const DenseFieldOptions& options, const Work& work);

@@ -22,7 +22,7 @@ struct Front {
 /// Spreads distances from the known places over the lattice in the order of their size (fast marching of
 /// first order, Sethian 1996): |grad D| = 1 from the neighbours nearer to the surface. Each place takes their
 /// sign, and their forces' mean, weighted by how the front comes from each (as Adalsteinsson & Sethian 1999
-/// extend a velocity), of length 1. A known place stands on both sides of every face that the surface
+/// extend a velocity), of length 1. There is a known place on both sides of every face that the surface
 /// crosses. Errors: interrupted.
 Result<void> march(Front& front, const Work& work);
 

@@ -18,7 +18,7 @@ namespace {
 constexpr int kSide = LevelSet::kSide;
 constexpr std::size_t kMostCrossed = 10'000'000;
 
-/// A level set in its own places, to be asked anywhere.
+/// A level set in its own lattice coordinates, interpolated anywhere.
 class Sampler {
  public:
   explicit Sampler(const LevelSet& set) : set_(set) {
@@ -49,7 +49,7 @@ class Sampler {
     return sum;
   }
 
-  /// Without a slope: what a grid says of its edges is rounded already, and would only fold the surface.
+  /// Without a gradient: a grid has rounded its edges already, and its gradients would only fold the surface.
   models::FieldSample sample(Vec3 p) const { return {at(p), {}}; }
 
  private:

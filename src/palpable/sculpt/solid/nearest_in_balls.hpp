@@ -7,9 +7,9 @@
 
 namespace palpable::sculpt {
 
-/// What sources made of triangles keep in their hints.
+/// How sources made of triangles use their hints.
 inline void enter_ball(const TriangleTree& tree, Vec3 centre_m, double radius_m, DistanceSource::Hint& hint) {
-  // A shorter list would cost more than the places of the smaller ball save by it.
+  // A shorter list would cost more than the queries in the smaller ball save.
   constexpr std::size_t kShort = 12;
   if (hint.entered > 0) {
     TriangleShortlist& last = hint.balls[hint.entered - 1];

@@ -29,7 +29,7 @@ Corners corners_of(const Mesh& mesh, std::size_t triangle) {
 }
 Vec3 normal_of(const Corners& c) { return unit(cross(c[1] - c[0], c[2] - c[0])); }
 
-/// Asks on both sides of a place of the surface whether the solid is there.
+/// Tests on both sides of a place of the surface whether the solid is there.
 class Looker {
  public:
   Looker(const TriangleTree& tree, double size_m) : tree_(tree), lift_m_(2e-6 * size_m) {}
@@ -175,14 +175,14 @@ class Cutter {
     }
     const Vec3 span = extent(polygon);
     const double widest_m = std::max({span.x, span.y, span.z});
-    // Where few lines cross a small piece it is cut along them: told by its middle, a strip of it would be
+    // A small piece that few lines cross is cut along them: if its centre decided, a strip of it would be
     // lost.
     constexpr std::size_t kFew = 8, kMany = 48;
     const bool is_small = widest_m <= finest_m_;
     if (inside.empty() || (is_small && inside.size() > kFew))
       return looker_.sides_at(middle(polygon), normal_);
     std::optional<std::pair<Polygon, Polygon>> parts;
-    // Very many lines are parted by place first, so that each is tried against few pieces.
+    // Very many lines are divided by place first, so that each is tried against few pieces.
     if (inside.size() > kMany) {
       const Vec3 axis = span.x == widest_m   ? Vec3{1.0, 0.0, 0.0}
                         : span.y == widest_m ? Vec3{0.0, 1.0, 0.0}

@@ -10,7 +10,7 @@
 
 namespace palpable::sculpt {
 
-/// The surface of the solid that a mesh's triangles wind round at least once.
+/// The surface of the solid in which a mesh's winding number is at least one.
 struct SolidSurface {
   /// Triangles facing outwards. Those that others cross are cut along the crossing lines, so corners may
   /// lie on other triangles' edges.
@@ -20,8 +20,8 @@ struct SolidSurface {
 };
 
 /// Whether the solid lies behind every triangle and nothing before it, by the winding number: then the mesh
-/// is its solid's surface already. Asked at the middle of each triangle; of those from `first_added` on, and
-/// of all that come near them, at six places more. `tree` holds the mesh. All threads; polls cancel.
+/// is its solid's surface already. Tested at the centre of each triangle; for those from `first_added` on,
+/// and for all that are near them, at six more places. `tree` holds the mesh. All threads; polls cancel.
 bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t first_added, const Work& work);
 
 /// Leaves out what lies inside the solid. `tree` holds the mesh. Pieces smaller than `finest_m` are not cut

@@ -18,7 +18,7 @@ using Members = std::vector<std::uint32_t>;
 /// One point of each cell of a grid so coarse that at most `most` are left; all, where there are no more.
 Members thinned(std::span<const Vec3> points, std::size_t most);
 
-/// The members in pieces that hang together: from each point of a piece another of it is within `gap_m`.
+/// The connected components of the members: within one, each point has another within `gap_m`.
 std::vector<Members> pieces_of(std::span<const Vec3> points, const Members& members, double gap_m);
 
 /// The members in two halves of the same number, across the longest way between two of them. Not empty.

@@ -10,7 +10,8 @@
 
 namespace palpable::sculpt {
 
-/// A random shape, seen, with its truth: what fits are measured on. Lengths are about 1, whatever the unit.
+/// Sampled points of a random shape with its true parameters: what fits are measured on. Lengths are about 1,
+/// whatever the unit.
 struct FitCase {
   models::Superquadric truth;
   std::vector<Vec3> points;

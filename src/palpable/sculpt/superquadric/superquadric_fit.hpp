@@ -16,11 +16,11 @@
 namespace palpable::sculpt {
 
 /// `solina`: plain Levenberg-Marquardt on the papers' cost (Solina & Bajcsy 1990), as Moustakas 2007 fits.
-/// `robust`: points and lines of sight that fit no surface lose their weight, several starts, axes switched.
+/// `robust`: points and lines of sight that fit no surface are weighted down, several starts, axes permuted.
 enum class FitMethod { robust, solina };
 enum class FitDeformation { none, taper, taper_and_bend };
 
-/// What a picture says besides its points: from where they were seen, and the solid's outline.
+/// What a picture adds to its points: from where they were seen, and the solid's outline.
 struct FitView {
   Point<SceneFrame> eye;
   /// Lines of sight that graze the solid; may be empty.
@@ -49,8 +49,8 @@ Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
                                             const FitOptions& options = {});
 
 /// The lines of sight through the outline of `label` in a label picture: one between each pair of neighbours
-/// of which one has the label and the other not, the border of the picture left out. `scene_from_camera` says
-/// where the camera stands.
+/// of which one has the label and the other not, the border of the picture left out. `scene_from_camera` is
+/// the camera's pose.
 std::vector<Sight> outline_of(const Raster<std::uint8_t>& labels, std::uint8_t label, const Pinhole& camera,
                               const Transform<SceneFrame, CameraFrame>& scene_from_camera);
 

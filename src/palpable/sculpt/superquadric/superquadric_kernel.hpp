@@ -10,7 +10,7 @@
 
 namespace palpable::sculpt {
 
-/// Many points, coordinate by coordinate, so that several are worked on at once.
+/// Points as a structure of arrays, so that loops over them are vectorised.
 struct Columns {
   std::vector<double> x, y, z;
 

@@ -17,9 +17,9 @@ struct Sight {
   Vec3 direction;  // unit
 };
 
-/// What the fit moves: 11 numbers, 13 with taper, 15 with bend. The rotation is a small turn after a
-/// reference, half axes are logarithms, exponents and tapers pass through sigmoids, so no bound needs
-/// watching.
+/// The parameters of the fit: 11 numbers, 13 with taper, 15 with bend. The rotation is a small turn after a
+/// reference, half axes are logarithms, exponents and tapers pass through sigmoids, so there are no
+/// bounds.
 constexpr int kPlainParameters = 11;
 constexpr int kTaperParameters = 13;
 constexpr int kBendParameters = 15;

@@ -163,7 +163,7 @@ class Splitter {
   }
   std::uint8_t label(std::uint32_t i) const { return labels_.empty() ? 0 : labels_[i]; }
 
-  /// Cuts a part until what is left fits: first what stands on a large plane from the plane, then across its
+  /// Cuts a part until what is left fits: first what lies on a large plane from the plane, then across its
   /// longest extent.
   void cut(Part part, int depth) {
     if (part.members.size() < kFewest || work_.cancelled()) return;
@@ -177,8 +177,8 @@ class Splitter {
     for (Members& half : halved(points_, part.members)) cut({std::move(half), part.label, {}}, depth + 1);
   }
 
-  /// Cuts a part that lies on a large plane in the plane and what stands on it, which falls apart; false
-  /// where there is none.
+  /// Cuts a part that lies on a large plane in the plane and what is on it, which is no longer connected;
+  /// false where there is none.
   bool cut_from_plane(const Part& part, int depth) {
     constexpr double kLargePlane = 0.3;
     const auto on = members_of_largest_plane(places_of(part.members, part.members.size()), tolerance_m_,
@@ -194,7 +194,7 @@ class Splitter {
     return true;
   }
 
-  /// Pairs of parts with points beside each other.
+  /// Pairs of parts with adjacent points.
   std::vector<std::pair<std::size_t, std::size_t>> neighbours() const {
     std::vector<std::uint32_t> part_of(points_.size(), std::numeric_limits<std::uint32_t>::max());
     for (std::uint32_t k = 0; k < parts_.size(); ++k)

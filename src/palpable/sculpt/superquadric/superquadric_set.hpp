@@ -32,7 +32,7 @@ struct ShapeSet {
 };
 
 /// Several superquadrics for one scene's points (metres): cut into parts until each part fits a shape, then
-/// parts beside each other joined while one shape fits both (split and merge), points given to their nearest
+/// adjacent parts joined while one shape fits both (split and merge), points given to their nearest
 /// shape and fitted again. What lies on a plane becomes a slab, as thick as 2 % of its length, behind the
 /// plane as seen from the eye, or around it. `eye`: from where all points were seen (a depth map), else they
 /// are of all around. `labels`: empty, or one for each point; points of different labels never share a shape.

@@ -19,7 +19,7 @@ struct Evidence {
   std::optional<Vec3> eye;
 };
 
-/// A candidate on its way: shape, and what is believed of the evidence.
+/// A candidate of the search: the shape, and how the evidence is weighted.
 struct Candidate {
   models::Superquadric shape;
   double noise = 0.0;
@@ -28,23 +28,23 @@ struct Candidate {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// The middle one of at least one number; of places, along each axis by itself.
+/// The median of at least one number; of places, along each axis by itself.
 double median_of(std::vector<double> values);
 Vec3 median_of(std::span<const Vec3> points);
 
-/// Several starts: each of the principal axes as the shape's z, and turned between them, since neither is
-/// told by a compact body.
+/// Several starts: each of the principal axes as the shape's z, and turned between them, since a compact body
+/// determines neither.
 std::vector<Candidate> starts_for(const Evidence& evidence);
 
-/// Parameters that give nearly the same shape but lie in another valley: every axis as z, and the square
-/// section turned by 45 degrees with its dual exponent.
+/// Parameters that give nearly the same shape but lie at another local minimum: every axis as z, and the
+/// square section turned by 45 degrees with its dual exponent.
 std::vector<Candidate> switched(const Candidate& c);
 
 /// A shape's axes in turn as z, each of them plain, and tapered or bent either way, as `parameters`
 /// (kTaperParameters or kBendParameters) allows: starts of a deformed body that a plain one was fitted to.
 std::vector<Candidate> deformed(const Candidate& c, int parameters);
 
-/// The papers' start: axes and sizes as the second moments say, the axis of the most different one as z.
+/// The papers' start: axes and sizes from the second moments, the axis of the most different one as z.
 models::Superquadric start_from_moments(std::span<const Vec3> points);
 
 }  // namespace palpable::sculpt

@@ -27,7 +27,7 @@ struct Weight {
   }
 };
 
-/// Of a triangle without an area: more than of any other.
+/// For a triangle without an area: more than for any other.
 constexpr double kDegenerate = 3.0;
 
 /// How far the cosine between two neighbours' normals is below that of 120 degrees. A lid meets walls at
@@ -153,8 +153,8 @@ struct RimEdge {
 using Rim = std::multimap<std::uint32_t, RimEdge>;
 
 Rim rim_of(const Mesh& mesh) {
-  // What is left of an edge when those that run to and fro along it are taken from each other: walls that two
-  // bodies share end there together, and are no rim.
+  // How often an edge is used in one direction more than in the other: where the uses cancel, as at walls
+  // that two bodies share, there is no rim.
   std::unordered_map<std::uint64_t, int> upwards;
   const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
   for (const Triangle& t : mesh.triangles)
@@ -210,7 +210,8 @@ std::vector<Triangle> triangulated_hole(std::span<const Vec3> rim, std::span<con
 std::size_t close_holes(Mesh& mesh) {
   Rim rim = rim_of(mesh);
   std::size_t closed = 0;
-  // As many rims end at a vertex as start there, so each way along them comes back to where it has been.
+  // As many rims end at a vertex as start there, so each walk along them returns to a vertex that it has
+  // visited.
   while (!rim.empty()) {
     std::vector<RimPlace> way{{rim.begin()->first, {}}};
     for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find(way.back().vertex)) {

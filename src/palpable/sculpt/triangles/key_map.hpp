@@ -11,14 +11,15 @@
 
 namespace palpable::sculpt {
 
-/// Small values by 64-bit keys, side by side in one table: several times as quick as std::unordered_map where
-/// there are many and none is taken out. Every key but the greatest number. Finding: any thread.
+/// A hash table of small values by 64-bit keys with open addressing: several times as fast as
+/// std::unordered_map where there are many and none is removed. Every key but the greatest number. Finding:
+/// any thread.
 template <class Value>
 class KeyMap {
  public:
   explicit KeyMap(std::size_t expected = 0) : slots_(std::bit_ceil(2 * expected + 16)) {}
 
-  /// The value that is there, and whether it is new, the given one. Valid until the next one is put in.
+  /// The value that is there, and whether it is new, the given one. Valid until the next insertion.
   std::pair<Value*, bool> put(std::uint64_t key, const Value& value) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     Slot& slot = slots_[place_of(key)];

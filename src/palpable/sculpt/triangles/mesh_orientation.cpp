@@ -126,7 +126,7 @@ Mesh welded(const Mesh& mesh, std::size_t& removed) {
 
 namespace {
 
-/// Triangles that hang together across edges that two of them share.
+/// Triangles that are connected across edges that two of them share.
 struct Part {
   std::vector<std::uint32_t> triangles;
   /// Whether some were turned to agree with their neighbours, and whether all were turned after that.
@@ -148,7 +148,7 @@ std::vector<Part> agreeing_parts(Mesh& mesh, const std::vector<Triangle>& neighb
     for (std::size_t i = 0; i < part.triangles.size(); ++i) {
       const Triangle t = mesh.triangles[part.triangles[i]];
       for (std::size_t k = 0; k < 3; ++k) {
-        // Neighbours were noted by the place of an edge before any turning: ask for the shared edge itself.
+        // Neighbours were stored by an edge's position before any turning: compare the shared edge itself.
         const std::uint32_t other = neighbours[part.triangles[i]][k];
         if (seen[other]) continue;
         seen[other] = true;
@@ -231,9 +231,9 @@ class SharedEdges {
   std::vector<double> lengths_m_;
 };
 
-/// A closed solid's triangles run to and fro along every edge. A wall that two bodies share is a part of its
-/// own for each, and rays cannot decide, since there is solid on both of its sides: it is turned as its edges
-/// want, small parts before large ones.
+/// A closed solid's triangles use every edge once in each direction. A wall that two bodies share is a
+/// separate part for each, and rays cannot decide, since there is solid on both of its sides: it is turned so
+/// that its edges match, small parts before large ones.
 void turn_as_shared_edges_want(Mesh& mesh, std::vector<Part>& parts) {
   if (parts.size() < 2) return;
   SharedEdges edges(mesh, parts);
