@@ -1,13 +1,14 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // A touch that goes on while scene, radius, law or parameters change under it.
-#include "palpable/haptics/law/test_scenes.hpp"
+#include "palpable/haptics/law/stroke_scenes.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
 
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -136,6 +137,41 @@ TEST(HandOver, BringsTheProxyFromOneLawToAnother) {
   p.law = Law::proxy;
   touch.change(made(scene, p));
   for (int k = 0; k < 200; ++k) ASSERT_NEAR(touch.run(1).written_force_N.v.z, before, 1e-6);
+}
+
+TEST(HandOver, HoldsRandomHandsAtAThinWallOfASolidWhenRadiusAndFrictionChange) {
+  using Law = FieldProxyLaw<Walls>;
+  const auto solid = std::make_shared<const Walls>();
+  const auto law_of = [&](double radius_m, double friction) {
+    return Law(solid, MaterialMap({kStrokeStiffness_N_per_m, 0.0, friction, friction}), radius_m);
+  };
+  std::mt19937_64 random(31);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  for (int k = 0; k < 1000; ++k) {
+    Hand hand;
+    Law law = law_of(0.002 * unit(random), unit(random));
+    Law::State state{};
+    // From the left into and through the wall at x = 0, then held there.
+    const double height_m = 0.003 + 0.003 * unit(random);
+    const double held_m = -0.0005 + 0.0015 * unit(random);
+    for (double x = -0.0035; x < held_m; x += 2e-4) {
+      hand.position = {{x, 0.0, height_m}};
+      law.evaluate(hand, state);
+    }
+    for (int change = 0; change < 5; ++change) {
+      const Law next = law_of(0.002 * unit(random), unit(random));
+      Law::State taken{};
+      next.take_over(law.hand_over(state), taken);
+      for (int n = 0; n < 20; ++n) {
+        const LawOutput output = next.evaluate(hand, taken);
+        ASSERT_TRUE(output.contact) << k;
+        ASSERT_LT(output.proxy.v.x, 0.0) << k;
+        ASSERT_LT(output.force_N.v.x, 0.0) << k;
+      }
+      law = next;
+      state = taken;
+    }
+  }
 }
 
 }  // namespace
