@@ -71,6 +71,7 @@ class ProxyFollower {
     proxy.hand_m = hand_m;
     int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
                                                                1.0 * kMaxEvaluations));
+    const bool was_touching = proxy.holds_the_hand();
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
     bool met = false;
     Reach reach = Reach::whole_way;
@@ -100,7 +101,7 @@ class ProxyFollower {
       proxy = there;
       return;
     }
-    if (proxy.place_m != hand_m) hold(hand_m, proxy);
+    if (proxy.place_m != hand_m) hold(hand_m, was_touching, proxy);
   }
 
  private:
@@ -145,10 +146,11 @@ class ProxyFollower {
     }
   }
 
-  /// The way to the hand is longer than a tick's evaluations. If the hand is under the surface, the proxy
-  /// goes straight down onto it from where it got to, which passes through nothing.
-  void hold(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
-    if (hand_m.z >= surface_.curved_sample(hand_m.x, hand_m.y).z_m) return;
+  /// The way to the hand is longer than a tick's evaluations. If the hand is under the surface, or was held
+  /// and is not yet known to be free, the proxy goes straight down onto it from where it got to, which passes
+  /// through nothing.
+  void hold(Vec3 hand_m, bool was_touching, SurfaceProxy& proxy) const noexcept {
+    if (!was_touching && hand_m.z >= surface_.curved_sample(hand_m.x, hand_m.y).z_m) return;
     rest(proxy, proxy.place_m.x, proxy.place_m.y, surface_.curved_sample(proxy.place_m.x, proxy.place_m.y));
   }
 

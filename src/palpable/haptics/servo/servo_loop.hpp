@@ -27,7 +27,8 @@ struct ServoOptions {
   int realtime_priority = 80;
   /// Locking keeps the whole process's pages in memory.
   Memory memory = Memory::lock;
-  /// The last stretch before a deadline is waited for by watching the clock; 0 = sleep all the way.
+  /// The last stretch before a deadline is waited for by watching the clock, for half a period at most; 0 =
+  /// sleep all the way.
   double watch_s = 150e-6;
   /// Samples kept for a recorder that is late: 4 s at 4 kHz.
   std::size_t recording_capacity = 16384;

@@ -94,6 +94,20 @@ TEST(ServoLoop, RefusesARateThatItCannotServe) {
   }
 }
 
+TEST(ServoLoop, RunsAtEveryRateWithTheOptionsThatItHas) {
+  for (const double rate : {100.0, 1000.0, 4000.0}) {
+    Log log;
+    std::atomic<int> alive{0};
+    ServoOptions options;
+    options.rate_hz = rate;
+    options.realtime_priority = 0;
+    options.memory = Memory::leave;
+    const auto loop = ServoLoop::start(std::make_unique<LoggingDevice>(log), counted(alive, 1.0), options);
+    ASSERT_TRUE(loop) << rate;
+    wait_for_ticks(**loop, 20);
+  }
+}
+
 TEST(ServoLoop, WritesZeroForceOnEveryWayOut) {
   Log log;
   std::atomic<int> alive{0};
