@@ -17,6 +17,7 @@ function(palpable_module)
   endforeach()
   add_library(palpable_${M_NAME} STATIC ${M_SOURCES})
   target_compile_features(palpable_${M_NAME} PUBLIC cxx_std_20)
+  set_target_properties(palpable_${M_NAME} PROPERTIES UNITY_BUILD ${PALPABLE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
   target_include_directories(palpable_${M_NAME} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                        $<INSTALL_INTERFACE:include>)
   target_link_libraries(palpable_${M_NAME} PRIVATE $<BUILD_INTERFACE:palpable_options> Threads::Threads)

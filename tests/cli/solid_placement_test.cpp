@@ -15,11 +15,12 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// A box from the origin, its triangles outwards.
-std::string box_obj(double x, double y, double z) {
+std::string box_obj(double x, double y, double z, double left = 0.0, double bottom = 0.0) {
   std::string obj;
   for (int k = 0; k < 8; ++k)
-    obj += "v " + std::to_string((k & 1) != 0 ? x : 0.0) + ' ' + std::to_string((k & 2) != 0 ? y : 0.0) +
-           ' ' + std::to_string((k & 4) != 0 ? z : 0.0) + '\n';
+    obj += "v " + std::to_string(left + ((k & 1) != 0 ? x : 0.0)) + ' ' +
+           std::to_string(bottom + ((k & 2) != 0 ? y : 0.0)) + ' ' + std::to_string((k & 4) != 0 ? z : 0.0) +
+           '\n';
   return obj +
          "f 1 3 2\nf 2 3 4\nf 5 6 7\nf 6 8 7\nf 1 2 5\nf 2 6 5\nf 3 7 4\nf 4 7 8\nf 1 5 3\nf 3 5 7\nf 2 4 6\n"
          "f 4 8 6\n";
@@ -50,8 +51,17 @@ TEST_F(SolidPlacement, AMeshWithoutUnitsIsFittedAndSaysSo) {
   EXPECT_NEAR(info().at("scene_from_input")[0][0].get<double>(), 0.005, 1e-9);
 }
 
+TEST_F(SolidPlacement, AMeshOfAHandsSizeBesideItsOriginIsMovedToTheMiddle) {
+  write_text(path("m.obj"), box_obj(0.08, 0.06, 0.1, 0.3, 0.3));
+  const Outcome outcome = make(path("m.obj"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("moved to the middle"));
+  expect_size_mm(80.0, 60.0, 100.0);
+  EXPECT_NEAR(info().at("scene_from_input")[0][3].get<double>(), -0.34, 1e-6);
+}
+
 TEST_F(SolidPlacement, AMeshOfAHandsSizeKeepsItsMetresAndOrigin) {
-  write_text(path("m.obj"), box_obj(0.08, 0.01, 0.1));
+  write_text(path("m.obj"), box_obj(0.08, 0.01, 0.1, -0.04, -0.005));
   const Outcome outcome = make(path("m.obj"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, Not(HasSubstr("unit")));

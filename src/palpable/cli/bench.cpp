@@ -14,7 +14,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct BenchArguments {
   std::string scene, path;
   LawArguments law;
 };
@@ -138,7 +138,7 @@ Result<std::vector<Benchmark>> own_set(const Work& work) {
   return benchmarks;
 }
 
-Result<std::vector<Benchmark>> given_set(const Arguments& arguments) {
+Result<std::vector<Benchmark>> given_set(const BenchArguments& arguments) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -172,7 +172,7 @@ Answer answer_of(const std::vector<Benchmark>& benchmarks) {
   return answer;
 }
 
-Result<Answer> bench(const Arguments& arguments, const Work& work) {
+Result<Answer> bench(const BenchArguments& arguments, const Work& work) {
   if (arguments.scene.empty() != arguments.path.empty())
     return Error{ErrorCode::usage, "give --scene and --path together", {}};
   if (arguments.scene.empty() && !arguments.law.law.empty())
@@ -185,7 +185,7 @@ Result<Answer> bench(const Arguments& arguments, const Work& work) {
 }  // namespace
 
 void add_bench(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<BenchArguments>();
   Options options =
       add_command(program, "bench",
                   "Time the force computation tick by tick; without options, every law on a built-in surface",

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct CalibrateArguments {
   std::string folder, output;
   std::string board = "9x6";
   double square_mm = 25.0;
@@ -32,7 +32,7 @@ struct Boards {
   std::vector<Image> pictures;
 };
 
-Result<vision::ChessboardOptions> board_of(const Arguments& arguments) {
+Result<vision::ChessboardOptions> board_of(const CalibrateArguments& arguments) {
   vision::ChessboardOptions options;
   options.square_m = arguments.square_mm / 1000.0;
   const char* const end = arguments.board.data() + arguments.board.size();
@@ -58,7 +58,7 @@ fs::path partner_of(const fs::path& file) {
   return {};
 }
 
-Result<Boards> read_boards(const Arguments& arguments, const Work& work) {
+Result<Boards> read_boards(const CalibrateArguments& arguments, const Work& work) {
   const fs::path folder(arguments.folder);
   const auto found = sources::recognise_input(std::span(&folder, 1), sources::InputKind::video);
   if (!found) return found.error();
@@ -122,7 +122,7 @@ Result<Found> calibrated(const Boards& boards, const vision::ChessboardOptions& 
   return found;
 }
 
-Result<Answer> calibrate(const Arguments& arguments, Console& console) {
+Result<Answer> calibrate(const CalibrateArguments& arguments, Console& console) {
   const auto board = board_of(arguments);
   if (!board) return board.error();
   const auto boards = read_boards(arguments, console.work());
@@ -168,7 +168,7 @@ Result<Answer> calibrate(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_calibrate(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CalibrateArguments>();
   Options options =
       add_command(program, "calibrate", "Calibrate one or two cameras from pictures of a chessboard",
                   "  palpable calibrate boards -o cameras.yml --board 9x6 --square 25\n"

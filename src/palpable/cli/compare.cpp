@@ -17,7 +17,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct CompareArguments {
   std::string output = "comparison.png";
   std::string truth, mask;
   std::optional<double> truth_scale;
@@ -37,7 +37,7 @@ struct Outcome {
   std::optional<DisparityScores> scores;
 };
 
-Result<std::optional<Truth>> read_truth(const Arguments& arguments) {
+Result<std::optional<Truth>> read_truth(const CompareArguments& arguments) {
   if (arguments.truth.empty()) return std::optional<Truth>();
   auto disparity_px = read_disparity(arguments.truth, arguments.truth_scale);
   if (!disparity_px) return disparity_px.error();
@@ -51,7 +51,8 @@ Result<std::optional<Truth>> read_truth(const Arguments& arguments) {
 }
 
 Result<Outcome> outcome_of(vision::StereoMethod method, const vision::StereoPair& pair,
-                           const Arguments& arguments, const std::optional<Truth>& truth, Console& console) {
+                           const CompareArguments& arguments, const std::optional<Truth>& truth,
+                           Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   auto match = vision::match(pair, method, {arguments.stereo.max_disparity_px}, console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
@@ -90,7 +91,7 @@ std::string table_of(const std::vector<Outcome>& outcomes, bool scored) {
 }
 
 draw::Figure picture_of(const vision::StereoPair& pair, const std::vector<Outcome>& outcomes,
-                        const std::optional<Truth>& truth, const Arguments& arguments) {
+                        const std::optional<Truth>& truth, const CompareArguments& arguments) {
   std::vector<draw::Panel> panels;
   panels.push_back({"left picture", names_of(arguments.stereo), rgb8(pair.left)});
   if (truth)
@@ -121,7 +122,7 @@ Json json_of(const std::vector<Outcome>& outcomes) {
   return methods;
 }
 
-Result<Answer> compare(const Arguments& arguments, Console& console) {
+Result<Answer> compare(const CompareArguments& arguments, Console& console) {
   const auto truth = read_truth(arguments);
   if (!truth) return truth.error();
   const auto ready = read_pair(arguments.stereo, console.work());
@@ -154,7 +155,7 @@ Result<Answer> compare(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_compare(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CompareArguments>();
   Options options =
       add_command(program, "compare", "Every stereo method on one pair: a table, and a picture with all maps",
                   "  palpable compare left.png right.png\n"

@@ -3,6 +3,7 @@
 #include "palpable/cli/console.hpp"
 
 #include "palpable/cli/hints.hpp"
+#include "palpable/core/plain_text.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 
 #include <algorithm>
@@ -63,14 +64,15 @@ void Console::note(const Note& note) {
   if (options_.quiet) return;
   const std::lock_guard lock(mutex_);
   remove_progress();
-  fmt::print(stderr, "{}\n", sentence_of(note));
+  write_error(sentence_of(note) + "\n");
 }
 
 void Console::say(std::string_view sentence) {
   const std::lock_guard lock(mutex_);
   remove_progress();
   std::FILE* const stream = options_.json ? stderr : stdout;
-  fmt::print(stream, "{}\n", sentence);
+  const std::string line = without_control_characters(sentence) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stream);
   std::fflush(stream);
 }
 
@@ -92,16 +94,22 @@ void Console::show_progress(double fraction, std::string_view what) {
   if (line == progress_) return;
   last_shown_ = now;
   progress_ = std::move(line);
-  fmt::print(stderr, "{}{}", kClearLine, progress_);
+  write_error(progress_, kClearLine);
 }
 
 void Console::remove_progress() {
   if (progress_.empty()) return;
   progress_.clear();
-  fmt::print(stderr, "{}", kClearLine);
+  write_error({}, kClearLine);
 }
 
-Result<void> print(std::string_view text) {
+void write_error(std::string_view text, std::string_view before) {
+  const std::string plain = std::string(before) + without_control_characters(text);
+  std::fwrite(plain.data(), 1, plain.size(), stderr);
+}
+
+Result<void> print(std::string_view given) {
+  const std::string text = without_control_characters(given);
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
   if (written == text.size() && std::fflush(stdout) == 0) return {};
   return Error{ErrorCode::failed, fmt::format("could not be written: {}", std::strerror(errno)),

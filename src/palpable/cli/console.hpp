@@ -62,4 +62,8 @@ void catch_interrupts();
 /// Writes `text` to standard output. Errors: failed, if it cannot be written in full.
 Result<void> print(std::string_view text);
 
+/// Writes to standard error, control characters of the text replaced; `before` as it is. Whether standard
+/// error is open does not matter.
+void write_error(std::string_view text, std::string_view before = {});
+
 }  // namespace palpable::cli

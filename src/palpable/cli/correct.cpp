@@ -14,14 +14,14 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct CorrectArguments {
   std::string scene, measured, output;
   double reach_mm = 10.0;
   double transition_mm = 5.0;
   bool everywhere = false;
 };
 
-Result<Answer> correct(const Arguments& arguments, Console& console) {
+Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   auto measured = sources::read_mesh(arguments.measured);
@@ -58,7 +58,7 @@ Result<Answer> correct(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_correct(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CorrectArguments>();
   Options options =
       add_command(program, "correct", "Correct a field by a measured surface of a part of it",
                   "  palpable correct shapes.palp measured.ply -o corrected.palp\n"

@@ -19,7 +19,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct DepthArguments {
   std::string output;
   std::string rectified, confidence;
   StereoArguments stereo;
@@ -28,10 +28,10 @@ struct Arguments {
   int iterations = vision::PyramidOptions{}.iterations;
 };
 
-Result<vision::StereoOptions> options_of(const Arguments& arguments, vision::StereoMethod method) {
+Result<vision::StereoOptions> options_of(const DepthArguments& arguments, vision::StereoMethod method) {
   auto options = stereo_options(arguments.stereo, method);
   if (!options) return options;
-  const Arguments none;
+  const DepthArguments none;
   if (arguments.surface_weight != none.surface_weight)
     options->pyramid.surface_weight = static_cast<float>(arguments.surface_weight);
   if (arguments.iterations != none.iterations) options->pyramid.iterations = arguments.iterations;
@@ -40,8 +40,8 @@ Result<vision::StereoOptions> options_of(const Arguments& arguments, vision::Ste
 }
 
 /// Options of one method say nothing to the others: better refused than left out without a word.
-Result<void> only_of_pyramid(const Arguments& arguments, vision::StereoMethod method) {
-  const Arguments none;
+Result<void> only_of_pyramid(const DepthArguments& arguments, vision::StereoMethod method) {
+  const DepthArguments none;
   if (method == vision::StereoMethod::pyramid) return {};
   const char* given = arguments.features                                ? "--features"
                       : arguments.iterations != none.iterations         ? "--iterations"
@@ -80,7 +80,7 @@ bool is_raster_name(const std::string& name) {
   return ending == ".pfm" || ending == ".png";
 }
 
-Result<Answer> depth(const Arguments& arguments, Console& console) {
+Result<Answer> depth(const DepthArguments& arguments, Console& console) {
   const std::filesystem::path output(arguments.output);
   if (!arguments.confidence.empty() && !is_raster_name(arguments.confidence))
     return Error{ErrorCode::usage, "confidence is written as .pfm or .png", arguments.confidence};
@@ -129,7 +129,7 @@ Result<Answer> depth(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_depth(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<DepthArguments>();
   Options options =
       add_command(program, "depth", "Disparity of a stereo pair; the left picture is the reference",
                   "  palpable depth left.png right.png -o depth.pfm\n"

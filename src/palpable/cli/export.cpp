@@ -29,7 +29,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string scene, output;
   TactileArguments tactile;
   std::string lines = "grooves";
@@ -86,7 +86,7 @@ Result<void> write_height_sidecar(const models::Relief& relief, const std::files
 }
 
 Result<Answer> export_model(const models::Relief& relief, const models::Scene& scene,
-                            const Arguments& arguments, const Work& work) {
+                            const ExportArguments& arguments, const Work& work) {
   Answer answer;
   answer.json["output"] = arguments.output;
   answer.text = fmt::format("{}\n", arguments.output);
@@ -130,8 +130,8 @@ double spacing_of(const Distance& field, int grid) {
 
 /// The surface of a field, a cube of dual contouring for every two finest cells.
 template <models::DistanceSurface Distance>
-Result<Answer> export_surface(const Distance& field, const models::Scene& scene, const Arguments& arguments,
-                              const Work& work) {
+Result<Answer> export_surface(const Distance& field, const models::Scene& scene,
+                              const ExportArguments& arguments, const Work& work) {
   const std::filesystem::path output(arguments.output);
   constexpr double kCells = 2.0;
   const auto mesh = sculpt::surface_of_field(field, kCells * field.cell_m(), work);
@@ -149,7 +149,7 @@ Result<Answer> export_surface(const Distance& field, const models::Scene& scene,
 
 /// A level set for Blender and others, `grid` voxels along the longest side.
 template <models::DistanceSurface Distance>
-Result<Answer> export_vdb(const Distance& field, const Arguments& arguments, const Work& work) {
+Result<Answer> export_vdb(const Distance& field, const ExportArguments& arguments, const Work& work) {
   formats::VdbOptions options;
   options.voxel_m = spacing_of(field, arguments.grid);
   if (arguments.band == "full") options.band = formats::VdbBand::full;
@@ -166,17 +166,20 @@ Result<Answer> export_vdb(const Distance& field, const Arguments& arguments, con
 /// Distances on a grid of places, `grid` along the longest side: distance_m[i, j, k] stands at origin_m +
 /// spacing_m (i, j, k), x right, y up, z towards the person.
 template <models::DistanceSurface Distance>
-Result<Answer> export_distances(const Distance& field, const Arguments& arguments) {
+Result<Answer> export_distances(const Distance& field, const ExportArguments& arguments, const Work& work) {
   const Vec3 origin = field.origin_m(), size = field.size_m();
   const double spacing_m = spacing_of(field, arguments.grid);
   const auto count = [&](double extent) { return static_cast<int>(extent / spacing_m + 1.0 + 1e-9); };
   const int nx = count(size.x), ny = count(size.y), nz = count(size.z);
   std::vector<float> values;
-  for (int i = 0; i < nx; ++i)
+  for (int i = 0; i < nx; ++i) {
+    if (work.cancelled()) return Work::interrupted();
+    work.report(static_cast<double>(i) / nx, "sampling distances");
     for (int j = 0; j < ny; ++j)
       for (int k = 0; k < nz; ++k)
         values.push_back(static_cast<float>(
             field.sample(origin + spacing_m * Vec3{1.0 * i, 1.0 * j, 1.0 * k}).distance_m));
+  }
   formats::NpyArray distances = formats::npy_array(std::span<const float>(values));
   distances.shape = {static_cast<std::size_t>(nx), static_cast<std::size_t>(ny),
                      static_cast<std::size_t>(nz)};
@@ -193,18 +196,18 @@ Result<Answer> export_distances(const Distance& field, const Arguments& argument
 
 template <models::DistanceSurface Distance>
 Result<Answer> export_model(const models::SolidField<Distance>& field, const models::Scene& scene,
-                            const Arguments& arguments, const Work& work) {
+                            const ExportArguments& arguments, const Work& work) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
   if (ending == ".stl" || ending == ".ply" || ending == ".glb")
     return export_surface(field.distance, scene, arguments, work);
   if (ending == ".vdb") return export_vdb(field.distance, arguments, work);
-  if (ending == ".npz") return export_distances(field.distance, arguments);
+  if (ending == ".npz") return export_distances(field.distance, arguments, work);
   return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
 }
 
 /// occupied[i, j, k] (0 or 1) stands at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.
 Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*scene*/,
-                            const Arguments& arguments, const Work& /*work*/) {
+                            const ExportArguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);
   if (output.extension() != ".npz")
     return Error{ErrorCode::usage, "a grid is exported as .npz", arguments.output};
@@ -231,7 +234,7 @@ Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*sce
 /// lines; or, .npz, unit tangents in image axes (x right, y down; their sign is free) and strength of the
 /// averaged map (eq. 7), and the one-pixel-wide lines.
 Result<Answer> export_model(const models::Contours& contours, const models::Scene& scene,
-                            const Arguments& arguments, const Work& /*work*/) {
+                            const ExportArguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);
   const std::string ending = output.extension().string();
   Answer answer;
@@ -268,7 +271,7 @@ Result<Answer> export_model(const models::Contours& contours, const models::Scen
   return answer;
 }
 
-Result<Answer> run_export_recording(const Arguments& arguments) {
+Result<Answer> run_export_recording(const ExportArguments& arguments) {
   const auto recording = device::read_recording(arguments.scene);
   if (!recording) return recording.error();
   if (const auto written = session::export_recording(*recording, arguments.output); !written)
@@ -283,7 +286,7 @@ Result<Answer> run_export_recording(const Arguments& arguments) {
   return answer;
 }
 
-Result<Answer> run_export(const Arguments& arguments, const Work& work) {
+Result<Answer> run_export(const ExportArguments& arguments, const Work& work) {
   const auto start = read_file_start(arguments.scene, 8);
   if (!start) return start.error();
   if (has_magic(*start, "PALPREC")) return run_export_recording(arguments);
@@ -297,7 +300,7 @@ Result<Answer> run_export(const Arguments& arguments, const Work& work) {
 }  // namespace
 
 void add_export(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ExportArguments>();
   Options options = add_command(
       program, "export", "Write a scene for printers and other programs; a recording as .csv or .npz",
       "  palpable export aloe.palp -o aloe.npz\n"

@@ -15,14 +15,14 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct FitArguments {
   std::string output;
   StereoArguments stereo;
   bool speak = false;
 };
 
 draw::Figure picture_of(const vision::StereoPair& pair, const vision::FitToTouch& fit,
-                        const Arguments& arguments, const std::string& sentence) {
+                        const FitArguments& arguments, const std::string& sentence) {
   return draw::marks_figure(rgb8(pair.left), fit.trouble,
                             {{"seen by one camera only", {225, 120, 40}},
                              {"no texture", {60, 120, 215}},
@@ -30,7 +30,7 @@ draw::Figure picture_of(const vision::StereoPair& pair, const vision::FitToTouch
                             {"Is this pair fit to touch?", names_of(arguments.stereo)}, sentence);
 }
 
-Result<Answer> fit(const Arguments& arguments, Console& console) {
+Result<Answer> fit(const FitArguments& arguments, Console& console) {
   auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
   if (arguments.stereo.method.empty()) method = vision::StereoMethod::fast;
@@ -69,7 +69,7 @@ Result<Answer> fit(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_fit(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<FitArguments>();
   Options options = add_command(
       program, "fit", "Whether a stereo pair gives a scene worth touching: one sentence, and a picture",
       "  palpable fit left.jpg right.jpg\n"

@@ -14,7 +14,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct FitShapesArguments {
   MakeArguments make;
   std::string output, labels;
   double tolerance_mm = 0.0;
@@ -35,7 +35,7 @@ std::string lines_of(const sculpt::ShapeSet& set) {
   return lines;
 }
 
-Result<Answer> run_fit_shapes(const Arguments& arguments, Console& console) {
+Result<Answer> run_fit_shapes(const FitShapesArguments& arguments, Console& console) {
   const auto options = make_options(arguments.make);
   if (!options) return options.error();
   session::FitShapesOptions where;
@@ -66,7 +66,7 @@ Result<Answer> run_fit_shapes(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_fit_shapes(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<FitShapesArguments>();
   Options options =
       add_command(program, "fit-shapes", "Fit superquadrics to a scene",
                   "  palpable fit-shapes depth.png -o shapes.json --calibration camera.json\n"

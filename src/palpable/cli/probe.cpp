@@ -17,13 +17,15 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct ProbeArguments {
   std::string scene, path, output, tool;
   LawArguments law;
   ViewArguments view;
 };
 
-bool has_extent(const Arguments& arguments) { return !arguments.tool.empty() && arguments.tool != "point"; }
+bool has_extent(const ProbeArguments& arguments) {
+  return !arguments.tool.empty() && arguments.tool != "point";
+}
 
 void append_fields(std::string& row, std::initializer_list<double> values) {
   for (const double value : values) {
@@ -63,7 +65,7 @@ haptics::ToolOutput in_view(haptics::ToolOutput output, double t_s, const Walk& 
   return output;
 }
 
-void append_row(std::string& csv, const ToolPath& path, const Arguments& arguments,
+void append_row(std::string& csv, const ToolPath& path, const ProbeArguments& arguments,
                 const haptics::ToolPose& pose, const haptics::ToolOutput& output) {
   const Vec3 p = pose.scene_from_tool.translation_m, f = output.force_N.v, proxy = output.proxy.v,
              torque = output.torque_Nm.v;
@@ -81,7 +83,7 @@ void append_row(std::string& csv, const ToolPath& path, const Arguments& argumen
   csv += '\n';
 }
 
-Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
+Result<Answer> probe(const ProbeArguments& arguments, Console& /*console*/) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -139,7 +141,7 @@ Result<Answer> probe(const Arguments& arguments, Console& /*console*/) {
 }  // namespace
 
 void add_probe(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ProbeArguments>();
   Options options = add_command(
       program, "probe",
       "Move a probe along a path and write the force that a hand would feel at every sample",

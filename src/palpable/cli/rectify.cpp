@@ -16,7 +16,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct RectifyArguments {
   std::string picture, output;
   std::string corners, aspect, lines, orthogonal;
 };
@@ -45,7 +45,8 @@ vision::PictureLine line_at(const std::vector<double>& numbers, std::size_t i) {
   return {{numbers[4 * i], numbers[4 * i + 1]}, {numbers[4 * i + 2], numbers[4 * i + 3]}};
 }
 
-Result<vision::PlaneLines> lines_of(const Arguments& arguments, const Image& picture, const Work& work) {
+Result<vision::PlaneLines> lines_of(const RectifyArguments& arguments, const Image& picture,
+                                    const Work& work) {
   vision::PlaneLines lines;
   if (arguments.lines.empty()) {
     auto found = vision::find_plane_lines(picture, work);
@@ -65,7 +66,7 @@ Result<vision::PlaneLines> lines_of(const Arguments& arguments, const Image& pic
   return lines;
 }
 
-Result<vision::RectifiedPlane> rectified_by_corners(const Arguments& arguments, const Image& picture) {
+Result<vision::RectifiedPlane> rectified_by_corners(const RectifyArguments& arguments, const Image& picture) {
   const auto corners =
       numbers_of(arguments.corners, 8, "--corners", "x,y of each corner, from the upper left clockwise");
   if (!corners) return corners.error();
@@ -81,7 +82,7 @@ Result<vision::RectifiedPlane> rectified_by_corners(const Arguments& arguments, 
   return vision::rectify_rectangle(picture, rectangle);
 }
 
-Result<Answer> rectify(const Arguments& arguments, Console& console) {
+Result<Answer> rectify(const RectifyArguments& arguments, Console& console) {
   if (std::filesystem::path(arguments.output).extension() != ".png")
     return Error{ErrorCode::usage, "the rectified picture is written as .png", arguments.output};
   if (!arguments.corners.empty() && !(arguments.lines.empty() && arguments.orthogonal.empty()))
@@ -115,7 +116,7 @@ Result<Answer> rectify(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_rectify(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<RectifyArguments>();
   Options options = add_command(
       program, "rectify", "Rectify a photographed map or painting, as seen from straight above",
       "  palpable rectify photo.jpg -o map.png\n"

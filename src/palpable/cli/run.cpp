@@ -36,8 +36,16 @@ void add_common(CLI::App& app, CommonOptions& common) {
       ->group(group);
 }
 
+/// A sentence that repeats what was given is neither of several lines nor endless.
+std::string one_line(std::string sentence) {
+  constexpr std::size_t kLongest = 1200, kKept = 500;
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  if (sentence.size() <= kLongest) return sentence;
+  return sentence.substr(0, kKept) + " ... " + sentence.substr(sentence.size() - kKept);
+}
+
 int report(const Error& error) {
-  fmt::print(stderr, "palpable: {}\n", sentence_of(error));
+  write_error(one_line("palpable: " + sentence_of(error)) + "\n");
   return static_cast<int>(error.code);
 }
 
@@ -61,7 +69,9 @@ std::string unknown_option(const std::string& typed, const CLI::App& command) {
   const auto meant = suggestion(typed.substr(0, typed.find('=')), option_names(command));
   return fmt::format("{} has no option {}{}", command.get_name(), typed,
                      meant ? fmt::format(": did you mean {}?", *meant)
-                           : fmt::format(": palpable help {} lists its options", command.get_name()));
+                           : fmt::format(": {} lists its options", command.get_parent() != nullptr
+                                                                       ? "palpable help " + command.get_name()
+                                                                       : std::string("palpable help")));
 }
 
 std::string unknown_command(const std::string& typed, const std::vector<std::string>& known) {
@@ -114,7 +124,7 @@ void describe(Program& program) {
   CLI::App& app = program.app;
   app.name("palpable");
   app.description(
-      "Palpable makes pictures touchable. Without arguments: touch the sample that comes with it.");
+      "Palpable makes pictures touchable: palpable touch begins with the sample that comes with it.");
   app.set_version_flag("--version", std::string("palpable ") + PALPABLE_VERSION);
   app.require_subcommand(0, 1);
   app.footer(

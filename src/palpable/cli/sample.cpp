@@ -16,7 +16,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct SampleArguments {
   std::string scene, points, output;
 };
 
@@ -86,7 +86,7 @@ std::string csv_of(const models::Scene& scene, const NumberTable& points, const 
   return csv;
 }
 
-Result<Answer> sample(const Arguments& arguments, Console& console) {
+Result<Answer> sample(const SampleArguments& arguments, Console& console) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -111,7 +111,7 @@ Result<Answer> sample(const Arguments& arguments, Console& console) {
 }  // namespace
 
 void add_sample(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<SampleArguments>();
   Options options = add_command(program, "sample", "Distance, normal and material of a model at points",
                                 "  palpable sample aloe.palp --points points.csv -o values.csv",
                                 [arguments](Console& console) { return sample(*arguments, console); });

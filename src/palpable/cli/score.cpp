@@ -15,7 +15,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct ScoreArguments {
   std::string result, truth, mask;
   std::optional<double> result_scale, truth_scale;
 };
@@ -36,7 +36,7 @@ Answer answer_of(const DisparityScores& scores) {
   return answer;
 }
 
-Result<Answer> score_disparity(const Arguments& arguments) {
+Result<Answer> score_disparity(const ScoreArguments& arguments) {
   const auto result = read_disparity(arguments.result, arguments.result_scale);
   if (!result) return result.error();
   const auto truth = read_disparity(arguments.truth, arguments.truth_scale);
@@ -115,7 +115,7 @@ void add_score_relief(Program& program) {
 void add_score(Program& program) {
   add_score_relief(program);
   add_score_contours(program);
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ScoreArguments>();
   Options options = add_command_below(
       program, "score", "disparity", "Bad pixels, coverage and RMS of a disparity map",
       "  palpable score disparity out.pfm groundtruth.png --truth-scale 4 --mask nonocc.png",

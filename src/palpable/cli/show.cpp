@@ -22,7 +22,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct ShowArguments {
   std::string scene, output;
   std::string view;
   LawArguments law;
@@ -43,7 +43,8 @@ std::string origin_of(const models::Scene& scene) {
   return ", made from " + describe::listed(files);
 }
 
-draw::Heading heading_of(const Arguments& arguments, const models::Scene& scene, const std::string& what) {
+draw::Heading heading_of(const ShowArguments& arguments, const models::Scene& scene,
+                         const std::string& what) {
   const Vec3 size = models::size_m(scene);
   // Contours lie in a plane.
   const std::string height =
@@ -78,7 +79,7 @@ std::vector<draw::ForceArrow> forces_on(const models::Relief& relief, const hapt
   return arrows;
 }
 
-Result<draw::Figure> force_picture(const Arguments& arguments, const models::Scene& scene,
+Result<draw::Figure> force_picture(const ShowArguments& arguments, const models::Scene& scene,
                                    const models::Relief& relief) {
   constexpr double kArrowsAcross = 28.0;
   LawArguments chosen = arguments.law;
@@ -103,7 +104,7 @@ double cut_through_the_top_m(const models::Relief& relief) {
   return -(static_cast<double>(row) - 0.5 * (heights.height() - 1)) * relief.pixel_m();
 }
 
-Result<draw::Figure> contours_picture(const Arguments& arguments, const models::Scene& scene) {
+Result<draw::Figure> contours_picture(const ShowArguments& arguments, const models::Scene& scene) {
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
   if (contours == nullptr) return Error{ErrorCode::usage, "only a scene of contours has this view", "--view"};
   const models::BoundaryMap& map = (*contours)->boundaries;
@@ -112,7 +113,7 @@ Result<draw::Figure> contours_picture(const Arguments& arguments, const models::
       heading_of(arguments, scene, fmt::format("contours from strength {:.2f}", map.origin().threshold)));
 }
 
-Result<draw::Figure> regions_picture(const Arguments& arguments, const models::Scene& scene) {
+Result<draw::Figure> regions_picture(const ShowArguments& arguments, const models::Scene& scene) {
   if (scene.labels.empty())
     return Error{ErrorCode::usage, "this scene has no regions; make it with --ground or --background",
                  "--view"};
@@ -135,7 +136,7 @@ Result<draw::Figure> regions_picture(const Arguments& arguments, const models::S
 
 /// Through the middle, or where `--at` says.
 template <models::DistanceSurface Distance>
-Result<draw::Figure> field_section(const Arguments& arguments, const models::Scene& scene,
+Result<draw::Figure> field_section(const ShowArguments& arguments, const models::Scene& scene,
                                    const std::shared_ptr<const models::SolidField<Distance>>& field) {
   const double cut_m =
       arguments.cut_mm ? *arguments.cut_mm / 1000.0 : 0.5 * (field->least_m.y + field->most_m.y);
@@ -147,7 +148,7 @@ Result<draw::Figure> field_section(const Arguments& arguments, const models::Sce
   return draw::field_section_figure(field, cut_m, heading_of(arguments, scene, "cut from left to right"));
 }
 
-Result<draw::Figure> solid_picture(const Arguments& arguments, const models::Scene& scene) {
+Result<draw::Figure> solid_picture(const ShowArguments& arguments, const models::Scene& scene) {
   const draw::Heading heading = heading_of(arguments, scene, "solid");
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
     return draw::solid_figure(*field, arguments.solid, heading);
@@ -156,7 +157,7 @@ Result<draw::Figure> solid_picture(const Arguments& arguments, const models::Sce
   return Error{ErrorCode::usage, "only a scene with a field has this view", "--view"};
 }
 
-Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene& scene,
+Result<draw::Figure> picture_of(const ShowArguments& arguments, const models::Scene& scene,
                                 const models::Relief& relief) {
   if (arguments.view == "solid") return solid_picture(arguments, scene);
   if (arguments.view == "contours") return contours_picture(arguments, scene);
@@ -180,7 +181,7 @@ Result<draw::Figure> picture_of(const Arguments& arguments, const models::Scene&
   return draw::section_figure(relief, cut_m, heading_of(arguments, scene, "cut from left to right"));
 }
 
-Result<Answer> show(Arguments arguments) {
+Result<Answer> show(ShowArguments arguments) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -203,7 +204,7 @@ Result<Answer> show(Arguments arguments) {
 }  // namespace
 
 void add_show(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ShowArguments>();
   Options options = add_command(program, "show", "Draw a scene with axes, scale and legend: PNG, SVG or PDF",
                                 "  palpable show aloe.palp -o aloe.png\n"
                                 "  palpable show aloe.palp -o force.png --view force --law rolling\n"

@@ -11,7 +11,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct StudyStabilityArguments {
   std::string output;
   double rate_hz = 1000.0;
   int delay = 1;
@@ -19,7 +19,7 @@ struct Arguments {
 };
 
 /// A light hand with an ordinary grip, as friction-free as a device can be: what vibrates, vibrates.
-study::GrooveStudyOptions options_of(const Arguments& arguments) {
+study::GrooveStudyOptions options_of(const StudyStabilityArguments& arguments) {
   study::GrooveStudyOptions options;
   options.rate_hz = arguments.rate_hz;
   options.hand.device_mass_kg = 0.05;
@@ -34,7 +34,7 @@ study::GrooveStudyOptions options_of(const Arguments& arguments) {
 
 /// The hand's place across the groove over the last fifth of a second, a row a law, a column a stiffness.
 draw::Figure figure_of(const std::vector<study::GrooveResult>& results, int columns,
-                       const Arguments& arguments) {
+                       const StudyStabilityArguments& arguments) {
   std::vector<draw::Trace> traces;
   for (const auto& result : results) {
     traces.push_back({fmt::format("{}, {:g} N/m: {:.0f} µm", haptics::name_of(result.law),
@@ -54,7 +54,7 @@ draw::Figure figure_of(const std::vector<study::GrooveResult>& results, int colu
            arguments.rate_hz, delay, arguments.resolution_um)});
 }
 
-Result<Answer> study(const Arguments& arguments) {
+Result<Answer> study(const StudyStabilityArguments& arguments) {
   const auto options = options_of(arguments);
   const auto results = study::study_groove(options);
   if (!results) return results.error();
@@ -83,7 +83,7 @@ Result<Answer> study(const Arguments& arguments) {
 }  // namespace
 
 void add_study_stability(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyStabilityArguments>();
   Options options =
       add_command(program, "study-stability", "Which laws vibrate in a groove: a simulated hand rests in one",
                   "  palpable study-stability\n"

@@ -16,7 +16,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct StudyTracingArguments {
   int tracers = 20;
   int repeats = 3;
   double force_N = study::TracingStudyOptions{}.law.force_N;
@@ -41,7 +41,7 @@ constexpr std::array kPeople{People{"rectangle", 26.12, 20.2, 0.647, 0.508},
 constexpr const char* kCaution =
     "A simulation: these are figures of a model of a hand, not of people. The people are the paper's.";
 
-study::TracingStudyOptions options_of(const Arguments& arguments) {
+study::TracingStudyOptions options_of(const StudyTracingArguments& arguments) {
   study::TracingStudyOptions options;
   options.tracers = arguments.tracers;
   options.repeats = arguments.repeats;
@@ -150,7 +150,7 @@ Result<void> write_figures(const std::string& folder, std::uint64_t seed) {
   return {};
 }
 
-Result<Answer> study_figures(const Arguments& arguments, const Work& work) {
+Result<Answer> study_figures(const StudyTracingArguments& arguments, const Work& work) {
   const auto options = options_of(arguments);
   Answer answer;
   answer.json = {{"simulation", true}, {"caution", kCaution}, {"figures", Json::array()}};
@@ -189,7 +189,7 @@ Result<Answer> study_figures(const Arguments& arguments, const Work& work) {
   return answer;
 }
 
-Result<Answer> run_study(const Arguments& arguments, const Work& work) {
+Result<Answer> run_study(const StudyTracingArguments& arguments, const Work& work) {
   if (arguments.pictures.empty()) return study_figures(arguments, work);
   if (const auto written = write_figures(arguments.pictures, work.seed); !written) return written.error();
   Answer answer;
@@ -202,7 +202,7 @@ Result<Answer> run_study(const Arguments& arguments, const Work& work) {
 }  // namespace
 
 void add_study_tracing(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyTracingArguments>();
   Options options = add_command(
       program, "study-tracing",
       "Tracing with and without assistance by simulated hands (a simulation, no evidence about people)",

@@ -13,7 +13,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct StudyTrajectoriesArguments {
   double trajectories = 1e6;
   int ticks = 100;
   double fastest_m_per_s = 1.0;
@@ -61,7 +61,7 @@ Answer answer_of(const study::TrajectoryFindings& found, double seconds) {
   return answer;
 }
 
-Result<Answer> study(const Arguments& arguments, const Work& work) {
+Result<Answer> study(const StudyTrajectoriesArguments& arguments, const Work& work) {
   study::TrajectoryStudyOptions options;
   options.trajectories = static_cast<std::int64_t>(arguments.trajectories);
   options.ticks = arguments.ticks;
@@ -78,7 +78,7 @@ Result<Answer> study(const Arguments& arguments, const Work& work) {
 }  // namespace
 
 void add_study_trajectories(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<StudyTrajectoriesArguments>();
   Options options =
       add_command(program, "study-trajectories",
                   "Random strokes over walls, grooves and spikes: does a hand ever pass through the surface?",

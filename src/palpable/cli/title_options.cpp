@@ -3,6 +3,7 @@
 #include "palpable/cli/title_options.hpp"
 
 #include "palpable/core/byte_reader.hpp"
+#include "palpable/core/plain_text.hpp"
 #include "palpable/core/read_file.hpp"
 
 #include <utility>
@@ -35,6 +36,7 @@ bool is_utf8(const std::string& text) {
 
 Result<void> check(const std::string& text, std::size_t longest, const char* option) {
   if (!is_utf8(text)) return usage("the text is not UTF-8", option);
+  if (has_control_characters(text)) return usage("the text holds control characters", option);
   if (text.size() > longest)
     return usage(fmt::format("the text has {} bytes, and {} are allowed", text.size(), longest), option);
   return {};

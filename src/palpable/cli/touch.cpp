@@ -32,7 +32,7 @@
 namespace palpable::cli {
 namespace {
 
-struct Arguments {
+struct TouchArguments {
   SceneArguments scene;
   LawArguments law;
   std::string device;
@@ -48,7 +48,7 @@ struct Arguments {
   ViewArguments view;
 };
 
-Result<session::TouchSettings> settings_of(const Arguments& arguments,
+Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
                                            const std::optional<Published>& published) {
   if (published && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--as-published sets the law: leave out --law", {}};
@@ -147,7 +147,7 @@ void let_speak(session::HeadlessOptions& headless, Console& console) {
   };
 }
 
-Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, Console& console) {
+Result<Answer> touch_without_page(const TouchArguments& arguments, const Plan& plan, Console& console) {
   session::HeadlessOptions headless;
   headless.settings = plan.settings;
   headless.session = plan.options;
@@ -168,7 +168,7 @@ Result<Answer> touch_without_page(const Arguments& arguments, const Plan& plan, 
   return answer_of(*statistics);
 }
 
-Result<Answer> touch_with_keys(const Arguments& arguments, const Plan& plan, Console& console) {
+Result<Answer> touch_with_keys(const TouchArguments& arguments, const Plan& plan, Console& console) {
   const auto notes = [&console](const Note& note) { console.note(note); };
   const auto statistics = touch_by_keys(
       maker_of(plan, notes),
@@ -232,7 +232,7 @@ std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs
 }
 
 /// Serves the page of a touch under way until the person ends it.
-Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::TouchSession& session,
+Result<void> serve_page(const TouchArguments& arguments, const Plan& plan, session::TouchSession& session,
                         session::MakerThread& maker, NoteBox& notes, Console& console) {
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,
                                  {},
@@ -251,7 +251,7 @@ Result<void> serve_page(const Arguments& arguments, const Plan& plan, session::T
   return served;
 }
 
-Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Console& console) {
+Result<Answer> touch_with_page(const TouchArguments& arguments, const Plan& plan, Console& console) {
   NoteBox notes;
   session::MakerThread maker(maker_of(plan,
                                       [&](const Note& note) {
@@ -278,7 +278,7 @@ Result<Answer> touch_with_page(const Arguments& arguments, const Plan& plan, Con
   return answer_of(session.statistics());
 }
 
-Result<Answer> touch(Arguments arguments, Console& console) {
+Result<Answer> touch(TouchArguments arguments, Console& console) {
   haptics::write_zero_force_on_crash();
   if (!arguments.device.empty())
     if (auto known = device::check_device_url(arguments.device); !known) return known.error();
@@ -333,7 +333,7 @@ Result<Answer> touch(Arguments arguments, Console& console) {
 }  // namespace
 
 void add_touch(Program& program) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<TouchArguments>();
   Options options =
       add_command(program, "touch",
                   "Touch a scene with a device, in the browser or in the terminal; without INPUT the sample",

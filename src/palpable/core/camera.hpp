@@ -4,6 +4,7 @@
 
 #include "palpable/core/raster.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace palpable {
@@ -28,6 +29,9 @@ struct StereoRig {
   double doffs_px = 0.0;
   bool operator==(const StereoRig&) const = default;
 };
+
+/// The value of a depth or disparity that is not known.
+inline constexpr float kUnknownDepth = std::numeric_limits<float>::quiet_NaN();
 
 /// Depth along the camera's z axis in metres (float), NaN = unknown. The camera is known where the source
 /// stated it.

@@ -7,6 +7,10 @@
 
 namespace palpable {
 
+std::string size_text(int width, int height) {
+  return std::to_string(width) + " x " + std::to_string(height);
+}
+
 Result<void> check_picture_size(std::int64_t width, std::int64_t height) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1) return invalid_input("states a size of " + size);

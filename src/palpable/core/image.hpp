@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace palpable {
@@ -35,6 +36,9 @@ struct Image {
                static_cast<std::size_t>(channels);
   }
 };
+
+/// "640 x 480", for sentences.
+std::string size_text(int width, int height);
 
 /// No picture or raster with more pixels is read: 64 Mi, about 8192 x 8192.
 inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;

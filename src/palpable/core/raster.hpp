@@ -11,6 +11,12 @@
 
 namespace palpable {
 
+/// Column and row of an element of a grid.
+struct Pixel {
+  int x = 0, y = 0;
+  bool operator==(const Pixel&) const = default;
+};
+
 /// A width x height grid of values, row-major, origin top-left. Owns its memory; a value type.
 template <class T>
 class Raster {

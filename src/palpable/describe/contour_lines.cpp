@@ -13,7 +13,7 @@
 namespace palpable::describe {
 namespace {
 
-constexpr int kLongestSide = 512;
+constexpr int kLongestLineSide = 512;
 using Mask = Raster<std::uint8_t>;
 
 double strength_of(const models::BoundaryPixel& pixel) {
@@ -65,10 +65,6 @@ void thin(Mask& mask) {
     }
   }
 }
-
-struct Pixel {
-  int x, y;
-};
 
 /// Marks what is connected to `start` in `marks` and returns it. `diagonal`: over eight neighbours, not four.
 std::vector<Pixel> flood(const Mask& mask, Pixel start, int mark, Raster<int>& marks, bool diagonal) {
@@ -123,7 +119,7 @@ void mark_closed(const Mask& mask, const Raster<int>& line_of, std::vector<Conto
 std::vector<ContourLine> find_contour_lines(const models::BoundaryMap& map,
                                             const ContourLineOptions& options) {
   const auto& edges = map.edges();
-  const int step = (std::max(edges.width(), edges.height()) + kLongestSide - 1) / kLongestSide;
+  const int step = (std::max(edges.width(), edges.height()) + kLongestLineSide - 1) / kLongestLineSide;
   Mask mask = mask_of(map, step);
   thin(mask);
   const double pixel_m = step * map.pixel_m();

@@ -13,7 +13,7 @@
 namespace palpable::describe {
 namespace {
 
-constexpr int kLongestSide = 128;
+constexpr int kLongestPeakSide = 128;
 // A range of height below this is a level surface.
 constexpr double kLevel_m = 1e-5;
 
@@ -30,7 +30,7 @@ struct HeightGrid {
 HeightGrid grid_of(const models::Relief& surface, double sign) {
   const auto& samples = surface.samples_m();
   const int longest = std::max(samples.width(), samples.height());
-  const double shrink = std::min(1.0, static_cast<double>(kLongestSide) / longest);
+  const double shrink = std::min(1.0, static_cast<double>(kLongestPeakSide) / longest);
   const auto side = [&](int n) { return std::max(2, static_cast<int>(std::lround(n * shrink))); };
   HeightGrid grid{Raster<float>(side(samples.width()), side(samples.height()))};
   grid.cell_x_m = surface.width_m() / grid.height_m.width();
@@ -76,10 +76,44 @@ class Basins {
 
 struct Summit {
   std::size_t cell;
+  /// The cell nearest to the middle of its top: of what is connected to the summit and as high, but for a
+  /// fiftieth of the prominence.
+  std::size_t middle;
   double prominence_m;
   /// Those above half of the prominence.
   std::size_t cells;
 };
+
+/// The middle of a summit's top, where the top is about level; the summit itself where that is not on the
+/// top, as on a rim.
+std::size_t middle_of_top(const Raster<float>& height_m, std::size_t summit, double least_m) {
+  const int width = height_m.width();
+  Raster<std::uint8_t> seen(width, height_m.height(), 0);
+  const auto pixel = [&](std::size_t cell) {
+    return Pixel{static_cast<int>(cell) % width, static_cast<int>(cell) / width};
+  };
+  std::vector<Pixel> top{pixel(summit)};
+  seen(top[0].x, top[0].y) = 1;
+  double sum_x = 0.0, sum_y = 0.0;
+  for (std::size_t k = 0; k < top.size(); ++k) {
+    const Pixel at = top[k];
+    sum_x += at.x;
+    sum_y += at.y;
+    for (const Pixel step : {Pixel{-1, 0}, Pixel{1, 0}, Pixel{0, -1}, Pixel{0, 1}}) {
+      const Pixel next{at.x + step.x, at.y + step.y};
+      if (!height_m.contains(next.x, next.y) || seen(next.x, next.y) != 0) continue;
+      if (double{height_m(next.x, next.y)} < least_m) continue;
+      seen(next.x, next.y) = 1;
+      top.push_back(next);
+    }
+  }
+  const double count = static_cast<double>(top.size());
+  const Pixel middle{static_cast<int>(std::lround(sum_x / count)),
+                     static_cast<int>(std::lround(sum_y / count))};
+  if (seen(middle.x, middle.y) == 0) return summit;
+  return static_cast<std::size_t>(middle.y) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(middle.x);
+}
 
 /// The summits of at least that prominence, by flooding the heights from the top: where two regions meet is
 /// the lower one's saddle.
@@ -101,7 +135,9 @@ std::vector<Summit> summits_of(const Raster<float>& height_m, double least_m) {
     const double half_m = double{heights[summit]} - 0.5 * prominence_m;
     const auto above = std::count_if(cells.begin(), cells.end(),
                                      [&](std::size_t cell) { return double{heights[cell]} >= half_m; });
-    summits.push_back({summit, prominence_m, static_cast<std::size_t>(above)});
+    constexpr double kTop = 0.02;
+    const std::size_t middle = middle_of_top(height_m, summit, double{heights[summit]} - kTop * prominence_m);
+    summits.push_back({summit, middle, prominence_m, static_cast<std::size_t>(above)});
     return Basins::Cells::stay;
   };
   const int width = height_m.width(), height = height_m.height();
@@ -158,7 +194,7 @@ std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& o
   for (const Summit& summit : summits_of(grid.height_m, options.least_prominence * range_m)) {
     const double area = static_cast<double>(summit.cells) / static_cast<double>(grid.height_m.count());
     if (area < options.least_area) continue;
-    const int width = grid.height_m.width(), cell = static_cast<int>(summit.cell);
+    const int width = grid.height_m.width(), cell = static_cast<int>(summit.middle);
     Peak peak = highest_near(surface, grid, grid.place_of(cell % width, cell / width), sign);
     peak.height_m *= sign;
     peak.prominence_m = summit.prominence_m;

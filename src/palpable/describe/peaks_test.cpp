@@ -46,6 +46,20 @@ TEST(Peaks, AreOneForAPlateauAndOneForARim) {
   EXPECT_EQ(find_peaks(*models::relief_of(bowl)).size(), 1U);
 }
 
+TEST(Peaks, OfAPlateauAreAtItsMiddle) {
+  for (const Place middle : {Place{-0.025, 0.025}, Place{0.02, -0.01}}) {
+    const auto table = surface_scene([&](double x, double y) {
+      // Hardly higher at its lower edge, as matching leaves it.
+      const bool is_table = std::hypot(x - middle.x_m, y - middle.y_m) < 0.01;
+      return is_table ? 0.01 - 0.001 * (y - middle.y_m) : 0.0;
+    });
+    const auto peaks = find_peaks(*models::relief_of(table));
+    ASSERT_EQ(peaks.size(), 1U);
+    EXPECT_NEAR(peaks[0].place.x_m, middle.x_m, 0.002);
+    EXPECT_NEAR(peaks[0].place.y_m, middle.y_m, 0.002);
+  }
+}
+
 TEST(Peaks, OfASurfaceTurnedOverAreItsHollows) {
   const auto hollow = surface_scene([](double x, double y) { return 0.02 - bump(x, y, 0.01, 0.01, 0.01); });
   PeakOptions options;

@@ -59,8 +59,8 @@ std::vector<Object> named_objects(const models::Scene& scene, double least_area,
   std::map<std::size_t, Region> regions;
   std::size_t seen = 0;
   // Every pixel of a small picture, and enough of a large one.
-  constexpr int kLongestSide = 256;
-  const int step = std::max(1, std::max(labels.width(), labels.height()) / kLongestSide);
+  constexpr int kLongestLabelSide = 256;
+  const int step = std::max(1, std::max(labels.width(), labels.height()) / kLongestLabelSide);
   for (int j = 0; j < labels.height(); j += step)
     for (int i = 0; i < labels.width(); i += step) {
       ++seen;
@@ -195,9 +195,12 @@ std::vector<std::string> parts_of_contours(const models::Scene& scene, const mod
   const auto lines = find_contour_lines(map);
   const auto closed = static_cast<std::size_t>(
       std::count_if(lines.begin(), lines.end(), [](const ContourLine& line) { return line.closed; }));
+  const auto closed_words = [&] {
+    if (lines.size() == 1) return closed == 1 ? std::string("closed") : std::string("open");
+    return closed == 0 ? std::string("none of them closed") : fmt::format("{} of them closed", closed);
+  };
   const std::string count =
-      fmt::format("{}, {} closed", capitalised(counted(lines.size(), "line", "lines")),
-                  closed == 0 ? std::string("none of them") : fmt::format("{} of them", closed));
+      fmt::format("{}, {}", capitalised(counted(lines.size(), "line", "lines")), closed_words());
   if (lines.empty()) return {fmt::format("{} {}. No lines.", sentence(name_of(scene)), size_words(scene))};
   const auto line_part = [&](const ContourLine& line) {
     return fmt::format("{}, {} long, {}, {}", line.closed ? "closed" : "open", spoken_length(line.length_m),
@@ -218,8 +221,8 @@ std::vector<std::string> parts_of(const models::Scene& scene, double depth, Plac
   if (const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model))
     return parts_of_contours(scene, (*contours)->boundaries, probe);
   const models::Relief& surface = *models::relief_of(scene);
-  constexpr double kLevel_m = 1e-5;
-  if (std::abs(depth) * (surface.highest_m() - surface.lowest_m()) < kLevel_m)
+  constexpr double kFlat_m = 1e-5;
+  if (std::abs(depth) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)
     return {fmt::format("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),
                         spoken_length(depth * surface.highest_m()))};
   const auto objects = objects_of(scene, depth);

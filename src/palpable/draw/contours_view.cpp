@@ -12,8 +12,6 @@
 namespace palpable::draw {
 namespace {
 
-constexpr double kMm = 1000.0;
-
 /// White for no boundary, deep blue for the strongest.
 Rgb8 line_colour(double strength) {
   const auto mix = [strength](double from, double to) {

@@ -17,7 +17,6 @@ namespace {
 
 using models::DistanceField;
 
-constexpr double kMm = 1000.0;
 constexpr double kWidth_px = 1000.0;
 constexpr double kLeft_px = 92.0;
 constexpr double kTop_px = 110.0;

@@ -12,7 +12,6 @@
 namespace palpable::draw {
 namespace {
 
-constexpr double kMm = 1000.0;
 constexpr Rgb8 kArrow{20, 60, 140};
 constexpr Rgb8 kCutArrow{190, 30, 30};
 

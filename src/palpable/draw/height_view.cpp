@@ -17,8 +17,6 @@
 namespace palpable::draw {
 namespace {
 
-constexpr double kMm = 1000.0;
-
 Plot plot_of(const models::Relief& relief, Rect area) {
   const double half_width = 0.5 * kMm * relief.width_m(), half_depth = 0.5 * kMm * relief.depth_m();
   return {area, -half_width, half_width, -half_depth, half_depth};

@@ -17,7 +17,7 @@ namespace palpable::draw {
 namespace {
 
 constexpr int kColumns = 3;
-constexpr double kWidth_px = 380.0, kGap_px = 18.0, kMargin_px = 28.0, kTop_px = 92.0, kWords_px = 52.0,
+constexpr double kPanel_px = 380.0, kBetween_px = 18.0, kMargin_px = 28.0, kAbove_px = 92.0, kWords_px = 52.0,
                  kBar_px = 130.0;
 
 void draw_map(Canvas& canvas, const Raster<float>& values, std::pair<float, float> range, Rect area) {
@@ -63,18 +63,18 @@ Figure panels_figure(std::vector<Panel> panels, const Heading& heading) {
   PALPABLE_CHECK(!panels.empty());
   const auto count = static_cast<int>(panels.size());
   const int columns = std::min(kColumns, count), rows = (count + columns - 1) / columns;
-  const double height = std::round(kWidth_px * std::clamp(aspect_of(panels.front()), 0.3, 2.0)) + kWords_px;
-  const double width = 2.0 * kMargin_px + columns * kWidth_px + (columns - 1) * kGap_px + kBar_px;
-  return {static_cast<int>(width), static_cast<int>(kTop_px + rows * (height + kGap_px) + 16.0),
+  const double height = std::round(kPanel_px * std::clamp(aspect_of(panels.front()), 0.3, 2.0)) + kWords_px;
+  const double width = 2.0 * kMargin_px + columns * kPanel_px + (columns - 1) * kBetween_px + kBar_px;
+  return {static_cast<int>(width), static_cast<int>(kAbove_px + rows * (height + kBetween_px) + 16.0),
           [=, panels = std::move(panels)](Canvas& canvas) {
             draw_heading(canvas, heading, kMargin_px, width - 2.0 * kMargin_px);
             const auto range = range_of(panels);
             for (int i = 0; i < count; ++i)
               draw_panel(canvas, panels[static_cast<std::size_t>(i)], range,
-                         {kMargin_px + (i % columns) * (kWidth_px + kGap_px),
-                          kTop_px + (i / columns) * (height + kGap_px), kWidth_px, height});
+                         {kMargin_px + (i % columns) * (kPanel_px + kBetween_px),
+                          kAbove_px + (i / columns) * (height + kBetween_px), kPanel_px, height});
             draw_colour_bar(canvas,
-                            {width - kBar_px + 8.0, kTop_px + 62.0, 24.0, std::min(260.0, height - 90.0)},
+                            {width - kBar_px + 8.0, kAbove_px + 62.0, 24.0, std::min(260.0, height - 90.0)},
                             static_cast<double>(range.first), static_cast<double>(range.second),
                             "disparity,\npixels", depth_colour);
           }};

@@ -9,6 +9,9 @@
 
 namespace palpable::draw {
 
+/// Millimetres in a metre: figures are labelled in millimetres.
+inline constexpr double kMm = 1000.0;
+
 /// Round numbers (1, 2 or 5 times a power of ten apart) inside [low, high], at most `most` of them.
 std::vector<double> round_ticks(double low, double high, int most);
 

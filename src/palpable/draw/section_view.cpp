@@ -15,9 +15,8 @@
 namespace palpable::draw {
 namespace {
 
-constexpr double kMm = 1000.0;
-constexpr double kWidth_px = 900.0;
-constexpr double kLeft_px = 92.0;
+constexpr double kSection_px = 900.0;
+constexpr double kBeside_px = 92.0;
 constexpr double kProfileTop_px = 110.0;
 constexpr double kMap_px = 190.0;
 constexpr Rgb8 kCut{200, 40, 40};
@@ -69,15 +68,15 @@ Figure section_figure(models::Relief relief, double y_m, const Heading& heading)
   const double high_mm = std::max(kMm * relief.highest_m() * 1.08, 0.1),
                low_mm = std::min(0.0, kMm * relief.lowest_m());
   const double stretch = stretch_of(width_mm, high_mm - low_mm);
-  const double height_px = std::clamp(kWidth_px / width_mm * stretch * (high_mm - low_mm), 60.0, 700.0);
+  const double height_px = std::clamp(kSection_px / width_mm * stretch * (high_mm - low_mm), 60.0, 700.0);
   const Plot plot{
-      {kLeft_px, kProfileTop_px, kWidth_px, height_px}, -0.5 * width_mm, 0.5 * width_mm, low_mm, high_mm};
+      {kBeside_px, kProfileTop_px, kSection_px, height_px}, -0.5 * width_mm, 0.5 * width_mm, low_mm, high_mm};
   const double map_height = std::clamp(kMap_px * relief.depth_m() / relief.width_m(), 60.0, 380.0);
-  const Rect map{kLeft_px, plot.area.bottom() + 84.0, kMap_px, map_height};
-  const int page_width = static_cast<int>(kLeft_px + kWidth_px + 50.0),
+  const Rect map{kBeside_px, plot.area.bottom() + 84.0, kMap_px, map_height};
+  const int page_width = static_cast<int>(kBeside_px + kSection_px + 50.0),
             page_height = static_cast<int>(map.bottom() + 30.0);
   return {page_width, page_height, [=, relief = std::move(relief)](Canvas& canvas) {
-            draw_heading(canvas, heading, kLeft_px, kWidth_px);
+            draw_heading(canvas, heading, kBeside_px, kSection_px);
             draw_profile(canvas, relief, y_m, plot);
             canvas.picture(
                 small_map(relief, static_cast<int>(map.width) * 2, static_cast<int>(map.height) * 2), map);
@@ -92,7 +91,7 @@ Figure section_figure(models::Relief relief, double y_m, const Heading& heading)
                 fmt::format("The red line shows where the relief is cut: {} mm {} its middle.\nAbove, {}. "
                             "Pale is high, dark is low.",
                             label_of(std::abs(kMm * y_m), 0.1), y_m >= 0.0 ? "above" : "below", stretched),
-                {map.right() + 30.0, map.y}, {.size_px = 14.0, .wrap_px = kWidth_px - kMap_px - 40.0});
+                {map.right() + 30.0, map.y}, {.size_px = 14.0, .wrap_px = kSection_px - kMap_px - 40.0});
           }};
 }
 

@@ -9,10 +9,10 @@ namespace palpable::draw {
 namespace {
 
 constexpr double kLargest_px = 860.0;
-constexpr double kLeft_px = 92.0;
-constexpr double kTop_px = 96.0;
-constexpr double kRight_px = 210.0;
-constexpr double kBelow_px = 108.0;
+constexpr double kSheetLeft_px = 92.0;
+constexpr double kSheetTop_px = 96.0;
+constexpr double kSheetRight_px = 210.0;
+constexpr double kSheetBelow_px = 108.0;
 
 }  // namespace
 
@@ -21,13 +21,13 @@ Sheet sheet_for(double aspect) {
   const double width = std::round(ratio >= 1.0 ? kLargest_px : kLargest_px * ratio);
   const double height = std::round(ratio >= 1.0 ? kLargest_px / ratio : kLargest_px);
   Sheet sheet;
-  sheet.plot = {kLeft_px, kTop_px, width, height};
+  sheet.plot = {kSheetLeft_px, kSheetTop_px, width, height};
   // A narrow plot still leaves its heading room to be read.
-  sheet.width_px = static_cast<int>(std::max(kLeft_px + width + kRight_px, 640.0));
-  sheet.height_px = static_cast<int>(kTop_px + height + kBelow_px);
+  sheet.width_px = static_cast<int>(std::max(kSheetLeft_px + width + kSheetRight_px, 640.0));
+  sheet.height_px = static_cast<int>(kSheetTop_px + height + kSheetBelow_px);
   const double bar_height = std::min(320.0, height - 60.0);
-  sheet.bar = {kLeft_px + width + 36.0, kTop_px + 54.0, 26.0, bar_height};
-  sheet.caption = {kLeft_px, kTop_px + height + 60.0, sheet.width_px - kLeft_px - 30.0, 40.0};
+  sheet.bar = {kSheetLeft_px + width + 36.0, kSheetTop_px + 54.0, 26.0, bar_height};
+  sheet.caption = {kSheetLeft_px, kSheetTop_px + height + 60.0, sheet.width_px - kSheetLeft_px - 30.0, 40.0};
   return sheet;
 }
 

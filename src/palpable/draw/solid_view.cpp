@@ -20,7 +20,6 @@
 namespace palpable::draw {
 namespace {
 
-constexpr double kMm = 1000.0;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr Rect kPlot{40.0, 100.0, 900.0, 700.0};
 /// Rays per pixel of the plot, along each side.

@@ -12,7 +12,8 @@
 namespace palpable::draw {
 namespace {
 
-constexpr double kLeft_px = 70, kTop_px = 130, kWidth_px = 250, kHeight_px = 130, kGap_px = 74;
+constexpr double kTraceLeft_px = 70, kTraceTop_px = 130, kTrace_px = 250, kTraceHeight_px = 130,
+                 kTraceGap_px = 74;
 constexpr double kMs = 1000.0;
 constexpr double kLeast = 0.05;
 
@@ -34,19 +35,21 @@ Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& 
   double most = kLeast;
   for (const Trace& trace : traces)
     for (const double value : trace.values) most = std::max(most, 1.1 * std::abs(value));
-  const double width_px = columns * (kWidth_px + kGap_px);
-  return {static_cast<int>(kLeft_px + width_px), static_cast<int>(kTop_px + rows * (kHeight_px + kGap_px)),
+  const double width_px = columns * (kTrace_px + kTraceGap_px);
+  return {static_cast<int>(kTraceLeft_px + width_px),
+          static_cast<int>(kTraceTop_px + rows * (kTraceHeight_px + kTraceGap_px)),
           [=, traces = std::move(traces)](Canvas& canvas) {
-            draw_heading(canvas, heading, kLeft_px, width_px - kGap_px);
+            draw_heading(canvas, heading, kTraceLeft_px, width_px - kTraceGap_px);
             for (std::size_t k = 0; k < traces.size(); ++k) {
               const int row = static_cast<int>(k) / columns, column = static_cast<int>(k) % columns;
               const Trace& trace = traces[k];
-              const Plot plot{{kLeft_px + column * (kWidth_px + kGap_px),
-                               kTop_px + row * (kHeight_px + kGap_px), kWidth_px, kHeight_px},
-                              0.0,
-                              kMs * trace.period_s * static_cast<double>(trace.values.size()),
-                              -most,
-                              most};
+              const Plot plot{
+                  {kTraceLeft_px + column * (kTrace_px + kTraceGap_px),
+                   kTraceTop_px + row * (kTraceHeight_px + kTraceGap_px), kTrace_px, kTraceHeight_px},
+                  0.0,
+                  kMs * trace.period_s * static_cast<double>(trace.values.size()),
+                  -most,
+                  most};
               draw_trace(canvas, trace, plot, column == 0 ? value_name : "");
             }
           }};

@@ -13,7 +13,7 @@
 namespace palpable::measure {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr float kFeltSlope = 0.02F;
 /// As far as the detail band still sees a silhouette: at 3.3 standard deviations of its wider filter a step
 /// of 10 mm leaves 5 um.
@@ -137,7 +137,7 @@ double band_correlation(const Pair& pair, const cv::Mat& truth, const cv::Mat& r
       sum += w * std::clamp(double{covariance.at<float>(y, x)} / norm, -1.0, 1.0);
       weights += w;
     }
-  return weights > 0.0 ? sum / weights : kNone;
+  return weights > 0.0 ? sum / weights : kUndefined;
 }
 
 void count_order(const Pair& pair, float step_m, std::size_t& steps, std::size_t& wrong) {
@@ -173,7 +173,7 @@ void count_details(const Pair& pair, const cv::Mat& truth, const cv::Mat& relief
 }
 
 double percent(std::size_t part, std::size_t whole) {
-  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kNone;
+  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : kUndefined;
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/placement_notes.hpp"
 
+#include "palpable/describe/numbers.hpp"
+
 #include <string>
 
 #include <fmt/format.h>
@@ -11,7 +13,8 @@ namespace {
 
 /// "1 : 250" or "4 : 1", with two digits.
 std::string scale_text(double scale) {
-  return scale <= 1.0 ? fmt::format("1 : {:.2g}", 1.0 / scale) : fmt::format("{:.2g} : 1", scale);
+  return scale <= 1.0 ? fmt::format("1 : {}", describe::figure(1.0 / scale))
+                      : fmt::format("{} : 1", describe::figure(scale));
 }
 
 }  // namespace
@@ -20,14 +23,20 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
                                   const sculpt::PlacementOptions& options) {
   std::vector<Note> notes;
   if (!placement.fitted) return notes;
+  if (placement.moved) {
+    notes.emplace_back("The input lies beside its origin: it was moved to the middle.");
+    return notes;
+  }
   const Vec3 extent = box.size_m();
   const double scale = placement.scene_from_input.scale;
   if (options.convention.unit == LengthUnit::metre) {
-    notes.emplace_back(fmt::format("The input is {:.3g} x {:.3g} x {:.3g} m; its scale here is {}.", extent.x,
-                                   extent.y, extent.z, scale_text(scale)));
+    notes.emplace_back(fmt::format("The input is {} x {} x {} m; its scale here is {}.",
+                                   describe::figure(extent.x, 3), describe::figure(extent.y, 3),
+                                   describe::figure(extent.z, 3), scale_text(scale)));
   } else if (!options.size_m) {
-    notes.emplace_back(fmt::format(
-        "The input states no unit: it was scaled to fit a hand, one unit being {:.3g} mm.", 1000.0 * scale));
+    notes.emplace_back(
+        fmt::format("The input states no unit: it was scaled to fit a hand, one unit being {} mm.",
+                    describe::figure(1000.0 * scale, 3)));
   }
   const bool asked = options.up && options.lay != sculpt::Lay::automatic;
   const bool as_it_was = placement.lay == sculpt::Lay::upright && placement.up == AxisDirection::plus_y;

@@ -267,7 +267,7 @@ Vec3 place_on_side(const Superquadric& shape, std::size_t side, double u, double
   return on_surface(shape, {a.x * cube.x, a.y * cube.y, a.z * cube.z});
 }
 
-constexpr int kSide = 12;
+constexpr int kSamplesOnSide = 12;
 
 }  // namespace
 
@@ -278,14 +278,14 @@ SuperquadricDistance::SuperquadricDistance(const Superquadric& shape)
   reach_m_ = 0.0;
   for (std::size_t side = 0; side < 6; ++side) {
     const std::size_t first = seeds_.size();
-    for (int i = 0; i < kSide; ++i)
-      for (int j = 0; j < kSide; ++j) {
-        const Vec3 straight =
-            place_on_side(shape_, side, 2.0 * (i + 0.5) / kSide - 1.0, 2.0 * (j + 0.5) / kSide - 1.0);
+    for (int i = 0; i < kSamplesOnSide; ++i)
+      for (int j = 0; j < kSamplesOnSide; ++j) {
+        const Vec3 straight = place_on_side(shape_, side, 2.0 * (i + 0.5) / kSamplesOnSide - 1.0,
+                                            2.0 * (j + 0.5) / kSamplesOnSide - 1.0);
         seeds_.push_back({straight, deform(shape_, straight)});
       }
     // Places between the seeds, the rims of the sides among them.
-    constexpr int kFiner = 2 * kSide;
+    constexpr int kFiner = 2 * kSamplesOnSide;
     for (int i = 0; i <= kFiner; ++i)
       for (int j = 0; j <= kFiner; ++j) {
         const Vec3 place =
@@ -307,7 +307,7 @@ double SuperquadricDistance::least_distance_m(Point<SceneFrame> p) const noexcep
 }
 
 SuperquadricDistance::Local SuperquadricDistance::nearest_deformed(Vec3 x) const noexcept {
-  constexpr std::size_t kPart = std::size_t{kSide} * kSide;
+  constexpr std::size_t kPart = std::size_t{kSamplesOnSide} * kSamplesOnSide;
   std::array<std::pair<double, std::size_t>, 6> sides;
   for (std::size_t side = 0; side < 6; ++side) {
     const auto begin = seeds_.begin() + static_cast<std::ptrdiff_t>(side * kPart);

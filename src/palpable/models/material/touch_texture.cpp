@@ -23,10 +23,10 @@ constexpr std::array kNames{Name{TouchTexture::Kind::none, "none"}, Name{TouchTe
                             Name{TouchTexture::Kind::bumps, "bumps"},
                             Name{TouchTexture::Kind::picture, "picture"}};
 
-constexpr int kSide = kTextureSide;
+constexpr int kTileSide = kTextureSide;
 /// Forms to the square's side: 16 samples to each, which a cubic B-spline flattens by a fortieth.
 constexpr int kForms = 4;
-constexpr int kStride = kSide + 3;
+constexpr int kStride = kTileSide + 3;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Waves in every direction whose lengths are near the pitch: no form of it stands out.
@@ -62,11 +62,11 @@ int forms_of(TouchTexture::Kind kind) { return kind == TouchTexture::Kind::pictu
 std::vector<double> pattern_of(TouchTexture::Kind kind) {
   const Grain grain;
   std::vector<double> values;
-  values.reserve(std::size_t{kSide} * kSide);
-  for (int j = 0; j < kSide; ++j)
-    for (int i = 0; i < kSide; ++i) {
-      const double u = static_cast<double>(i) / kSide;
-      const double v = static_cast<double>(j) / kSide;
+  values.reserve(std::size_t{kTileSide} * kTileSide);
+  for (int j = 0; j < kTileSide; ++j)
+    for (int i = 0; i < kTileSide; ++i) {
+      const double u = static_cast<double>(i) / kTileSide;
+      const double v = static_cast<double>(j) / kTileSide;
       const double across = std::cos(kTurn * kForms * u);
       const double along = std::cos(kTurn * kForms * v);
       values.push_back(kind == TouchTexture::Kind::grain    ? grain.at(u, v)
@@ -85,10 +85,10 @@ struct Wrapped {
   explicit Wrapped(double place) noexcept {
     // A whole number of squares further on, where places are positive: rounding down is then one conversion.
     constexpr double kFarOn = 0x1p31;
-    static_assert((std::int64_t{1} << 31) % kSide == 0 && (kSide & (kSide - 1)) == 0);
+    static_assert((std::int64_t{1} << 31) % kTileSide == 0 && (kTileSide & (kTileSide - 1)) == 0);
     const double positive = place + kFarOn;
     const auto whole = static_cast<std::int64_t>(positive);
-    index = static_cast<std::size_t>(whole & (kSide - 1));
+    index = static_cast<std::size_t>(whole & (kTileSide - 1));
     beyond = positive - static_cast<double>(whole);
   }
   std::size_t index;
@@ -109,7 +109,7 @@ std::optional<TouchTexture::Kind> texture_kind_from(std::string_view name) {
 
 bool is_sound(const TouchTexture& t) {
   const bool has_tile =
-      t.tile.size() == std::size_t{kSide} * kSide &&
+      t.tile.size() == std::size_t{kTileSide} * kTileSide &&
       std::all_of(t.tile.begin(), t.tile.end(), [](float v) { return v >= -1.001F && v <= 1.001F; });
   return (has_tile || (t.tile.empty() && t.kind != TouchTexture::Kind::picture)) && t.pitch_m >= 0.0999e-3 &&
          t.pitch_m <= 20.001e-3 && t.height_m >= 0.0 && t.height_m <= 1.001e-3 && std::isfinite(t.angle_rad);
@@ -120,7 +120,7 @@ TexturePattern::TexturePattern(const TouchTexture& texture)
       pitch_m_(texture.pitch_m),
       cos_(std::cos(texture.angle_rad)),
       sin_(std::sin(texture.angle_rad)),
-      samples_per_m_(static_cast<double>(kSide) / forms_of(texture.kind) / texture.pitch_m) {
+      samples_per_m_(static_cast<double>(kTileSide) / forms_of(texture.kind) / texture.pitch_m) {
   PALPABLE_CHECK(is_sound(texture) && texture.kind != TouchTexture::Kind::none);
   const bool is_picture = texture.kind == TouchTexture::Kind::picture;
   const auto pattern =
@@ -128,8 +128,8 @@ TexturePattern::TexturePattern(const TouchTexture& texture)
   for (int j = 0; j < kStride; ++j)
     for (int i = 0; i < kStride; ++i) {
       // A picture's rows go down, the pattern's up.
-      const int row = (j + kSide - 1) % kSide;
-      const int from = (is_picture ? kSide - 1 - row : row) * kSide + (i + kSide - 1) % kSide;
+      const int row = (j + kTileSide - 1) % kTileSide;
+      const int from = (is_picture ? kTileSide - 1 - row : row) * kTileSide + (i + kTileSide - 1) % kTileSide;
       values_[static_cast<std::size_t>(j) * kStride + static_cast<std::size_t>(i)] =
           static_cast<float>(texture.height_m * pattern[static_cast<std::size_t>(from)]);
     }

@@ -13,11 +13,8 @@
 namespace palpable::sculpt {
 namespace {
 
-struct Pixel {
-  int x = 0, y = 0;
-};
 /// Beside each other first, then at the corners.
-constexpr std::array<Pixel, 8> kNeighbours{
+constexpr std::array<Pixel, 8> kStepsToNeighbours{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 bool touching(Pixel a, Pixel b) { return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1; }
@@ -57,14 +54,14 @@ class Tracer {
  private:
   bool is_line(Pixel p) const { return line_.contains(p.x, p.y) && line_(p.x, p.y) > 0.0F; }
   std::optional<Pixel> next(Pixel p) const {
-    for (const Pixel step : kNeighbours)
+    for (const Pixel step : kStepsToNeighbours)
       if (const Pixel q{p.x + step.x, p.y + step.y}; is_open(q)) return q;
     return std::nullopt;
   }
   /// A taken pixel beside the way's end that is not of its own last pixels.
   std::optional<Pixel> met(const std::vector<Pixel>& way) const {
     const Pixel end = way.back();
-    for (const Pixel step : kNeighbours) {
+    for (const Pixel step : kStepsToNeighbours) {
       const Pixel q{end.x + step.x, end.y + step.y};
       const std::size_t own = std::min<std::size_t>(way.size(), 3);
       const bool is_own = std::any_of(way.end() - static_cast<std::ptrdiff_t>(own), way.end(),

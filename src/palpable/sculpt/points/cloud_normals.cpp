@@ -19,13 +19,13 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr std::size_t kFewest = 16;
-constexpr std::size_t kNeighbours = 12;
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr std::size_t kFewestForNormals = 16;
+constexpr std::size_t kNormalNeighbours = 12;
+constexpr std::uint32_t kNoNeighbour = 0xFFFFFFFFU;
 
-using Neighbours = std::array<std::uint32_t, kNeighbours>;
+using Neighbours = std::array<std::uint32_t, kNormalNeighbours>;
 
-/// The nearest others, where they are expected about `guess_m` away; kNone where there are no more.
+/// The nearest others, where they are expected about `guess_m` away; kNoNeighbour where there are no more.
 Neighbours nearest(const PointIndex& index, Vec3 p, std::uint32_t self, double guess_m, double most_m) {
   std::vector<std::pair<double, std::uint32_t>> found;
   for (double radius_m = guess_m;; radius_m *= 1.6) {
@@ -33,12 +33,12 @@ Neighbours nearest(const PointIndex& index, Vec3 p, std::uint32_t self, double g
     index.within(p, radius_m, [&](std::uint32_t i, double squared) {
       if (i != self && squared > 0.0) found.emplace_back(squared, i);
     });
-    if (found.size() >= kNeighbours || radius_m > most_m) break;
+    if (found.size() >= kNormalNeighbours || radius_m > most_m) break;
   }
-  const std::size_t count = std::min(found.size(), kNeighbours);
+  const std::size_t count = std::min(found.size(), kNormalNeighbours);
   std::partial_sort(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count), found.end());
   Neighbours neighbours;
-  neighbours.fill(kNone);
+  neighbours.fill(kNoNeighbour);
   for (std::size_t k = 0; k < count; ++k) neighbours[k] = found[k].second;
   return neighbours;
 }
@@ -48,7 +48,7 @@ Vec3 normal_of(const std::vector<Vec3>& places, std::uint32_t self, const Neighb
   Vec3 mean = places[self];
   double count = 1.0;
   for (const std::uint32_t i : neighbours)
-    if (i != kNone) mean += places[i], count += 1.0;
+    if (i != kNoNeighbour) mean += places[i], count += 1.0;
   mean = mean / count;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   const auto add = [&](Vec3 p) {
@@ -57,7 +57,7 @@ Vec3 normal_of(const std::vector<Vec3>& places, std::uint32_t self, const Neighb
   };
   add(places[self]);
   for (const std::uint32_t i : neighbours)
-    if (i != kNone) add(places[i]);
+    if (i != kNoNeighbour) add(places[i]);
   const double trace = spread.trace();
   if (!(trace > 0.0)) return {0.0, 0.0, 1.0};
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
@@ -75,7 +75,7 @@ class Turning {
     // Whom a point is near to need not be whom it has near.
     for (std::uint32_t i = 0; i < neighbours_.size(); ++i)
       for (const std::uint32_t other : neighbours_[i])
-        if (other != kNone) backwards_[other].push_back(i);
+        if (other != kNoNeighbour) backwards_[other].push_back(i);
   }
 
   void run() {
@@ -103,7 +103,7 @@ class Turning {
   }
 
   void offer(std::uint32_t from, std::uint32_t to) {
-    if (to == kNone || done_[to]) return;
+    if (to == kNoNeighbour || done_[to]) return;
     waiting_.emplace(1.0 - std::abs(dot(cloud_.normals[from], cloud_.normals[to])), to, from);
   }
 
@@ -134,7 +134,7 @@ class Turning {
 }  // namespace
 
 Result<PointCloud> with_normals(PointCloud cloud, const Work& work) {
-  if (cloud.places_m.size() < kFewest) return invalid_input("holds fewer than 16 points");
+  if (cloud.places_m.size() < kFewestForNormals) return invalid_input("holds fewer than 16 points");
   for (const Vec3 p : cloud.places_m)
     if (!is_finite(p)) return invalid_input("holds a point that is not a finite number");
   const auto less = [](Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };

@@ -45,11 +45,6 @@ float between(const Raster<float>& coarse, int x, int y) {
          t * ((1 - s) * coarse(a, b1) + s * coarse(a1, b1));
 }
 
-struct Pixel {
-  int x;
-  int y;
-};
-
 /// Gauss-Seidel towards the mean of the four neighbours, inside the holes only.
 void relax(Raster<float>& values, const std::vector<Pixel>& holes, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep)

@@ -149,7 +149,8 @@ Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<doub
   if (std::none_of(nearness.values().begin(), nearness.values().end(),
                    [](float v) { return std::isfinite(v); }))
     return invalid_input("no pixel has a known depth");
-  Window window = percentile_window(nearness);
+  const Window whole = percentile_window(nearness);
+  Window window = whole;
   if (far) window.low = *far;
   if (near) window.high = *near;
   if (window.low > window.high) {
@@ -158,6 +159,8 @@ Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<doub
     else
       return usage("the depth window lies outside the picture's depths");
   }
+  if (window.high < whole.low || window.low > whole.high)
+    return usage("the depth window lies outside the picture's depths");
   return relief_from_nearness(std::move(nearness), window, options, work);
 }
 

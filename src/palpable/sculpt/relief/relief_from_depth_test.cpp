@@ -14,8 +14,6 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
 DepthMap hill(int width, int height) {
   DepthMap map;
   map.depth_m = Raster<float>(width, height);
@@ -110,7 +108,7 @@ TEST(ReliefFromDepth, SurvivesHolesSpikesAndASingleLevel) {
   DepthMap half = hill(120, 90);
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 120; ++x)
-      if ((x / 7 + y / 5) % 2 == 0) half.depth_m(x, y) = kUnknown;
+      if ((x / 7 + y / 5) % 2 == 0) half.depth_m(x, y) = kUnknownDepth;
   half.depth_m(3, 3) = -4.0F;
   half.depth_m(5, 5) = 1e6F;
   half.depth_m(6, 6) = std::numeric_limits<float>::infinity();
@@ -128,7 +126,7 @@ TEST(ReliefFromDepth, SurvivesHolesSpikesAndASingleLevel) {
 
 TEST(ReliefFromDepth, RefusesWhatHoldsNoDepthAndOptionsOutOfRange) {
   DepthMap nothing;
-  nothing.depth_m = Raster<float>(40, 40, kUnknown);
+  nothing.depth_m = Raster<float>(40, 40, kUnknownDepth);
   EXPECT_EQ(relief_from_depth(nothing, {}, {}).error().code, ErrorCode::invalid_input);
   nothing.depth_m = Raster<float>(1, 40, 1.0F);
   EXPECT_EQ(relief_from_depth(nothing, {}, {}).error().code, ErrorCode::invalid_input);
@@ -137,6 +135,9 @@ TEST(ReliefFromDepth, RefusesWhatHoldsNoDepthAndOptionsOutOfRange) {
   EXPECT_EQ(relief_from_depth(hill(40, 40), options, {}).error().code, ErrorCode::usage);
   options = {};
   options.near = options.far = 1.0;
+  EXPECT_EQ(relief_from_depth(hill(40, 40), options, {}).error().code, ErrorCode::usage);
+  options.near = 900.0;
+  options.far = 1000.0;
   EXPECT_EQ(relief_from_depth(hill(40, 40), options, {}).error().code, ErrorCode::usage);
 }
 
@@ -161,7 +162,7 @@ TEST(ReliefFromDisparity, TakesDisparityAsNearnessWithoutACamera) {
   map.disparity_px = Raster<float>(60, 40, 4.0F);
   for (int y = 10; y < 30; ++y)
     for (int x = 20; x < 40; ++x) map.disparity_px(x, y) = 20.0F;
-  map.disparity_px(1, 1) = kUnknown;
+  map.disparity_px(1, 1) = kUnknownDepth;
   const auto relief = relief_from_disparity(map, {}, {});
   ASSERT_TRUE(relief);
   EXPECT_NEAR(relief->sample(0, 0).z_m, 0.015, 1e-6);
@@ -199,7 +200,7 @@ TEST(CloseHoles, FillsAPlaneAlmostExactlyAndKeepsWhatIsKnown) {
     for (int x = 0; x < 64; ++x) plane(x, y) = static_cast<float>(x) + 2.0F * static_cast<float>(y);
   Raster<float> holed = plane;
   for (int y = 20; y < 28; ++y)
-    for (int x = 30; x < 38; ++x) holed(x, y) = kUnknown;
+    for (int x = 30; x < 38; ++x) holed(x, y) = kUnknownDepth;
   close_holes(holed);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 64; ++x) {

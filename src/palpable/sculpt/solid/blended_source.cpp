@@ -10,7 +10,7 @@
 namespace palpable::sculpt {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
 /// In the transition neither distance is right: a part of their difference is allowed (and
 /// some more of the direction), less towards both ends.
 constexpr double kLoose = 0.05;
@@ -20,13 +20,13 @@ constexpr double kLoose = 0.05;
 using models::FieldSample;
 
 FieldSample BlendedSource::at(Vec3 place_m, Hint& hint) const {
-  if (!around_.any_within(place_m, within_m_, kNone)) return earlier_.sample(place_m);
+  if (!around_.any_within(place_m, within_m_, kNoPart)) return earlier_.sample(place_m);
   const FieldSample now = source_.at(place_m, hint);
   const double depth_m = std::abs(now.distance_m);
   const double whole = now.distance_m < 0.0 ? whole_.inside : whole_.outside;
   // u <= whole, without looking for the nearest place of `around`.
   const double whole_from_m = within_m_ - depth_m * (1.0 - whole) / whole;
-  if (whole_from_m > 0.0 && around_.any_within(place_m, whole_from_m, kNone)) return now;
+  if (whole_from_m > 0.0 && around_.any_within(place_m, whole_from_m, kNoPart)) return now;
   const FieldSample old = earlier_.sample(place_m);
   const double difference_m = now.distance_m - old.distance_m;
   const NearestTriangle near = around_.nearest(place_m, hint.second_triangle);

@@ -41,6 +41,14 @@ bool suits_a_hand(Vec3 extent_m) {
   return longest_m >= kLeast_m && longest_m <= kMost_m;
 }
 
+bool lies_about_origin(const Box& box) {
+  constexpr double kAcross = 0.25;
+  const Vec3 extent = box.size_m(), middle = 0.5 * (box.least_m + box.most_m);
+  const double longest_m = std::max({extent.x, extent.y, extent.z});
+  return std::max(std::abs(middle.x), std::abs(middle.y)) <= kAcross * longest_m &&
+         std::abs(middle.z) <= longest_m;
+}
+
 std::array<double, 9> turn_towards_person(AxisDirection towards, AxisDirection up) {
   const Vec3 z = unit_vector(towards);
   const Vec3 y = along_one_axis(towards, up) ? -unit_vector(front_of(up)) : unit_vector(up);
@@ -87,7 +95,14 @@ Result<Placement> placement_of(const Box& box, const PlacementOptions& options) 
   Placement placement;
   placement.up = options.up.value_or(options.convention.up);
   const bool nothing_asked = !options.size_m && !options.up && options.lay == Lay::automatic;
-  if (nothing_asked && (options.default_size == DefaultSize::own || suits_a_hand(extent))) return placement;
+  if (nothing_asked && options.default_size == DefaultSize::own) return placement;
+  if (nothing_asked && suits_a_hand(extent)) {
+    if (lies_about_origin(box)) return placement;
+    placement.fitted = placement.moved = true;
+    const Vec3 middle = 0.5 * (box.least_m + box.most_m);
+    placement.scene_from_input.translation_m = -Vec3{middle.x, middle.y, box.least_m.z};
+    return placement;
+  }
   const auto upright = turn_towards_person(front_of(placement.up), placement.up);
   placement.lay = options.lay == Lay::automatic ? automatic_lay(turned(box, upright).size_m()) : options.lay;
   const auto rotation =

@@ -26,7 +26,8 @@ enum class Lay {
 enum class DefaultSize {
   /// Its own: metres, axes and origin stay as they are.
   own,
-  /// Its own if its longest side is 20 to 250 mm, which a hand can feel; else the default working volume.
+  /// Its own if its longest side is 20 to 250 mm, which a hand can feel; else the default working volume. A
+  /// solid of its own size that lies beside its origin is moved to the middle.
   for_a_hand
 };
 
@@ -49,6 +50,8 @@ struct Placement {
   Transform<SceneFrame, models::InputFrame> scene_from_input;
   /// False: the solid keeps its metres, axes and origin.
   bool fitted = false;
+  /// Only moved to the middle: it keeps its metres and axes.
+  bool moved = false;
   /// Never `automatic`.
   Lay lay = Lay::upright;
   AxisDirection up = AxisDirection::plus_y;
@@ -63,6 +66,10 @@ Result<Placement> placement_of(const Box& box, const PlacementOptions& options);
 
 /// Which side of a solid faces the person when that direction is up.
 AxisDirection front_of(AxisDirection up);
+
+/// Whether a solid's middle is near enough to the origin (a quarter of its longest side across the view, once
+/// that side along it) for a hand that starts above the origin to find it.
+bool lies_about_origin(const Box& box);
 
 /// Whether a solid of these extents has a size that a hand can feel.
 bool suits_a_hand(Vec3 extent_m);

@@ -35,6 +35,14 @@ TEST(Placement, KeepsASolidThatAHandCanFeel) {
   expect_near(placed(*placement, {0.01, 0.02, 0.03}), {0.01, 0.02, 0.03});
 }
 
+TEST(Placement, MovesASolidOfAHandsSizeFromBesideItsOriginToTheMiddle) {
+  const auto placement = placement_of({{0.3, 0.3, 0.3}, {0.38, 0.36, 0.34}}, with_up(AxisDirection::plus_y));
+  ASSERT_TRUE(placement);
+  EXPECT_TRUE(placement->moved);
+  expect_near(placed(*placement, {0.3, 0.3, 0.3}), {-0.04, -0.03, 0.0});
+  expect_near(placed(*placement, {0.38, 0.36, 0.34}), {0.04, 0.03, 0.04});
+}
+
 TEST(Placement, KeepsAnySolidWhereItsOwnSizeIsAskedFor) {
   const auto placement = placement_of(kHouse, {});
   ASSERT_TRUE(placement);

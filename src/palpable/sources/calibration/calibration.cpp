@@ -70,10 +70,6 @@ void scale_camera(CameraModel& camera, double sx, double sy) {
   m[5] = scaled_place(m[5], sy);
 }
 
-std::string size_text(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
-
 }  // namespace
 
 Result<Calibration> decode_calibration(std::span<const std::byte> file) {

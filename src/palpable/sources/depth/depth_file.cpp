@@ -17,8 +17,6 @@
 namespace palpable::sources {
 namespace {
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
 /// One channel's numbers as the file has them: an Image holds integers as value / most, exact to recover.
 Result<Raster<float>> values_of(const Image& image) {
   const auto channels = static_cast<std::size_t>(image.channels);
@@ -72,7 +70,7 @@ Result<Raster<float>> read_raster(const std::filesystem::path& path) {
 }
 
 DepthFile depth_from_values(const Raster<float>& values, double metres_per_unit) {
-  DepthFile out{{Raster<float>(values.width(), values.height(), kUnknown), std::nullopt}, 0};
+  DepthFile out{{Raster<float>(values.width(), values.height(), kUnknownDepth), std::nullopt}, 0};
   for (std::size_t i = 0; i < values.count(); ++i) {
     const auto z = static_cast<float>(metres_per_unit * static_cast<double>(values.values()[i]));
     if (is_known(z))
@@ -100,7 +98,7 @@ Result<DisparityFile> read_disparity(const std::filesystem::path& path, double p
     return bad_scale("the disparity scale in pixels per unit", path);
   const auto values = read_raster(path);
   if (!values) return values.error();
-  DisparityFile out{{Raster<float>(values->width(), values->height(), kUnknown), std::nullopt}, 0};
+  DisparityFile out{{Raster<float>(values->width(), values->height(), kUnknownDepth), std::nullopt}, 0};
   for (std::size_t i = 0; i < values->count(); ++i) {
     const float v = values->values()[i];
     if (std::isfinite(v) && v >= 0.0F && !(unknown == UnknownDisparity::zero_too && v == 0.0F))

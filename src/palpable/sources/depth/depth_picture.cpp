@@ -20,8 +20,6 @@ Note taken_as_metres() {
   return {"The file's numbers were taken as depth in metres.", Reason::depth_numbers_assumed};
 }
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-
 /// Numbers, and what they are before anything is stated about them.
 struct Numbers {
   Raster<float> values;
@@ -125,7 +123,7 @@ Result<Numbers> from_file(std::span<const std::byte> file) {
 }
 
 DisparityMap scaled_disparity(const Raster<float>& values, double scale, bool zero_is_unknown) {
-  DisparityMap out{Raster<float>(values.width(), values.height(), kUnknown), std::nullopt};
+  DisparityMap out{Raster<float>(values.width(), values.height(), kUnknownDepth), std::nullopt};
   for (std::size_t i = 0; i < values.count(); ++i) {
     const float v = values.values()[i];
     if (std::isfinite(v) && v >= 0.0F && !(zero_is_unknown && v == 0.0F))
@@ -148,7 +146,7 @@ void turn_distance_into_depth(Raster<float>& values, const Pinhole& c) {
 void forget_the_endless(Raster<float>& values) {
   constexpr float kEndless = 1e9F;
   for (float& v : values.values())
-    if (v >= kEndless) v = kUnknown;
+    if (v >= kEndless) v = kUnknownDepth;
 }
 
 Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const DepthSettings& s) {
@@ -187,10 +185,6 @@ Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const 
 const Raster<float>& raster_of(const std::variant<DepthMap, DisparityMap>& depth) {
   const auto* metres = std::get_if<DepthMap>(&depth);
   return metres != nullptr ? metres->depth_m : std::get<DisparityMap>(depth).disparity_px;
-}
-
-std::string size_text(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height);
 }
 
 /// Sizes agree, or the colour picture is evenly larger or smaller: its pixels are then picked, nearest by

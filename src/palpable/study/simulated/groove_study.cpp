@@ -14,7 +14,7 @@ namespace palpable::study {
 namespace {
 
 constexpr int kSide = 121;
-constexpr double kPixel_m = 0.00015;
+constexpr double kGroovePixel_m = 0.00015;
 constexpr double kLasts_s = 3.0;
 constexpr double kWatched_s = 1.0;
 constexpr int kKept = 200;
@@ -24,8 +24,8 @@ Result<models::Scene> groove_scene(double slope) {
   Raster<float> height_m(kSide, kSide);
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
-      height_m(x, y) = static_cast<float>(slope * kPixel_m * std::abs(x - kSide / 2));
-  auto relief = models::Relief::from_samples(std::move(height_m), kPixel_m);
+      height_m(x, y) = static_cast<float>(slope * kGroovePixel_m * std::abs(x - kSide / 2));
+  auto relief = models::Relief::from_samples(std::move(height_m), kGroovePixel_m);
   if (!relief) return relief.error();
   models::Scene scene;
   scene.model = std::make_shared<const models::Relief>(std::move(*relief));

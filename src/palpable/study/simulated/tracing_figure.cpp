@@ -12,18 +12,18 @@
 namespace palpable::study {
 namespace {
 
-constexpr int kWidth = 700;
-constexpr int kHeight = 500;
-constexpr double kPixel_m = 0.0002;
+constexpr int kFigureWidth = 700;
+constexpr int kFigureHeight = 500;
+constexpr double kFigurePixel_m = 0.0002;
 constexpr int kSamples = 4;
 constexpr std::uint8_t kDark = 60;
 constexpr std::uint8_t kLight = 220;
 
 /// How much of each pixel is covered, by kSamples x kSamples places in it.
 Raster<float> coverage(const Raster<std::uint8_t>& fine) {
-  Raster<float> covered(kWidth, kHeight, 0.0F);
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  Raster<float> covered(kFigureWidth, kFigureHeight, 0.0F);
+  for (int y = 0; y < kFigureHeight; ++y)
+    for (int x = 0; x < kFigureWidth; ++x) {
       int sum = 0;
       for (int b = 0; b < kSamples; ++b)
         for (int a = 0; a < kSamples; ++a) sum += fine(kSamples * x + a, kSamples * y + b);
@@ -33,11 +33,12 @@ Raster<float> coverage(const Raster<std::uint8_t>& fine) {
 }
 
 Raster<float> coverage_of(const std::vector<Vec3>& outline) {
-  return coverage(inside_of(outline, {kWidth * kSamples, kHeight * kSamples, kPixel_m / kSamples}));
+  return coverage(
+      inside_of(outline, {kFigureWidth * kSamples, kFigureHeight * kSamples, kFigurePixel_m / kSamples}));
 }
 
 Raster<std::uint8_t> dark_on_light(const Raster<float>& covered) {
-  Raster<std::uint8_t> picture(kWidth, kHeight);
+  Raster<std::uint8_t> picture(kFigureWidth, kFigureHeight);
   std::transform(covered.values().begin(), covered.values().end(), picture.values().begin(), [](float c) {
     return static_cast<std::uint8_t>(std::lround(kLight + double{c} * (kDark - kLight)));
   });
@@ -48,7 +49,7 @@ TracingFigure filled(std::string name, std::vector<Vec3> outline) {
   TracingFigure figure;
   figure.name = std::move(name);
   figure.picture = dark_on_light(coverage_of(outline));
-  figure.pixel_m = kPixel_m;
+  figure.pixel_m = kFigurePixel_m;
   figure.nominal = std::move(outline);
   return figure;
 }
@@ -84,7 +85,7 @@ Vec3 turned(Vec3 p, int angle_deg) {
 /// Independent Gaussian values smoothed by a Gaussian along rows and columns.
 Raster<float> smoothed_noise(std::mt19937_64& random, double sigma_x, double sigma_y) {
   std::normal_distribution<float> normal;
-  Raster<float> field(kWidth, kHeight);
+  Raster<float> field(kFigureWidth, kFigureHeight);
   for (float& v : field.values()) v = normal(random);
   const auto smooth = [&field](double sigma, int dx, int dy) {
     const int reach = static_cast<int>(std::ceil(3.0 * sigma));
@@ -92,12 +93,13 @@ Raster<float> smoothed_noise(std::mt19937_64& random, double sigma_x, double sig
     for (int k = -reach; k <= reach; ++k)
       kernel.push_back(static_cast<float>(std::exp(-0.5 * k * k / (sigma * sigma))));
     const Raster<float> from = field;
-    for (int y = 0; y < kHeight; ++y)
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kFigureHeight; ++y)
+      for (int x = 0; x < kFigureWidth; ++x) {
         float sum = 0.0F;
         for (int k = -reach; k <= reach; ++k)
-          sum += kernel[static_cast<std::size_t>(k + reach)] *
-                 from(std::clamp(x + k * dx, 0, kWidth - 1), std::clamp(y + k * dy, 0, kHeight - 1));
+          sum +=
+              kernel[static_cast<std::size_t>(k + reach)] *
+              from(std::clamp(x + k * dx, 0, kFigureWidth - 1), std::clamp(y + k * dy, 0, kFigureHeight - 1));
         field(x, y) = sum;
       }
   };
@@ -148,13 +150,13 @@ TracingFigure ultrasound_figure(std::uint64_t seed) {
   double power = 0.0;
   for (std::size_t k = 0; k < real.count(); ++k) power += double{real.values()[k]} * double{real.values()[k]};
   power /= static_cast<double>(real.count());
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kFigureHeight; ++y)
+    for (int x = 0; x < kFigureWidth; ++x) {
       const double size2 =
           (double{real(x, y)} * double{real(x, y)} + double{imaginary(x, y)} * double{imaginary(x, y)}) /
           (2.0 * power);
       const double dB = 10.0 * std::log10(size2 + 1e-6) + kInside_dB * double{covered(x, y)} +
-                        kAttenuation_dB * y / kHeight;
+                        kAttenuation_dB * y / kFigureHeight;
       // The mean of bright tissue stands at three quarters of the range.
       const double grey = std::clamp(0.75 + dB / kRange_dB, 0.0, 1.0);
       figure.picture(x, y) = static_cast<std::uint8_t>(std::lround(255.0 * grey));

@@ -15,9 +15,6 @@
 namespace palpable::vision {
 namespace {
 
-struct Pixel {
-  int x, y;
-};
 struct Place {
   double x, y;
 };

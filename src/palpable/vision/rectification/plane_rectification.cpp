@@ -16,7 +16,7 @@ namespace palpable::vision {
 namespace {
 
 using Line = cv::Vec3d;
-using Place = cv::Vec3d;
+using HomogeneousPoint = cv::Vec3d;
 /// A direction on the affine picture, which is the plane but for one linear map.
 using Direction = cv::Vec2d;
 
@@ -26,15 +26,17 @@ cv::Matx33d normalising(const Image& picture) {
   return {s, 0, -s * 0.5 * (picture.width - 1), 0, s, -s * 0.5 * (picture.height - 1), 0, 0, 1};
 }
 
-Place place_of(const PicturePoint& p, const cv::Matx33d& n) { return n * Place(p.x, p.y, 1.0); }
+HomogeneousPoint place_of(const PicturePoint& p, const cv::Matx33d& n) {
+  return n * HomogeneousPoint(p.x, p.y, 1.0);
+}
 
 Line line_of(const PictureLine& line, const cv::Matx33d& n) {
   const Line through = place_of(line.from, n).cross(place_of(line.to, n));
   return through / std::hypot(through[0], through[1]);
 }
 
-Place meeting(const Line& a, const Line& b) {
-  const Place p = a.cross(b);
+HomogeneousPoint meeting(const Line& a, const Line& b) {
+  const HomogeneousPoint p = a.cross(b);
   const double length = cv::norm(p);
   return length > 0.0 ? p / length : p;
 }
@@ -42,8 +44,8 @@ Place meeting(const Line& a, const Line& b) {
 /// The projective geometry of the plane: its vanishing line, and directions at right angles.
 struct Geometry {
   Line vanishing;
-  std::vector<std::array<Place, 2>> orthogonal;
-  Place along;
+  std::vector<std::array<HomogeneousPoint, 2>> orthogonal;
+  HomogeneousPoint along;
 };
 
 /// H1 of the paper: the vanishing line goes to infinity.
@@ -52,8 +54,8 @@ cv::Matx33d affine_from_picture(const Line& vanishing) {
   return {1, 0, 0, 0, 1, 0, l[0] / l[2], l[1] / l[2], 1};
 }
 
-Direction direction_of(const Place& vanishing_point, const cv::Matx33d& affine) {
-  const Place p = affine * vanishing_point;
+Direction direction_of(const HomogeneousPoint& vanishing_point, const cv::Matx33d& affine) {
+  const HomogeneousPoint p = affine * vanishing_point;
   const double length = std::hypot(p[0], p[1]);
   return {p[0] / length, p[1] / length};
 }
@@ -87,7 +89,8 @@ cv::Matx33d plane_from_affine(const cv::Matx22d& s) {
 
 /// The focal length (in half diagonals) that makes two vanishing points' directions orthogonal, for a camera
 /// whose axis meets the middle; nullopt where it is not determined or no camera's.
-std::optional<double> focal_of(const Place& v1, const Place& v2, const PlaneRectificationOptions& options) {
+std::optional<double> focal_of(const HomogeneousPoint& v1, const HomogeneousPoint& v2,
+                               const PlaneRectificationOptions& options) {
   const double shortest = options.shortest_focal, longest = options.longest_focal;
   if (std::abs(v1[2]) < 0.02 || std::abs(v2[2]) < 0.02) return std::nullopt;
   const double squared = -(v1[0] * v2[0] + v1[1] * v2[1]) / (v1[2] * v2[2]);
@@ -97,7 +100,7 @@ std::optional<double> focal_of(const Place& v1, const Place& v2, const PlaneRect
 
 /// Two independent orthogonal pairs of directions of the plane that a camera of this focal length sees vanish
 /// in `vanishing`: the plane's own axes, and those turned by 45 degrees.
-std::vector<std::array<Place, 2>> pairs_by_camera(const Line& vanishing, double focal) {
+std::vector<std::array<HomogeneousPoint, 2>> pairs_by_camera(const Line& vanishing, double focal) {
   const cv::Matx33d camera(focal, 0, 0, 0, focal, 0, 0, 0, 1);
   const cv::Vec3d normal = cv::normalize(cv::Vec3d(camera.t() * vanishing));
   const cv::Vec3d off = std::abs(normal[0]) < 0.7 ? cv::Vec3d(1, 0, 0) : cv::Vec3d(0, 1, 0);
@@ -111,7 +114,7 @@ double usual_focal(const Image& picture) {
 }
 
 /// Completes the orthogonal pairs by the camera where they are too few.
-void complete(Geometry& geometry, const Place& across, const Image& picture,
+void complete(Geometry& geometry, const HomogeneousPoint& across, const Image& picture,
               const PlaneRectificationOptions& options, std::vector<std::string>& notes) {
   if (geometry.orthogonal.size() >= 2) return;
   const auto focal = focal_of(geometry.along, across, options);
@@ -215,8 +218,8 @@ Result<RectifiedPlane> rectify_plane(const Image& picture, const PlaneLines& lin
   if (auto in_range = check_ranges(options); !in_range) return in_range.error();
   try {
     const cv::Matx33d n = normalising(picture);
-    const Place along = meeting(line_of(lines.along[0], n), line_of(lines.along[1], n)),
-                across = meeting(line_of(lines.across[0], n), line_of(lines.across[1], n));
+    const HomogeneousPoint along = meeting(line_of(lines.along[0], n), line_of(lines.along[1], n)),
+                           across = meeting(line_of(lines.across[0], n), line_of(lines.across[1], n));
     Geometry geometry{along.cross(across), {}, along};
     const double length = cv::norm(geometry.vanishing);
     if (!(length > 1e-6)) return no_plane();
@@ -251,8 +254,8 @@ Result<RectifiedPlane> rectify_rectangle(const Image& picture, const PlaneRectan
           "the four corners are not those of a rectangle, from the upper left one clockwise");
     std::vector<std::string> notes;
     double aspect = rectangle.aspect.value_or(0.0);
-    const Place along = meeting(line_of({c[0], c[1]}, n), line_of({c[3], c[2]}, n)),
-                across = meeting(line_of({c[0], c[3]}, n), line_of({c[1], c[2]}, n));
+    const HomogeneousPoint along = meeting(line_of({c[0], c[1]}, n), line_of({c[3], c[2]}, n)),
+                           across = meeting(line_of({c[0], c[3]}, n), line_of({c[1], c[2]}, n));
     if (!rectangle.aspect) {
       Geometry geometry{cv::normalize(cv::Vec3d(along.cross(across))), {}, along};
       complete(geometry, across, picture, options, notes);

@@ -14,10 +14,6 @@
 namespace palpable::vision {
 namespace {
 
-struct Pixel {
-  int x, y;
-};
-
 int difference(Rgb8 a, Rgb8 b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }

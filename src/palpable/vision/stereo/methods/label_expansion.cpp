@@ -60,10 +60,6 @@ class StripExpansion {
   }
 
  private:
-  struct Pixel {
-    int x, y;
-  };
-
   void collect(int alpha, const Raster<int>& label) {
     pixels_.clear();
     for (int y = top_; y < bottom_; ++y) {

@@ -15,9 +15,6 @@
 namespace palpable::vision {
 namespace {
 
-struct Pixel {
-  int x, y;
-};
 using PixelLists = std::vector<std::vector<Pixel>>;
 
 double median_of(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels) {

@@ -13,10 +13,6 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 4> kBeside{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-struct Pixel {
-  int x, y;
-};
-
 /// The connected surface around `from`; its pixels get `number`.
 std::vector<Pixel> surface_from(Pixel from, const Raster<float>& disparity, int number, float joined_px,
                                 Raster<int>& surface) {

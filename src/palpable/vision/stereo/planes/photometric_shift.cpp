@@ -91,13 +91,13 @@ void shift_row(const Sums& sums, const PhotometricShiftOptions& options, int y, 
     const auto i = static_cast<std::size_t>(x);
     const float total = sums.of[0][i];
     trust(x, y) = 0.0F;
-    if (total < options.least_weight) continue;
+    if (!(total > 0.0F) || total < options.least_weight) continue;
     const float e = sums.of[1][i] / total;
     const float g = sums.of[2][i] / total;
     const float eg = sums.of[3][i] / total - e * g;
     const float gg = sums.of[4][i] / total - g * g;
     const float ee = sums.of[5][i] / total - e * e;
-    if (gg < options.least_gradient_variance) continue;
+    if (!(gg > 0.0F) || gg < options.least_gradient_variance) continue;
     const float unexplained = std::max(0.0F, ee - eg * eg / gg) + options.noise_variance;
     // The inverse of the shift's variance, and its share beside that of the expected shift.
     const float information = options.independent_share * total * gg / unexplained;

@@ -12,10 +12,6 @@
 namespace palpable::vision {
 namespace {
 
-struct Pixel {
-  int x, y;
-};
-
 struct Vote {
   float disparity, slope_x, slope_y, weight;
 };
@@ -55,7 +51,7 @@ class PlaneVoting {
         total += vote.weight;
         votes_.push_back(vote);
       }
-    if (total < window_.least_weight) return {};
+    if (votes_.empty() || total < window_.least_weight) return {};
     std::sort(votes_.begin(), votes_.end(),
               [](const Vote& a, const Vote& b) { return a.disparity < b.disparity; });
     float sum = 0.0F;

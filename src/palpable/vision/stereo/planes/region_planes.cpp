@@ -10,10 +10,6 @@
 namespace palpable::vision {
 namespace {
 
-struct Pixel {
-  int x, y;
-};
-
 RegionPlane plane_at(const PlaneMap& map, Pixel p) {
   const float sx = map.slope_x(p.x, p.y);
   const float sy = map.slope_y(p.x, p.y);
