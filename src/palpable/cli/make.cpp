@@ -19,7 +19,7 @@
 namespace palpable::cli {
 namespace {
 
-struct MakeArguments {
+struct MakeCommandArguments {
   MakeArguments make;
   MaterialArguments material;
   TitleArguments title;
@@ -81,7 +81,7 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
   return answer;
 }
 
-Result<Answer> make(MakeArguments arguments, Console& console) {
+Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   const auto published = published_as(arguments.as_published);
   if (!published) return published.error();
   if (*published) apply_published(**published, arguments.make);
@@ -118,7 +118,7 @@ Result<Answer> make(MakeArguments arguments, Console& console) {
 }  // namespace
 
 void add_make(Program& program) {
-  const auto arguments = std::make_shared<MakeArguments>();
+  const auto arguments = std::make_shared<MakeCommandArguments>();
   Options options = add_command(
       program, "make", "Make a touchable scene and save it",
       "  palpable make left.png right.png -o room.palp\n"
