@@ -197,7 +197,7 @@ describe('by keyboard, hearing only', () => {
     const { page } = opened;
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     const listener = await Listener.at(page);
-    expect((await listener.tabTo('application')).name).toMatch(/^Relief of .* to touch$/);
+    expect((await listener.tabTo('application')).name).toMatch(/^(Surface|Lines) of .* to touch$/);
 
     await listener.ask('d', /8 objects rise above the table: .*D again says more\./);
     await listener.ask('d', /A wooden table, seen from above/);

@@ -6,6 +6,7 @@
 #include "palpable/describe/scene_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,8 +16,24 @@ namespace {
 
 using Name = TerminalKey::Name;
 
+// On a scene of a tenth of a metre.
 constexpr double kStep_m = 0.001, kLongStep_m = 0.005;
 constexpr double kPressStep_m = 0.0005, kDeepest_m = 0.004, kHighest_m = -0.02;
+
+/// What one step on a scene of a tenth of a metre is on this one: 1, 2 or 5 times a power of ten.
+double scale_of(const models::Scene& scene) {
+  constexpr double kUsual_m = 0.1;
+  const Vec3 size = models::size_m(scene);
+  const double scale = std::max(size.x, size.y) / kUsual_m,
+               power = std::pow(10.0, std::floor(std::log10(scale)));
+  double best = power;
+  for (const double factor : {2.0, 5.0, 10.0})
+    if (std::abs(std::log(factor * power / scale)) < std::abs(std::log(best / scale))) best = factor * power;
+  return best;
+}
+
+/// Small scenes are pressed less deep, but never so little that nothing is felt; large ones as all.
+double press_scale_of(const models::Scene& scene) { return std::clamp(scale_of(scene), 0.2, 1.0); }
 
 }  // namespace
 
@@ -26,7 +43,7 @@ bool is_move(const TerminalKey& key) {
 
 KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Scene& scene, double depth,
                                         std::string& words) {
-  const double step_m = key.shift ? kLongStep_m : kStep_m;
+  const double step_m = scale_of(scene) * (key.shift ? kLongStep_m : kStep_m);
   const std::size_t part = std::exchange(next_part_, 0);
   words.clear();
   switch (key.name) {
@@ -39,9 +56,9 @@ KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Sc
     case Name::down:
       return words = move(0.0, -step_m, scene, depth), Request::nothing;
     case Name::page_down:
-      return words = press_by(kPressStep_m), Request::nothing;
+      return words = press_by(kPressStep_m, scene), Request::nothing;
     case Name::page_up:
-      return words = press_by(-kPressStep_m), Request::nothing;
+      return words = press_by(-kPressStep_m, scene), Request::nothing;
     case Name::home:
       place_ = {};
       press_m_ = kRestingPress_m;
@@ -60,7 +77,7 @@ KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Sc
       break;
     case 'h':
     case '?':
-      words = help();
+      words = help(scene);
       break;
     case ' ':
       return Request::pause;
@@ -83,20 +100,23 @@ std::string KeyExplorer::move(double dx_m, double dy_m, const models::Scene& sce
   return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + ".";
 }
 
-std::string KeyExplorer::press_by(double depth_m) {
+std::string KeyExplorer::press_by(double depth_m, const models::Scene& scene) {
   press_m_ = std::clamp(press_m_ + depth_m, kHighest_m, kDeepest_m);
-  return describe::capitalised(describe::press_words(press_m_)) + ".";
+  return describe::capitalised(describe::press_words(press_scale_of(scene) * press_m_)) + ".";
 }
 
 Point<SceneFrame> KeyExplorer::hand(const models::Scene& scene,
                                     const session::TouchSettings& settings) const {
   const double surface_m = settings.depth * models::relief_of(scene)->sample(place_.x_m, place_.y_m).z_m;
-  return {{place_.x_m, place_.y_m, surface_m + settings.law.radius_m.value_or(0.0) - press_m_}};
+  return {{place_.x_m, place_.y_m,
+           surface_m + settings.law.radius_m.value_or(0.0) - press_scale_of(scene) * press_m_}};
 }
 
-std::string KeyExplorer::help() {
-  return "Arrow keys: move by 1 millimetre, with Shift by 5.\n"
-         "Page Down, Page Up: press half a millimetre deeper, lift.\n"
+std::string KeyExplorer::help(const models::Scene& scene) {
+  const double scale = scale_of(scene);
+  return fmt::format("Arrow keys: move by {}, with Shift by {}.\n", describe::spoken_length(scale * kStep_m),
+                     describe::spoken_length(scale * kLongStep_m)) +
+         "Page Down, Page Up: press deeper, lift.\n"
          "D: describe the scene; again for more.\n"
          "P: say position and height.\n"
          "Home: back to the middle.\n"

@@ -24,11 +24,11 @@ class KeyExplorer {
   Point<SceneFrame> hand(const models::Scene& scene, const session::TouchSettings& settings) const;
 
   /// The keys, a line each.
-  static std::string help();
+  static std::string help(const models::Scene& scene);
 
  private:
   std::string move(double dx_m, double dy_m, const models::Scene& scene, double depth);
-  std::string press_by(double depth_m);
+  std::string press_by(double depth_m, const models::Scene& scene);
 
   describe::Place place_;
   double press_m_ = kRestingPress_m;

@@ -48,6 +48,17 @@ TEST_F(Exploring, SaysHeightAndSlopeOfEachStep) {
   EXPECT_EQ(press({Name::left, '\0', true}), "1 millimetre, level.");
 }
 
+TEST_F(Exploring, TakesStepsOfTheScenesSize) {
+  Raster<float> heights(100, 100, 0.0002F);
+  scene.model =
+      std::make_shared<const models::Relief>(*models::Relief::from_samples(std::move(heights), 0.00002));
+  press({Name::right});
+  EXPECT_NEAR(explorer.hand(scene, {}).v.x, 0.00002, 1e-9);
+  press({Name::page_down});
+  EXPECT_NEAR(explorer.hand(scene, {}).v.z, 0.0002 - 0.2 * 0.002, 1e-6);
+  EXPECT_THAT(press('h'), HasSubstr("0.1 millimetres"));
+}
+
 TEST_F(Exploring, SaysTheRim) {
   for (int k = 0; k < 10; ++k) press({Name::right, '\0', true});
   EXPECT_EQ(press({Name::right}), "Rim of the scene, 5 millimetres, level.");

@@ -229,7 +229,8 @@ class TouchPage implements KeyTarget {
     this.feedback.keep([]);
     this.showProbes();
     this.alert(sentence);
-    this.readouts.status('fault', final ? 'Ended' : 'Not connected');
+    if (this.surface === null) element('scene-name').textContent = 'No scene';
+    this.readouts.status('fault', !final ? 'Not connected' : this.surface === null ? 'Not let in' : 'Ended');
   }
 
   private receive(message: ToPage): void {
@@ -248,6 +249,7 @@ class TouchPage implements KeyTarget {
         element('scene-description').hidden = message.description === null;
         this.trace.scene(message.kind, message.width_m, message.depth_m);
         this.controls.offerCells(message.cells !== null);
+        this.controls.offerDepth(message.kind === 'relief');
         document.title = `${message.name} – Palpable`;
         return;
       case 'settings':
@@ -288,7 +290,7 @@ class TouchPage implements KeyTarget {
       this.own.setScale(surface.scale);
       this.readouts.scale = surface.scale;
       showSteps(surface.scale);
-      this.stage.element.setAttribute('aria-label', `Relief of ${scene.name} to touch`);
+      this.stage.element.setAttribute('aria-label', `${scene.kind === 'contours' ? 'Lines' : 'Surface'} of ${scene.name} to touch`);
       if (first) this.ready();
     }
     if (!this.loaded.isComplete) return;

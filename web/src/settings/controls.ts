@@ -44,6 +44,7 @@ const selects = ['surface', 'view', 'theme'] as const;
 export class Controls {
   private laws: readonly Law[] = [];
   private used: Readonly<Record<string, number>> = {};
+  private isRelief = true;
   private readonly ranges: RangeInput[];
   private readonly parameters: ParameterPanel;
 
@@ -79,6 +80,7 @@ export class Controls {
     this.parameters.show(law?.parameters ?? [], used, settings.touch.set, settings.materials.length);
     const disabled: Record<string, string | null> = {
       volume: settings.page.sound ? null : 'sound is off',
+      exaggeration: this.isRelief ? null : 'reliefs only',
       tilt: settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled ? 'in 3D only' : null,
     };
     sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));
@@ -88,6 +90,12 @@ export class Controls {
     if (element<HTMLSelectElement>('view').disabled) element<HTMLSelectElement>('view').value = 'flat';
     // The choice of cells is kept for the next field; meanwhile the picture is shown.
     if (element<HTMLOptionElement>('surface-cells').disabled && settings.page.surface === 'cells') element<HTMLSelectElement>('surface').value = 'picture';
+  }
+
+  /** Only a relief's depth can be changed. */
+  offerDepth(isRelief: boolean): void {
+    this.isRelief = isRelief;
+    this.show(this.settings, this.used);
   }
 
   /** Only a field has cells to show. */
