@@ -55,7 +55,9 @@ TEST_F(Exploring, TakesStepsOfTheScenesSize) {
   press({Name::right});
   EXPECT_NEAR(explorer.hand(scene, {}).v.x, 0.00002, 1e-9);
   press({Name::page_down});
-  EXPECT_NEAR(explorer.hand(scene, {}).v.z, 0.0002 - 0.2 * 0.002, 1e-6);
+  session::TouchSettings settings;
+  settings.law.radius_m = 0.0;
+  EXPECT_NEAR(explorer.hand(scene, settings).v.z, 0.0002 - 0.2 * 0.002, 1e-6);
   EXPECT_THAT(press('h'), HasSubstr("0.1 millimetres"));
 }
 

@@ -42,7 +42,7 @@ bool suits_a_hand(Vec3 extent_m) {
 }
 
 bool lies_about_origin(const Box& box) {
-  constexpr double kAcross = 0.25;
+  constexpr double kAcross = 0.5;
   const Vec3 extent = box.size_m(), middle = 0.5 * (box.least_m + box.most_m);
   const double longest_m = std::max({extent.x, extent.y, extent.z});
   return std::max(std::abs(middle.x), std::abs(middle.y)) <= kAcross * longest_m &&

@@ -67,7 +67,7 @@ Result<Placement> placement_of(const Box& box, const PlacementOptions& options);
 /// Which side of a solid faces the person when that direction is up.
 AxisDirection front_of(AxisDirection up);
 
-/// Whether a solid's middle is near enough to the origin (a quarter of its longest side across the view, once
+/// Whether a solid's middle is near enough to the origin (half of its longest side across the view, once
 /// that side along it) for a hand that starts above the origin to find it.
 bool lies_about_origin(const Box& box);
 
