@@ -80,12 +80,13 @@ class PassivityObserver {
 
  private:
   void count_work(const Step& step, double received_J) noexcept {
-    if (step.ramped) began_in_air_ = false;
+    // Where nothing is stored, a ramp gives what it gives for nothing, and it counts.
+    if (step.ramped && std::isfinite(step.stored_J)) began_in_air_ = false;
     if (began_in_air_) work_J_ += received_J;
     if (!began_in_air_) work_J_ = 0.0;
     // What was given to a spring may come back after a tick without force; where no energy is stored, nothing
     // may.
-    const bool ends = !step.contact || std::isnan(step.stored_J);
+    const bool ends = !step.contact || !std::isfinite(step.stored_J);
     if (ends && step.held_force_N == Vector<DeviceFrame>{}) {
       began_in_air_ = true;
       work_J_ = 0.0;

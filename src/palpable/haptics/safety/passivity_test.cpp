@@ -120,6 +120,22 @@ TEST(PassivityObserver, CountsThePlainWorkOfAContactWithoutAPotential) {
   EXPECT_NEAR(observer.made_max_J(), 1e-3, 1e-15);
 }
 
+TEST(PassivityObserver, CountsWhatARampGivesWhereNoEnergyIsStored) {
+  PassivityObserver observer;
+  PassivityObserver::Step step;
+  step.stored_J = std::numeric_limits<double>::quiet_NaN();
+  step.contact = true;
+  step.ramped = true;
+  // After a stall the hand is inside and the force comes up from zero.
+  observer.update(step);
+  for (int k = 1; k <= 10; ++k) {
+    step.held_force_N = {{0.0, 0.0, 0.1 * k}};
+    step.moved_m = {{0.0, 0.0, 1e-4}};
+    observer.update(step);
+  }
+  EXPECT_NEAR(observer.made_max_J(), 5.5e-4, 1e-9);
+}
+
 TEST(PassivityController, OnlyTakesEnergyOut) {
   EXPECT_EQ(control_passivity({{1.0, 2.0, 3.0}}, {{0.1, 0.0, 0.0}}, -1.0, kT_s).v, (Vec3{1.0, 2.0, 3.0}));
   EXPECT_EQ(control_passivity({{1.0, 2.0, 3.0}}, {}, 1.0, kT_s).v, (Vec3{1.0, 2.0, 3.0}));
