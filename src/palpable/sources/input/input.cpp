@@ -86,7 +86,7 @@ std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
     return none ? InputKind::points : InputKind::mesh;
   }
   const std::string_view start = as_text(file).substr(0, 4096);
-  if (start.find("\"CityJSON\"") != std::string_view::npos) return InputKind::mesh;
+  if (start.find("\"City") != std::string_view::npos) return InputKind::mesh;
   if (start.find("\"primitives\"") != std::string_view::npos && has_magic(file, "{"))
     return InputKind::shapes;
   if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return InputKind::mesh;

@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
+#include "palpable/sources/solid/ply_header.hpp"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -54,6 +55,8 @@ Result<Mesh> mesh_from(const aiScene& scene) {
 }  // namespace
 
 Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending) {
+  if (ending == "ply")
+    if (const auto whole = check_ply(file); !whole) return whole.error();
   try {
     Assimp::Importer importer;
     // Lines and points are no surface; nodes' transforms are applied to their vertices.
@@ -72,7 +75,7 @@ Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& end
 Result<MeshFile> read_mesh(const std::filesystem::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
-  if (as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096))).find("\"CityJSON\"") !=
+  if (as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096))).find("\"City") !=
       std::string_view::npos)
     return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
                          path.string());

@@ -3,6 +3,7 @@
 #include "palpable/sources/solid/points_file.hpp"
 
 #include "palpable/core/read_file.hpp"
+#include "palpable/sources/solid/ply_header.hpp"
 
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
@@ -36,6 +37,7 @@ Result<PointCloud> points_from(const aiScene& scene) {
 }  // namespace
 
 Result<PointCloud> decode_points(std::span<const std::byte> file) {
+  if (const auto whole = check_ply(file); !whole) return whole.error();
   try {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFileFromMemory(file.data(), file.size(), 0U, "ply");

@@ -1,0 +1,44 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/solid/ply_header.hpp"
+
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sources {
+namespace {
+
+Result<void> check(std::string_view text) { return check_ply(std::as_bytes(std::span(text))); }
+
+constexpr std::string_view kAscii =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+
+std::string binary(const std::string& vertices) {
+  return "ply\nformat binary_little_endian 1.0\nelement vertex " + vertices +
+         "\nproperty float x\nproperty double y\nelement face 1\nproperty list uchar int "
+         "vertex_indices\nend_header\n";
+}
+
+TEST(PlyHeader, AcceptsAFileThatHoldsWhatItStates) {
+  EXPECT_TRUE(check(std::string(kAscii) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"));
+  EXPECT_TRUE(check(std::string(kAscii) + "0 0 0\r\n\n1 0 0\n0 1 0\n3 0 1 2"));
+  EXPECT_TRUE(check(binary("2") + std::string(24 + 13, 'x')));
+}
+
+TEST(PlyHeader, RefusesAFileThatWasCutOff) {
+  EXPECT_FALSE(check(std::string(kAscii) + "0 0 0\n1 0 0\n0 1 0\n"));
+  EXPECT_FALSE(check(kAscii));
+  EXPECT_FALSE(check(binary("2") + std::string(24, 'x')));
+  EXPECT_FALSE(check(kAscii.substr(0, kAscii.size() - 3)));
+}
+
+TEST(PlyHeader, RefusesCountsThatNoFileHolds) {
+  for (const std::string count : {"99999999999", "18446744073709551615", "1e9", "-1", ""})
+    EXPECT_FALSE(check(binary(count) + std::string(100, 'x'))) << count;
+}
+
+}  // namespace
+}  // namespace palpable::sources
