@@ -62,9 +62,10 @@ TEST_F(Touch, AsPublishedTakesAPapersLawAndRate) {
 
 TEST_F(Touch, TheSampleIsMadeAsTheOptionsSay) {
   EXPECT_EQ(palpable({"touch", "--headless", "--seconds", "0.2", "--size", "nonsense"}).exit_code, 2);
-  const Outcome published = palpable({"touch", "--headless", "--seconds", "0.2", "--method", "fast",
-                                      "--as-published", "moustakas", "--resolution", "16"});
+  const Outcome published =
+      palpable({"touch", "--headless", "--seconds", "0.2", "--method", "fast", "--as-published", "shi"});
   EXPECT_EQ(published.exit_code, 0) << published.err;
+  EXPECT_THAT(published.err, HasSubstr("The paper does not state the height"));
 }
 
 TEST_F(Touch, AsPublishedByMoustakasKeepsDistanceAndForceEverywhere) {
