@@ -74,6 +74,14 @@ Stroke random_stroke(std::mt19937& random, double fastest_m_per_s) {
   return {from, to, fastest_m_per_s * std::exp(-1.5 * std::abs(unit(random)))};
 }
 
+void expect_free_air(const Findings& findings) {
+  EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
+  EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
+  EXPECT_LE(findings.greatest_first_N, 1.01 * kStrokeStiffness_N_per_m);
+  EXPECT_GT(findings.clear_ticks, 20000);
+  EXPECT_GT(findings.first_contacts, 500);
+}
+
 TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactOnReliefsOfEveryResolution) {
   std::mt19937 random(5);
   Findings findings;
@@ -90,11 +98,7 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactOnReliefsOfEveryResolut
             *law, random_stroke(random, 2.0), [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; },
             findings);
     }
-  EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
-  EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
-  EXPECT_LE(findings.greatest_first_N, 1.01 * kStrokeStiffness_N_per_m);
-  EXPECT_GT(findings.clear_ticks, 20000);
-  EXPECT_GT(findings.first_contacts, 500);
+  expect_free_air(findings);
 }
 
 TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
@@ -110,11 +114,7 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
           touchable, stroke, [&](Vec3 at) { return pebbles.sample(at).distance_m; }, findings);
     }
   }
-  EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
-  EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
-  EXPECT_LE(findings.greatest_first_N, 1.01 * kStrokeStiffness_N_per_m);
-  EXPECT_GT(findings.clear_ticks, 20000);
-  EXPECT_GT(findings.first_contacts, 500);
+  expect_free_air(findings);
 }
 
 TEST(FreeAir, ComesAtOnceToAHandThatLeavesASlopeFast) {

@@ -1,7 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Faults at 1000 random instants of a press, each kind by itself: whatever happens to readings, ticks and
-// scenes, the force never grows faster than the rise limit, never pulls and never pushes to a side.
+// scenes, the force never grows faster than the rise limit, never pulls and never pushes to a side; a glitch
+// is not felt, and after a lasting jump, a silence or a stall the force begins from zero.
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
@@ -72,6 +73,8 @@ class Press {
     }
   }
   int pressed() const { return pressed_; }
+  double force_N() const { return norm(written_); }
+  const TickOptions& options() const { return options_; }
 
  private:
   TickOptions options_;
@@ -84,18 +87,30 @@ class Press {
   int pressed_ = 0;
 };
 
-/// `fault` sets what happens now; it lasts `ticks`, and `over` ends it.
-void attack(const std::function<int(Press&, std::mt19937&)>& fault, const std::function<void(Press&)>& over) {
+/// The force in the tick `n` of a fault, from 0, and before the fault.
+using Check = std::function<void(const Press&, int n, double before_N)>;
+
+/// `fault` sets what happens now and gives for how many ticks; `check` judges each of them; `over` ends it.
+void attack(const std::function<int(Press&, std::mt19937&)>& fault, const Check& check,
+            const std::function<void(Press&)>& over) {
   std::mt19937 random(21);
   std::uniform_int_distribution<int> wait(20, 900);
   Press press;
   for (int k = 0; k < kInstants; ++k) {
     for (int n = wait(random); n > 0; --n) ASSERT_NO_FATAL_FAILURE(press.step()) << "before fault " << k;
-    for (int n = fault(press, random); n > 0; --n) ASSERT_NO_FATAL_FAILURE(press.step()) << "in fault " << k;
+    const double before_N = press.force_N();
+    const int ticks = fault(press, random);
+    for (int n = 0; n < ticks; ++n) {
+      ASSERT_NO_FATAL_FAILURE(press.step()) << "in fault " << k;
+      ASSERT_NO_FATAL_FAILURE(check(press, n, before_N)) << "in fault " << k;
+    }
     over(press);
   }
   EXPECT_GT(press.pressed(), 100 * kInstants / 4);
 }
+
+/// A force that begins from zero is this small in its first tick: a thousandth of the device's, and some.
+constexpr double kBegins_N = 0.2;
 
 double from(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -108,6 +123,7 @@ TEST(Faults, OfASensorThatGlitchesMakeNoStepAndNoPull) {
         press.shift_m += sign(random) * from(random, 0.003, 0.05);
         return std::uniform_int_distribution<int>(1, 2)(random);
       },
+      [](const Press& press, int, double before_N) { ASSERT_EQ(press.force_N(), before_N); },
       [](Press& press) { press.shift_m = 0.0; });
 }
 
@@ -115,7 +131,16 @@ TEST(Faults, OfASensorThatJumpsForGoodMakeNoStepAndNoPull) {
   attack(
       [](Press& press, std::mt19937& random) {
         press.shift_m = press.shift_m == 0.0 ? sign(random) * from(random, 0.003, 0.02) : 0.0;
-        return 1;
+        return 3;
+      },
+      [](const Press& press, int n, double before_N) {
+        // Two readings may be a glitch; the third one agrees with them.
+        if (n < 2) {
+          ASSERT_EQ(press.force_N(), before_N);
+        }
+        if (n == 2) {
+          ASSERT_LT(press.force_N(), kBegins_N);
+        }
       },
       [](Press&) {});
 }
@@ -124,7 +149,13 @@ TEST(Faults, OfADeviceThatFallsSilentOrGivesNoNumberMakeNoStepAndNoPull) {
   attack(
       [](Press& press, std::mt19937& random) {
         (sign(random) > 0 ? press.is_silent : press.is_nan) = true;
-        return std::uniform_int_distribution<int>(1, 60)(random);
+        return std::uniform_int_distribution<int>(1, 120)(random);
+      },
+      [](const Press& press, int n, double) {
+        const int gone = 3 + static_cast<int>(press.options().ramp_down_s / kT_s);
+        if (n >= gone) {
+          ASSERT_EQ(press.force_N(), 0.0);
+        }
       },
       [](Press& press) { press.is_silent = press.is_nan = false; });
 }
@@ -135,6 +166,11 @@ TEST(Faults, OfALoopThatStallsMakeNoStepAndNoPull) {
         press.dt_s = from(random, 0.002, 0.2);
         return 1;
       },
+      [](const Press& press, int, double) {
+        if (press.dt_s > press.options().stall_s) {
+          ASSERT_LT(press.force_N(), kBegins_N);
+        }
+      },
       [](Press& press) { press.dt_s = kT_s; });
 }
 
@@ -144,7 +180,7 @@ TEST(Faults, OfChangesOfSceneRadiusAndStiffnessMakeNoStepAndNoPull) {
         press.change(random());
         return 1;
       },
-      [](Press&) {});
+      [](const Press&, int, double) {}, [](Press&) {});
 }
 
 }  // namespace

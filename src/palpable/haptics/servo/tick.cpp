@@ -247,14 +247,16 @@ void TickPipeline::observe(double dt_s) noexcept {
 
 void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   const auto capped = cap_force(law_force_N_, max_force_N_);
-  const double gain = ramp_.step(wanted, dt_s);
+  // After a stall the ramp begins as after any other start: it has not risen while nobody ticked.
+  const double risen_s = std::min(dt_s, options_.max_rise_time_s);
+  const double gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
   const bool has_spring = now_.energy == EnergyModel::spring && (!fading() || same_surface_);
   RiseLimit::Input in;
   in.force_N = gain * capped.force_N;
   in.spring_N = gain * cap_force(device_force_N(now_, now_.output.spring_N), max_force_N_).force_N;
   in.stored_J = has_spring ? gain * device_stored_J() : std::numeric_limits<double>::quiet_NaN();
   in.moved_m = moved_;
-  in.max_rise_N = options_.max_force_rate_N_per_s * std::min(dt_s, options_.max_rise_time_s);
+  in.max_rise_N = options_.max_force_rate_N_per_s * risen_s;
   in.held_force_N = held().written_N;
   const auto risen = rise_.limit(in);
   in.held_force_N = held().uncontrolled_N;
