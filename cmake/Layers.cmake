@@ -1,7 +1,7 @@
 # The one table of who may use whom (docs/architecture.md explains it; tests/layers enforces it): modules, and the rooms
 # inside the large ones. palpable_module() refuses a link that is not in it; cmake/CheckLayers.cmake refuses an #include
 # that is not in it, and a permission that nobody uses.
-set(PALPABLE_MODULES core models formats sources vision sculpt describe recipes measure draw device haptics voice session page study cli)
+set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study cli)
 
 set(PALPABLE_MAY_USE_core "")
 set(PALPABLE_MAY_USE_models core)
@@ -9,13 +9,13 @@ set(PALPABLE_MAY_USE_formats core models)
 set(PALPABLE_MAY_USE_sources core formats)
 set(PALPABLE_MAY_USE_vision core)
 set(PALPABLE_MAY_USE_sculpt core models vision)
-set(PALPABLE_MAY_USE_describe core models)
-set(PALPABLE_MAY_USE_recipes core models vision sculpt describe)
+set(PALPABLE_MAY_USE_recipes core models vision sculpt)
 set(PALPABLE_MAY_USE_measure core)
 set(PALPABLE_MAY_USE_draw core models)
 set(PALPABLE_MAY_USE_device core)
 set(PALPABLE_MAY_USE_haptics core models device)
 set(PALPABLE_MAY_USE_voice core)
+set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session core models formats sources vision sculpt recipes measure device haptics describe)
 set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
 set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
@@ -63,6 +63,7 @@ set(PALPABLE_ROOMS_haptics safety law servo)
 set(PALPABLE_MAY_USE_haptics/servo safety law)
 
 set(PALPABLE_ROOMS_session make touch)
+set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session/touch make)
 
 set(PALPABLE_ROOMS_study simulated)

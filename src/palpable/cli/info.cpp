@@ -40,10 +40,9 @@ Json json_of(const models::Material& material) {
 
 /// One line for a person; a texture after it where there is one.
 std::string words_of(const models::Material& material) {
-  std::string words = fmt::format(
-      "  material {}: {} N/m, {} N·s/m, friction {} (sliding {})", material.name,
-      describe::figure(material.stiffness_N_per_m, 3), describe::figure(material.damping_Ns_per_m, 3),
-      describe::figure(material.static_friction, 3), describe::figure(material.dynamic_friction, 3));
+  std::string words = fmt::format("  material {}: {} N/m, {} N·s/m, friction {} (sliding {})", material.name,
+                                  figure(material.stiffness_N_per_m, 3), figure(material.damping_Ns_per_m, 3),
+                                  figure(material.static_friction, 3), figure(material.dynamic_friction, 3));
   const auto& texture = material.texture;
   if (texture.kind == models::TouchTexture::Kind::picture)
     words += fmt::format(", texture of a picture, {} wide",
@@ -52,7 +51,7 @@ std::string words_of(const models::Material& material) {
     words += fmt::format(", texture {} every {}", models::name_of(texture.kind),
                          describe::length(texture.pitch_m));
   if (texture.kind != models::TouchTexture::Kind::none)
-    words += fmt::format(", {} um high", describe::figure(1e6 * texture.height_m));
+    words += fmt::format(", {} um high", figure(1e6 * texture.height_m));
   return words + "\n";
 }
 

@@ -129,12 +129,11 @@ Result<Answer> probe(const ProbeArguments& arguments, Console& /*console*/) {
                  {"places", tool->size()},
                  {"max_torque_Nm", strongest_Nm},
                  {"output", arguments.output}};
-  const std::string extent = has_extent(arguments)
-                                 ? fmt::format(" and {} mN·m", describe::figure(1000.0 * strongest_Nm, 3))
-                                 : std::string();
+  const std::string extent =
+      has_extent(arguments) ? fmt::format(" and {} mN·m", figure(1000.0 * strongest_Nm, 3)) : std::string();
   answer.text = fmt::format("{} samples with {}, {:.1f} % in contact, at most {} N{}: {}\n", samples,
                             haptics::name_of(parameters->law), 100.0 * contact_fraction,
-                            describe::figure(strongest_N, 3), extent, arguments.output);
+                            figure(strongest_N, 3), extent, arguments.output);
   return answer;
 }
 

@@ -52,8 +52,8 @@ draw::Heading heading_of(const ShowArguments& arguments, const models::Scene& sc
   const std::string name =
       scene.title.empty() ? std::filesystem::path(arguments.scene).stem().string() : scene.title;
   return {fmt::format("{}: {}", name, what),
-          fmt::format("{} × {} mm{}{}", describe::figure(1000.0 * size.x, 3),
-                      describe::figure(1000.0 * size.y, 3), height, origin_of(scene))};
+          fmt::format("{} × {} mm{}{}", figure(1000.0 * size.x, 3), figure(1000.0 * size.y, 3), height,
+                      origin_of(scene))};
 }
 
 /// What a hand feels that rests on the surface at each place of a grid, pressed in by half a millimetre where

@@ -23,20 +23,6 @@ std::string spoken(double value, int digits) {
 
 }  // namespace
 
-std::string figure(double value, int digits) {
-  if (!std::isfinite(value)) return "unknown";
-  constexpr double kNothing = 1e-9;
-  if (std::abs(value) < kNothing) return "0";
-  const auto before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-  const int after = std::max(digits - before, 0);
-  std::string text = fmt::format("{:.{}f}", value, after);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
-
 std::string length(double metres) {
   return std::abs(metres) < 0.9995 ? figure(1e3 * metres) + " mm" : figure(metres, 3) + " m";
 }

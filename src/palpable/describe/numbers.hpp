@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/figure.hpp"
+
 #include <cstddef>
 #include <span>
 #include <string>
@@ -10,11 +12,6 @@
 // Numbers as people read and hear them. Every sentence and table for a person takes its numbers from here.
 
 namespace palpable::describe {
-
-/// `digits` significant digits, and never fewer than stand before the decimal point; without exponent,
-/// without zeros at the end of the fraction, without "-0": "110", "3.4", "0.25". What is smaller than 1e-9 is
-/// "0"; what is not finite is "unknown".
-std::string figure(double value, int digits = 2);
 
 /// A length to read: "110 mm", "3.4 mm", "0.25 mm"; from one metre on "1.25 m".
 std::string length(double metres);

@@ -16,7 +16,10 @@ struct Place {
 
 /// A local maximum of a surface.
 struct Peak {
+  /// The middle of its top: of what is as high but for a fiftieth of the prominence. Its highest place where
+  /// that middle is not on the top, as of a rim.
   Place place;
+  /// There.
   double height_m = 0.0;
   /// Topographic prominence: how far one must go down from it before going up to anything higher; of the
   /// highest one, down to the lowest place.

@@ -75,7 +75,7 @@ std::string words_of(const Raster<Leaf>& leaves, const models::DistanceField& fi
   const double cell_mm = 1e3 * field.cell_m();
   return fmt::format(
       "The field has {} cells; at the surface they are {} to {} mm wide. Finer cells are lighter.",
-      field.leaves(), describe::figure(finest->side * cell_mm), describe::figure(coarsest->side * cell_mm));
+      field.leaves(), figure(finest->side * cell_mm), figure(coarsest->side * cell_mm));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/placement_notes.hpp"
 
-#include "palpable/describe/numbers.hpp"
+#include "palpable/core/figure.hpp"
 
 #include <string>
 
@@ -13,8 +13,7 @@ namespace {
 
 /// "1 : 250" or "4 : 1", with two digits.
 std::string scale_text(double scale) {
-  return scale <= 1.0 ? fmt::format("1 : {}", describe::figure(1.0 / scale))
-                      : fmt::format("{} : 1", describe::figure(scale));
+  return scale <= 1.0 ? fmt::format("1 : {}", figure(1.0 / scale)) : fmt::format("{} : 1", figure(scale));
 }
 
 }  // namespace
@@ -30,13 +29,12 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
   const Vec3 extent = box.size_m();
   const double scale = placement.scene_from_input.scale;
   if (options.convention.unit == LengthUnit::metre) {
-    notes.emplace_back(fmt::format("The input is {} x {} x {} m; its scale here is {}.",
-                                   describe::figure(extent.x, 3), describe::figure(extent.y, 3),
-                                   describe::figure(extent.z, 3), scale_text(scale)));
+    notes.emplace_back(fmt::format("The input is {} x {} x {} m; its scale here is {}.", figure(extent.x, 3),
+                                   figure(extent.y, 3), figure(extent.z, 3), scale_text(scale)));
   } else if (!options.size_m) {
     notes.emplace_back(
         fmt::format("The input states no unit: it was scaled to fit a hand, one unit being {} mm.",
-                    describe::figure(1000.0 * scale, 3)));
+                    figure(1000.0 * scale, 3)));
   }
   const bool asked = options.up && options.lay != sculpt::Lay::automatic;
   const bool as_it_was = placement.lay == sculpt::Lay::upright && placement.up == AxisDirection::plus_y;
