@@ -110,7 +110,7 @@ std::optional<std::vector<Note>> notes_of(const formats::ZipMembers& members, co
   if (member == members.end()) return std::nullopt;
   const auto* text = reinterpret_cast<const char*>(member->second.data());
   const auto json = nlohmann::json::parse(text, text + member->second.size(), nullptr, false);
-  if (!json.is_object() || json.value("key", "") != key || !json.contains("notes") ||
+  if (!json.is_object() || !json.contains("key") || json["key"] != key || !json.contains("notes") ||
       !json["notes"].is_array())
     return std::nullopt;
   std::vector<Note> notes;

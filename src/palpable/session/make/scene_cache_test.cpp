@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/scene_cache.hpp"
 
+#include "palpable/core/atomic_file.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/session/make/make_scene.hpp"
 
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -102,6 +104,18 @@ TEST_F(SceneCacheTest, ReplacesADamagedEntry) {
   // A whole scene of another key is no answer either.
   ASSERT_TRUE(formats::write_scene(entry, made().scene));
   EXPECT_FALSE(was_cached(made()));
+}
+
+TEST_F(SceneCacheTest, ReplacesAnEntryWhoseMemberIsOfAnotherForm) {
+  const models::Scene scene = made().scene;
+  const fs::path entry = entries().at(0);
+  for (const std::string member : {"{\"key\": 7, \"notes\": []}", "{\"notes\": 1}", "[]", "{"}) {
+    const auto bytes = std::as_bytes(std::span(member));
+    const auto file = formats::encode_scene(scene, {{"cache.json", {bytes.begin(), bytes.end()}}});
+    ASSERT_TRUE(file);
+    ASSERT_TRUE(write_file_atomically(entry, *file));
+    EXPECT_FALSE(was_cached(made())) << member;
+  }
 }
 
 TEST_F(SceneCacheTest, RemovesWhatWasUsedLeastRecently) {
