@@ -108,8 +108,7 @@ void write_error(std::string_view text, std::string_view before) {
   std::fwrite(plain.data(), 1, plain.size(), stderr);
 }
 
-Result<void> print(std::string_view given) {
-  const std::string text = without_control_characters(given);
+Result<void> print(std::string_view text) {
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
   if (written == text.size() && std::fflush(stdout) == 0) return {};
   return Error{ErrorCode::failed, fmt::format("could not be written: {}", std::strerror(errno)),

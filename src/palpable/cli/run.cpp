@@ -5,13 +5,16 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/suggest.hpp"
+#include "palpable/core/plain_text.hpp"
 
 #include <algorithm>
 #include <exception>
 #include <new>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace palpable::cli {
 
@@ -41,7 +44,14 @@ std::string one_line(std::string sentence) {
   constexpr std::size_t kLongest = 1200, kKept = 500;
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');
   if (sentence.size() <= kLongest) return sentence;
-  return sentence.substr(0, kKept) + " ... " + sentence.substr(sentence.size() - kKept);
+  // Not within a character: the bytes of UTF-8 that go on one begin with the bits 10.
+  const auto goes_on = [&](std::size_t k) {
+    return (static_cast<unsigned char>(sentence[k]) & 0xC0U) == 0x80U;
+  };
+  std::size_t end = kKept, begin = sentence.size() - kKept;
+  while (end > 0 && goes_on(end)) --end;
+  while (begin < sentence.size() && goes_on(begin)) ++begin;
+  return sentence.substr(0, end) + " ... " + sentence.substr(begin);
 }
 
 int report(const Error& error) {
@@ -105,8 +115,9 @@ Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
 
 int finish(const Result<Answer>& answer, const CommonOptions& common) {
   if (!answer) return report(answer.error());
-  const std::string text =
-      common.json ? answer->json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" : answer->text;
+  const std::string text = common.json
+                               ? answer->json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+                               : without_control_characters(answer->text);
   if (const auto printed = print(text); !printed) return report(printed.error());
   return answer->exit_code;
 }
@@ -208,7 +219,16 @@ Options add_command_below(Program& program, const std::string& parent, const std
                         std::move(action));
 }
 
+/// Where a standard stream is closed, the next file that is opened would take its place, and get its text.
+static void keep_standard_streams() {
+  for (int at = 0; at >= 0 && at <= STDERR_FILENO;) {
+    at = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (at > STDERR_FILENO) close(at);
+  }
+}
+
 int run(int argc, char** argv) {
+  keep_standard_streams();
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {
