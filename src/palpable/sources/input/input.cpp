@@ -6,6 +6,7 @@
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/packing/zip.hpp"
 #include "palpable/formats/vdb/vdb.hpp"
+#include "palpable/sources/city_json.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
@@ -86,7 +87,7 @@ std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
     return none ? InputKind::points : InputKind::mesh;
   }
   const std::string_view start = as_text(file).substr(0, 4096);
-  if (start.find("\"City") != std::string_view::npos) return InputKind::mesh;
+  if (is_city_json(start)) return InputKind::mesh;
   if (start.find("\"primitives\"") != std::string_view::npos && has_magic(file, "{"))
     return InputKind::shapes;
   if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return InputKind::mesh;

@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
+#include "palpable/sources/city_json.hpp"
 #include "palpable/sources/solid/ply_header.hpp"
 
 #include <assimp/Importer.hpp>
@@ -75,8 +76,7 @@ Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& end
 Result<MeshFile> read_mesh(const std::filesystem::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
-  if (as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096))).find("\"City") !=
-      std::string_view::npos)
+  if (is_city_json(as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096)))))
     return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
                          path.string());
   const std::string ending = ending_of(*file);
