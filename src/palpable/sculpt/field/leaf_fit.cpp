@@ -4,6 +4,7 @@
 
 #include "palpable/models/field/distance_field.hpp"
 #include "palpable/models/field/field_leaf.hpp"
+#include "palpable/sculpt/field/leaf_errors.hpp"
 #include "palpable/sculpt/field/leaf_quadratic.hpp"
 
 #include <algorithm>
@@ -21,111 +22,6 @@ using models::FieldSample;
 using models::HalfAngle;
 using models::LeafHead;
 using models::Meeting;
-
-/// The error that is allowed at a place: its maximum, and its root mean square over a leaf.
-struct Allowance {
-  double value_m = 0.0;
-  double value_rms_m = 0.0;
-  double gradient = 0.0;
-  double gradient_rms = 0.0;
-};
-
-/// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
-/// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
-Allowance allowance(double distance_m, double side, const FitBounds& b) {
-  const double loose = side < 3.0 ? 4.0 : side < 6.0 ? 2.0 : 1.0;
-  // Neighbouring leaves that differ by rms x 2 over half a cell tilt the gradient by 1 % to 2 %.
-  Allowance a{b.bound_m, std::min(0.15 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
-  const double beyond =
-      distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m : (distance_m - b.outside_m) / b.outside_m;
-  if (beyond <= 0.0) return a;
-  const double more = distance_m < 0.0 ? 1.0 + 4.0 * std::min(beyond, 1.0) : 1.0 + 10.0 * beyond;
-  a.value_m *= more;
-  a.value_rms_m *= more;
-  const double turned = distance_m < 0.0 ? 1.0 + std::min(beyond, 2.0) : 1.0 + 4.0 * std::min(beyond, 4.0);
-  a.gradient *= turned;
-  a.gradient_rms *= turned;
-  return a;
-}
-
-/// The errors of a leaf, place by place.
-class Judge {
- public:
-  Judge(const CellSamples& samples, const FitBounds& bounds)
-      : samples_(samples),
-        bounds_(bounds),
-        round_m_(models::DistanceField::kRounding * bounds.cell_m),
-        side_(2.0 * samples.half_m / bounds.cell_m) {}
-
-  /// Sums of squared errors over their allowances.
-  struct Squares {
-    double value = 0.0;
-    double gradient = 0.0;
-    double greater() const { return std::max(value, gradient); }
-  };
-
-  /// The greater of value and gradient error over their allowances at one place; adds to the squares.
-  double at(const LeafFit& leaf, Vec3 u, const FieldSample& truth, Squares& squares) const {
-    const Vec3 x = samples_.centre_m + samples_.half_m * u;
-    const std::uint32_t* words = leaf.words.data();
-    const double sharp_round_m = 1e-3 * round_m_;
-    FieldSample s, sharp;
-    models::visit_pieces(words, x, u, samples_.half_m, [&](int i, const FieldSample& piece) {
-      sharp = i == 0 ? piece : models::joined_by(words, i, sharp, piece, sharp_round_m);
-      s = i == 0 ? piece : models::joined_by(words, i, s, piece, round_m_);
-    });
-    Allowance a = allowance(truth.distance_m, side_, bounds_);
-    a.value_m += samples_.coarse_m;
-    a.value_rms_m += 0.5 * samples_.coarse_m;
-    a.gradient += samples_.coarse_turn;
-    a.gradient_rms += 0.5 * samples_.coarse_turn;
-    // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink must
-    // be where it is in truth.
-    if (std::abs(sharp.distance_m - s.distance_m) > sharp_round_m)
-      return std::abs(sharp.distance_m - truth.distance_m) /
-             std::max(a.value_m, kKinkInCells * bounds_.cell_m);
-    const double value = std::abs(s.distance_m - truth.distance_m);
-    const double turned2 = squared_norm(s.gradient - truth.gradient);
-    squares.value += value * value / (a.value_rms_m * a.value_rms_m);
-    squares.gradient += turned2 / (a.gradient_rms * a.gradient_rms);
-    return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
-  }
-
-  /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`.
-  double greatest_m(const LeafFit& leaf, double enough_m) const {
-    double greatest = 0.0;
-    for (std::size_t k = 0; k < kFitPlaces && greatest < enough_m; ++k) {
-      const Vec3 u = fit_place(k);
-      const Vec3 x = samples_.centre_m + samples_.half_m * u;
-      const double distance = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_).distance_m;
-      if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
-      greatest = std::max(greatest, std::abs(distance - samples_.at[k].distance_m));
-    }
-    return greatest;
-  }
-  /// Whether the cell is one that is not cut any more.
-  bool is_finest() const { return side_ < 1.5; }
-  bool may_be_compact() const { return side_ < 1.5 * (1 << models::CompactQuadratic::kMostLevel); }
-
-  /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
-  double error(const LeafFit& leaf, double enough) const {
-    double worst = 0.0;
-    Squares squares;
-    const double enough2 = enough * enough * kFitPlaces;
-    for (std::size_t k = 0; k < kFitPlaces && worst <= enough && squares.greater() <= enough2; ++k) {
-      const double here = at(leaf, fit_place(k), samples_.at[k], squares);
-      if (!std::isfinite(here)) return std::numeric_limits<double>::infinity();
-      worst = std::max(worst, here);
-    }
-    return std::max(worst, std::sqrt(squares.greater() / kFitPlaces));
-  }
-
- private:
-  const CellSamples& samples_;
-  const FitBounds& bounds_;
-  double round_m_;
-  double side_;
-};
 
 /// One piece, in the form that leaves keep.
 struct Piece {
@@ -239,7 +135,7 @@ Extremes extremes_of(const CellSamples& samples) {
 class Search {
  public:
   Search(const CellSamples& samples, const FitBounds& bounds)
-      : samples_(samples), bounds_(bounds), judge_(samples, bounds), ends_(extremes_of(samples)) {}
+      : samples_(samples), bounds_(bounds), errors_(samples, bounds), ends_(extremes_of(samples)) {}
 
   LeafFit run(const RecentLeaves& recent) {
     const double turn2 = ends_.ab;
@@ -253,10 +149,10 @@ class Search {
     if (turn2 > kFlat && try_quadratics()) return best_;
     if (turn2 > kFlat && ends_.c_from_both > kFlat) try_corner();
     if (best_.count == 0) try_leaf(leaf_of(std::array{plane(kCentre)}, {}));
-    if (!judge_.is_finest()) return best_;
+    if (!errors_.is_finest()) return best_;
     if (closest_m_ > kTooFar * bounds_.cell_m) try_all_planes();
     const double too_far_m = std::max(kTooFar * bounds_.cell_m, closest_m_);
-    return judge_.greatest_m(best_, kNoLimit) > too_far_m ? closest_ : best_;
+    return errors_.greatest_m(best_, kNoLimit) > too_far_m ? closest_ : best_;
   }
 
  private:
@@ -269,15 +165,15 @@ class Search {
   /// One quadratic through all samples; compact where noise is larger than the steps of a compact leaf.
   LeafFit quadratic_leaf() const {
     const Quadratic c = quadratic_through(samples_);
-    if (is_noisy() && judge_.may_be_compact())
+    if (is_noisy() && errors_.may_be_compact())
       if (const auto compact = compact_leaf_of(c)) return *compact;
     return leaf_of(std::array{quadratic(c)}, {});
   }
   bool try_leaf(LeafFit leaf) {
-    leaf.error = judge_.error(leaf, samples_.is_last ? std::max(1.0, best_.error) : 1.0);
+    leaf.error = errors_.error(leaf, samples_.is_last ? std::max(1.0, best_.error) : 1.0);
     if (std::isfinite(leaf.error) && (best_.count == 0 || leaf.error < best_.error)) best_ = leaf;
     if (best_.count > 0 && best_.error <= 1.0) return true;
-    if (judge_.is_finest()) keep_closest(leaf);
+    if (errors_.is_finest()) keep_closest(leaf);
     return false;
   }
   /// A finest cell whose best leaf errs by more than the rounding of an edge does takes the leaf that is
@@ -285,7 +181,7 @@ class Search {
   /// that errs least in it may be far off. In finest cells.
   static constexpr double kTooFar = 0.3;
   void keep_closest(LeafFit leaf) {
-    const double greatest_m = judge_.greatest_m(leaf, closest_m_);
+    const double greatest_m = errors_.greatest_m(leaf, closest_m_);
     if (!(greatest_m < closest_m_)) return;
     closest_m_ = greatest_m;
     leaf.error = std::max(leaf.error, 1.0 + 1e-9);
@@ -377,7 +273,7 @@ class Search {
 
   const CellSamples& samples_;
   const FitBounds& bounds_;
-  Judge judge_;
+  LeafErrors errors_;
   Extremes ends_;
   LeafFit best_;
   LeafFit closest_;
@@ -409,8 +305,8 @@ LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const Rece
 
 double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const FieldSample& truth,
                   const FitBounds& bounds) {
-  Judge::Squares squares;
-  return Judge(samples, bounds).at(leaf, u, truth, squares);
+  LeafErrors::Squares squares;
+  return LeafErrors(samples, bounds).at(leaf, u, truth, squares);
 }
 
 }  // namespace palpable::sculpt

@@ -1,0 +1,121 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/field/distance_field.hpp"
+#include "palpable/models/field/field_leaf.hpp"
+#include "palpable/sculpt/field/leaf_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace palpable::sculpt {
+
+/// The error that is allowed at a place: its maximum, and its root mean square over a leaf.
+struct Allowance {
+  double value_m = 0.0;
+  double value_rms_m = 0.0;
+  double gradient = 0.0;
+  double gradient_rms = 0.0;
+};
+
+/// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
+/// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
+inline Allowance allowance(double distance_m, double side, const FitBounds& b) {
+  const double loose = side < 3.0 ? 4.0 : side < 6.0 ? 2.0 : 1.0;
+  // Neighbouring leaves that differ by rms x 2 over half a cell tilt the gradient by 1 % to 2 %.
+  Allowance a{b.bound_m, std::min(0.15 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
+  const double beyond =
+      distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m : (distance_m - b.outside_m) / b.outside_m;
+  if (beyond <= 0.0) return a;
+  const double more = distance_m < 0.0 ? 1.0 + 4.0 * std::min(beyond, 1.0) : 1.0 + 10.0 * beyond;
+  a.value_m *= more;
+  a.value_rms_m *= more;
+  const double turned = distance_m < 0.0 ? 1.0 + std::min(beyond, 2.0) : 1.0 + 4.0 * std::min(beyond, 4.0);
+  a.gradient *= turned;
+  a.gradient_rms *= turned;
+  return a;
+}
+
+/// The errors of a leaf, place by place.
+class LeafErrors {
+ public:
+  LeafErrors(const CellSamples& samples, const FitBounds& bounds)
+      : samples_(samples),
+        bounds_(bounds),
+        round_m_(models::DistanceField::kRounding * bounds.cell_m),
+        side_(2.0 * samples.half_m / bounds.cell_m) {}
+
+  /// Sums of squared errors over their allowances.
+  struct Squares {
+    double value = 0.0;
+    double gradient = 0.0;
+    double greater() const { return std::max(value, gradient); }
+  };
+
+  /// The greater of value and gradient error over their allowances at one place; adds to the squares.
+  double at(const LeafFit& leaf, Vec3 u, const models::FieldSample& truth, Squares& squares) const {
+    const Vec3 x = samples_.centre_m + samples_.half_m * u;
+    const std::uint32_t* words = leaf.words.data();
+    const double sharp_round_m = 1e-3 * round_m_;
+    models::FieldSample s, sharp;
+    models::visit_pieces(words, x, u, samples_.half_m, [&](int i, const models::FieldSample& piece) {
+      sharp = i == 0 ? piece : models::joined_by(words, i, sharp, piece, sharp_round_m);
+      s = i == 0 ? piece : models::joined_by(words, i, s, piece, round_m_);
+    });
+    Allowance a = allowance(truth.distance_m, side_, bounds_);
+    a.value_m += samples_.coarse_m;
+    a.value_rms_m += 0.5 * samples_.coarse_m;
+    a.gradient += samples_.coarse_turn;
+    a.gradient_rms += 0.5 * samples_.coarse_turn;
+    // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink must
+    // be where it is in truth.
+    if (std::abs(sharp.distance_m - s.distance_m) > sharp_round_m)
+      return std::abs(sharp.distance_m - truth.distance_m) /
+             std::max(a.value_m, kKinkInCells * bounds_.cell_m);
+    const double value = std::abs(s.distance_m - truth.distance_m);
+    const double turned2 = squared_norm(s.gradient - truth.gradient);
+    squares.value += value * value / (a.value_rms_m * a.value_rms_m);
+    squares.gradient += turned2 / (a.gradient_rms * a.gradient_rms);
+    return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
+  }
+
+  /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`.
+  double greatest_m(const LeafFit& leaf, double enough_m) const {
+    double greatest = 0.0;
+    for (std::size_t k = 0; k < kFitPlaces && greatest < enough_m; ++k) {
+      const Vec3 u = fit_place(k);
+      const Vec3 x = samples_.centre_m + samples_.half_m * u;
+      const double distance = models::leaf_at(leaf.words.data(), x, u, samples_.half_m, round_m_).distance_m;
+      if (!std::isfinite(distance)) return std::numeric_limits<double>::infinity();
+      greatest = std::max(greatest, std::abs(distance - samples_.at[k].distance_m));
+    }
+    return greatest;
+  }
+  /// Whether the cell is one that is not cut any more.
+  bool is_finest() const { return side_ < 1.5; }
+  bool may_be_compact() const { return side_ < 1.5 * (1 << models::CompactQuadratic::kMostLevel); }
+
+  /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
+  double error(const LeafFit& leaf, double enough) const {
+    double worst = 0.0;
+    Squares squares;
+    const double enough2 = enough * enough * kFitPlaces;
+    for (std::size_t k = 0; k < kFitPlaces && worst <= enough && squares.greater() <= enough2; ++k) {
+      const double here = at(leaf, fit_place(k), samples_.at[k], squares);
+      if (!std::isfinite(here)) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, here);
+    }
+    return std::max(worst, std::sqrt(squares.greater() / kFitPlaces));
+  }
+
+ private:
+  const CellSamples& samples_;
+  const FitBounds& bounds_;
+  double round_m_;
+  double side_;
+};
+
+}  // namespace palpable::sculpt
