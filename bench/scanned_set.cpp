@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "path_under_surface.hpp"
 #include "scanned_meshes.hpp"
 
 namespace {
@@ -62,19 +63,7 @@ void print_errors(const models::DistanceField& field, const sculpt::DistanceSour
 void print_times(const models::DistanceField& field) {
   using Clock = std::chrono::steady_clock;
   constexpr int kTicks = 200000;
-  std::vector<Vec3> path;
-  const Vec3 origin = field.origin_m(), size = field.size_m();
-  for (int i = 0; i < kTicks; ++i) {
-    const double t = 1e-4 * i;
-    Vec3 p =
-        origin + Vec3{size.x * (0.5 + 0.45 * std::sin(1.9 * t)), size.y * (0.5 + 0.45 * std::sin(3.1 * t)),
-                      size.z * (0.5 + 0.45 * std::sin(4.3 * t))};
-    for (int step = 0; step < 4; ++step) {
-      const models::FieldSample s = field.sample(p);
-      p -= (s.distance_m + 0.0005) * unit(s.gradient);
-    }
-    path.push_back(p);
-  }
+  const std::vector<Vec3> path = bench::path_under_surface(field, kTicks);
   std::vector<double> times_ns, empty_ns;
   double sum = 0.0;
   int single = 0;
