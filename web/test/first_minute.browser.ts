@@ -173,6 +173,7 @@ describe('a scene of contours', () => {
       await openMore(page);
       const law = page.getByLabel('Force law');
       expect(await law.inputValue()).not.toBe('');
+      expect(await page.getByRole('slider', { name: 'Depth' }).isDisabled()).toBe(true);
       expect(await page.locator('#parameters input').count()).toBeGreaterThan(0);
       await slidersSayWhatTheyHold(page);
       await keepPicture(page, 'contours');

@@ -185,6 +185,8 @@ describe('the page where something is amiss', () => {
     const page = await context.newPage();
     await page.goto(home());
     await page.getByRole('alert').filter({ hasText: 'has not been let in' }).waitFor();
+    expect(await page.locator('#scene-name').textContent()).toBe('No scene');
+    expect(await page.locator('#status').textContent()).toBe('Not let in');
     await keepPicture(page, 'refused');
     expect(await violations(page)).toEqual([]);
     await page.goto('about:blank');

@@ -28,6 +28,7 @@ import { press, type KeyTarget, type Move } from './keys';
 import { Narrator } from './narrator';
 import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
+import { showHeading, showNoScene, stageLabel } from './scene_heading';
 import { SceneFrames } from './scene_frames';
 import { ViewActions } from './view_actions';
 
@@ -229,7 +230,7 @@ class TouchPage implements KeyTarget {
     this.feedback.keep([]);
     this.showProbes();
     this.alert(sentence);
-    if (this.surface === null) element('scene-name').textContent = 'No scene';
+    if (this.surface === null) showNoScene();
     this.readouts.status('fault', !final ? 'Not connected' : this.surface === null ? 'Not let in' : 'Ended');
   }
 
@@ -243,14 +244,10 @@ class TouchPage implements KeyTarget {
         return this.materials.show(this.store.settings, this.controls.law());
       case 'scene':
         this.loaded.scene = message;
-        element('scene-name').textContent = message.name;
-        element('scene-description').textContent = message.description;
-        element('scene-description').title = message.description ?? '';
-        element('scene-description').hidden = message.description === null;
+        showHeading(message);
         this.trace.scene(message.kind, message.width_m, message.depth_m);
         this.controls.offerCells(message.cells !== null);
         this.controls.offerDepth(message.kind === 'relief');
-        document.title = `${message.name} – Palpable`;
         return;
       case 'settings':
         return this.receiveSettings(message);
@@ -290,7 +287,7 @@ class TouchPage implements KeyTarget {
       this.own.setScale(surface.scale);
       this.readouts.scale = surface.scale;
       showSteps(surface.scale);
-      this.stage.element.setAttribute('aria-label', `${scene.kind === 'contours' ? 'Lines' : 'Surface'} of ${scene.name} to touch`);
+      this.stage.element.setAttribute('aria-label', stageLabel(scene));
       if (first) this.ready();
     }
     if (!this.loaded.isComplete) return;
