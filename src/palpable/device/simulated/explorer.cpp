@@ -22,6 +22,20 @@ constexpr double kYield_m_per_s = 0.04;
 constexpr double kStopped_N = 1.0;
 /// The part of the workspace that is visited.
 constexpr double kVisited = 0.46;
+/// After so long a stroke along the floor without a contact the hand goes elsewhere.
+constexpr double kEmpty_s = 0.6;
+/// How fast it goes there, in free air.
+constexpr double kTravel_m_per_s = 0.15;
+/// With each such failure it keeps to this part of the width and height that it kept to before.
+constexpr double kNearer = 0.5;
+constexpr double kLeastPart = 0.1;
+
+/// Two sines of incommensurable frequencies: the curve comes near every place, soon coarsely and later
+/// finely. `along` is the curve's parameter.
+Vec3 curve_at(double along, Vec3 workspace_m) {
+  return {kVisited * workspace_m.x * std::sin(2.0 * along),
+          kVisited * workspace_m.y * std::sin(2.0 * along / std::numbers::phi + 1.0), 0.0};
+}
 
 }  // namespace
 
@@ -29,7 +43,10 @@ Explorer::Explorer(const ExplorerOptions& options) : options_(options), random_(
   goal_m_ = {0.0, 0.0, options.deep ? 0.5 * options.workspace_m.z : 0.0};
   target_m_ = goal_m_;
   along_m_ = uniform(0.0, 1.0);
-  if (options.script == ExplorerOptions::Script::scan) scan();
+  if (options.script == ExplorerOptions::Script::scan) {
+    const Vec3 place = curve_at(along_m_, options.workspace_m);
+    goal_m_ = {place.x, place.y, goal_m_.z};
+  }
   begin(options.deep ? Phase::approach : Phase::stroke);
 }
 
@@ -41,6 +58,7 @@ double Explorer::uniform(double least, double most) noexcept {
 void Explorer::begin(Phase phase) noexcept {
   phase_ = phase;
   phase_s_ = 0.0;
+  empty_s_ = 0.0;
   if (phase == Phase::stroke) stroke_s_ = uniform(2.0, 5.0);
 }
 
@@ -61,7 +79,13 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
       goal_m_.z -= dt_s * std::clamp(kYield_m_per_Ns * (options_.press_N - norm(force_N)), -kYield_m_per_s,
                                      kYield_m_per_s);
       goal_m_.z = std::clamp(goal_m_.z, floor_m, ceiling_m);
-      if (phase_s_ > stroke_s_) begin(Phase::lift);
+      note_contact(force_N, dt_s);
+      if (empty_s_ > kEmpty_s) {
+        choose_nearer_middle();
+        begin(Phase::travel);
+      } else if (phase_s_ > stroke_s_) {
+        begin(Phase::lift);
+      }
       break;
     case Phase::lift:
       stroke_along(dt_s, force_N);
@@ -69,6 +93,9 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
       goal_m_.z = std::min(goal_m_.z + kLift_m_per_s * dt_s, ceiling_m);
       if (norm(force_N) > kNoticed_N) phase_s_ = 0.0;
       if (phase_s_ > kLift_s) begin(Phase::approach);
+      break;
+    case Phase::travel:
+      travel(dt_s);
       break;
   }
   return goal_m_;
@@ -82,8 +109,7 @@ void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
   const double ease = options_.deep ? std::clamp(1.0 - excess_N / kStopped_N, 0.05, 1.0) : 1.0;
   const double step_m = ease * options_.speed_m_per_s * dt_s;
   if (options_.script == ExplorerOptions::Script::scan) {
-    along_m_ += step_m / (2.0 * std::max(half_width, half_height));
-    scan();
+    follow_curve(step_m);
     return;
   }
   const Vec3 way{target_m_.x - goal_m_.x, target_m_.y - goal_m_.y, 0.0};
@@ -95,11 +121,54 @@ void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
   goal_m_ += step_m * unit(way);
 }
 
-/// Two swings whose frequencies have no common measure: the curve comes near every place, soon in a coarse
-/// way and later in a fine one.
-void Explorer::scan() noexcept {
-  goal_m_.x = kVisited * options_.workspace_m.x * std::sin(2.0 * along_m_);
-  goal_m_.y = kVisited * options_.workspace_m.y * std::sin(2.0 * along_m_ / std::numbers::phi + 1.0);
+void Explorer::follow_curve(double step_m) noexcept {
+  along_m_ += step_m / (2.0 * kVisited * std::max(options_.workspace_m.x, options_.workspace_m.y));
+  const Vec3 place = curve_at(along_m_, options_.workspace_m);
+  goal_m_ = {place.x, place.y, goal_m_.z};
+}
+
+void Explorer::note_contact(Vec3 force_N, double dt_s) noexcept {
+  if (norm(force_N) > kNoticed_N) {
+    empty_s_ = 0.0;
+    visited_part_ = 1.0;
+  } else if (goal_m_.z <= -0.5 * options_.workspace_m.z) {
+    empty_s_ += dt_s;
+  }
+}
+
+void Explorer::choose_nearer_middle() noexcept {
+  visited_part_ = std::max(kNearer * visited_part_, kLeastPart);
+  const double half_width = kVisited * visited_part_ * options_.workspace_m.x;
+  const double half_height = kVisited * visited_part_ * options_.workspace_m.y;
+  if (options_.script == ExplorerOptions::Script::random) {
+    target_m_ = {uniform(-half_width, half_width), uniform(-half_height, half_height), 0.0};
+    return;
+  }
+  // The next part of the curve that lies there: the stroke goes on from it.
+  constexpr double kStep = 0.02;
+  constexpr int kMostSteps = 1000;
+  for (int i = 0; i < kMostSteps; ++i) {
+    along_m_ += kStep;
+    target_m_ = curve_at(along_m_, options_.workspace_m);
+    if (std::abs(target_m_.x) <= half_width && std::abs(target_m_.y) <= half_height) return;
+  }
+}
+
+/// Up first, then across, then down.
+void Explorer::travel(double dt_s) noexcept {
+  const double ceiling_m = 0.5 * options_.workspace_m.z;
+  const double step_m = kTravel_m_per_s * dt_s;
+  if (goal_m_.z < ceiling_m) {
+    goal_m_.z = std::min(goal_m_.z + step_m, ceiling_m);
+    return;
+  }
+  const Vec3 way{target_m_.x - goal_m_.x, target_m_.y - goal_m_.y, 0.0};
+  if (norm(way) > step_m) {
+    goal_m_ += step_m * unit(way);
+    return;
+  }
+  goal_m_ = {target_m_.x, target_m_.y, goal_m_.z};
+  begin(Phase::approach);
 }
 
 }  // namespace palpable::device

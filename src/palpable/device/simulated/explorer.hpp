@@ -30,9 +30,10 @@ struct ExplorerOptions {
 };
 
 /// What a person's intention does while exploring a surface they cannot see: come down until something is
-/// felt, stroke along it for some seconds with a steady pressure, lift off, go on elsewhere. Gives the place
-/// where the hand wants to be; the arm's impedance (simulated_hand.hpp) pulls the hand there. Deterministic
-/// in its options and in what it feels. Device frame; one thread; never allocates.
+/// felt, stroke along it for some seconds with a steady pressure, lift off, go on elsewhere. Where nothing is
+/// felt down to the floor, it rises and comes down nearer to the middle of the workspace, where scenes lie.
+/// Gives the place where the hand wants to be; the arm's impedance (simulated_hand.hpp) pulls the hand there.
+/// Deterministic in its options and in what it feels. Device frame; one thread; never allocates.
 class Explorer {
  public:
   explicit Explorer(const ExplorerOptions& options);
@@ -42,9 +43,12 @@ class Explorer {
   Vec3 step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept;
 
  private:
-  enum class Phase : std::uint8_t { approach, stroke, lift };
+  enum class Phase : std::uint8_t { approach, stroke, lift, travel };
   void stroke_along(double dt_s, Vec3 force_N) noexcept;
-  void scan() noexcept;
+  void follow_curve(double step_m) noexcept;
+  void note_contact(Vec3 force_N, double dt_s) noexcept;
+  void choose_nearer_middle() noexcept;
+  void travel(double dt_s) noexcept;
   void begin(Phase phase) noexcept;
   double uniform(double least, double most) noexcept;
 
@@ -56,6 +60,10 @@ class Explorer {
   double phase_s_ = 0.0;
   double stroke_s_ = 0.0;
   double along_m_ = 0.0;
+  /// How long this stroke has gone along the floor without feeling anything.
+  double empty_s_ = 0.0;
+  /// The part of the workspace about its middle where the hand comes down next; 1 after a contact.
+  double visited_part_ = 1.0;
 };
 
 }  // namespace palpable::device
