@@ -5,7 +5,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/sources/city_json.hpp"
-#include "palpable/sources/solid/ply_header.hpp"
+#include "palpable/sources/solid/ply_file.hpp"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -56,8 +56,11 @@ Result<Mesh> mesh_from(const aiScene& scene) {
 }  // namespace
 
 Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending) {
-  if (ending == "ply")
-    if (const auto whole = check_ply(file); !whole) return whole.error();
+  if (ending == "ply") {
+    auto mesh = decode_ply_mesh(file);
+    if (mesh && mesh->triangles.empty()) return invalid_input("is a mesh without triangles");
+    return mesh;
+  }
   try {
     Assimp::Importer importer;
     // Lines and points are no surface; nodes' transforms are applied to their vertices.

@@ -10,7 +10,7 @@
 namespace palpable::sources {
 namespace {
 
-Result<void> check(std::string_view text) { return check_ply(std::as_bytes(std::span(text))); }
+bool check(std::string_view text) { return parse_ply_header(std::as_bytes(std::span(text))).has_value(); }
 
 constexpr std::string_view kAscii =
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
@@ -38,6 +38,19 @@ TEST(PlyHeader, RefusesAFileThatWasCutOff) {
 TEST(PlyHeader, RefusesCountsThatNoFileHolds) {
   for (const std::string count : {"99999999999", "18446744073709551615", "1e9", "-1", ""})
     EXPECT_FALSE(check(binary(count) + std::string(100, 'x'))) << count;
+}
+
+TEST(PlyHeader, RefusesWordsAndTypesThatItDoesNotKnow) {
+  const std::string good(kAscii);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    return text.replace(text.find(from), from.size(), to);
+  };
+  EXPECT_TRUE(check(with("float x", "float32 x")));
+  EXPECT_FALSE(check(with("float x", "flaot x")));
+  EXPECT_FALSE(check(with("ascii", "binary_middle_endian")));
+  EXPECT_FALSE(check(with("element", "elemant")));
+  EXPECT_FALSE(check(with("list uchar", "list float")));
 }
 
 }  // namespace
