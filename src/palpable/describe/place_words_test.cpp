@@ -70,7 +70,7 @@ TEST(PlaceWords, OfContoursSayTheLine) {
   const auto scene = circle_and_line();
   EXPECT_EQ(step_words(scene, 1.0, {0.0, -0.02}), "on the line, from left to right");
   EXPECT_EQ(step_words(scene, 1.0, {-0.04, 0.02}), "on the line, up and down");
-  EXPECT_EQ(step_words(scene, 1.0, {0.0, -0.03}), "beside the line, 9.6 millimetres up");
+  EXPECT_EQ(step_words(scene, 1.0, {0.0, -0.03}), "beside the line, 10 millimetres up");
   EXPECT_EQ(step_words(scene, 1.0, {0.045, 0.0}), "no line near here");
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/describe/scene_words.hpp"
 
-#include "palpable/describe/contour_lines.hpp"
+#include "palpable/describe/contour_words.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/describe/solid_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -182,45 +183,17 @@ std::string nine_parts(const models::Scene& scene, double depth) {
   return words;
 }
 
-std::string extent_words(const ContourLine& line) {
-  constexpr double kStraight = 0.1;
-  const double width_m = line.most.x_m - line.least.x_m, height_m = line.most.y_m - line.least.y_m;
-  if (height_m < kStraight * width_m) return "from left to right";
-  if (width_m < kStraight * height_m) return "up and down";
-  return fmt::format("{} wide and {} high", spoken_length(width_m), spoken_length(height_m));
-}
-
-std::vector<std::string> parts_of_contours(const models::Scene& scene, const models::BoundaryMap& map,
-                                           Place probe) {
-  const auto lines = find_contour_lines(map);
-  const auto closed = static_cast<std::size_t>(
-      std::count_if(lines.begin(), lines.end(), [](const ContourLine& line) { return line.closed; }));
-  const auto closed_words = [&] {
-    if (lines.size() == 1) return closed == 1 ? std::string("closed") : std::string("open");
-    return closed == 0 ? std::string("none of them closed") : fmt::format("{} of them closed", closed);
-  };
-  const std::string count =
-      fmt::format("{}, {}", capitalised(counted(lines.size(), "line", "lines")), closed_words());
-  if (lines.empty()) return {fmt::format("{} {}. No lines.", sentence(name_of(scene)), size_words(scene))};
-  const auto line_part = [&](const ContourLine& line) {
-    return fmt::format("{}, {} long, {}, {}", line.closed ? "closed" : "open", spoken_length(line.length_m),
-                       region_words(line.middle(), map.width_m(), map.depth_m()), extent_words(line));
-  };
-  const std::string brief = fmt::format("{} {}. {}. The longest: {}.", sentence(name_of(scene)),
-                                        capitalised(size_words(scene)), count, line_part(lines.front()));
-  std::string more;
-  if (const auto near = nearest_line(map, probe, std::max(map.width_m(), map.depth_m())))
-    more = fmt::format("From the probe to the nearest line: {}. ", offset_words(near->dx_m, near->dy_m));
-  more += lines.size() > kMostListed ? fmt::format("The {} longest lines.", kMostListed) : "The lines.";
-  for (std::size_t k = 0; k < std::min(lines.size(), kMostListed); ++k)
-    more += fmt::format(" {}: {}.", k + 1, line_part(lines[k]));
-  return {brief, more};
-}
-
 std::vector<std::string> parts_of(const models::Scene& scene, double depth, Place probe) {
   if (const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model))
-    return parts_of_contours(scene, (*contours)->boundaries, probe);
+    return contour_parts((*contours)->boundaries, sentence(name_of(scene)), probe);
   const models::Relief& surface = *models::relief_of(scene);
+  if (models::is_field(scene.model)) {
+    const Vec3 size = models::size_m(scene);
+    const double base_m = models::centre_m(scene).z - 0.5 * size.z;
+    auto parts = solid_parts(surface, base_m, size, sentence(name_of(scene)), probe);
+    parts.push_back(nine_parts(scene, depth));
+    return parts;
+  }
   constexpr double kFlat_m = 1e-5;
   if (std::abs(depth) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)
     return {fmt::format("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),

@@ -16,8 +16,8 @@ std::string name_of(const models::Scene& scene);
 std::string opening_words(const models::Scene& scene);
 
 /// The description of a scene in parts, from short to long; a person asks for one after the other.
-///   - Name, size, and how many objects rise above the ground (peaks.hpp) or how many lines there are
-///     (contour_lines.hpp), with their names or where they are.
+///   - Name, size, and how many objects rise above the ground (peaks.hpp), how many lines there are
+///     (contour_words.hpp), or a solid's outline, parts and openings (solid_words.hpp), with where they are.
 ///   - The maker's description, where there is one.
 ///   - Each object or line with place and size, and the way from `probe` to the highest point or nearest
 ///   line.

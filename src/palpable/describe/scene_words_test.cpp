@@ -99,9 +99,10 @@ TEST(SceneWords, DescribeContoursAsLines) {
   const auto parts = scene_parts(circle_and_line(), 1.0, {});
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_THAT(parts[0], StartsWith("Circle and line. 100 by 100 millimetres. 2 "
-                                   "lines, 1 of them closed. The longest: closed, 13"));
+                                   "lines, 1 of them closed. The longest: closed, 126"));
   EXPECT_THAT(parts[0], HasSubstr("upper left"));
-  EXPECT_THAT(parts[1], HasSubstr("2: open, 59 millimetres long, lower middle, from left to right."));
+  EXPECT_THAT(parts[1],
+              HasSubstr("2: open, 59 millimetres long, lower middle, straight, from left to right."));
   EXPECT_THAT(parts[0], Not(HasSubstr("height")));
 }
 

@@ -34,7 +34,7 @@ void mark_junctions(models::Scene& scene, const models::BoundaryMap& map,
   constexpr double kRadius_m = 0.0015;
   const auto in_px = [&map](double metres) { return metres / map.pixel_m(); };
   sculpt::JunctionOptions branches;
-  branches.radius_px = std::clamp(static_cast<int>(std::lround(in_px(kRadius_m))), 5, 24);
+  branches.radius_px = std::clamp(static_cast<int>(std::lround(in_px(kRadius_m))), 10, 24);
   const auto line = sculpt::boundary_lines(map);
   const auto junctions = sculpt::find_junctions(line, branches);
   if (junctions.empty()) return;

@@ -4,12 +4,22 @@
 import { element } from '../dom';
 import type { Scene } from '../generated/protocol';
 
+/** The first sentence of a text, and what comes after it: a short text is not taken apart. */
+export function shortForm(text: string): { short: string; rest: string } {
+  const fitsOneLine = 90;
+  if (text.length <= fitsOneLine) return { short: text, rest: '' };
+  const end = /[.!?](?=\s)/.exec(text);
+  if (end === null) return { short: text, rest: '' };
+  return { short: text.slice(0, end.index + 1), rest: text.slice(end.index + 1).trim() };
+}
+
 export function showHeading({ name, description }: Pick<Scene, 'name' | 'description'>): void {
   element('scene-name').textContent = name;
-  const line = element('scene-description');
-  line.textContent = description;
-  line.title = description ?? '';
-  line.hidden = description === null;
+  const { short, rest } = shortForm(description ?? '');
+  element('scene-short').textContent = short;
+  element('scene-rest').textContent = rest;
+  element('scene-more').hidden = rest === '';
+  element('scene-description').hidden = description === null;
   document.title = `${name} – Palpable`;
 }
 

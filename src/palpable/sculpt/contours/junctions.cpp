@@ -25,11 +25,12 @@ Raster<std::uint8_t> dilated(const Raster<float>& line, int by) {
   return thick;
 }
 
-/// Counts the arcs of a circle that the lines reach from its centre without leaving it.
+/// Counts the directions in which the lines reach a circle from its centre without leaving it: arcs that are
+/// closer than `apart_rad` to the one before are one direction.
 class BranchCounter {
  public:
-  BranchCounter(const Raster<std::uint8_t>& lines, int radius)
-      : lines_(lines), radius_(radius), side_(2 * radius + 1) {
+  BranchCounter(const Raster<std::uint8_t>& lines, int radius, double apart_rad)
+      : lines_(lines), radius_(radius), apart_rad_(apart_rad), side_(2 * radius + 1) {
     reached_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
     const int places = static_cast<int>(std::ceil(4.0 * std::numbers::pi * radius));
     for (int k = 0; k < places; ++k) {
@@ -42,17 +43,34 @@ class BranchCounter {
 
   int parts(int x, int y) {
     flood(x, y);
+    const auto arcs = arcs_reached();
     int parts = 0;
-    bool before = at(ring_.back().first, ring_.back().second);
-    for (const auto& [a, b] : ring_) {
-      const bool now = at(a, b);
-      parts += now && !before ? 1 : 0;
-      before = now;
+    for (std::size_t k = 0; k < arcs.size(); ++k) {
+      const double before = k > 0 ? arcs[k - 1].last : arcs.back().last - 2.0 * std::numbers::pi;
+      parts += arcs[k].first - before >= apart_rad_ ? 1 : 0;
     }
     return parts;
   }
 
  private:
+  /// Where an arc begins and ends, radians.
+  struct Arc {
+    double first, last;
+  };
+  /// In their order; none of a circle that was reached all around.
+  std::vector<Arc> arcs_reached() const {
+    std::vector<Arc> arcs;
+    const std::size_t count = ring_.size();
+    const double turn = 2.0 * std::numbers::pi / static_cast<double>(count);
+    const auto on = [&](std::size_t k) { return at(ring_[k % count].first, ring_[k % count].second); };
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!on(k) || on(k + count - 1)) continue;
+      std::size_t end = k;
+      while (on(end + 1)) ++end;
+      arcs.push_back({turn * static_cast<double>(k), turn * static_cast<double>(end)});
+    }
+    return arcs;
+  }
   bool at(int a, int b) const { return reached_[index(a, b)] != 0; }
   std::size_t index(int a, int b) const {
     return static_cast<std::size_t>(b + radius_) * static_cast<std::size_t>(side_) +
@@ -84,6 +102,7 @@ class BranchCounter {
   static constexpr std::array<std::pair<int, int>, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const Raster<std::uint8_t>& lines_;
   int radius_;
+  double apart_rad_;
   int side_;
   std::vector<std::pair<int, int>> ring_;
   std::vector<std::uint8_t> reached_;
@@ -124,13 +143,18 @@ Junction taken_off(Raster<std::uint8_t>& parts, int x, int y, int apart_px) {
 std::vector<Parameter> parameters_of(JunctionOptions& o) {
   return {{"radius_px", &o.radius_px, {3, 64}, "px", "radius of the circle that branches must reach"},
           {"least_branches", &o.least_branches, {3, 8}, "", "least branches of a junction"},
-          {"bridged_px", &o.bridged_px, {0, 8}, "px", "dilation of the lines"}};
+          {"bridged_px", &o.bridged_px, {0, 8}, "px", "dilation of the lines"},
+          {"least_angle_degrees",
+           &o.least_angle_degrees,
+           {0.0, 90.0},
+           "degrees",
+           "least angle between two branches"}};
 }
 
 std::vector<Junction> find_junctions(const Raster<float>& line, const JunctionOptions& options) {
   PALPABLE_CHECK(check_ranges(options));
   const auto lines = dilated(line, options.bridged_px);
-  BranchCounter branches(lines, options.radius_px);
+  BranchCounter branches(lines, options.radius_px, options.least_angle_degrees * std::numbers::pi / 180.0);
   // How many lines leave each candidate, 0 elsewhere.
   Raster<std::uint8_t> parts(line.width(), line.height(), 0);
   for (int y = 0; y < line.height(); ++y)

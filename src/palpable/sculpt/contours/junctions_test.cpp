@@ -49,6 +49,36 @@ TEST(Junctions, AreNeitherCornersNorEndsNorLinesThatPassBy) {
   EXPECT_TRUE(find_junctions(drawn({}), {}).empty());
 }
 
+/// Two rings around the middle, as the two sides of a stroke.
+Raster<float> ring(double outer_px, double inner_px) {
+  Raster<float> line(200, 200, 0.0F);
+  for (const double radius : {outer_px, inner_px})
+    for (int k = 0; k < 4000; ++k) {
+      const double a = 2.0 * 3.14159265358979 * k / 4000.0;
+      line(static_cast<int>(std::lround(100.0 + radius * std::cos(a))),
+           static_cast<int>(std::lround(100.0 + radius * std::sin(a)))) = 1.0F;
+    }
+  return line;
+}
+
+TEST(Junctions, AreNotOnARingDrawnWithAThickStroke) {
+  for (const double width_px : {2.0, 2.6, 3.0, 3.4, 4.0, 4.6, 6.0})
+    EXPECT_TRUE(find_junctions(ring(82.0, 82.0 - width_px), {10, 3, 1}).empty()) << width_px;
+}
+
+TEST(Junctions, AreWhereThickStrokesCross) {
+  EXPECT_FALSE(find_junctions(drawn({{20, 48, 58, 48},
+                                     {61, 48, 100, 48},
+                                     {20, 51, 58, 51},
+                                     {61, 51, 100, 51},
+                                     {58, 20, 58, 48},
+                                     {61, 20, 61, 48},
+                                     {58, 51, 58, 90},
+                                     {61, 51, 61, 90}}),
+                              {})
+                   .empty());
+}
+
 TEST(Junctions, AreMarkedByDiscs) {
   const auto labels = mark_junctions({{60.0, 50.0, 3}, {0.0, 0.0, 3}}, 120, 100, 5.0, 7);
   EXPECT_EQ(labels(60, 50), 7);
