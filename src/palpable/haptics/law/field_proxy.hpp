@@ -28,6 +28,8 @@ struct FieldProxy {
   double clearance_m = 0.0;
   /// As SurfaceProxy::step_share.
   double step_share = 0.0;
+  /// How the surface bends along the last step: one over its radius, above 0 where it is convex.
+  double bend_per_m = 0.0;
   Phase phase = Phase::fresh;
   bool slipping = false;
 };
@@ -36,8 +38,9 @@ struct FieldProxy {
 /// hand under a friction cone (Zilles & Salisbury 1995; on implicit surfaces Salisbury & Tarr 1997), with the
 /// dampers of proxy_force(). Free, the hand's whole way of the tick is judged: a stretch is clear where the
 /// distances at its two ends are together longer than it, and within half a cell the surface hides nothing.
-/// Sliding, the point moves along the surface in steps shorter than a cell or half of the hand's own way,
-/// each of which must bring it nearer to the hand: it never jumps to the far side of a thin wall.
+/// Sliding, the point moves along the surface in steps of a cell or a quarter of the hand's own way, each of
+/// which must bring it nearer to the hand and may not end behind the middle of a wall: it never jumps to the
+/// far side of one that is as thick as its steps are long.
 template <models::DistanceSurface Surface>
 class FieldProxyLaw : public ContactLaw<Surface> {
  public:
@@ -84,35 +87,40 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   EnergyModel energy_model() const noexcept { return EnergyModel::spring; }
 
   HandOver hand_over(const State& state) const noexcept {
-    return {state.proxy.phase == FieldProxy::Phase::touching,
-            state.proxy.slipping,
-            {state.proxy.place_m},
-            {state.proxy.hand_m},
-            state.memory};
+    return hand_over_of(state.proxy, state.proxy.normal, state.memory);
   }
 
-  /// The proxy goes to the nearest place of this surface, if it is near, and keeps its grip.
+  /// A proxy that held the hand goes to the nearest place of this surface, if it is near, and keeps its grip;
+  /// a free one stays where it is, unless this surface covers that place.
   void take_over(const HandOver& from, State& state) const noexcept {
-    if (!from.touching) return;
+    if (!from.has_proxy) return;
     FieldProxy& proxy = state.proxy;
-    proxy.place_m = from.place.v;
-    int evaluations = kSettling;
-    if (!settle(proxy.place_m, proxy.normal, evaluations)) return;
+    begin(from.place.v, proxy);
     proxy.hand_m = from.hand.v;
-    proxy.phase = FieldProxy::Phase::touching;
     proxy.slipping = from.slipping;
+    if (!from.touching) return;
+    int evaluations = kSettling;
+    if (proxy.phase == FieldProxy::Phase::free && settle(proxy.place_m, proxy.normal, evaluations))
+      proxy.phase = FieldProxy::Phase::touching;
     state.memory = from.memory;
   }
 
  private:
   /// Of a resting hand; for each cell that it moved; and at most.
-  static constexpr int kEvaluations = 12;
-  static constexpr double kPerCell = 3.0;
+  static constexpr int kEvaluations = 3;
+  static constexpr double kPerCell = 2.0;
   static constexpr int kMaxEvaluations = 64;
   /// To find the surface from somewhere near it, once.
   static constexpr int kSettling = 12;
   /// In cells: a last correction of this size is still good.
   static constexpr double kOff = 0.05;
+  /// On the surface, within this.
+  static constexpr double kOn_m = 1e-6;
+  /// Of the hand's own way in the tick: a wall as thick as this is not stepped over.
+  static constexpr double kLongestStep = 0.25;
+  /// What a bend may make of a step.
+  static constexpr double kLeastBent = 0.4;
+  static constexpr double kMostBent = 2.5;
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
   /// A field's gradient is within a few per cent of 1.
@@ -126,8 +134,9 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return s;
   }
 
-  /// From a place near the surface onto it, along the gradient (Newton's method). False if it does not come
-  /// near: the field has no gradient there, or two faces of a crease send it to and fro.
+  /// From a place near the surface onto it, along the gradient (Newton's method). `normal`: that of a place
+  /// near by, if known; then that of the place found. False if it does not come near: the field has no
+  /// gradient there, or two faces of a crease send it to and fro.
   bool settle(Vec3& place_m, Vec3& normal, int& evaluations) const noexcept {
     double off_m = 0.0;
     while (evaluations > 0) {
@@ -136,9 +145,12 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const double length2 = squared_norm(s.gradient);
       if (!(length2 > 0.01)) return false;
       place_m -= (s.distance_m / length2) * s.gradient;
+      const Vec3 last = normal;
       normal = s.gradient / std::sqrt(length2);
       off_m = std::abs(s.distance_m);
-      if (off_m < 10.0 * kTolerance_m) return true;
+      // What a correction leaves is the correction times the turn of the normal on it, which is less than
+      // that since the last place.
+      if (off_m * std::min(1.0, norm(normal - last)) < kOn_m) return true;
     }
     return off_m < kOff * this->surface().cell_m();
   }
@@ -159,10 +171,11 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     if (proxy.phase == FieldProxy::Phase::fresh) begin(hand_m, proxy);
     const double cell_m = this->surface().cell_m();
     const double moved_m = norm(hand_m - proxy.hand_m);
-    const double longest_m = std::max(cell_m, 0.5 * moved_m);
+    const double longest_m = std::max(cell_m, kLongestStep * moved_m);
     proxy.hand_m = hand_m;
     int evaluations =
         kEvaluations + static_cast<int>(std::min(kPerCell * moved_m / cell_m, 1.0 * kMaxEvaluations));
+    const bool was_touching = proxy.phase == FieldProxy::Phase::touching;
     bool met = false;
     for (;;) {
       if (proxy.phase == FieldProxy::Phase::free) {
@@ -175,13 +188,14 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       proxy.phase = FieldProxy::Phase::free;
       proxy.clearance_m = 0.0;
     }
-    if (proxy.place_m != hand_m) hold(hand_m, proxy);
+    if (proxy.place_m != hand_m) hold(hand_m, was_touching, proxy);
   }
 
-  /// The way to the hand is longer than a tick's evaluations. If the hand is inside, the proxy goes to the
-  /// surface nearest to where it got to, which passes through nothing.
-  void hold(Vec3 hand_m, FieldProxy& proxy) const noexcept {
-    if (sample(hand_m).distance_m >= 0.0) return;
+  /// The way to the hand is longer than a tick's evaluations. If the hand is inside, or was held and is not
+  /// yet known to be free, the proxy goes to the surface nearest to where it got to, which passes through
+  /// nothing.
+  void hold(Vec3 hand_m, bool was_touching, FieldProxy& proxy) const noexcept {
+    if (!was_touching && sample(hand_m).distance_m >= 0.0) return;
     int evaluations = kSettling;
     if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
   }
@@ -265,14 +279,20 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const double along_m = norm(along);
       const double held_m = -lifted * (moved ? friction.sliding : coefficient);
       if (along_m <= held_m + kTolerance_m) break;
-      const double step_m = std::min(share * (along_m - held_m), share * longest_m);
-      Vec3 next = proxy.place_m + (step_m / along_m) * along;
+      // Newton's step: the way along the surface is that along its tangent plane, stretched by the bend.
+      const double bent = std::clamp(1.0 + proxy.bend_per_m * lifted, kLeastBent, kMostBent);
+      const double step_m = share * std::min((along_m - held_m) / bent, longest_m);
+      const Vec3 aimed = proxy.place_m + (step_m / along_m) * along;
+      Vec3 next = aimed;
       Vec3 normal = proxy.normal;
       int one = std::min(evaluations, 3);
       evaluations -= one;
       const bool settled = settle(next, normal, one);
       evaluations += one;
-      if (!settled || squared_norm(hand_m - next) >= squared_norm(d)) {
+      // Out of the solid and onwards: the step ended behind the middle of a wall.
+      const Vec3 out = next - aimed;
+      const bool through = dot(out, normal) > kOn_m && dot(out, along) > 0.0;
+      if (!settled || through || squared_norm(hand_m - next) >= squared_norm(d)) {
         share *= 0.25;
         if (step_m < kTolerance_m) {
           share = 1.0;
@@ -282,6 +302,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       }
       share = std::min(1.0, 4.0 * share);
       moved = true;
+      proxy.bend_per_m = dot(normal - proxy.normal, along) / (along_m * step_m);
       proxy.place_m = next;
       proxy.normal = normal;
     }

@@ -68,24 +68,16 @@ class ProxyLaw : public ContactLaw<Surface> {
   EnergyModel energy_model() const noexcept { return EnergyModel::spring; }
 
   HandOver hand_over(const State& state) const noexcept {
-    return {state.proxy.holds_the_hand(),
-            state.proxy.slipping,
-            {state.proxy.place_m},
-            {state.proxy.hand_m},
-            state.memory};
+    const models::CurvedSample& s = state.proxy.surface;
+    return hand_over_of(state.proxy, unit(Vec3{-s.dzdx, -s.dzdy, 1.0}), state.memory);
   }
 
-  /// The proxy goes straight up or down to this surface, and keeps its grip.
+  /// A proxy that held the hand goes straight up or down to this surface, and keeps its grip; a free one
+  /// stays where it is, unless this surface covers that place.
   void take_over(const HandOver& from, State& state) const noexcept {
-    if (!from.touching) return;
-    SurfaceProxy& proxy = state.proxy;
-    const Vec3 p = from.place.v;
-    proxy.surface = this->surface().curved_sample(p.x, p.y);
-    proxy.place_m = {p.x, p.y, proxy.surface.z_m};
-    proxy.hand_m = from.hand.v;
-    proxy.phase = SurfaceProxy::Phase::touching;
-    proxy.slipping = from.slipping;
-    state.memory = from.memory;
+    if (!from.has_proxy) return;
+    ProxyFollower<Surface>(this->surface(), {}).take_over(from, state.proxy);
+    if (from.touching) state.memory = from.memory;
   }
 
  private:

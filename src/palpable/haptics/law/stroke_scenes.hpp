@@ -44,6 +44,14 @@ class Pebbles {
     const double ball = norm(away) - 0.003;
     return ball < p.z ? models::FieldSample{ball, unit(away)} : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
   }
+  /// Whether the straight way between two places goes through the middle of a ball.
+  static bool divides(Vec3 a, Vec3 b) {
+    const Vec3 half = 0.5 * (a + b);
+    const Vec3 middle{0.008 * std::round(half.x / 0.008), 0.008 * std::round(half.y / 0.008), 0.002};
+    const Vec3 way = b - a;
+    const double share = std::clamp(dot(middle - a, way) / std::max(squared_norm(way), 1e-18), 0.0, 1.0);
+    return norm(a + share * way - middle) < 0.001;
+  }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 };
@@ -64,6 +72,11 @@ class Walls {
     }
     return wall.distance_m < p.z ? wall : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
   }
+  /// Whether a wall stands between two places, and reaches 2 mm above both.
+  static bool divides(Vec3 a, Vec3 b) {
+    const double wall = 0.008 * std::round(0.5 * (a.x + b.x) / 0.008);
+    return (a.x < wall) != (b.x < wall) && std::max(a.z, b.z) < 0.007;
+  }
   double cell_m() const noexcept { return 2e-4; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 };
@@ -71,11 +84,17 @@ class Walls {
 template <class Solid>
 class SolidTouchable final : public Touchable {
  public:
-  explicit SolidTouchable(double friction)
+  explicit SolidTouchable(double friction, double radius_m = 0.0)
       : law_(std::make_shared<const Solid>(),
-             MaterialMap({kStrokeStiffness_N_per_m, 0.0, friction, friction}), 0.0) {}
+             MaterialMap({kStrokeStiffness_N_per_m, 0.0, friction, friction}), radius_m) {}
   LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
     return law_.evaluate(hand, state_as<typename FieldProxyLaw<Solid>::State>(state));
+  }
+  HandOver hand_over(const TouchState& state) const noexcept override {
+    return law_.hand_over(state_as<typename FieldProxyLaw<Solid>::State>(state));
+  }
+  void take_over(const HandOver& from, TouchState& state) const noexcept override {
+    law_.take_over(from, state_as<typename FieldProxyLaw<Solid>::State>(state));
   }
   std::uint64_t state_family() const noexcept override { return 1; }
   double damping_Ns_per_m() const noexcept override { return 0.0; }

@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <random>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -18,6 +22,9 @@ constexpr double kT_s = 0.001;
 constexpr double kMargin_m = 1e-6;
 constexpr double kFastest_m_per_s = 2.0;
 constexpr int kTicks = 100;
+constexpr int kTouches = 150;
+/// Places of a tick's way at which the truth is asked.
+constexpr int kBetween = 250;
 
 /// A box in which a hand wanders.
 struct Room {
@@ -31,6 +38,8 @@ struct Findings {
   int pulled = 0;
   int kicked = 0;
   int sunk = 0;
+  int crossed = 0;
+  int pushed_in_air = 0;
 };
 
 double bounced(double place, double low, double high, double& speed) {
@@ -38,10 +47,19 @@ double bounced(double place, double low, double high, double& speed) {
   return std::clamp(place, low, high);
 }
 
-/// One touch; `height_over(p)` > 0 outside, `sunk_m` is how deep its proxy may be.
-template <class HeightOver>
-void wander(const Touchable& touchable, const Room& room, std::mt19937_64& random, double sunk_m,
-            HeightOver height_over, Findings& findings) {
+/// What is stroked, and the truth of it.
+struct Ground {
+  std::shared_ptr<const Touchable> touchable;
+  /// Above 0 outside.
+  std::function<double(Vec3)> height_over;
+  /// No proxy gets from the one place to the other in a tick.
+  std::function<bool(Vec3, Vec3)> divides;
+  /// So deep may it be.
+  double sunk_m = 1e-9;
+};
+
+/// One touch. Of several grounds it goes from one to another every 20 ticks or so.
+void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& random, Findings& findings) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::normal_distribution<double> direction;
   const Vec3 size = room.high - room.low;
@@ -52,7 +70,19 @@ void wander(const Touchable& touchable, const Room& room, std::mt19937_64& rando
   Vec3 last = p;
   LawOutput before;
   int left = 0;
+  // In free air since it began, or since the last tick without a force.
+  bool is_free = true;
+  const Ground* ground = &grounds.front();
   for (int n = 0; n < kTicks; ++n) {
+    const bool changes = grounds.size() > 1 && n > 0 && unit(random) < 0.05;
+    if (changes) {
+      const Ground& next =
+          grounds[static_cast<std::size_t>(unit(random) * static_cast<double>(grounds.size()))];
+      TouchState taken;
+      next.touchable->take_over(ground->touchable->hand_over(state), taken);
+      if (&next != ground) state = taken;
+      ground = &next;
+    }
     if (left-- == 0) {
       const Vec3 way{direction(random), direction(random), 0.5 * direction(random)};
       velocity = (kFastest_m_per_s * std::pow(10.0, -2.0 * unit(random)) / norm(way)) * way;
@@ -63,17 +93,22 @@ void wander(const Touchable& touchable, const Room& room, std::mt19937_64& rando
          bounced(p.z, room.low.z, room.high.z, velocity.z)};
     hand.position = {p};
     hand.velocity_m_per_s = {velocity};
-    const LawOutput output = touchable.evaluate(hand, state);
+    const LawOutput output = ground->touchable->evaluate(hand, state);
     const double force_N = norm(output.force_N);
-    const bool inside = height_over(p) < -kMargin_m;
+    const bool inside = ground->height_over(p) < -kMargin_m;
     findings.inside += inside ? 1 : 0;
     findings.let_through += inside && !(output.contact && force_N > 0.0) ? 1 : 0;
     findings.pulled += dot(output.proxy.v - p, output.force_N.v) < -1e-9 ? 1 : 0;
-    findings.sunk += height_over(output.proxy.v) < -sunk_m ? 1 : 0;
+    findings.sunk += ground->height_over(output.proxy.v) < -ground->sunk_m ? 1 : 0;
+    findings.crossed += n > 0 && ground->divides(before.proxy.v, output.proxy.v) ? 1 : 0;
+    for (int k = 1; is_free && k <= kBetween; ++k)
+      is_free = ground->height_over(last + (static_cast<double>(k) / kBetween) * (p - last)) > kMargin_m;
+    findings.pushed_in_air += is_free && force_N > 0.0 ? 1 : 0;
+    is_free = is_free || (!inside && !output.contact);
     // To let go of a hand in free air at once is no kick.
     const double moved_m = norm(p - last) + norm(output.proxy - before.proxy);
     const double step_N = norm(output.force_N - before.force_N);
-    if (n > 0 && output.contact && step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6)
+    if (n > 0 && !changes && output.contact && step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6)
       ++findings.kicked;
     before = output;
     last = p;
@@ -85,6 +120,8 @@ void expect_held(const Findings& findings) {
   EXPECT_EQ(findings.pulled, 0);
   EXPECT_EQ(findings.sunk, 0);
   EXPECT_EQ(findings.kicked, 0);
+  EXPECT_EQ(findings.crossed, 0);
+  EXPECT_EQ(findings.pushed_in_air, 0);
   EXPECT_GT(findings.inside, 5000);
 }
 
@@ -100,25 +137,80 @@ TEST(Strokes, LetNoHandThroughReliefsOfAnyResolution) {
       p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
       p.static_friction = friction;
       const auto law = made(scene, p);
-      for (int k = 0; k < 150; ++k)
-        wander(
-            *law, {{-0.028, -0.018, -0.001}, {0.028, 0.018, 0.014}}, random, 1e-9,
-            [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; }, findings);
+      // What a proxy may climb over in a tick is the trajectory study's to judge.
+      const Ground ground{law, [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; },
+                          [](Vec3, Vec3) { return false; }};
+      for (int k = 0; k < kTouches; ++k)
+        wander({&ground, 1}, {{-0.028, -0.018, -0.001}, {0.028, 0.018, 0.014}}, random, findings);
     }
   expect_held(findings);
 }
+
+/// Upright walls two pixels thick, 8 mm high and 8 mm apart, on level ground.
+models::Scene thin_walls(double pixel_m) {
+  Raster<float> z(static_cast<int>(std::lround(0.04 / pixel_m)),
+                  static_cast<int>(std::lround(0.04 / pixel_m)));
+  const int period = static_cast<int>(std::lround(0.008 / pixel_m));
+  for (int j = 0; j < z.height(); ++j)
+    for (int i = period; i < z.width(); i += period) z(i - 1, j) = z(i, j) = 0.008F;
+  return scene_of(std::move(z), pixel_m);
+}
+
+Ground walled_ground(const models::Scene& scene, double friction, double radius_m = 0.0) {
+  LawParameters p = frictionless(radius_m);
+  p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
+  p.static_friction = friction;
+  DilatedRelief dilated;
+  const auto law = make_touchable(scene, p, &dilated);
+  const auto surface = radius_m > 0.0 ? dilated.surface : models::relief_of(scene);
+  return {*law, [surface](Vec3 at) { return at.z - surface->sample(at.x, at.y).z_m; },
+          [top_m = surface->highest_m()](Vec3 a, Vec3 b) {
+            // Walls stand at 4 mm and every 8 mm.
+            const double wall = 0.008 * std::round((0.5 * (a.x + b.x) - 0.004) / 0.008) + 0.004;
+            return (a.x < wall) != (b.x < wall) && std::max(a.z, b.z) < top_m - 0.003;
+          }};
+}
+
+constexpr Room kAmongWalls{{-0.015, -0.015, -0.004}, {0.015, 0.015, 0.009}};
+
+TEST(Strokes, LetNoHandThroughWallsOfTwoPixelsOfARelief) {
+  std::mt19937_64 random(14);
+  Findings findings;
+  for (const double pixel_m : {0.0001, 0.00025})
+    for (const double friction : {0.0, 0.6}) {
+      const Ground ground = walled_ground(thin_walls(pixel_m), friction);
+      for (int k = 0; k < kTouches; ++k) wander({&ground, 1}, kAmongWalls, random, findings);
+    }
+  expect_held(findings);
+}
+
+TEST(Strokes, LetNoHandThroughWallsOfAReliefWhileSceneRadiusAndFrictionChange) {
+  std::mt19937_64 random(15);
+  Findings findings;
+  const std::vector<Ground> grounds{
+      walled_ground(thin_walls(0.0001), 0.0), walled_ground(thin_walls(0.0001), 0.6, 0.0005),
+      walled_ground(thin_walls(0.0001), 0.0, 0.00051), walled_ground(thin_walls(0.0002), 0.3, 0.0015)};
+  for (int k = 0; k < 4 * kTouches; ++k) wander(grounds, kAmongWalls, random, findings);
+  expect_held(findings);
+}
+
+template <class Solid>
+Ground solid_ground(double friction, double radius_m = 0.0) {
+  const Solid solid;
+  return {std::make_shared<const SolidTouchable<Solid>>(friction, radius_m),
+          [=](Vec3 at) { return solid.sample(at).distance_m - radius_m; }, &Solid::divides,
+          0.1 * solid.cell_m()};
+}
+
+constexpr Room kAmongSolids{{-0.02, -0.02, -0.004}, {0.02, 0.02, 0.012}};
 
 template <class Solid>
 Findings over_solid() {
   std::mt19937_64 random(13);
   Findings findings;
-  const Solid solid;
   for (const double friction : {0.0, 0.6}) {
-    const SolidTouchable<Solid> touchable(friction);
-    for (int k = 0; k < 500; ++k)
-      wander(
-          touchable, {{-0.02, -0.02, -0.004}, {0.02, 0.02, 0.012}}, random, 0.1 * solid.cell_m(),
-          [&](Vec3 at) { return solid.sample(at).distance_m; }, findings);
+    const Ground ground = solid_ground<Solid>(friction);
+    for (int k = 0; k < 4 * kTouches; ++k) wander({&ground, 1}, kAmongSolids, random, findings);
   }
   return findings;
 }
@@ -126,6 +218,15 @@ Findings over_solid() {
 TEST(Strokes, LetNoHandThroughBallsOnAPlate) { expect_held(over_solid<Pebbles>()); }
 
 TEST(Strokes, LetNoHandThroughThinWallsOfASolid) { expect_held(over_solid<Walls>()); }
+
+TEST(Strokes, LetNoHandThroughThinWallsOfASolidWhileRadiusAndFrictionChange) {
+  std::mt19937_64 random(16);
+  Findings findings;
+  const std::vector<Ground> grounds{solid_ground<Walls>(0.0), solid_ground<Walls>(0.6, 0.0005),
+                                    solid_ground<Walls>(0.0, 0.00051), solid_ground<Walls>(0.3, 0.0015)};
+  for (int k = 0; k < 8 * kTouches; ++k) wander(grounds, kAmongSolids, random, findings);
+  expect_held(findings);
+}
 
 }  // namespace
 }  // namespace palpable::haptics

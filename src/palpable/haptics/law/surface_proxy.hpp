@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/haptics/law/hand_over.hpp"
 #include "palpable/models/relief/height_bounds.hpp"
 #include "palpable/models/relief/nearest_step.hpp"
 #include "palpable/models/relief/relief.hpp"
@@ -71,7 +72,7 @@ class ProxyFollower {
     proxy.hand_m = hand_m;
     int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
                                                                1.0 * kMaxEvaluations));
-    const bool was_touching = proxy.holds_the_hand();
+    const SurfaceProxy before = proxy;
     // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
     bool met = false;
     Reach reach = Reach::whole_way;
@@ -89,6 +90,7 @@ class ProxyFollower {
       const bool moved = proxy.place_m != from;
       const bool is_under = hand_m.z < surface_.curved_sample(hand_m.x, hand_m.y).z_m;
       if (is_under && (moved || slid == Slid::unfinished)) return;
+      if (passes_over({from.z, proxy.place_m.z, hand_m.z}, most_over_m(longest_m))) return;
       // Only a hand in free air must be reached in this tick.
       reach = is_under ? Reach::short_way : Reach::whole_way;
       const SurfaceProxy there = proxy;
@@ -101,7 +103,18 @@ class ProxyFollower {
       proxy = there;
       return;
     }
-    if (proxy.place_m != hand_m) hold(hand_m, was_touching, proxy);
+    if (proxy.place_m != hand_m) hold(hand_m, before, longest_m, proxy);
+  }
+
+  /// A proxy that another surface kept: straight below its place, or, where this surface covers it, out along
+  /// the other's normal or straight up, whichever is nearer. Tick path.
+  void take_over(const HandOver& from, SurfaceProxy& proxy) const noexcept {
+    const Vec3 place = from.touching ? uncovered(from.place.v, from.normal.v) : from.place.v;
+    begin(place, proxy);
+    proxy.hand_m = from.hand.v;
+    proxy.slipping = from.slipping;
+    if (from.touching && !proxy.holds_the_hand())
+      rest(proxy, place.x, place.y, surface_.curved_sample(place.x, place.y));
   }
 
  private:
@@ -132,6 +145,34 @@ class ProxyFollower {
   /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
+  /// Heights along a way: where it begins, its highest place, where it ends.
+  struct Climb {
+    double from_m;
+    double top_m;
+    double to_m;
+  };
+  /// Up and down again by more than this in one tick is the way over a wall: the proxy waits on it for a
+  /// tick.
+  static bool passes_over(Climb climb, double most_m) noexcept {
+    return climb.top_m - std::max(climb.from_m, climb.to_m) > most_m;
+  }
+
+  double most_over_m(double longest_m) const noexcept {
+    return std::max(surface_.pixel_m(), 0.5 * longest_m);
+  }
+
+  /// The first place out of the surface from `place` along `normal`; `place` itself where that is no nearer
+  /// than straight up.
+  Vec3 uncovered(Vec3 place, Vec3 normal) const noexcept {
+    const double rise_m = surface_.curved_sample(place.x, place.y).z_m - place.z;
+    const double step_m = std::max(0.5 * surface_.pixel_m(), rise_m / kMaxEvaluations);
+    for (double way_m = step_m; way_m < rise_m; way_m += step_m) {
+      const Vec3 p = place + way_m * normal;
+      if (p.z >= surface_.curved_sample(p.x, p.y).z_m) return p;
+    }
+    return place;
+  }
+
   /// A new touch at rest: under the surface it begins straight above the hand.
   void begin(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
     const models::CurvedSample s = surface_.curved_sample(hand_m.x, hand_m.y);
@@ -148,10 +189,30 @@ class ProxyFollower {
 
   /// The way to the hand is longer than a tick's evaluations. If the hand is under the surface, or was held
   /// and is not yet known to be free, the proxy goes straight down onto it from where it got to, which passes
-  /// through nothing.
-  void hold(Vec3 hand_m, bool was_touching, SurfaceProxy& proxy) const noexcept {
-    if (!was_touching && hand_m.z >= surface_.curved_sample(hand_m.x, hand_m.y).z_m) return;
-    rest(proxy, proxy.place_m.x, proxy.place_m.y, surface_.curved_sample(proxy.place_m.x, proxy.place_m.y));
+  /// through nothing; a held one no farther than the top of the first wall that it would fly over.
+  void hold(Vec3 hand_m, const SurfaceProxy& before, double longest_m, SurfaceProxy& proxy) const noexcept {
+    Vec3 at = proxy.place_m;
+    models::CurvedSample s = surface_.curved_sample(at.x, at.y);
+    if (!before.holds_the_hand()) {
+      if (hand_m.z >= surface_.curved_sample(hand_m.x, hand_m.y).z_m) return;
+      return rest(proxy, at.x, at.y, s);
+    }
+    const Vec3 from = before.place_m;
+    const Vec3 way = at - from;
+    const double pixels = std::hypot(way.x, way.y) / surface_.pixel_m();
+    const int places = 1 + static_cast<int>(std::min(pixels, 1.0 * kMaxEvaluations));
+    Vec3 top = from;
+    models::CurvedSample at_top = before.surface;
+    for (int k = 1; k <= places; ++k) {
+      const Vec3 p = from + (1.0 * k / places) * way;
+      s = surface_.curved_sample(p.x, p.y);
+      if (passes_over({from.z, top.z, s.z_m}, most_over_m(longest_m)))
+        return rest(proxy, top.x, top.y, at_top);
+      if (s.z_m <= top.z) continue;
+      top = {p.x, p.y, s.z_m};
+      at_top = s;
+    }
+    rest(proxy, at.x, at.y, s);
   }
 
   static void rest(SurfaceProxy& proxy, double x_m, double y_m, const models::CurvedSample& s) noexcept {
@@ -248,6 +309,18 @@ class ProxyFollower {
     proxy.slipping = false;
   }
 
+  /// A step of more than a pixel becomes one of a pixel where something between its ends stands higher than
+  /// it is long.
+  void shorten_at_walls(Vec3 place, double& dx, double& dy) const noexcept {
+    const double length2 = dx * dx + dy * dy;
+    if (length2 <= surface_.pixel_m() * surface_.pixel_m()) return;
+    const models::SurfaceBounds bounds = surface_.bounds_over(place.x, place.y, place.x + dx, place.y + dy);
+    const double length_m = std::sqrt(length2);
+    if (static_cast<double>(bounds.highest) <= place.z + length_m) return;
+    dx *= surface_.pixel_m() / length_m;
+    dy *= surface_.pixel_m() / length_m;
+  }
+
   /// Along the surface towards the hand.
   template <Steps kSteps>
   Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
@@ -259,6 +332,7 @@ class ProxyFollower {
     Slid slid = Slid::rests;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     double left_m = kSlides * longest_m;
+    double top_m = place.z;
     for (;;) {
       const Vec3 d = hand_m - place;
       const double lifted = d.z - (s.dzdx * d.x + s.dzdy * d.y);
@@ -279,8 +353,9 @@ class ProxyFollower {
         break;
       }
       const double reach_m = kSteps == Steps::longer && steep2 > kSteep2 ? surface_.pixel_m() : longest_m;
-      const auto [dx, dy] =
+      auto [dx, dy] =
           models::step_towards_nearest(d, s, shorter * (1.0 - std::sqrt(held2 / along2)), shorter * reach_m);
+      if constexpr (kSteps == Steps::longer) shorten_at_walls(place, dx, dy);
       const double x = place.x + dx;
       const double y = place.y + dy;
       --evaluations;
@@ -300,6 +375,11 @@ class ProxyFollower {
         continue;
       }
       shorter = std::min(1.0, 4.0 * shorter);
+      top_m = std::max(top_m, next.z_m);
+      if (passes_over({proxy.place_m.z, top_m, next.z_m}, most_over_m(longest_m))) {
+        slid = Slid::unfinished;
+        break;
+      }
       moved = true;
       mu = friction_.sliding;
       if constexpr (kSteps == Steps::longer)

@@ -127,17 +127,33 @@ bool leads_round(const models::Relief& surface, Vec3 from, Vec3 to, double ceili
   return false;
 }
 
-/// Whether a proxy went through an obstacle: between the two places the surface rises above both by more than
-/// half of its height over the ground, and no way round leads past it. (A spike may be rounded within a tick,
-/// a wall may not.)
-bool runs_through(const models::Relief& surface, Vec3 from, Vec3 to) {
+/// Whether the straight way towards a hand is in free air for the share `end` of it, from where the proxy
+/// was.
+bool is_clear(const models::Relief& surface, Vec3 from, Vec3 hand, double end) {
+  constexpr double kTolerance_m = 1e-6;
+  const Vec3 way = end * (hand - from);
+  const int steps = 1 + static_cast<int>(4.0 * std::hypot(way.x, way.y) / surface.pixel_m());
+  for (int k = 0; k <= steps; ++k) {
+    const Vec3 p = from + (static_cast<double>(k) / steps) * way;
+    if (p.z < surface.sample(p.x, p.y).z_m - kTolerance_m) return false;
+  }
+  return true;
+}
+
+/// Whether a proxy went through an obstacle on its way to the hand: between the two places the surface rises
+/// above both by more than half of its height over the ground, no way round leads past it (a spike may be
+/// rounded within a tick, a wall may not), and the hand was not in sight over it.
+bool runs_through(const models::Relief& surface, Vec3 from, Vec3 to, Vec3 hand) {
   if (std::hypot(to.x - from.x, to.y - from.y) <= surface.pixel_m()) return false;
   constexpr double kLeast_m = 0.0005;
   const double ends_m = std::max(from.z, to.z);
   const double foot_m = std::min({from.z, to.z, kGround_m});
   const double top_m = top_between(surface, from, to);
   const double ceiling_m = ends_m + std::max(kLeast_m, 0.5 * (top_m - foot_m));
-  return top_m > ceiling_m && !leads_round(surface, from, to, ceiling_m);
+  if (top_m <= ceiling_m || leads_round(surface, from, to, ceiling_m)) return false;
+  const double whole_m = std::hypot(hand.x - from.x, hand.y - from.y);
+  const double share = std::min(1.0, std::hypot(to.x - from.x, to.y - from.y) / std::max(whole_m, 1e-12));
+  return !is_clear(surface, from, hand, share);
 }
 
 struct Moment {
@@ -283,7 +299,7 @@ TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const 
     findings.sunk += proxy.z - surface.sample(proxy.x, proxy.y).z_m < -1e-9 ? 1 : 0;
     findings.pulled += dot(proxy - tick.hand_m, tick.output.force_N.v) < -1e-9 ? 1 : 0;
     if (k > 0) {
-      findings.jumped_through += runs_through(surface, before.output.proxy.v, proxy) ? 1 : 0;
+      findings.jumped_through += runs_through(surface, before.output.proxy.v, proxy, tick.hand_m) ? 1 : 0;
       judge_step(before, tick, options, {0, k, tick.hand_m, 0.0, 0.0, 0.0}, written_N, findings);
     }
     before = tick;

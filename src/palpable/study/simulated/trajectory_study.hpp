@@ -56,7 +56,8 @@ struct TrajectoryFindings {
   /// Of these, without contact or without any force.
   std::int64_t let_through = 0;
   /// The proxy went from one side of an obstacle to the other in one tick, though it rises above both places
-  /// by more than half of its height and there is no way round it near by.
+  /// by more than half of its height, there is no way round it near by, and the hand was not in sight over
+  /// it.
   std::int64_t jumped_through = 0;
   /// The proxy under the surface by more than a nanometre; a force that points away from it.
   std::int64_t sunk = 0;
