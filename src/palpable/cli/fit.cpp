@@ -52,7 +52,10 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
       return written.error();
   Answer answer;
   if (arguments.speak) say_aloud(sentence, console);
-  answer.json = {{"sentence", sentence},
+  answer.json = {{"fit", fit.fit},
+                 {"confidence", fit.confidence},
+                 {"reason", vision::words_of(fit.reason)},
+                 {"sentence", sentence},
                  {"method", vision::name_of(*method)},
                  {"agreement", fit.agreement},
                  {"coverage", fit.coverage},
@@ -60,6 +63,11 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
                  {"overlap", fit.overlap},
                  {"depth_range_px", fit.depth_range_px},
                  {"brightness", fit.brightness},
+                 {"points",
+                  {{"matched", fit.points.count},
+                   {"on_rows", fit.points.on_rows},
+                   {"confirmed", fit.points.confirmed},
+                   {"off_plane", fit.points.off_plane}}},
                  {"rectification", rectification_json(*ready)},
                  {"notes", sentences_of(notes)}};
   answer.text = sentence + "\n";

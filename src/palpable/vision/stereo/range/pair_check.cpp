@@ -19,15 +19,15 @@ namespace {
 constexpr int kWidth = 320;   // pictures are shrunk to this or less
 constexpr int kSamples = 14;  // along each axis
 
-struct Place {
+struct GridPlace {
   int x = 0;
   int y = 0;
 };
 
 /// The one place within `reach` rows whose signature is by far the most similar.
-PALPABLE_VECTORIZE std::optional<Place> find_again(std::uint64_t signature,
-                                                   const Raster<std::uint64_t>& other, int y, int reach) {
-  Place best;
+PALPABLE_VECTORIZE std::optional<GridPlace> find_again(std::uint64_t signature,
+                                                       const Raster<std::uint64_t>& other, int y, int reach) {
+  GridPlace best;
   int best_cost = 64;
   int second = 64;
   for (int v = std::max(kCensusHalfY, y - reach); v <= std::min(other.height() - 1 - kCensusHalfY, y + reach);

@@ -64,17 +64,17 @@ double share_of(const Raster<std::uint8_t>& trouble, Trouble which) {
 }
 
 /// Of one ninth of the picture, how much of it each trouble takes.
-struct Place {
+struct Ninth {
   std::string name;
   std::array<double, 4> shares{};
   double wrong() const { return 1.0 - shares[0]; }
 };
 
-Place place_in(const Raster<std::uint8_t>& trouble, int column, int row) {
+Ninth place_in(const Raster<std::uint8_t>& trouble, int column, int row) {
   static constexpr std::array<const char*, 9> kNames{
       "at the upper left", "at the top",        "at the upper right", "on the left",       "in the middle",
       "on the right",      "at the lower left", "at the bottom",      "at the lower right"};
-  Place place{kNames[static_cast<std::size_t>(3 * row + column)], {}};
+  Ninth place{kNames[static_cast<std::size_t>(3 * row + column)], {}};
   const int x0 = trouble.width() * column / 3, x1 = trouble.width() * (column + 1) / 3;
   const int y0 = trouble.height() * row / 3, y1 = trouble.height() * (row + 1) / 3;
   const double each = 1.0 / (static_cast<double>(x1 - x0) * (y1 - y0));
@@ -83,10 +83,10 @@ Place place_in(const Raster<std::uint8_t>& trouble, int column, int row) {
   return place;
 }
 
-Place worst_place(const Raster<std::uint8_t>& trouble) {
-  Place worst = place_in(trouble, 0, 0);
+Ninth worst_place(const Raster<std::uint8_t>& trouble) {
+  Ninth worst = place_in(trouble, 0, 0);
   for (int i = 1; i < 9; ++i) {
-    Place here = place_in(trouble, i % 3, i / 3);
+    Ninth here = place_in(trouble, i % 3, i / 3);
     if (here.wrong() > worst.wrong()) worst = std::move(here);
   }
   return worst;
@@ -98,7 +98,7 @@ struct Advice {
   const char* what;
 };
 
-Advice advice_for(const Place& place, const FitToTouch& fit) {
+Advice advice_for(const Ninth& place, const FitToTouch& fit) {
   constexpr double kDark = 0.2;
   const auto most = std::max_element(place.shares.begin() + 1, place.shares.end()) - place.shares.begin();
   switch (static_cast<Trouble>(most)) {
@@ -114,6 +114,33 @@ Advice advice_for(const Place& place, const FitToTouch& fit) {
       return {"the two pictures contradict each other",
               "make sure that nothing moves or shines there, and keep near objects an arm's length away"};
   }
+}
+
+/// How far a figure is above its threshold: 0.5 at it, and 0.12 or 0.88 a `width` below or above it.
+double margin(double figure, double threshold, double width) {
+  return 1.0 / (1.0 + std::exp(-2.0 * (figure - threshold) / width));
+}
+
+using Margin = std::pair<double, FitReason>;
+
+/// What distinct points say; where there are few of them, both matching directions have to agree the better.
+std::vector<Margin> geometry_margins(const FitToTouch& fit, const FitThresholds& at) {
+  if (fit.points.count < at.points)
+    return {{margin(fit.agreement, at.agreement_without_points, 0.05), FitReason::few_points},
+            {margin(fit.depth_range_px, at.range_without_points_px, 1.0), FitReason::no_parallax}};
+  return {{margin(fit.points.confirmed, at.confirmed, 0.1), FitReason::different_places},
+          {margin(fit.points.off_plane, at.off_plane, 0.01), FitReason::no_parallax}};
+}
+
+/// A verdict is as good as its weakest reason.
+void decide(FitToTouch& fit, const FitThresholds& at) {
+  std::vector<Margin> margins = geometry_margins(fit, at);
+  margins.emplace_back(margin(fit.agreement, at.agreement, 0.05), FitReason::contradiction);
+  margins.emplace_back(margin(fit.coverage, at.coverage, 0.1), FitReason::little_depth);
+  const auto [confidence, reason] = *std::min_element(margins.begin(), margins.end());
+  fit.confidence = confidence;
+  fit.fit = confidence >= 0.5;
+  fit.reason = fit.fit ? FitReason::all_agree : reason;
 }
 
 /// As seen in a mirror.
@@ -139,7 +166,8 @@ Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method,
   return forth;
 }
 
-FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work) {
+FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work,
+                        const FitThresholds& thresholds) {
   PALPABLE_CHECK(!match.confidence.empty());
   MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
@@ -164,23 +192,43 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
   const auto middle = luma.values().begin() + static_cast<std::ptrdiff_t>(luma.count() / 2);
   std::nth_element(luma.values().begin(), middle, luma.values().end());
   fit.brightness = static_cast<double>(*middle);
+  fit.points = confirming_points(pair, d);
+  decide(fit, thresholds);
   return fit;
 }
 
+std::string_view words_of(FitReason reason) {
+  static constexpr std::array<std::string_view, 6> kWords{
+      "distinct points, parallax and both matching directions agree",
+      "hardly any point is found in both pictures",
+      "the points that both pictures show do not lie beside each other: they show different places, or the "
+      "camera "
+      "was not moved from left to right",
+      "near and far moved alike: the pictures are the same, or the camera was turned or zoomed instead of "
+      "moved",
+      "the pictures contradict each other in too many places",
+      "too little of the picture has a depth that both pictures confirm"};
+  return kWords[static_cast<std::size_t>(reason)];
+}
+
 std::string sentence_of(const FitToTouch& fit) {
-  constexpr double kFit = 0.75, kPerhaps = 0.5, kWrongPlace = 0.35, kFlat_px = 3.0;
-  const char* verdict = fit.agreement >= kFit && fit.coverage >= kPerhaps ? "This pair is fit to touch"
-                        : fit.agreement >= kPerhaps ? "This pair can be touched, with doubt"
-                                                    : "This pair is hardly fit to touch";
+  constexpr double kWrongPlace = 0.35, kFlat_px = 3.0, kDoubt = 0.1, kTextured = 0.3;
+  const char* verdict = fit.fit                    ? "This pair is fit to touch"
+                        : fit.confidence >= kDoubt ? "This pair can be touched, with doubt"
+                                                   : "This pair is hardly fit to touch";
+  const bool geometry_fails =
+      fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax;
+  if (geometry_fails && fit.textured >= kTextured)
+    return fmt::format("{}: {}.", verdict, words_of(fit.reason));
   const std::string figures =
       fmt::format("the pictures confirm each other on {:.0f} % of what both show, {:.0f} % of the whole",
                   100.0 * fit.agreement, 100.0 * fit.coverage);
-  if (fit.depth_range_px < kFlat_px && fit.agreement >= kPerhaps)
+  if (fit.depth_range_px < kFlat_px)
     return fmt::format(
         "{}: {}; but near and far differ by only {:.1f} pixels, so it will feel flat: go nearer, or move the "
         "cameras farther apart.",
         verdict, figures, fit.depth_range_px);
-  const Place worst = worst_place(fit.trouble);
+  const Ninth worst = worst_place(fit.trouble);
   if (worst.wrong() < kWrongPlace) return fmt::format("{}: {}.", verdict, figures);
   const Advice advice = advice_for(worst, fit);
   return fmt::format("{}: {}; it will feel wrong {}, where {} ({:.0f} % of that place): {}.", verdict,

@@ -5,9 +5,11 @@
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/methods/stereo_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
+#include "palpable/vision/stereo/result/confirming_points.hpp"
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace palpable::vision {
 
@@ -22,8 +24,44 @@ enum class Trouble : std::uint8_t {
   contradicted
 };
 
+/// What a verdict rests on.
+enum class FitReason : std::uint8_t {
+  all_agree,
+  few_points,
+  different_places,
+  no_parallax,
+  contradiction,
+  little_depth
+};
+
+/// The same as a clause, for people.
+std::string_view words_of(FitReason reason);
+
+/// Where the verdict changes. Chosen on seeds 1 and 2 of bench/pair_set.cpp (264 pairs, good and spoilt), so
+/// that what is fit ranks depths with a correlation of at least 0.7.
+struct FitThresholds {
+  /// With fewer distinct points than these, agreement and the range of disparities have to do. 1 … 10000.
+  int points = 16;
+  /// Share of them that the dense match has at the same place. 0 … 1.
+  double confirmed = 0.6;
+  /// Share of the confirmed ones that lie off the plane of most. 0 … 1.
+  double off_plane = 0.025;
+  /// Share of what both cameras see that both matching directions confirm. 0 … 1.
+  double agreement = 0.7;
+  /// The same, and px from far to near, where there are few points. 0 … 1 and 0 … 100.
+  double agreement_without_points = 0.8;
+  double range_without_points_px = 3.0;
+  /// Share of the whole picture that is confirmed. 0 … 1.
+  double coverage = 0.4;
+};
+
 /// Whether a pair is fit to be touched.
 struct FitToTouch {
+  /// Whether a hand would read the right shape: confidence is at least a half.
+  bool fit = false;
+  /// 1 far above every threshold of FitThresholds, 0.5 at one of them, 0 far below; not a probability. 0 … 1.
+  double confidence = 0.0;
+  FitReason reason = FitReason::all_agree;
   /// Share of the textured pixels seen by both whose depth the other picture confirms, 0 … 1.
   double agreement = 0.0;
   /// Share of all pixels whose depth is confirmed.
@@ -35,6 +73,7 @@ struct FitToTouch {
   double depth_range_px = 0.0;
   /// The middle of the left picture's levels, 0 … 1.
   double brightness = 0.0;
+  ConfirmingPoints points;
   /// A Trouble per pixel of the left picture.
   Raster<std::uint8_t> trouble;
 };
@@ -44,8 +83,9 @@ struct FitToTouch {
 Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                                     const Work& work);
 
-/// Judges a match_confirmed() of `pair`.
-FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work);
+/// Judges a match_confirmed() of a rectified `pair`.
+FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work,
+                        const FitThresholds& thresholds = {});
 
 /// For a teacher, one sentence: whether it is fit, with the figure; where it will feel wrong and why; what to
 /// do about it.

@@ -52,11 +52,43 @@ TEST(FitToTouch, SaysWhereThereIsNoTexture) {
   EXPECT_THAT(sentence_of(fit), HasSubstr("at the bottom"));
 }
 
+Image quarter_turned(const Image& image) {
+  Image out = image;
+  std::swap(out.width, out.height);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x)
+      std::copy_n(image.pixel(image.width - 1 - y, x), channels,
+                  out.samples.begin() + (out.pixel(x, y) - out.samples.data()));
+  return out;
+}
+
+TEST(FitToTouch, IsTrueOnlyWithParallaxAlongTheRows) {
+  const StereoPair pair = render(scene());
+  const FitToTouch good = judged(pair);
+  EXPECT_TRUE(good.fit);
+  EXPECT_EQ(good.reason, FitReason::all_agree);
+  EXPECT_GT(good.confidence, 0.5);
+
+  const FitToTouch twice = judged({pair.left, pair.left, {}});
+  EXPECT_FALSE(twice.fit);
+  EXPECT_EQ(twice.reason, FitReason::no_parallax);
+  EXPECT_THAT(sentence_of(twice), HasSubstr("near and far moved alike"));
+
+  const FitToTouch exchanged = judged({pair.right, pair.left, {}});
+  EXPECT_FALSE(exchanged.fit);
+  EXPECT_EQ(exchanged.reason, FitReason::different_places);
+
+  const FitToTouch upward = judged({quarter_turned(pair.left), quarter_turned(pair.right), {}});
+  EXPECT_FALSE(upward.fit) << sentence_of(upward);
+}
+
 TEST(FitToTouch, SaysThatUnrelatedPicturesAreNot) {
   StereoPair pair = render(scene());
   std::reverse(pair.right.samples.begin(), pair.right.samples.end());
   const FitToTouch fit = judged(pair);
   EXPECT_LT(fit.agreement, 0.5);
+  EXPECT_FALSE(fit.fit);
   EXPECT_THAT(sentence_of(fit), HasSubstr("hardly fit"));
 }
 

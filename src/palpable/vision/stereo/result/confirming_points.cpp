@@ -1,0 +1,87 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/stereo/result/confirming_points.hpp"
+
+#include "palpable/vision/rectification/feature_matches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+namespace palpable::vision {
+namespace {
+
+/// At sharp depth edges the nearest pixel may belong to the other side: any of the 3 x 3 around counts.
+bool agrees(const Raster<float>& disparity_px, const FeatureMatch& match, double tolerance_px) {
+  const int x0 = static_cast<int>(std::lround(match.left_x)),
+            y0 = static_cast<int>(std::lround(match.left_y));
+  for (int y = y0 - 1; y <= y0 + 1; ++y)
+    for (int x = x0 - 1; x <= x0 + 1; ++x) {
+      if (x < 0 || y < 0 || x >= disparity_px.width() || y >= disparity_px.height()) continue;
+      const double d = static_cast<double>(disparity_px(x, y));
+      if (std::fabs(d - (match.left_x - match.right_x)) <= tolerance_px) return true;
+    }
+  return false;
+}
+
+double quantile(std::vector<double>& values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// By least squares, twice: the second time without the farthest third, which may be on other surfaces.
+double share_off_plane(const std::vector<FeatureMatch>& matches) {
+  if (matches.size() < 4) return 0.0;
+  const auto row_of = [](const FeatureMatch& m) { return cv::Vec3d(m.left_x, m.left_y, 1.0); };
+  const auto disparity_of = [](const FeatureMatch& m) { return m.left_x - m.right_x; };
+  std::vector<double> off(matches.size(), 0.0);
+  double most = 0.0;
+  for (int round = 0; round < 2; ++round) {
+    cv::Matx33d normal = cv::Matx33d::zeros();
+    cv::Vec3d right(0.0, 0.0, 0.0);
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      if (off[i] > most) continue;
+      normal += cv::Matx31d(row_of(matches[i])) * cv::Matx31d(row_of(matches[i])).t();
+      right += disparity_of(matches[i]) * row_of(matches[i]);
+    }
+    const cv::Vec3d plane = normal.solve(right, cv::DECOMP_SVD);
+    for (std::size_t i = 0; i < matches.size(); ++i)
+      off[i] = std::fabs(disparity_of(matches[i]) - plane.dot(row_of(matches[i])));
+    std::vector<double> sorted = off;
+    most = quantile(sorted, 2.0 / 3.0);
+  }
+  constexpr double kOff_px = 1.5;
+  const auto beyond = std::count_if(off.begin(), off.end(), [](double px) { return px > kOff_px; });
+  return static_cast<double>(beyond) / static_cast<double>(off.size());
+}
+
+}  // namespace
+
+ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& disparity_px) {
+  constexpr double kAgree_px = 2.0, kRow_px = 1.0;
+  const double row_px = kRow_px + feature_tolerance_px(pair.left.width, pair.left.height);
+  ConfirmingPoints out;
+  int on_rows = 0;
+  std::vector<double> confirmed;
+  std::vector<FeatureMatch> confirmed_matches;
+  for (const FeatureMatch& match : match_features(pair)) {
+    ++out.count;
+    if (std::fabs(match.left_y - match.right_y) > row_px) continue;
+    ++on_rows;
+    if (!agrees(disparity_px, match, kAgree_px)) continue;
+    confirmed.push_back(match.left_x - match.right_x);
+    confirmed_matches.push_back(match);
+  }
+  if (out.count == 0) return out;
+  out.on_rows = static_cast<double>(on_rows) / out.count;
+  out.confirmed = static_cast<double>(confirmed.size()) / out.count;
+  if (!confirmed.empty()) out.range_px = quantile(confirmed, 0.95) - quantile(confirmed, 0.05);
+  out.off_plane = share_off_plane(confirmed_matches);
+  return out;
+}
+
+}  // namespace palpable::vision
