@@ -62,9 +62,10 @@ set(PALPABLE_MAY_USE_device/drivers simulated pointer recording)
 set(PALPABLE_ROOMS_haptics safety law servo)
 set(PALPABLE_MAY_USE_haptics/servo safety law)
 
-set(PALPABLE_ROOMS_session make touch)
+set(PALPABLE_ROOMS_session make touch check)
 set(PALPABLE_MAY_USE_describe core models)
 set(PALPABLE_MAY_USE_session/touch make)
+set(PALPABLE_MAY_USE_session/check touch)
 
 set(PALPABLE_ROOMS_study simulated)
 

@@ -43,6 +43,7 @@ Result<std::string> help_text(const Program& program, const std::vector<std::str
 
 void add_bench(Program& program);
 void add_calibrate(Program& program);
+void add_check(Program& program);
 void add_compare(Program& program);
 void add_correct(Program& program);
 void add_depth(Program& program);

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace palpable::cli {
 
@@ -19,6 +20,8 @@ struct CommonOptions {
   bool quiet = false;
   unsigned threads = 0;
   std::uint64_t seed = 1;
+  /// The command line as it was given, without the program.
+  std::vector<std::string> command;
 };
 
 /// Where a command writes: results on standard output, everything else on standard error. Progress of work

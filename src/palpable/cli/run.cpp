@@ -160,6 +160,7 @@ void describe(Program& program) {
   add_export(program);
   program.app.add_subcommand("score", "Compare a result with the truth")->require_subcommand(1);
   add_score(program);
+  add_check(program);
   add_study_stability(program);
   add_study_tracing(program);
   add_study_trajectories(program);
@@ -172,6 +173,7 @@ void describe(Program& program) {
 int parse_and_run(int argc, char** argv) {
   Program program;
   describe(program);
+  program.common.command.assign(argv + std::min(argc, 1), argv + argc);
   try {
     program.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -263,13 +263,12 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const Plan& plan
   if (!scene) return scene.error();
   session::SessionOptions options = plan.options;
   options.further_probes = haptics::kMaxLiveProbes - 1;
+  options.recording = arguments.recording;
   auto opened = session::TouchSession::open(std::move(*scene), plan.settings,
                                             arguments.device.empty() ? "pointer:" : arguments.device, options,
                                             plan.begin_ns);
   if (!opened) return opened.error();
   session::TouchSession& session = **opened;
-  if (!arguments.recording.empty())
-    if (auto started = session.start_recording(arguments.recording); !started) return started.error();
   const auto served = serve_page(arguments, plan, session, maker, notes, console);
   const auto recorded = session.stop_recording();
   session.stop();
@@ -322,6 +321,8 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   if (!settings) return settings.error();
   plan.settings = *settings;
   plan.options.seed = console.options().seed;
+  plan.options.command = console.options().command;
+  plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION;
   constexpr double kRate_Hz = 1000.0;
   plan.options.servo.rate_hz =
       arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);

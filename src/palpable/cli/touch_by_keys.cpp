@@ -78,13 +78,12 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
   session::MakerThread maker(make, console.work());
   auto scene = maker.first_scene(console.work());
   if (!scene) return std::move(scene).error();
-  auto opened = session::TouchSession::open(std::move(*scene), options.settings, "pointer:", options.session,
+  session::SessionOptions session_options = options.session;
+  session_options.recording = options.recording;
+  auto opened = session::TouchSession::open(std::move(*scene), options.settings, "pointer:", session_options,
                                             options.begin_ns);
   if (!opened) return std::move(opened).error();
   session::TouchSession& session = **opened;
-  if (!options.recording.empty())
-    if (auto started = session.start_recording(options.recording); !started)
-      return std::move(started).error();
   for (const std::string& notice : session.notices()) console.note(notice);
   Mouth mouth(console, options.aloud);
   auto explored = explore(session, maker, mouth);

@@ -5,9 +5,11 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/result.hpp"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace palpable::device {
@@ -30,6 +32,12 @@ struct Traits {
   double rate_hz = 1000.0;
   /// False for what has no motors (the page's pointer): forces are shown, heard and drawn only.
   bool pushes_back = true;
+  /// Reads how its handle is turned (Reading::rotation) and takes torques (Device::write_torque()).
+  bool has_torque = false;
+  double max_torque_Nm = 0.0;
+  /// Of the handle's turning, about any axis; NaN where unknown.
+  double inertia_kg_m2 = std::numeric_limits<double>::quiet_NaN();
+  double rotational_damping_Nm_s = std::numeric_limits<double>::quiet_NaN();
 };
 
 enum class Status : std::uint8_t {
@@ -42,11 +50,26 @@ enum class Status : std::uint8_t {
   fault
 };
 
+/// When a tick of a recording was, and its flags (haptics::flag): who repeats a recording gives them with the
+/// reading, and the tick takes them in place of the clock's, so that the same readings give the same forces.
+struct RecordedTime {
+  double t_s = 0.0;
+  double dt_s = 0.001;
+  std::uint32_t flags = 0;
+};
+
+/// Row-major, orthonormal, determinant +1.
+using Rotation = std::array<double, 9>;
+inline constexpr Rotation kNotTurned{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
 struct Reading {
   Point<DeviceFrame> position;
   Status status = Status::ok;
   /// Bit k = button k is down.
   std::uint32_t buttons = 0;
+  /// Of the handle, device from tool, where Traits::has_torque.
+  Rotation rotation = kNotTurned;
+  std::optional<RecordedTime> recorded = std::nullopt;
 };
 
 /// A force-feedback device, or what stands in for one. Opened by open_device(); closed by its destructor,
@@ -63,6 +86,9 @@ class Device {
   virtual Reading read() noexcept = 0;
   /// The force on the hand. Finite and capped by the caller.
   virtual void write(Vector<DeviceFrame> force_N) noexcept = 0;
+  /// The torque on the hand about the handle's origin, which acts with the force of the next write(). Called
+  /// only where Traits::has_torque.
+  virtual void write_torque(Vector<DeviceFrame> /*torque_Nm*/) noexcept {}
   /// Zero force at once; safe from any state and more than once.
   virtual void stop() noexcept = 0;
   /// Zero force at once, for a watchdog: called by another thread while the servo's may be anywhere in read()

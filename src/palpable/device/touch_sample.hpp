@@ -36,6 +36,14 @@ struct TouchSample {
   /// 0: the hand's own; others: of several probes at once (haptics/servo/servo_loop.hpp).
   std::uint8_t probe = 0;
 
+  /// The scene that fades in, after this tick; 0: none.
+  std::uint32_t coming_scene_id = 0;
+  /// Of devices with torque; as read, and as the law was given it. Torques about the handle's origin.
+  Rotation device_rotation = kNotTurned;
+  Vector<SceneFrame> angular_velocity_rad_per_s;
+  Vector<SceneFrame> raw_torque_Nm;
+  Vector<SceneFrame> written_torque_Nm;
+
   bool has(std::uint32_t wanted) const { return (flags & wanted) != 0; }
   bool operator==(const TouchSample&) const = default;
 };

@@ -22,7 +22,7 @@ struct RecordedScene {
 };
 
 struct Recording {
-  /// What holds for the whole session, JSON: format, made_by, seed, rate_hz, device, as_published.
+  /// What holds for the whole session, JSON (docs/recording.md).
   std::string header_json;
   std::vector<RecordedScene> scenes;
   /// The hand's, probe 0.
@@ -42,6 +42,44 @@ struct Recording {
 Result<Recording> read_recording(const std::filesystem::path& file);
 /// The same from memory; `name` is for the errors' place.
 Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::string& name);
+
+/// How a recording's file ends.
+enum class RecordingEnd : std::uint8_t {
+  /// There is more to read.
+  not_yet,
+  complete,
+  /// In the middle: the program that wrote it was killed, or the file was cut.
+  cut,
+  /// At a chunk whose checksum or shape is wrong; what follows it is unknown.
+  damaged,
+  /// Bytes follow its end mark.
+  more_after_end
+};
+
+/// Reads a recording of any size chunk by chunk, in at most some ten megabytes. One thread.
+class RecordingReader {
+ public:
+  /// Errors (invalid_input): as read_recording(), but any size will do.
+  static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
+  ~RecordingReader();
+  RecordingReader(const RecordingReader&) = delete;
+  RecordingReader& operator=(const RecordingReader&) = delete;
+
+  const std::string& header_json() const;
+  /// What the next chunk adds, valid until the next call; null at the end.
+  const Recording* next();
+  /// After next() gave null.
+  RecordingEnd end() const;
+  /// Recording::lost, after a complete end.
+  std::uint64_t lost() const;
+  /// How much of the file was read, 0 ... 1.
+  double fraction() const;
+
+ private:
+  struct Impl;
+  explicit RecordingReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Writes a recording bit by bit: what was written stays readable if the program is killed. Not for the tick
 /// path; one thread.
@@ -64,10 +102,14 @@ class RecordingWriter {
  private:
   RecordingWriter() = default;
   Result<void> write_ticks(std::uint32_t kind, std::span<const TouchSample> ticks);
+  Result<void> write_turns(std::span<const TouchSample> ticks);
+  Result<void> write_fades(std::span<const TouchSample> ticks);
   Result<void> write_chunk(std::uint32_t kind, std::span<const std::byte> payload);
 
   std::filesystem::path file_;
   std::FILE* stream_ = nullptr;
+  /// Of the last of the hand's ticks.
+  std::uint32_t coming_scene_id_ = 0;
 };
 
 }  // namespace palpable::device

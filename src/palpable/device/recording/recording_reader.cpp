@@ -4,104 +4,72 @@
 #include "palpable/core/crc32.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/device/recording/recording.hpp"
+#include "palpable/device/recording/recording_decoder.hpp"
 #include "palpable/device/recording/recording_format.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
 
 namespace palpable::device {
 namespace {
 
 namespace format = recording_format;
 constexpr std::uintmax_t kMostFile_bytes = std::uintmax_t{4} << 30U;
+/// More than any chunk that a writer makes: what claims to be larger is damage.
+constexpr std::uint32_t kMostChunk_bytes = format::kMostTicks * format::kTick_bytes;
 
-struct Chunk {
+struct Head {
   std::uint32_t kind = 0;
-  std::span<const std::byte> payload;
+  std::uint32_t size = 0;
+  std::uint32_t sum = 0;
 };
 
-/// The next whole, undamaged chunk; nothing at a cut, damaged or finished file's end.
-std::optional<Chunk> next_chunk(ByteReader& in) {
-  Chunk chunk;
-  chunk.kind = in.u32();
-  const std::uint32_t size = in.u32();
-  const std::uint32_t sum = in.u32();
-  chunk.payload = in.bytes(size);
-  if (!in.ok() || crc32(chunk.payload) != sum) return std::nullopt;
-  return chunk;
+Head head_of(ByteReader& in) {
+  Head head;
+  head.kind = in.u32();
+  head.size = in.u32();
+  head.sum = in.u32();
+  return head;
 }
 
-Vec3 vec3(ByteReader& in) {
-  const double x = in.f64();
-  const double y = in.f64();
-  return {x, y, in.f64()};
+/// The next whole chunk of a file in memory.
+RecordingEnd next_chunk(ByteReader& in, RecordingChunk& chunk) {
+  const Head head = head_of(in);
+  if (!in.ok() || head.size > in.left()) return RecordingEnd::cut;
+  chunk = {head.kind, in.bytes(head.size)};
+  return crc32(chunk.payload) == head.sum ? RecordingEnd::not_yet : RecordingEnd::damaged;
 }
 
-TouchSample tick(ByteReader& in) {
-  TouchSample tick;
-  tick.tick = in.u64();
-  tick.t_s = in.f64();
-  tick.dt_s = in.f64();
-  tick.device_position = {vec3(in)};
-  tick.position = {vec3(in)};
-  tick.velocity_m_per_s = {vec3(in)};
-  tick.proxy = {vec3(in)};
-  tick.raw_force_N = {vec3(in)};
-  tick.written_force_N = {vec3(in)};
-  tick.energy_J = in.f64();
-  tick.flags = in.u32();
-  tick.buttons = in.u32();
-  tick.scene_id = in.u32();
-  tick.label = in.u16();
-  const std::uint8_t status = in.u8();
-  tick.status =
-      status <= static_cast<std::uint8_t>(Status::fault) ? static_cast<Status>(status) : Status::fault;
-  tick.probe = in.u8();
-  return tick;
+Error not_a_recording(std::span<const std::byte> magic, const std::string& name) {
+  if (has_magic(magic, "PALPREC"))
+    return invalid_input("is a recording of a newer version than this program reads", name);
+  return invalid_input("is not a recording", name);
 }
 
-/// False where the chunk is not what its kind promises.
-bool take(const Chunk& chunk, Recording& recording) {
-  ByteReader in(chunk.payload);
-  switch (chunk.kind) {
-    case format::kProgram:
-      if (chunk.payload.size() < 4 || chunk.payload.size() > format::kMostText_bytes) return false;
-      recording.scenes.push_back({in.u32(), std::string(as_text(in.bytes(in.left())))});
-      return true;
-    case format::kTicks:
-    case format::kMoreTicks: {
-      if (chunk.payload.size() % format::kTick_bytes != 0) return false;
-      auto& ticks = chunk.kind == format::kTicks ? recording.ticks : recording.further;
-      while (in.left() > 0) ticks.push_back(tick(in));
-      return true;
-    }
-    case format::kEnd:
-      if (chunk.payload.size() != 8) return false;
-      recording.lost = in.u64();
-      recording.complete = true;
-      return true;
-    default:
-      // A later minor version's: what we do not know we need not read.
-      return true;
-  }
+Error damaged_header(const std::string& name) {
+  return invalid_input("is a recording with a damaged header", name);
+}
+
+bool is_header(const RecordingChunk& chunk) {
+  return chunk.kind == format::kHeader && chunk.payload.size() <= format::kMostText_bytes;
 }
 
 }  // namespace
 
 Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::string& name) {
-  if (has_magic(bytes, "PALPREC") && !has_magic(bytes, format::kMagic))
-    return invalid_input("is a recording of a newer version than this program reads", name);
-  if (!has_magic(bytes, format::kMagic)) return invalid_input("is not a recording", name);
+  if (!has_magic(bytes, format::kMagic)) return not_a_recording(bytes, name);
   ByteReader in(bytes);
   in.skip(format::kMagic.size());
-  const auto header = next_chunk(in);
-  if (!header || header->kind != format::kHeader || header->payload.size() > format::kMostText_bytes)
-    return invalid_input("is a recording with a damaged header", name);
+  RecordingChunk chunk;
+  if (next_chunk(in, chunk) != RecordingEnd::not_yet || !is_header(chunk)) return damaged_header(name);
   Recording recording;
-  recording.header_json = as_text(header->payload);
-  while (!recording.complete && in.left() > 0) {
-    const auto chunk = next_chunk(in);
-    if (!chunk || !take(*chunk, recording)) break;
-  }
+  recording.header_json = as_text(chunk.payload);
+  RecordingDecoder decoder;
+  while (!recording.complete && in.left() > 0)
+    if (next_chunk(in, chunk) != RecordingEnd::not_yet || !decoder.take(chunk, recording)) break;
   return recording;
 }
 
@@ -109,6 +77,86 @@ Result<Recording> read_recording(const std::filesystem::path& file) {
   auto bytes = read_file(file, kMostFile_bytes);
   if (!bytes) return std::move(bytes).error();
   return parse_recording(*bytes, file.string());
+}
+
+struct RecordingReader::Impl {
+  ~Impl() {
+    if (stream != nullptr) std::fclose(stream);
+  }
+  bool read(std::size_t count);
+  RecordingEnd next_chunk(RecordingChunk& chunk);
+
+  std::FILE* stream = nullptr;
+  std::string header_json;
+  std::uintmax_t size = 0;
+  std::uintmax_t done = 0;
+  std::vector<std::byte> buffer;
+  RecordingDecoder decoder;
+  Recording piece;
+  RecordingEnd end = RecordingEnd::not_yet;
+};
+
+/// False where the file ends before.
+bool RecordingReader::Impl::read(std::size_t count) {
+  buffer.resize(count);
+  const std::size_t got = std::fread(buffer.data(), 1, count, stream);
+  done += got;
+  return got == count;
+}
+
+RecordingEnd RecordingReader::Impl::next_chunk(RecordingChunk& chunk) {
+  if (!read(format::kChunkHead_bytes)) return RecordingEnd::cut;
+  ByteReader in(buffer);
+  const Head head = head_of(in);
+  if (head.size > size - std::min(size, done)) return RecordingEnd::cut;
+  if (head.size > kMostChunk_bytes) return RecordingEnd::damaged;
+  if (!read(head.size)) return RecordingEnd::cut;
+  chunk = {head.kind, buffer};
+  return crc32(chunk.payload) == head.sum ? RecordingEnd::not_yet : RecordingEnd::damaged;
+}
+
+RecordingReader::RecordingReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+RecordingReader::~RecordingReader() = default;
+
+Result<std::unique_ptr<RecordingReader>> RecordingReader::open(const std::filesystem::path& file) {
+  auto impl = std::make_unique<Impl>();
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    return invalid_input("is a folder, not a file", file.string());
+  impl->stream = std::fopen(file.c_str(), "rb");
+  if (impl->stream == nullptr)
+    return invalid_input(std::string("cannot be read: ") + std::strerror(errno), file.string());
+  impl->size = std::filesystem::file_size(file, error);
+  if (error) return invalid_input("cannot be read: " + error.message(), file.string());
+  if (!impl->read(format::kMagic.size()) || !has_magic(impl->buffer, format::kMagic))
+    return not_a_recording(impl->buffer, file.string());
+  RecordingChunk chunk;
+  if (impl->next_chunk(chunk) != RecordingEnd::not_yet || !is_header(chunk))
+    return damaged_header(file.string());
+  impl->header_json = as_text(chunk.payload);
+  return std::unique_ptr<RecordingReader>(new RecordingReader(std::move(impl)));
+}
+
+const std::string& RecordingReader::header_json() const { return impl_->header_json; }
+
+const Recording* RecordingReader::next() {
+  Impl& it = *impl_;
+  if (it.end != RecordingEnd::not_yet) return nullptr;
+  it.piece.ticks.clear();
+  it.piece.further.clear();
+  it.piece.scenes.clear();
+  RecordingChunk chunk;
+  it.end = it.next_chunk(chunk);
+  if (it.end == RecordingEnd::not_yet && !it.decoder.take(chunk, it.piece)) it.end = RecordingEnd::damaged;
+  if (it.end == RecordingEnd::not_yet && it.piece.complete)
+    it.end = it.done < it.size ? RecordingEnd::more_after_end : RecordingEnd::complete;
+  return it.end == RecordingEnd::not_yet ? &it.piece : nullptr;
+}
+
+RecordingEnd RecordingReader::end() const { return impl_->end; }
+std::uint64_t RecordingReader::lost() const { return impl_->piece.lost; }
+double RecordingReader::fraction() const {
+  return impl_->size > 0 ? static_cast<double>(impl_->done) / static_cast<double>(impl_->size) : 1.0;
 }
 
 }  // namespace palpable::device

@@ -42,6 +42,18 @@ void put(ByteWriter& out, const TouchSample& tick) {
   out.u8(tick.probe);
 }
 
+void put_turn(ByteWriter& out, const TouchSample& tick) {
+  for (const double value : tick.device_rotation) out.f64(value);
+  put(out, tick.angular_velocity_rad_per_s.v);
+  put(out, tick.raw_torque_Nm.v);
+  put(out, tick.written_torque_Nm.v);
+}
+
+bool is_turned(const TouchSample& tick) {
+  return tick.device_rotation != kNotTurned || tick.angular_velocity_rad_per_s.v != Vec3{} ||
+         tick.raw_torque_Nm.v != Vec3{} || tick.written_torque_Nm.v != Vec3{};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
@@ -79,12 +91,33 @@ Result<void> RecordingWriter::write(std::span<const TouchSample> ticks) {
 Result<void> RecordingWriter::write_ticks(std::uint32_t kind, std::span<const TouchSample> ticks) {
   while (!ticks.empty()) {
     const auto part = ticks.first(std::min(ticks.size(), format::kMostTicks));
+    // What is said of the next ticks stands before them, so that a cut file has no tick without it.
+    if (auto done = write_turns(part); !done) return done;
+    if (kind == format::kTicks)
+      if (auto done = write_fades(part); !done) return done;
     ByteWriter payload;
     for (const auto& tick : part) put(payload, tick);
     if (auto done = write_chunk(kind, payload.bytes()); !done) return done;
     ticks = ticks.subspan(part.size());
   }
   return {};
+}
+
+Result<void> RecordingWriter::write_turns(std::span<const TouchSample> ticks) {
+  if (std::none_of(ticks.begin(), ticks.end(), is_turned)) return {};
+  ByteWriter payload;
+  for (const auto& tick : ticks) put_turn(payload, tick);
+  return write_chunk(format::kTurns, payload.bytes());
+}
+
+Result<void> RecordingWriter::write_fades(std::span<const TouchSample> ticks) {
+  ByteWriter payload;
+  for (const auto& tick : ticks)
+    if (std::exchange(coming_scene_id_, tick.coming_scene_id) != tick.coming_scene_id) {
+      payload.u64(tick.tick);
+      payload.u32(tick.coming_scene_id);
+    }
+  return payload.bytes().empty() ? Result<void>() : write_chunk(format::kFades, payload.bytes());
 }
 
 Result<void> RecordingWriter::finish(std::uint64_t lost) {

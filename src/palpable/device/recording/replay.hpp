@@ -13,8 +13,9 @@ namespace palpable::device {
 class DeviceUrl;
 struct OpenOptions;
 
-/// Gives a recording's raw positions again, one a tick, as they were read then; forces are ignored. At the
-/// end the position becomes stale, so the force ramps down.
+/// Gives a recording's raw positions again, one a tick, as they were read then and at their own times, so
+/// that the same scene and options give the same forces to the last bit; forces are ignored. At the end the
+/// position becomes stale, so the force ramps down.
 class ReplayDevice final : public Device {
  public:
   /// `ticks` must not be empty.
@@ -31,7 +32,12 @@ class ReplayDevice final : public Device {
   std::size_t next_ = 0;
 };
 
-/// From `replay:FILE`. Errors: invalid_input (not a recording, no ticks in it), usage (no file named).
+/// What the device gave at a recorded tick, with the tick's time. Tick path.
+Reading recorded_reading(const TouchSample& tick) noexcept;
+
+/// From `replay:FILE`. Its traits are those of the recorded device, or, where an old recording does not hold
+/// them, of a device without motors. Errors: invalid_input (not a recording, no ticks in it), usage (no file
+/// named).
 Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& options);
 
 }  // namespace palpable::device

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cfenv>
 #include <string>
 
 namespace palpable::haptics {
@@ -24,6 +25,21 @@ std::string lock_memory();
 
 /// Numbers below 1e-308 become 0 on the calling thread: they cost a hundred times more and mean nothing here.
 void flush_denormals() noexcept;
+
+/// The servo's arithmetic (flush_denormals) while it lives, on the calling thread; then what was before.
+class ServoArithmetic {
+ public:
+  ServoArithmetic() noexcept {
+    std::fegetenv(&before_);
+    flush_denormals();
+  }
+  ~ServoArithmetic() { std::fesetenv(&before_); }
+  ServoArithmetic(const ServoArithmetic&) = delete;
+  ServoArithmetic& operator=(const ServoArithmetic&) = delete;
+
+ private:
+  std::fenv_t before_{};
+};
 
 /// Touches the calling thread's next 64 kB of stack, so that the loop does not meet a page fault there.
 void touch_stack() noexcept;

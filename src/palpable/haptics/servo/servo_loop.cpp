@@ -46,10 +46,9 @@ Percentiles in_us(const LatencySummary& summary) {
   return {1e-3 * summary.p50_ns, 1e-3 * summary.p99_ns, 1e-3 * summary.p99_9_ns, 1e-3 * summary.max_ns};
 }
 
-/// The times of the tick's options that depend on the loop's rate.
+/// The times that depend on the loop's rate.
 ServoOptions for_rate(ServoOptions options) {
-  options.tick.stall_s = std::max(options.tick.stall_s, 3.0 / options.rate_hz);
-  options.tick.max_rise_time_s = 1.5 / options.rate_hz;
+  options.tick = tick_options(options);
   options.watch_s = std::min(options.watch_s, 0.5 / options.rate_hz);
   return options;
 }
@@ -71,6 +70,13 @@ Result<void> check(const ServoOptions& options) {
 
 }  // namespace
 
+TickOptions tick_options(const ServoOptions& options) {
+  TickOptions tick = options.tick;
+  tick.stall_s = std::max(tick.stall_s, 3.0 / options.rate_hz);
+  tick.max_rise_time_s = 1.5 / options.rate_hz;
+  return tick;
+}
+
 /// One of several probes besides the hand.
 struct FurtherProbe {
   FurtherProbe(std::unique_ptr<device::Device> opened, const HapticScene& first, const TickOptions& options,
@@ -91,6 +97,7 @@ struct ServoLoop::Impl {
         device(std::move(opened)),
         recorded(wanted.recording_capacity),
         tick(*device, own(std::move(first)), options.tick, events) {
+    recording = wanted.recording == Recording::on;
     for (auto& next : more)
       further.push_back(std::make_unique<FurtherProbe>(std::move(next), *scenes.front(), options.tick, events,
                                                        static_cast<std::uint8_t>(further.size() + 1)));
@@ -297,6 +304,7 @@ std::optional<TouchSample> ServoLoop::take_latest(std::size_t probe) {
 std::optional<TouchEvent> ServoLoop::take_event() { return impl_->events.take(); }
 std::optional<MissedDeadline> ServoLoop::take_missed() { return impl_->missed.take(); }
 void ServoLoop::record(Recording recording) { impl_->recording = recording == Recording::on; }
+bool ServoLoop::is_recording() const { return impl_->recording; }
 std::optional<TouchSample> ServoLoop::take_recorded() { return impl_->recorded.take(); }
 std::uint64_t ServoLoop::recording_lost() const { return impl_->recorded.refused(); }
 

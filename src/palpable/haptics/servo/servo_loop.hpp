@@ -32,7 +32,12 @@ struct ServoOptions {
   double watch_s = 150e-6;
   /// Samples kept for a recorder that is late: 4 s at 4 kHz.
   std::size_t recording_capacity = 16384;
+  /// On from the first tick on, or by record().
+  Recording recording = Recording::off;
 };
+
+/// The tick's options as a loop of this rate uses them: what depends on the rate is set.
+TickOptions tick_options(const ServoOptions& options);
 
 /// At most so many probes at once in a loop: the hand's and nine more, a person's fingers.
 inline constexpr std::size_t kMaxLiveProbes = 10;
@@ -71,6 +76,7 @@ class ServoLoop {
   /// While on, every tick's sample goes into the recording ring, after it those of further probes that are
   /// there.
   void record(Recording recording);
+  bool is_recording() const;
   std::optional<TouchSample> take_recorded();
   /// Samples that found the ring full.
   std::uint64_t recording_lost() const;

@@ -12,10 +12,6 @@ namespace {
 
 /// Less cannot be felt (the detection threshold of a fingertip's force is of this size).
 constexpr double kFelt_N = 0.02;
-/// A reading further out than this many workspaces is no reading.
-constexpr double kWorkspaces = 10.0;
-/// So many readings in a row are taken for a glitch that may pass.
-constexpr int kGlitch = 2;
 
 bool is_same(const Transform<SceneFrame, DeviceFrame>& a, const Transform<SceneFrame, DeviceFrame>& b) {
   return a.rotation == b.rotation && a.translation_m == b.translation_m && a.scale == b.scale;
@@ -42,16 +38,25 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
   sample_.probe = probe;
 }
 
-const TouchSample& TickPipeline::step(double t_s, double dt_s) noexcept {
+TickPipeline::When TickPipeline::when_of(const device::Reading& reading, double t_s, double dt_s) noexcept {
+  const bool was_cut = std::exchange(force_was_cut_, false);
+  if (!reading.recorded) return {t_s, dt_s, was_cut || (dt_s > options_.stall_s && counts_.ticks > 0)};
+  // What happens to this loop now is not what happened then.
+  const device::RecordedTime& then = *reading.recorded;
+  paused_ = (then.flags & flag::kPaused) != 0;
+  return {then.t_s, then.dt_s, (then.flags & flag::kStalled) != 0};
+}
+
+const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexcept {
   const TouchSample before = sample_;
   flags_ = 0;
-  if (force_was_cut_ || (dt_s > options_.stall_s && counts_.ticks > 0)) {
-    force_was_cut_ = false;
+  const device::Reading reading = device_.read();
+  const auto [t_s, dt_s, stalled] = when_of(reading, clock_t_s, clock_dt_s);
+  if (stalled) {
     flags_ |= flag::kStalled;
     ++counts_.stalls;
     drop_force();
   }
-  const device::Reading reading = device_.read();
   const Accepted accepted = accept(reading, dt_s);
   const bool good = accepted == Accepted::good;
   const bool is_glitch = accepted == Accepted::glitch;
@@ -97,7 +102,8 @@ TickPipeline::Accepted TickPipeline::accept(const device::Reading& reading, doub
 }
 
 bool TickPipeline::is_in_reach(Point<DeviceFrame> place) const noexcept {
-  return is_finite(place) && norm(place.v) <= kWorkspaces * norm(device_.traits().workspace_m);
+  return is_finite(place) &&
+         norm(place.v) <= options_.reach_in_workspaces * norm(device_.traits().workspace_m);
 }
 
 bool TickPipeline::is_plausible(Point<DeviceFrame> place) const noexcept {
@@ -114,9 +120,10 @@ TickPipeline::Accepted TickPipeline::judge_jump(Point<DeviceFrame> place, double
       is_in_reach(place) && (agreeing_ == 0 || norm(place - jumped_to_) <= max_speed_m_per_s_ * dt_s);
   agreeing_ = agrees ? agreeing_ + 1 : (is_in_reach(place) ? 1 : 0);
   jumped_to_ = place;
-  if (agreeing_ > kGlitch) return Accepted::good;
+  if (agreeing_ > options_.glitch_readings) return Accepted::good;
   // The first reading of all has no force to keep.
-  return implausible_ <= kGlitch && std::isfinite(since_good_s_) ? Accepted::glitch : Accepted::bad;
+  return implausible_ <= options_.glitch_readings && std::isfinite(since_good_s_) ? Accepted::glitch
+                                                                                  : Accepted::bad;
 }
 
 void TickPipeline::take(Point<DeviceFrame> place, double dt_s) noexcept {
@@ -301,6 +308,7 @@ void TickPipeline::describe(const device::Reading& reading) noexcept {
   sample_.label = now_.output.label;
   sample_.buttons = reading.buttons;
   sample_.scene_id = now_.scene->id;
+  sample_.coming_scene_id = fading() ? coming_.scene->id : 0;
   sample_.status = reading.status;
   sample_.flags =
       flags_ | (now_.output.contact ? flag::kContact : 0U) | (now_.output.has_proxy ? flag::kHasProxy : 0U);

@@ -34,6 +34,10 @@ struct TickOptions {
   /// lasts it is a new touch. The second is for devices without motors, whose probe may be anywhere.
   double max_speed_m_per_s = 2.5;
   double max_pointer_speed_m_per_s = 8.0;
+  /// So many implausible readings in a row are taken for a glitch that may pass.
+  int glitch_readings = 2;
+  /// A reading further out than this many workspaces is no reading.
+  double reach_in_workspaces = 10.0;
   /// A tick that comes later than this after the one before: by then the watchdog has written zero force, and
   /// the force begins anew from there.
   double stall_s = 0.005;
@@ -53,7 +57,7 @@ class TickPipeline {
   TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
                Ring<TouchEvent>& events, std::uint8_t probe = 0);
 
-  /// `dt_s` > 0 since the step before, `t_s` since the first.
+  /// `dt_s` > 0 since the step before, `t_s` since the first. Readings of a recording bring their own.
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
   bool fading() const noexcept { return coming_.scene != nullptr; }
@@ -82,6 +86,13 @@ class TickPipeline {
     TouchState state;
     LawOutput output;
   };
+  /// When this tick is, and whether others cut its force before it.
+  struct When {
+    double t_s = 0.0;
+    double dt_s = 0.001;
+    bool stalled = false;
+  };
+  When when_of(const device::Reading& reading, double t_s, double dt_s) noexcept;
   /// What a reading is good for.
   enum class Accepted : std::uint8_t {
     good,

@@ -32,13 +32,12 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   MakerThread maker(make, work);
   auto scene = maker.first_scene(work);
   if (!scene) return std::move(scene).error();
+  SessionOptions session_options = options.session;
+  session_options.recording = options.recording;
   auto opened =
-      TouchSession::open(std::move(*scene), options.settings, options.device_url, options.session, begin_ns);
+      TouchSession::open(std::move(*scene), options.settings, options.device_url, session_options, begin_ns);
   if (!opened) return std::move(opened).error();
   TouchSession& session = **opened;
-  if (!options.recording.empty())
-    if (auto started = session.start_recording(options.recording); !started)
-      return std::move(started).error();
 
   const auto tell_notices = [&] {
     if (!options.on_notice) return;

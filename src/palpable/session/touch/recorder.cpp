@@ -69,11 +69,13 @@ Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, cons
   impl->loop = &loop;
   impl->writer = std::move(*writer);
   impl->scenes.push_back(scene);
-  impl->lost_before = loop.recording_lost();
-  // What an earlier recording left behind is not this one's.
-  while (loop.take_recorded()) {
+  if (!loop.is_recording()) {
+    impl->lost_before = loop.recording_lost();
+    // What an earlier recording left behind is not this one's.
+    while (loop.take_recorded()) {
+    }
+    loop.record(haptics::Recording::on);
   }
-  loop.record(haptics::Recording::on);
   impl->thread = std::thread([&it = *impl] { it.run(); });
   return std::unique_ptr<Recorder>(new Recorder(std::move(impl)));
 }

@@ -16,7 +16,8 @@ namespace palpable::session {
 /// The loop must outlive it.
 class Recorder {
  public:
-  /// Switches the loop's recording on. Errors (failed): the file cannot be created.
+  /// Switches the loop's recording on; where it is on already, what it holds is recorded too. Errors
+  /// (failed): the file cannot be created.
   static Result<std::unique_ptr<Recorder>> start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                  const std::string& header_json,
                                                  const device::RecordedScene& scene);

@@ -83,9 +83,17 @@ std::string scene_hash(const models::Scene& scene) {
   return hash.digits();
 }
 
-std::string SceneHashes::of(const std::shared_ptr<const models::Scene>& scene) {
+std::string shape_hash(const models::Scene& scene) {
+  Fnv1a hash;
+  hash.add(std::string_view(models::kind_of(scene.model)));
+  std::visit([&](const auto& model) { add_model(hash, model); }, scene.model);
+  add_raster(hash, scene.labels);
+  return hash.digits();
+}
+
+SceneHash SceneHashes::of(const std::shared_ptr<const models::Scene>& scene) {
   if (scene_ != scene) {
-    hash_ = scene_hash(*scene);
+    hash_ = {scene_hash(*scene), shape_hash(*scene)};
     scene_ = scene;
   }
   return hash_;

@@ -8,7 +8,9 @@
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/models/material/material_check.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
+#include "palpable/session/touch/recorded_touch.hpp"
 #include "palpable/session/touch/recorder.hpp"
+#include "palpable/session/touch/recording_header.hpp"
 #include "palpable/session/touch/scene_hash.hpp"
 
 #include <array>
@@ -16,27 +18,18 @@
 #include <optional>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 namespace palpable::session {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json law_json(const haptics::LawParameters& law) {
-  const auto given = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
-  Json json{{"law", haptics::name_of(law.law)}};
-  for (const haptics::LawParameter& parameter : haptics::description_of(law.law).parameters)
-    json[std::string(parameter.name)] = given(law.*parameter.value);
-  return json;
-}
-
-Json texture_json(const models::TouchTexture& texture) {
-  if (texture.kind == models::TouchTexture::Kind::none) return nullptr;
-  return {{"kind", models::name_of(texture.kind)},
-          {"pitch_m", texture.pitch_m},
-          {"height_m", texture.height_m},
-          {"angle_rad", texture.angle_rad}};
+/// The parts of a program that no PreparedScene holds.
+RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings& asked) {
+  RecordedTouch touch;
+  touch.law = prepared.law;
+  touch.asked_for = asked.law;
+  touch.depth = asked.depth;
+  touch.materials = prepared.materials;
+  touch.scene_from_device = prepared.scene.scene_from_device;
+  return touch;
 }
 
 }  // namespace
@@ -49,9 +42,13 @@ struct TouchSession::Impl {
                       const Transform<SceneFrame, DeviceFrame>& to_place);
   /// Under `changing`.
   device::RecordedScene described(const PreparedScene& prepared,
-                                  const std::shared_ptr<const models::Scene>& touched, double depth);
+                                  const std::shared_ptr<const models::Scene>& touched,
+                                  const TouchSettings& asked);
+  /// Under `changing` and `recording_changes`.
+  Result<void> record_into(const std::filesystem::path& file);
 
   SessionOptions options;
+  std::string device_url;
   std::int64_t begin_ns = 0;
   std::int64_t servo_begin_ns = 0;
   /// Where each probe's place arrives from the page, the hand's first.
@@ -81,26 +78,12 @@ struct TouchSession::Impl {
 
 device::RecordedScene TouchSession::Impl::described(const PreparedScene& prepared,
                                                     const std::shared_ptr<const models::Scene>& touched,
-                                                    double depth) {
-  Json json = law_json(prepared.law);
-  const auto& place = prepared.scene.scene_from_device;
-  json["depth"] = depth;
-  json["materials"] = Json::array();
-  for (const auto& material : prepared.materials)
-    json["materials"].push_back({{"name", material.name},
-                                 {"stiffness_N_per_m", material.stiffness_N_per_m},
-                                 {"damping_Ns_per_m", material.damping_Ns_per_m},
-                                 {"static_friction", material.static_friction},
-                                 {"dynamic_friction", material.dynamic_friction},
-                                 {"texture", texture_json(material.texture)}});
-  json["scene_hash"] = hashes.of(touched);
-  json["scene_inputs"] = touched->source.inputs;
-  json["scene_method"] = touched->source.method;
-  json["scene_from_device"] = {
-      {"rotation", place.rotation},
-      {"translation_m", {place.translation_m.x, place.translation_m.y, place.translation_m.z}},
-      {"scale", place.scale}};
-  return {prepared.scene.id, json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+                                                    const TouchSettings& asked) {
+  RecordedTouch touch = recorded_touch(prepared, asked);
+  touch.hashes = hashes.of(touched);
+  touch.inputs = touched->source.inputs;
+  touch.method = touched->source.method;
+  return {prepared.scene.id, touch_json(touch)};
 }
 
 Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_scene,
@@ -110,7 +93,7 @@ Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_
       prepare_scene(*to_scene, to_settings, loop->device_traits(), options.servo.rate_hz, to_place, kept);
   if (!prepared) return std::move(prepared).error();
   prepared->scene.id = ++last_scene_id;
-  auto description = described(*prepared, to_scene, to_settings.depth);
+  auto description = described(*prepared, to_scene, to_settings);
   {
     // The recording must know the scene before its first tick.
     const std::lock_guard lock(state);
@@ -139,6 +122,9 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   PALPABLE_CHECK(scene != nullptr && options.further_probes < haptics::kMaxLiveProbes);
   auto impl = std::make_unique<Impl>();
   impl->options = options;
+  impl->options.servo.recording =
+      options.recording.empty() ? haptics::Recording::off : haptics::Recording::on;
+  impl->device_url = device_url;
   impl->begin_ns = begin_ns != 0 ? begin_ns : haptics::monotonic_ns();
   for (auto& sample : impl->latest) sample.status = device::Status::not_ready;
   for (std::size_t probe = 0; probe <= options.further_probes; ++probe)
@@ -151,7 +137,7 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
       prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, impl->kept);
   if (!prepared) return std::move(prepared).error();
   prepared->scene.id = ++impl->last_scene_id;
-  impl->described_now = impl->described(*prepared, scene, settings.depth);
+  impl->described_now = impl->described(*prepared, scene, settings);
   impl->scene = std::move(scene);
   impl->settings = settings;
   impl->law_in_use = prepared->law.law;
@@ -160,11 +146,14 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   std::vector<std::unique_ptr<device::Device>> further;
   for (std::size_t probe = 1; probe < impl->pointers.size(); ++probe)
     further.push_back(std::make_unique<device::PointerDevice>(impl->pointers[probe], options.servo.rate_hz));
-  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->scene), options.servo,
+  auto loop = haptics::ServoLoop::start(std::move(*device), std::move(prepared->scene), impl->options.servo,
                                         std::move(further));
   if (!loop) return std::move(loop).error();
   impl->servo_begin_ns = haptics::monotonic_ns();
   impl->loop = std::move(*loop);
+  if (!options.recording.empty())
+    if (auto recording = impl->record_into(options.recording); !recording)
+      return std::move(recording).error();
   return std::unique_ptr<TouchSession>(new TouchSession(std::move(impl)));
 }
 
@@ -295,17 +284,23 @@ Result<void> TouchSession::start_recording(const std::filesystem::path& file) {
   // The scene that the file begins with stays until the recorder hears of changes.
   const std::lock_guard changing(impl_->changing);
   if (recording()) return Error{ErrorCode::usage, "a recording is running already", file.string()};
-  const auto& traits = impl_->loop->device_traits();
-  const Json header{{"format", 1},
-                    {"made_by", "palpable"},
-                    {"seed", impl_->options.seed},
-                    {"rate_hz", impl_->options.servo.rate_hz},
-                    {"device", traits.name},
-                    {"as_published", impl_->options.as_published}};
-  auto recorder = Recorder::start(*impl_->loop, file, header.dump(), impl_->described_now);
-  if (!recorder) return std::move(recorder).error();
-  const std::lock_guard lock(impl_->state);
-  impl_->recorder = std::move(*recorder);
+  return impl_->record_into(file);
+}
+
+Result<void> TouchSession::Impl::record_into(const std::filesystem::path& file) {
+  RecordedSession session;
+  session.made_by = options.made_by;
+  session.command = options.command;
+  session.seed = options.seed;
+  session.rate_hz = options.servo.rate_hz;
+  session.device_url = device_url;
+  session.traits = loop->device_traits();
+  session.tick = haptics::tick_options(options.servo);
+  session.as_published = options.as_published;
+  auto started = Recorder::start(*loop, file, header_json(session), described_now);
+  if (!started) return std::move(started).error();
+  const std::lock_guard lock(state);
+  recorder = std::move(*started);
   return {};
 }
 

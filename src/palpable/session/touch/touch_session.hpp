@@ -26,6 +26,11 @@ struct SessionOptions {
   std::uint64_t seed = 1;
   /// Written into recordings: "shi", "park", … when a paper's parameters were chosen.
   std::string as_published;
+  /// Written into recordings: "palpable 0.1.0", and the command line as it was given.
+  std::string made_by = "palpable";
+  std::vector<std::string> command;
+  /// Records from the first tick on; empty = start_recording() may begin one later.
+  std::filesystem::path recording;
   /// Probes beside the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
   std::size_t further_probes = 0;
 };
@@ -36,7 +41,7 @@ class TouchSession {
  public:
   /// Opens the device (device/drivers/open.hpp) and starts the servo. `begin_ns` is CLOCK_MONOTONIC when the
   /// person asked for the touch: seconds_to_first_force counts from it; 0 = now. Errors: device (cannot be
-  /// opened), usage (a law, parameter or URL that does not exist).
+  /// opened), usage (a law, parameter or URL that does not exist), failed (the recording cannot be created).
   static Result<std::unique_ptr<TouchSession>> open(std::shared_ptr<const models::Scene> scene,
                                                     const TouchSettings& settings,
                                                     const std::string& device_url,
@@ -88,7 +93,8 @@ class TouchSession {
   /// Deadlines missed since the last call, each with its cause; likewise.
   std::vector<haptics::MissedDeadline> take_missed();
 
-  /// Errors: the file cannot be written; recording already.
+  /// From here on: SessionOptions::recording records the touch's beginning too, so that all of it can be
+  /// recomputed. Errors: the file cannot be written; recording already.
   Result<void> start_recording(const std::filesystem::path& file);
   /// Ends the file; errors met while writing come here.
   Result<void> stop_recording();

@@ -80,10 +80,11 @@ TEST(SceneHashes, ReadASceneOnceAndAnotherAnew) {
   const auto a = std::make_shared<const models::Scene>(first);
   const auto b = std::make_shared<const models::Scene>(second);
   SceneHashes hashes;
-  EXPECT_EQ(hashes.of(a), scene_hash(first));
-  EXPECT_EQ(hashes.of(a), scene_hash(first));
-  EXPECT_EQ(hashes.of(b), scene_hash(second));
-  EXPECT_NE(hashes.of(b), hashes.of(a));
+  EXPECT_EQ(hashes.of(a).scene, scene_hash(first));
+  EXPECT_EQ(hashes.of(a).scene, scene_hash(first));
+  EXPECT_EQ(hashes.of(a).shape, shape_hash(first));
+  EXPECT_EQ(hashes.of(b).scene, scene_hash(second));
+  EXPECT_NE(hashes.of(b).scene, hashes.of(a).scene);
 }
 
 }  // namespace

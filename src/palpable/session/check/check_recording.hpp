@@ -1,0 +1,75 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/device/recording/recording.hpp"
+#include "palpable/haptics/servo/latency_recorder.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/session/check/findings.hpp"
+#include "palpable/session/touch/recording_header.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace palpable::session {
+
+struct CheckOptions {
+  /// What may have been touched; each is recognised by its shape.
+  std::vector<std::shared_ptr<const models::Scene>> scenes;
+  /// So many findings of each kind are listed, the rest counted.
+  std::size_t most_of_a_kind = 100;
+};
+
+/// What a recording holds, and what is wrong with it.
+struct CheckReport {
+  RecordedSession session;
+  /// The laws in use, and where the scenes came from, each once.
+  std::vector<std::string> laws;
+  std::vector<std::string> scene_hashes;
+  /// The hand's; and those of further probes, which are counted only.
+  std::uint64_t ticks = 0;
+  std::uint64_t further_ticks = 0;
+  std::uint64_t contact_ticks = 0;
+  double duration_s = 0.0;
+  double max_force_N = 0.0;
+  double max_step_N = 0.0;
+  haptics::LatencySummary periods;
+  std::uint64_t missed = 0;
+  std::uint64_t lost = 0;
+  device::RecordingEnd end = device::RecordingEnd::complete;
+  /// Ticks that were recomputed whole, and those of which only the law's force was; the rest was not.
+  std::uint64_t recomputed = 0;
+  std::uint64_t law_recomputed = 0;
+  /// Of these, ticks in which anything differs in any bit; and the greatest difference of a force.
+  std::uint64_t differing = 0;
+  double max_difference_N = 0.0;
+  /// Energy that contacts made, from the recorded forces alone (RecordedForces::made_max_J); and what the
+  /// servo's observer makes of the same, with and without the controller (NaN where not recomputed).
+  double made_max_J = 0.0;
+  double observed_made_max_J = std::numeric_limits<double>::quiet_NaN();
+  double observed_made_max_without_controller_J = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Finding> findings;
+  /// Findings that are not listed.
+  std::uint64_t not_listed = 0;
+  std::uint64_t problems = 0;
+
+  bool is_clean() const { return problems == 0; }
+};
+
+/// Goes through a recording of any size in bounded memory, recomputes what it can and lists what is wrong.
+/// Long work: reports progress, polls cancel. Errors: as RecordingReader::open() and parse_header();
+/// interrupted.
+Result<CheckReport> check_recording(const std::filesystem::path& file, const CheckOptions& options,
+                                    const Work& work);
+
+/// What a recording says of its session. Errors: as check_recording().
+Result<RecordedSession> read_recorded_session(const std::filesystem::path& file);
+
+}  // namespace palpable::session

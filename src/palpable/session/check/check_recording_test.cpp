@@ -1,0 +1,222 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/check/check_recording.hpp"
+
+#include "palpable/device/recording/recording.hpp"
+#include "palpable/session/touch/headless.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::session {
+namespace {
+
+std::shared_ptr<const models::Scene> waves(double height_m) {
+  Raster<float> samples(100, 80);
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 100; ++x)
+      samples(x, y) = static_cast<float>(height_m * (1.0 + std::sin(0.15 * x) * std::cos(0.11 * y)) / 2.0);
+  auto relief = models::Relief::from_samples(std::move(samples), 0.001);
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Relief>(std::move(*relief));
+  models::Material material;
+  material.texture.kind = models::TouchTexture::Kind::bumps;
+  material.texture.pitch_m = 0.002;
+  material.texture.height_m = 0.0001;
+  scene.materials = {material};
+  return std::make_shared<const models::Scene>(std::move(scene));
+}
+
+std::filesystem::path in_temp(std::string_view name) {
+  return std::filesystem::path(testing::TempDir()) / name;
+}
+
+HeadlessOptions recorded_touch_of(double seconds, std::string_view name) {
+  HeadlessOptions options;
+  options.seconds = seconds;
+  options.session.servo.realtime_priority = 0;
+  options.session.servo.memory = haptics::Memory::leave;
+  options.device_url = "sim:?speed-mm=200&delay=1&seed=3";
+  options.recording = in_temp(name);
+  return options;
+}
+
+SceneMaker makes(std::vector<std::shared_ptr<const models::Scene>> scenes) {
+  return [scenes](const DeliverScene& deliver, const Work&) -> Result<void> {
+    for (const auto& scene : scenes) deliver(scene);
+    return {};
+  };
+}
+
+CheckReport checked(const std::filesystem::path& file,
+                    std::vector<std::shared_ptr<const models::Scene>> scenes) {
+  auto report = check_recording(file, {std::move(scenes), 100}, {});
+  EXPECT_TRUE(report) << report.error().sentence();
+  return report ? *std::move(report) : CheckReport{};
+}
+
+std::string said(const CheckReport& report) {
+  std::string text;
+  for (const Finding& finding : report.findings) text += sentence_of(finding) + "\n";
+  return text;
+}
+
+/// The same recording with its ticks changed by `change` and new checksums, as somebody would who wants to
+/// deceive.
+std::filesystem::path altered(const std::filesystem::path& file, std::string_view name,
+                              const std::function<void(device::Recording&)>& change) {
+  auto recording = *device::read_recording(file);
+  change(recording);
+  const auto copy = in_temp(name);
+  auto writer = *device::RecordingWriter::create(copy, recording.header_json);
+  for (const auto& scene : recording.scenes) EXPECT_TRUE(writer->write(scene));
+  EXPECT_TRUE(writer->write(recording.ticks));
+  EXPECT_TRUE(writer->finish(recording.lost));
+  return copy;
+}
+
+bool found(const CheckReport& report, FindingKind kind) {
+  return std::any_of(report.findings.begin(), report.findings.end(),
+                     [kind](const Finding& finding) { return finding.kind == kind; });
+}
+
+std::size_t first_in_contact(const device::Recording& recording) {
+  std::size_t n = recording.ticks.size() / 2;
+  while (n + 1 < recording.ticks.size() && !recording.ticks[n].has(haptics::flag::kContact)) ++n;
+  return n;
+}
+
+/// One touch of two seconds, made once for all tests.
+const std::filesystem::path& one_touch() {
+  static const std::filesystem::path file = [] {
+    const auto options = recorded_touch_of(2.0, "one-touch.rec");
+    EXPECT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
+    return options.recording;
+  }();
+  return file;
+}
+
+TEST(CheckRecording, RecomputesEveryTickOfATouchToTheLastBit) {
+  const auto report = checked(one_touch(), {waves(0.010)});
+  EXPECT_TRUE(report.is_clean()) << said(report);
+  EXPECT_GT(report.ticks, 100U);
+  EXPECT_GT(report.contact_ticks, 10U);
+  EXPECT_EQ(report.recomputed, report.ticks);
+  EXPECT_EQ(report.differing, 0U);
+  EXPECT_EQ(report.max_difference_N, 0.0);
+  EXPECT_EQ(report.laws, std::vector<std::string>{"proxy"});
+}
+
+TEST(CheckRecording, GoesOnThroughAChangeOfScene) {
+  auto options = recorded_touch_of(2.0, "two-scenes.rec");
+  ASSERT_TRUE(touch_headless(makes({waves(0.010), waves(0.012)}), options, {}));
+  const auto report = checked(options.recording, {waves(0.012), waves(0.010)});
+  EXPECT_TRUE(report.is_clean()) << said(report);
+  EXPECT_EQ(report.recomputed, report.ticks);
+  EXPECT_EQ(report.scene_hashes.size(), 2U);
+}
+
+TEST(CheckRecording, FindsOneForceThatWasChangedInOneBit) {
+  const auto file = altered(one_touch(), "one-bit.rec", [](device::Recording& recording) {
+    double& z = recording.ticks[first_in_contact(recording)].written_force_N.v.z;
+    z = std::nextafter(z, 10.0);
+  });
+  const auto report = checked(file, {waves(0.010)});
+  EXPECT_FALSE(report.is_clean());
+  EXPECT_EQ(report.differing, 1U);
+  EXPECT_TRUE(found(report, FindingKind::written_force)) << said(report);
+}
+
+TEST(CheckRecording, FindsAPositionThatWasChanged) {
+  const auto file = altered(one_touch(), "place.rec", [](device::Recording& recording) {
+    recording.ticks[first_in_contact(recording)].device_position.v.z -= 1e-5;
+  });
+  const auto report = checked(file, {waves(0.010)});
+  EXPECT_FALSE(report.is_clean());
+  EXPECT_TRUE(found(report, FindingKind::law_force)) << said(report);
+}
+
+TEST(CheckRecording, FindsStepsForcesInAirAndMissingTicksWithoutTheScene) {
+  const auto file = altered(one_touch(), "steps.rec", [](device::Recording& recording) {
+    auto& ticks = recording.ticks;
+    const auto in_air = std::find_if(ticks.begin() + 20, ticks.end(), [](const device::TouchSample& tick) {
+      return !tick.has(haptics::flag::kContact);
+    });
+    ASSERT_NE(in_air, ticks.end());
+    in_air->written_force_N.v.z = 2.5;
+    ticks[ticks.size() - 10].written_force_N.v.x = 50.0;
+    ticks.erase(ticks.end() - 5);
+  });
+  const auto report = checked(file, {});
+  EXPECT_TRUE(found(report, FindingKind::force_step)) << said(report);
+  EXPECT_TRUE(found(report, FindingKind::free_air)) << said(report);
+  EXPECT_TRUE(found(report, FindingKind::force_cap)) << said(report);
+  EXPECT_TRUE(found(report, FindingKind::lost_ticks)) << said(report);
+  EXPECT_TRUE(found(report, FindingKind::not_recomputed)) << said(report);
+}
+
+TEST(CheckRecording, FindsEnergyThatARecordingShows) {
+  // A hand that is pushed as it leaves, harder than it pressed.
+  const auto file = altered(one_touch(), "energy.rec", [](device::Recording& recording) {
+    auto& ticks = recording.ticks;
+    for (std::size_t n = 1; n < ticks.size(); ++n) {
+      const double up_m = ticks[n].device_position.v.z - ticks[n - 1].device_position.v.z;
+      ticks[n - 1].written_force_N.v *= up_m > 0.0 ? 2.0 : 0.5;
+    }
+  });
+  const auto report = checked(file, {});
+  EXPECT_TRUE(found(report, FindingKind::energy_made)) << said(report);
+  EXPECT_GT(report.made_max_J, 1e-4);
+}
+
+TEST(CheckRecording, ReadsWhatAnOlderProgramRecorded) {
+  // Format 1: no traits, no options, no shape's hash.
+  const auto file = in_temp("format-1.rec");
+  const auto recording = *device::read_recording(one_touch());
+  auto writer = *device::RecordingWriter::create(
+      file, R"({"format":1,"made_by":"palpable","seed":1,"rate_hz":1000.0})");
+  for (auto scene : recording.scenes) {
+    scene.json.erase(scene.json.find("\"shape_hash\""), 32);
+    ASSERT_TRUE(writer->write(scene));
+  }
+  ASSERT_TRUE(writer->write(recording.ticks));
+  ASSERT_TRUE(writer->finish(0));
+  const auto report = checked(file, {waves(0.010)});
+  EXPECT_EQ(report.recomputed, 0U);
+  EXPECT_GT(report.law_recomputed, report.ticks / 2);
+  EXPECT_EQ(report.differing, 0U) << said(report);
+  EXPECT_TRUE(report.is_clean()) << said(report);
+}
+
+TEST(CheckRecording, SaysWhenTheSceneIsAnother) {
+  const auto report = checked(one_touch(), {waves(0.011)});
+  EXPECT_EQ(report.recomputed, 0U);
+  EXPECT_NE(said(report).find("another scene was touched than the one given"), std::string::npos);
+}
+
+TEST(CheckRecording, CanBeStopped) {
+  std::atomic<bool> stop{true};
+  Work work;
+  work.cancel = &stop;
+  const auto report = check_recording(one_touch(), {}, work);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::interrupted);
+}
+
+TEST(Replay, OfARecordingGivesItsForcesToTheLastBit) {
+  auto options = recorded_touch_of(2.5, "replayed.rec");
+  options.device_url = "replay:" + one_touch().string();
+  ASSERT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
+  const auto first = *device::read_recording(one_touch());
+  const auto again = *device::read_recording(options.recording);
+  const std::size_t count = std::min(first.ticks.size(), again.ticks.size());
+  ASSERT_GT(count, 100U);
+  for (std::size_t n = 0; n < count; ++n) ASSERT_EQ(again.ticks[n], first.ticks[n]) << n;
+}
+
+}  // namespace
+}  // namespace palpable::session

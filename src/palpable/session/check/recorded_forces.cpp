@@ -1,0 +1,140 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/check/recorded_forces.hpp"
+
+#include "palpable/haptics/safety/limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace palpable::session {
+namespace {
+
+namespace flag = haptics::flag;
+
+/// Rounding of a force that was turned into the scene's frame and back.
+constexpr double kRounding_N = 1e-9;
+
+double max_allowed_N(const RecordedSession& session) {
+  const double device_N =
+      session.traits ? session.traits->max_force_N : std::numeric_limits<double>::infinity();
+  return std::min(device_N, session.tick.max_force_N);
+}
+
+double resolution_m(const RecordedSession& session) {
+  if (!session.traits || !std::isfinite(session.traits->position_resolution_m)) return 0.0;
+  return session.traits->position_resolution_m;
+}
+
+}  // namespace
+
+RecordedForces::RecordedForces(const RecordedSession& session, Findings& findings)
+    : session_(session),
+      findings_(findings),
+      max_allowed_N_(max_allowed_N(session)),
+      fine_(resolution_m(session)),
+      delay_(static_cast<std::size_t>(
+          std::clamp(session.traits ? session.traits->delay_samples : 0, 0, static_cast<int>(kSent) - 1))) {}
+
+void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* touch) {
+  check_time(tick);
+  ++ticks_;
+  contact_ticks_ += tick.has(flag::kContact) ? 1 : 0;
+  duration_s_ += tick.dt_s;
+  const Transform<SceneFrame, DeviceFrame> place =
+      touch != nullptr ? touch->scene_from_device : Transform<SceneFrame, DeviceFrame>{};
+  const Vector<DeviceFrame> force_N = rotate_force(place.inverse(), tick.written_force_N);
+  check_force(tick, force_N);
+  newest_ = (newest_ + 1) % kSent;
+  sent_[newest_] = force_N;
+  if (touch != nullptr) check_work(tick, *touch);
+}
+
+void RecordedForces::check_time(const device::TouchSample& tick) {
+  if (ticks_ > 0 && tick.tick != next_tick_) {
+    const double missing = tick.tick > next_tick_ ? static_cast<double>(tick.tick - next_tick_) : 0.0;
+    findings_.add(FindingKind::lost_ticks, tick, missing);
+    knows_before_ = knows_place_ = false;
+  }
+  next_tick_ = tick.tick + 1;
+  periods_.record_ns(1e9 * tick.dt_s);
+  const double missed = std::floor(tick.dt_s * session_.rate_hz) - 1.0;
+  if (ticks_ == 0 || !(missed >= 1.0)) return;
+  missed_ += static_cast<std::uint64_t>(missed);
+  findings_.add(FindingKind::missed, tick, missed);
+}
+
+void RecordedForces::check_force(const device::TouchSample& tick, Vector<DeviceFrame> force_N) {
+  if (!is_finite(force_N)) {
+    findings_.add(FindingKind::not_finite, tick, 0.0);
+    knows_before_ = false;
+    return;
+  }
+  const double size_N = norm(force_N);
+  max_force_N_ = std::max(max_force_N_, size_N);
+  if (size_N > max_allowed_N_ + kRounding_N)
+    findings_.add(FindingKind::force_cap, tick, size_N - max_allowed_N_);
+  if (tick.has(flag::kStalled)) before_N_ = {};
+  if (knows_before_ || tick.tick == 0) {
+    max_step_N_ = std::max(max_step_N_, norm(force_N - before_N_));
+    const double rise_N = session_.tick.max_force_rate_N_per_s *
+                          std::min(tick.dt_s, session_.traits ? session_.tick.max_rise_time_s
+                                                              : std::numeric_limits<double>::infinity());
+    // What it grew by beyond what the limit lets through.
+    const auto limited = haptics::cap_rise(force_N, before_N_, rise_N);
+    const double beyond_N = norm(force_N - limited.force_N);
+    if (limited.limited && beyond_N > kRounding_N) findings_.add(FindingKind::force_step, tick, beyond_N);
+  }
+  before_N_ = force_N;
+  knows_before_ = true;
+}
+
+void RecordedForces::check_work(const device::TouchSample& tick, const RecordedTouch& touch) {
+  const haptics::LawDescription& law = haptics::description_of(touch.law.law);
+  since_place_s_ += tick.dt_s;
+  haptics::PassivityObserver::Step step;
+  const bool good =
+      tick.status == device::Status::ok && !tick.has(flag::kImplausible) && is_finite(tick.device_position);
+  if (good) {
+    const auto velocity = touch.scene_from_device.inverse() * tick.velocity_m_per_s;
+    const Point<DeviceFrame> before = fine_.place();
+    const Point<DeviceFrame> now = fine_.update(tick.device_position, velocity, since_place_s_);
+    if (knows_place_) step.moved_m = now - before;
+    knows_place_ = true;
+    since_place_s_ = 0.0;
+  }
+  // A change of scene or a new touch begins a new account, as it does for the servo's own observer.
+  if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading)) {
+    observer_.begin(0.0);
+    return;
+  }
+  counts_work_ = true;
+  step.held_force_N = sent_[(newest_ + 2 * kSent - 1 - delay_) % kSent];
+  step.dt_s = tick.dt_s;
+  step.stored_J = std::numeric_limits<double>::quiet_NaN();
+  step.contact = tick.has(flag::kContact);
+  observer_.update(step);
+  if (observer_.made_J() > kEnergyMade_J) findings_.add(FindingKind::energy_made, tick, observer_.made_J());
+}
+
+bool is_in_free_air(const haptics::Touchable& touchable, const device::TouchSample& before,
+                    const device::TouchSample& tick) {
+  constexpr double kSpacing_m = 1e-4;
+  constexpr double kMostPlaces = 400.0;
+  const auto is_clear = [&](Vec3 place) {
+    haptics::TouchState state;
+    return !touchable.evaluate({{place}, {}, tick.dt_s}, state).contact;
+  };
+  const auto is_way_clear = [&](Vec3 from, Vec3 to) {
+    const double steps = std::clamp(std::ceil(norm(to - from) / kSpacing_m), 1.0, kMostPlaces);
+    for (double k = 0.0; k <= steps; ++k)
+      if (!is_clear(from + (k / steps) * (to - from))) return false;
+    return true;
+  };
+  const Vec3 hand = tick.position.v;
+  if (!is_clear(hand) || !is_way_clear(before.position.v, hand)) return false;
+  return !tick.has(flag::kHasProxy) || is_way_clear(hand, tick.proxy.v);
+}
+
+}  // namespace palpable::session

@@ -1,0 +1,114 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/session/touch/recording_header.hpp"
+
+#include "palpable/device/recording/traits_json.hpp"
+#include "palpable/haptics/safety/passivity.hpp"
+#include "palpable/haptics/servo/velocity.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace palpable::session {
+namespace {
+
+using HeaderJson = nlohmann::ordered_json;
+constexpr int kFormat = 2;
+
+/// A number of the tick's options, under its member's name.
+struct TickNumber {
+  std::string_view name;
+  double haptics::TickOptions::*value;
+};
+constexpr TickNumber kTickNumbers[]{
+    {"max_force_N", &haptics::TickOptions::max_force_N},
+    {"max_force_rate_N_per_s", &haptics::TickOptions::max_force_rate_N_per_s},
+    {"fade_s", &haptics::TickOptions::fade_s},
+    {"ramp_down_s", &haptics::TickOptions::ramp_down_s},
+    {"ramp_up_s", &haptics::TickOptions::ramp_up_s},
+    {"max_speed_m_per_s", &haptics::TickOptions::max_speed_m_per_s},
+    {"max_pointer_speed_m_per_s", &haptics::TickOptions::max_pointer_speed_m_per_s},
+    {"reach_in_workspaces", &haptics::TickOptions::reach_in_workspaces},
+    {"stall_s", &haptics::TickOptions::stall_s},
+    {"max_rise_time_s", &haptics::TickOptions::max_rise_time_s}};
+
+HeaderJson tick_to_json(const haptics::TickOptions& tick) {
+  HeaderJson json;
+  for (const TickNumber& number : kTickNumbers) {
+    const double value = tick.*number.value;
+    json[std::string(number.name)] = std::isfinite(value) ? HeaderJson(value) : HeaderJson(nullptr);
+  }
+  json["glitch_readings"] = tick.glitch_readings;
+  json["passivity"] = tick.passivity == haptics::Passivity::control ? "control" : "observe";
+  return json;
+}
+
+haptics::TickOptions tick_from_json(const HeaderJson& json) {
+  haptics::TickOptions tick;
+  for (const TickNumber& number : kTickNumbers) {
+    const auto& value = json.at(std::string(number.name));
+    tick.*number.value = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+  }
+  tick.glitch_readings = json.at("glitch_readings").get<int>();
+  tick.passivity = json.at("passivity").get<std::string>() == "observe" ? haptics::Passivity::observe
+                                                                        : haptics::Passivity::control;
+  return tick;
+}
+
+/// What the estimators of this program are made of.
+HeaderJson estimator_json() {
+  return {{"velocity", "first-order adaptive windowing, end-fit"},
+          {"samples", haptics::VelocityEstimator::kSamples},
+          {"reserve_s", haptics::PassivityObserver::kReserve_s}};
+}
+
+RecordedSession session_from_json(const HeaderJson& json, const std::string& text) {
+  RecordedSession session;
+  session.format = json.value("format", 1);
+  session.made_by = json.value("made_by", "");
+  session.seed = json.value("seed", std::uint64_t{1});
+  session.rate_hz = json.value("rate_hz", 1000.0);
+  session.as_published = json.value("as_published", "");
+  session.device_name = json.value("device", "");
+  if (session.format < kFormat) return session;
+  session.command = json.at("command").get<std::vector<std::string>>();
+  session.device_url = json.at("device_url").get<std::string>();
+  session.tick = tick_from_json(json.at("tick"));
+  session.traits = device::recorded_traits(text);
+  session.has_our_estimator = json.at("estimator") == estimator_json();
+  return session;
+}
+
+}  // namespace
+
+std::string header_json(const RecordedSession& session) {
+  HeaderJson json{{"format", kFormat},
+                  {"made_by", session.made_by},
+                  {"command", session.command},
+                  {"seed", session.seed},
+                  {"rate_hz", session.rate_hz},
+                  {"device", session.traits ? session.traits->name : session.device_name},
+                  {"device_url", session.device_url},
+                  {"as_published", session.as_published},
+                  {"tick", tick_to_json(session.tick)},
+                  {"estimator", estimator_json()}};
+  if (session.traits) json["traits"] = HeaderJson::parse(device::traits_json(*session.traits));
+  return json.dump(-1, ' ', false, HeaderJson::error_handler_t::replace);
+}
+
+Result<RecordedSession> parse_header(const std::string& json) {
+  try {
+    RecordedSession session = session_from_json(HeaderJson::parse(json), json);
+    if (session.format > kFormat)
+      return invalid_input("is a recording of a newer format than this program reads");
+    return session;
+  } catch (const HeaderJson::exception&) {
+    return invalid_input("is a recording whose header cannot be read");
+  }
+}
+
+}  // namespace palpable::session
