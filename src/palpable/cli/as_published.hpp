@@ -12,27 +12,19 @@
 namespace palpable::cli {
 
 /// What one of the five papers set together, as far as this program holds it. None of them states a
-/// stiffness or a damping in a unit: those stay the scene's.
+/// stiffness or a damping in a unit: those stay the scene's. What the person sets goes before it.
 struct Published {
   std::string_view name;
-  haptics::Law law;
-  /// Of the law penalty: LawParameters::force_shading.
-  double force_shading = 0.0;
+  /// With its parameters; the probe is a point in all of them.
+  haptics::LawParameters law;
   /// Of the servo; not given where the paper states none.
   std::optional<double> rate_hz;
-  /// How it made its scene: a stereo method or a contour method, empty where it had no other than ours.
-  std::string_view stereo_method;
-  std::string_view contour_method;
-  /// The area that the picture was mapped to, WxHxD in mm (the depth is ours); empty where none is stated.
-  std::string_view size;
-  /// How depths got another number of samples.
-  std::string_view resampling;
-  /// What of the paper is not the same here, one sentence.
+  /// What of the paper is not the same here, a sentence each.
   std::string_view differs;
   /// What the scene became.
   session::MakeAs as = session::MakeAs::by_input;
-  /// A field's distance and force stored at every place of a lattice.
-  bool keeps_forces = false;
+  /// How the scene is made.
+  void (*make)(MakeArguments&) = nullptr;
 };
 
 /// Adds --as-published. `name` must outlive the parsing.
@@ -43,5 +35,7 @@ Result<std::optional<Published>> published_as(const std::string& name);
 
 /// Sets how the scene is made where `arguments` leave it open.
 void apply_published(const Published& published, MakeArguments& arguments);
+/// The paper's parameters of its law where `parameters`, which are of that law, leave them open.
+void apply_published(const Published& published, haptics::LawParameters& parameters);
 
 }  // namespace palpable::cli

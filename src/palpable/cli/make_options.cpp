@@ -90,6 +90,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "How depth becomes height (docs/relief.md); compare = all side by side, as a picture");
   options.number("--compression", arguments.compression, {1.5, 100.0},
                  "How many times higher the scene would be in true proportions");
+  options.choice("--height-of", arguments.height_of, {"depth", "disparity"},
+                 "What height stands for: depth where it is known, or a pair's disparity");
+  options.number("--steepest", arguments.steepest_slope, {0.1, 100.0},
+                 "No place of a relief becomes steeper (rise over run)");
   options.number("--smooth", arguments.smooth_mm, {0.0, 10.0},
                  "Detail narrower than this is smoothed away, mm: the resolution of your device");
   options.choice("--resample", arguments.resample, {"none", "bilinear", "bicubic"},
@@ -108,7 +112,10 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--sheet", arguments.sheet_mm, {0.0, 10.0}, "Open sheet: height above its base, mm");
   options.under("Fields and grids");
   options.integer("--grid-points", arguments.grid_points, {8, 512}, "Grid: points along the longest side");
-  options.integer("--resolution", arguments.resolution, {16, 4096}, "Finest cells along the longest side");
+  options.choice("--grid-filling", arguments.grid_filling, {"relief", "camera"},
+                 "Grid: under the relief, or in space behind what a pair's camera sees");
+  options.integer("--resolution", arguments.resolution, {16, 4096},
+                  "Finest cells along the longest side; else 512");
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
                  "Greatest error of the distance near the surface, mm; else 1/10000 of the longest side");
   options.text("--poses", arguments.poses,
@@ -183,6 +190,8 @@ Result<recipes::ReliefRecipe> relief_recipe(const MakeArguments& arguments) {
   relief.far = arguments.far;
   relief.exaggerate = arguments.exaggerate;
   relief.compression = arguments.compression;
+  relief.steepest_slope = arguments.steepest_slope;
+  if (arguments.height_of == "disparity") relief.height_of = sculpt::HeightOf::disparity;
   relief.smooth_m = arguments.smooth_mm / 1000.0;
   relief.detail = sculpt::detail_operator_from(arguments.detail).value_or(relief.detail);
   relief.resampling = sculpt::resampling_from(arguments.resample).value_or(relief.resampling);
@@ -218,7 +227,7 @@ Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
     return Error{ErrorCode::usage, "a dense field has no --max-error: its resolution decides", {}};
   recipes::FieldRecipe recipe;
   recipe.placement = placement_options(arguments);
-  recipe.field.resolution = arguments.resolution;
+  recipe.field.resolution = arguments.resolution.value_or(recipe.field.resolution);
   if (arguments.max_error_mm) recipe.field.max_error_m = *arguments.max_error_mm / 1000.0;
   if (arguments.dense) recipe.storage = recipes::FieldStorage::dense;
   if (arguments.paper) recipe.storage = recipes::FieldStorage::paper;
@@ -232,6 +241,7 @@ Result<void> set_size(const std::string& text, session::Recipes& recipes) {
   if (!size) return size.error();
   recipes.relief.relief.size_m = *size;
   recipes.field.placement.size_m = *size;
+  recipes.grid.size_m = *size;
   recipes.contours.map.width_m = size->x;
   recipes.contours.map.height_m = size->y;
   return {};
@@ -253,7 +263,9 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (!relief) return relief.error();
   const auto stereo = stereo_recipe(arguments);
   if (!stereo) return stereo.error();
-  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {{arguments.grid_points}}};
+  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {}};
+  options.recipes.grid.occupancy.resolution = arguments.grid_points;
+  if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
   options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
   options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);

@@ -34,6 +34,9 @@ struct MakeArguments {
   std::string resample = "none";
   int samples = 512;
   std::string detail = "relief";
+  /// "depth", "disparity".
+  std::string height_of = "depth";
+  double steepest_slope = 3.0;
   bool engrave = false;
   std::string contour_method;
   std::string quality;
@@ -41,8 +44,10 @@ struct MakeArguments {
   double neighbourhood_px = 3.0;
   double groove_mm = 4.0;
   std::string ground;
-  int resolution = 512;
+  std::optional<int> resolution;
   int grid_points = 160;
+  /// "relief", "camera".
+  std::string grid_filling = "relief";
   std::optional<double> max_error_mm;
   bool dense = false;
   bool no_cache = false;

@@ -89,4 +89,12 @@ void Options::integer(const std::string& name, int& value, Range range, const st
   app_.add_option(name, value, help)->group(heading_)->check(within<int>(range));
 }
 
+void Options::integer(const std::string& name, std::optional<int>& value, Range range,
+                      const std::string& help) {
+  app_.add_option_function<int>(
+          name, [&value](int given) { value = given; }, help)
+      ->group(heading_)
+      ->check(within<int>(range));
+}
+
 }  // namespace palpable::cli

@@ -48,6 +48,7 @@ class Options {
   void number(const std::string& name, double& value, Range range, const std::string& help);
   void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
   void integer(const std::string& name, int& value, Range range, const std::string& help);
+  void integer(const std::string& name, std::optional<int>& value, Range range, const std::string& help);
 
  private:
   CLI::App& app_;

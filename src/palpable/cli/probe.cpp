@@ -1,5 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/as_published.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
 #include "palpable/cli/scene_argument.hpp"
@@ -18,7 +19,7 @@ namespace palpable::cli {
 namespace {
 
 struct ProbeArguments {
-  std::string scene, path, output, tool;
+  std::string scene, path, output, tool, as_published;
   LawArguments law;
   ViewArguments view;
 };
@@ -83,6 +84,19 @@ void append_row(std::string& csv, const ToolPath& path, const ProbeArguments& ar
   csv += '\n';
 }
 
+Result<haptics::LawParameters> probe_law(const ProbeArguments& arguments, const models::Scene& scene) {
+  const auto published = published_as(arguments.as_published);
+  if (!published) return published.error();
+  if (!*published) return law_parameters(arguments.law, scene);
+  if (!arguments.law.law.empty())
+    return Error{ErrorCode::usage, "--as-published sets the law: leave out --law", {}};
+  LawArguments law = arguments.law;
+  law.law = haptics::name_of((*published)->law.law);
+  auto parameters = law_parameters(law, scene);
+  if (parameters) apply_published(**published, *parameters);
+  return parameters;
+}
+
 Result<Answer> probe(const ProbeArguments& arguments, Console& /*console*/) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
@@ -94,7 +108,7 @@ Result<Answer> probe(const ProbeArguments& arguments, Console& /*console*/) {
   const auto walk = walk_from(arguments.view);
   if (!walk) return walk.error();
   for (haptics::ToolPose& pose : path->poses) pose = in_scene(pose, *walk);
-  const auto parameters = law_parameters(arguments.law, scene);
+  const auto parameters = probe_law(arguments, scene);
   if (!parameters) return parameters.error();
   const auto touchable = haptics::make_touchable(scene, *parameters);
   if (!touchable) return touchable.error();
@@ -157,6 +171,7 @@ void add_probe(Program& program) {
   options.required_text("-o,--output", arguments->output, "CSV to write");
   add_tool_option(options, arguments->tool);
   add_view_options(options, arguments->view);
+  add_as_published(options, arguments->as_published);
   add_law_options(options, arguments->law);
 }
 

@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -45,6 +46,7 @@ struct TouchArguments {
   double seconds = 10.0;
   std::optional<double> rate_hz;
   std::string as_published;
+  bool unlimited = false;
   ViewArguments view;
 };
 
@@ -52,12 +54,16 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
                                            const std::optional<Published>& published) {
   if (published && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--as-published sets the law: leave out --law", {}};
-  const auto law = law_parameters(arguments.law, published ? published->law : session::default_law().law);
+  const auto law = law_parameters(arguments.law, published ? published->law.law : session::default_law().law);
   if (!law) return law.error();
   session::TouchSettings settings;
   settings.law = *law;
-  if (!settings.law.radius_m) settings.law.radius_m = session::default_law().radius_m;
-  if (published) settings.law.force_shading = published->force_shading;
+  if (published) apply_published(*published, settings.law);
+  if (!settings.law.radius_m) settings.law.radius_m = published ? 0.0 : session::default_law().radius_m;
+  if (!arguments.unlimited) return settings;
+  if (!published)
+    return Error{ErrorCode::usage, "the limits are off only with --as-published", "--unlimited"};
+  settings.limits = session::Limits::off;
   return settings;
 }
 
@@ -320,6 +326,10 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   const auto settings = settings_of(arguments, *published);
   if (!settings) return settings.error();
   plan.settings = *settings;
+  if (arguments.unlimited) {
+    plan.options.servo.tick.max_force_rate_N_per_s = std::numeric_limits<double>::infinity();
+    plan.options.servo.tick.passivity = haptics::Passivity::observe;
+  }
   plan.options.seed = console.options().seed;
   plan.options.command = console.options().command;
   plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION;
@@ -349,6 +359,9 @@ void add_touch(Program& program) {
   add_law_options(options, arguments->law);
   options.under("The touch");
   add_as_published(options, arguments->as_published);
+  options.flag("--unlimited", arguments->unlimited,
+               "With --as-published: no stiffness limit, rise limit and passivity controller; for simulated "
+               "devices and those of at most 4 N");
   options.text("--device", arguments->device,
                "Device (palpable devices lists them); else the page's pointer");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");

@@ -2,21 +2,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/camera.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/vec3.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/made_scene.hpp"
+#include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/sculpt/relief/occupancy_from_depth.hpp"
 
 namespace palpable::recipes {
 
-/// How a relief becomes an occupancy grid.
+/// How an occupancy grid is filled.
+enum class GridFilling {
+  /// Under the relief.
+  under_relief,
+  /// Away from the camera, behind the points that a pair's camera sees, at their places in space; without
+  /// ground and background where these are removed (Park & Howard 2012, 4 and 5).
+  from_camera
+};
+
+/// How an occupancy grid is made.
 struct GridRecipe {
   sculpt::OccupancyOptions occupancy;
+  GridFilling filling = GridFilling::under_relief;
+  /// What the grid fits into, when it is filled from the camera; in its own proportions.
+  Vec3 size_m{0.10, 0.10, 0.05};
 };
 
 /// The volume under the surface of a scene that is a relief, as a lattice of points (Park & Howard 2012).
 /// Long work, any thread. Errors, without a place: usage for a scene of another kind and for options out of
 /// range; interrupted.
 Result<MadeScene> grid_from_relief(MadeScene made, const GridRecipe& recipe, const Work& work);
+
+/// The volume behind what a matched pair's left camera sees (GridFilling::from_camera). `disparity`: NaN
+/// where nothing is to be filled. Where its rig is unknown, a camera is assumed that sees as wide as far
+/// away, and a note says so. Long work, any thread. Errors, without a place: invalid_input where nothing is
+/// known; as grid_from_relief().
+Result<MadeScene> grid_from_disparity(DisparityMap disparity, const GridRecipe& recipe, const Work& work);
+
+/// The same from the pair itself: matched, and without its ground and background where `regions` removes
+/// them. Errors: also as vision::match().
+Result<MadeScene> grid_from_pair(const vision::StereoPair& pair, const StereoRecipe& stereo,
+                                 const ReliefRecipe& regions, const GridRecipe& recipe, const Work& work);
 
 }  // namespace palpable::recipes

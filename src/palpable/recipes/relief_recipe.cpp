@@ -3,9 +3,8 @@
 #include "palpable/recipes/relief_recipe.hpp"
 
 #include "palpable/recipes/regions.hpp"
+#include "palpable/recipes/treated_pair.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
-#include "palpable/vision/stereo/result/fit_to_touch.hpp"
-#include "palpable/vision/stereo/result/front_view.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -22,17 +21,6 @@ models::Scene relief_scene(models::Relief relief, int width, int height, std::st
   scene.model = std::make_shared<const models::Relief>(std::move(relief));
   scene.source.method = std::move(method);
   return scene;
-}
-
-/// Replaces left picture, disparity and camera by the view from between the cameras.
-Result<void> move_to_front_view(vision::StereoPair& pair, DisparityMap& disparity, const Work& work) {
-  auto front = vision::front_view(pair, disparity.disparity_px, work);
-  if (!front) return front.error();
-  pair.left = std::move(front->picture);
-  disparity.disparity_px = std::move(front->disparity_px);
-  // Half a baseline to the right everything lies half its disparity to the left; at infinity, half of doffs.
-  if (disparity.rig) disparity.rig->left.cx += 0.5 * disparity.rig->doffs_px;
-  return {};
 }
 
 bool is_available(vision::StereoMethod method) {
@@ -57,26 +45,17 @@ std::vector<vision::StereoMethod> progressive_methods(const StereoRecipe& stereo
 
 Result<MadeScene> relief_from_pair(const vision::StereoPair& given, const StereoRecipe& stereo,
                                    const ReliefRecipe& recipe, const Work& work) {
-  const vision::StereoMethod method = stereo.method.value_or(default_method());
-  auto match = vision::match(given, method, stereo.options, work);
-  if (!match) return match.error();
-  std::vector<Note> notes(match->notes.begin(), match->notes.end());
-  if (method == vision::StereoMethod::fast)
-    notes.emplace_back(vision::sentence_of(vision::fit_to_touch(given, *match, work)));
-  vision::StereoPair pair = given;
-  if (recipe.texture == Texture::front)
-    if (const auto moved = move_to_front_view(pair, match->disparity, work); !moved) return moved.error();
-  models::Scene regions;
-  const auto treated =
-      with_regions_treated(match->disparity, {rgb8(pair.left)}, recipe, work, regions, notes);
-  auto relief = sculpt::relief_from_disparity(treated, recipe.relief, work);
+  auto treated = treated_pair(given, stereo, recipe, work);
+  if (!treated) return treated.error();
+  auto relief = sculpt::relief_from_disparity(treated->disparity, recipe.relief, work);
   if (!relief) return relief.error();
-  models::Scene scene = relief_scene(std::move(*relief), pair.left.width, pair.left.height,
-                                     "stereo, " + std::string(vision::name_of(method)));
-  scene.materials = std::move(regions.materials);
-  scene.labels = std::move(regions.labels);
-  if (recipe.texture != Texture::none) scene.texture = rgb8(pair.left);
-  return MadeScene{std::move(scene), std::move(notes)};
+  const Image& picture = treated->picture;
+  models::Scene scene =
+      relief_scene(std::move(*relief), picture.width, picture.height, std::move(treated->method));
+  scene.materials = std::move(treated->regions.materials);
+  scene.labels = std::move(treated->regions.labels);
+  if (recipe.texture != Texture::none) scene.texture = rgb8(picture);
+  return MadeScene{std::move(scene), std::move(treated->notes)};
 }
 
 Result<MadeScene> relief_from_depth(DepthInput input, const ReliefRecipe& recipe, const Work& work) {

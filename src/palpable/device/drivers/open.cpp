@@ -18,13 +18,15 @@ struct Driver {
   Result<std::unique_ptr<Device>> (*open)(DeviceUrl&, const OpenOptions&);
   std::string_view name;
   std::string_view description;
+  bool is_virtual = false;
 };
 
 constexpr std::array kDrivers{
-    Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors."},
+    Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors.",
+           true},
     Driver{"sim", open_simulated_hand, "simulated hand",
-           "A hand on a device, computed; it explores by itself."},
-    Driver{"replay", open_replay, "replay", "The movements of a recording once more: replay:FILE."},
+           "A hand on a device, computed; it explores by itself.", true},
+    Driver{"replay", open_replay, "replay", "The movements of a recording once more: replay:FILE.", true},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
@@ -44,6 +46,12 @@ Result<void> check_device_url(std::string_view url) {
   const auto driver = driver_of(*parsed);
   if (!driver) return driver.error();
   return {};
+}
+
+bool is_virtual_device(std::string_view url) {
+  const auto parsed = DeviceUrl::parse(url);
+  const auto driver = parsed ? driver_of(*parsed) : Result<const Driver*>(parsed.error());
+  return driver && (*driver)->is_virtual;
 }
 
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options) {

@@ -22,6 +22,9 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
 /// long work begins. Errors: usage.
 Result<void> check_device_url(std::string_view url);
 
+/// Whether a URL names a device that moves no motor: a simulation, the pointer, a recording.
+bool is_virtual_device(std::string_view url);
+
 /// A kind of device that can be opened, for `palpable devices`.
 struct DeviceKind {
   /// What open_device() takes: "sim:".

@@ -31,6 +31,8 @@ struct LawParameters {
   std::optional<double> radius_m;
   /// 0: along the exact gradient of the potential; 1: along the surface's normal (force shading).
   std::optional<double> force_shading;
+  /// Of `tracing`: 1, bounded by a speed gate and a tank of energy; 0, eq. 8 as it is printed.
+  std::optional<double> tracing_bounds;
   /// The neighbourhood m of eq. 7.
   std::optional<double> neighbourhood_px;
   /// How far the four neighbours of `averaged` are from the centre, and the weights of the mean.

@@ -49,7 +49,17 @@ constexpr LawParameter kNeighbourhood{&LawParameters::neighbourhood_px,
                                       1.0,
                                       32.0,
                                       std::nullopt};
-constexpr std::array kParameters{kForce, kDamping, kNeighbourhood};
+constexpr LawParameter kBounds{&LawParameters::tracing_bounds,
+                               "tracing_bounds",
+                               "Speed gate and tank of energy",
+                               "",
+                               "tracing-bounds",
+                               0.0,
+                               1.0,
+                               0.0,
+                               1.0,
+                               1.0};
+constexpr std::array kParameters{kForce, kDamping, kBounds, kNeighbourhood};
 
 /// The map as made, or averaged anew over another neighbourhood.
 Result<std::shared_ptr<const models::BoundaryMap>> boundaries_for(
@@ -69,6 +79,7 @@ MadeLaw make(const LawInput& in) {
   TracingParameters tracing;
   tracing.force_N = value_or_preset(in.parameters, kForce);
   tracing.damping_Ns_per_m = value_or_preset(in.parameters, kDamping);
+  tracing.is_bounded = value_or_preset(in.parameters, kBounds) > 0.0;
   return made_law(TracingLaw(*std::move(map), tracing),
                   mixed(static_cast<std::uint64_t>(in.parameters.law), content_hash(*contours->grooves)));
 }
@@ -118,7 +129,8 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   const models::BoundarySample b = map_->sample(x, y);
   const double speed = std::sqrt(s.vx_m_per_s * s.vx_m_per_s + s.vy_m_per_s * s.vy_m_per_s);
   const double along = direction_x * b.tangent_x + direction_y * b.tangent_y;
-  const double wanted = p_.force_N * along * b.strength * moving(speed) * below_cap(speed);
+  const double printed = p_.force_N * along * b.strength;
+  const double wanted = printed * moving(speed) * below_cap(speed);
   s.steady_s += hand.dt_s;
   if (wanted != 0.0) {
     const double heading_x = std::copysign(1.0, wanted) * b.tangent_x;
@@ -132,7 +144,7 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   }
   // No tick may give more than the tank holds, even at the fastest motion that the loop lets through.
   const double most = (kTank_J - s.spent_J) / (kFastest_m_per_s * hand.dt_s);
-  const double push = std::clamp(wanted, -most, most);
+  const double push = p_.is_bounded ? std::clamp(wanted, -most, most) : printed;
 
   LawOutput output;
   s.last_fx_N = push * b.tangent_x;

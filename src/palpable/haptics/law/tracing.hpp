@@ -22,6 +22,9 @@ struct TracingParameters {
   double damping_Ns_per_m = 0.2;
   /// Of the light wall at z = 0 that keeps a hand with three axes on the picture.
   double wall_N_per_m = 150.0;
+  /// The speed gate, the speed cap and the tank of energy; without them eq. 8 is rendered as it is printed,
+  /// which pushes a resting hand and makes energy without bound.
+  bool is_bounded = true;
 };
 
 /// `tracing` (graphic-haptic display 2006, eq. 8, corrected): f = F_m (d·t) |b| t, pushing a hand that moves
@@ -31,8 +34,8 @@ struct TracingParameters {
 /// of energy (50 mJ, never below zero, refilled at 100 mW), and it gives nothing at 0.25 m/s and above. A
 /// push along every motion is a friction of the wrong sign: it would keep a hand swinging that only holds its
 /// aim. So a hand that turns round empties the tank, and the refill waits until it has not turned round for
-/// a second. Acts in the picture's plane; a one-sided light wall holds the hand in front of z = 0. Tick
-/// path.
+/// a second. Without its bounds (TracingParameters::is_bounded) it is eq. 8 alone. Acts in the picture's
+/// plane; a one-sided light wall holds the hand in front of z = 0. Tick path.
 class TracingLaw {
  public:
   /// The largest displacement in one tick that the tank is prepared for, as a speed: the servo loop refuses
@@ -64,7 +67,9 @@ class TracingLaw {
 
   LawOutput evaluate(const Hand& hand, State& state) const noexcept;
 
-  EnergyModel energy_model() const noexcept { return EnergyModel::self_limited; }
+  EnergyModel energy_model() const noexcept {
+    return p_.is_bounded ? EnergyModel::self_limited : EnergyModel::none;
+  }
   const models::BoundaryMap& surface() const noexcept { return *map_; }
   double damping_Ns_per_m() const noexcept { return p_.damping_Ns_per_m; }
   std::size_t memory_bytes() const noexcept { return map_->memory_bytes(); }

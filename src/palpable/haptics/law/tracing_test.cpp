@@ -68,6 +68,31 @@ TEST(Tracing, DoesNothingToAHandThatCrossesAtARightAngle) {
     EXPECT_LT(norm(f.force_N), 1e-9);
 }
 
+TEST(Tracing, WithoutItsBoundsIsEquation8AsItIsPrinted) {
+  // To and fro along a boundary, and rests at the end: F_m (d·t) |b| t with d of eqs 5 and 6, in every tick.
+  TracingParameters printed = undamped();
+  printed.is_bounded = false;
+  const TracingLaw law(straight_boundary(), printed), ours(straight_boundary(), undamped());
+  std::vector<Vec3> path;
+  for (int k = 0; k < 4000; ++k) path.push_back({0.01 * std::sin(0.01 * k), 0.0, 0.0});
+  path.insert(path.end(), 200, path.back());
+  TracingLaw::State state{}, our_state{};
+  double mean_N = 0.0, our_mean_N = 0.0, w = path.front().x;
+  const auto felt = traced(law, state, path), ours_felt = traced(ours, our_state, path);
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    w = std::clamp(w, path[k].x - printed.direction_m, path[k].x + printed.direction_m);
+    const double direction = (path[k].x - w) / printed.direction_m;
+    ASSERT_NEAR(felt[k].force_N.v.x, 0.8 * direction, 1e-6) << k;
+    mean_N += std::abs(felt[k].force_N.v.x) / static_cast<double>(path.size());
+    our_mean_N += std::abs(ours_felt[k].force_N.v.x) / static_cast<double>(path.size());
+  }
+  EXPECT_GT(mean_N, 0.5);
+  EXPECT_LT(our_mean_N, 0.5 * mean_N);
+  EXPECT_GT(std::abs(felt.back().force_N.v.x), 0.5);
+  EXPECT_NEAR(ours_felt.back().force_N.v.x, 0.0, 1e-6);
+  EXPECT_EQ(law.energy_model(), EnergyModel::none);
+}
+
 TEST(Tracing, LetsAHandRest) {
   TracingParameters strong = undamped();
   strong.force_N = 5.0;

@@ -177,7 +177,8 @@ Result<models::Relief> relief_from_depth(const DepthMap& depth, const ReliefOpti
 
 Result<models::Relief> relief_from_disparity(const DisparityMap& disparity, const ReliefOptions& options,
                                              const Work& work) {
-  if (const auto depth = depth_from_disparity(disparity)) return relief_from_depth(*depth, options, work);
+  const auto depth = options.height_of == HeightOf::depth ? depth_from_disparity(disparity) : std::nullopt;
+  if (depth) return relief_from_depth(*depth, options, work);
   Raster<float> nearness = disparity.disparity_px;
   for (float& d : nearness.values()) d = std::isfinite(d) ? d : std::nanf("");
   return checked_relief(std::move(nearness), options.near, options.far, options, work);

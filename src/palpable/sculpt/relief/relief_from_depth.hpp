@@ -21,6 +21,14 @@ enum class Sense {
   engrave
 };
 
+/// What height stands for.
+enum class HeightOf {
+  /// Metric depth, where it is known.
+  depth,
+  /// A pair's disparity, in pixels, that is nearness by 1 / depth (Shi & Pai 1997).
+  disparity
+};
+
 /// How depth becomes a relief. The defaults are the same for every picture.
 struct ReliefOptions {
   /// Width, height and depth that bound the relief; the picture's aspect ratio is kept. Not given: 100 x 100
@@ -33,6 +41,7 @@ struct ReliefOptions {
   /// Multiplies the relief's height, 0.1 ... 10, still bounded by the size's depth where that is given.
   double exaggerate = 1.0;
   Sense sense = Sense::raise;
+  HeightOf height_of = HeightOf::depth;
   DetailOperator detail = DetailOperator::relief;
   DetailOptions detail_options;
   /// How many times higher than the relief the scene would be in its own proportions (detail.hpp), 1.5 ...
@@ -58,8 +67,8 @@ struct ReliefOptions {
 Result<models::Relief> relief_from_depth(const DepthMap& depth, const ReliefOptions& options,
                                          const Work& work);
 
-/// The same from disparity: through metric depth where the camera is known; else the disparity itself, in
-/// pixels, takes the place of nearness.
+/// The same from disparity: through metric depth where the camera is known and options.height_of wants it;
+/// else the disparity itself, in pixels, takes the place of nearness.
 Result<models::Relief> relief_from_disparity(const DisparityMap& disparity, const ReliefOptions& options,
                                              const Work& work);
 

@@ -34,6 +34,24 @@ TEST(ReliefFromDepth, RaisesWhatIsNearAndKeepsTheAspectRatio) {
   EXPECT_GT(relief->sample(0, 0).z_m, relief->sample(0.04, 0.02).z_m);
 }
 
+TEST(ReliefFromDepth, HeightIsLinearInDisparityWhereThatIsAskedFor) {
+  DisparityMap map{Raster<float>(100, 50), StereoRig{Pinhole{100, 100, 50, 25, 100, 50}, 0.1, 0.0}};
+  for (int y = 0; y < 50; ++y)
+    for (int x = 0; x < 100; ++x) map.disparity_px(x, y) = static_cast<float>(10 + x);
+  ReliefOptions options;
+  options.detail = DetailOperator::linear;
+  options.steepest_slope = 100.0;
+  options.height_of = HeightOf::disparity;
+  const auto by_disparity = relief_from_disparity(map, options, {});
+  options.height_of = HeightOf::depth;
+  const auto by_depth = relief_from_disparity(map, options, {});
+  ASSERT_TRUE(by_disparity && by_depth);
+  // Of the window, which leaves out half a percent at each end.
+  for (int x = 5; x < 95; ++x)
+    EXPECT_NEAR(by_disparity->samples_m()(x, 20), 0.015 * (x - 0.0) / 99.0, 2e-4) << x;
+  EXPECT_GT(by_depth->samples_m()(30, 20), by_disparity->samples_m()(30, 20) + 0.002F);
+}
+
 TEST(ReliefFromDepth, EngravesWhatIsNear) {
   ReliefOptions options;
   options.sense = Sense::engrave;

@@ -84,6 +84,9 @@ struct RunRecipe {
     return contours_from_picture(std::move(picture), options.recipes.contours, work);
   }
   Result<MadeScene> operator()(const ReadyPair& ready) const {
+    const auto& recipe = options.recipes;
+    if (options.as == MakeAs::grid && recipe.grid.filling == recipes::GridFilling::from_camera)
+      return grid_from_pair(ready.pair, recipe.stereo, recipe.relief, recipe.grid, work);
     return filled(relief_from_pair(ready.pair, options.recipes.stereo, options.recipes.relief, work), options,
                   work);
   }
@@ -116,6 +119,10 @@ struct RunRecipe {
     return field_from_level_set(set, options.recipes.field, work);
   }
   Result<MadeScene> operator()(models::Scene scene) const {
+    const bool is_it = (options.as == MakeAs::field && models::is_field(scene.model)) ||
+                       (options.as == MakeAs::grid &&
+                        std::holds_alternative<std::shared_ptr<const models::Grid>>(scene.model));
+    if (is_it) return MadeScene{std::move(scene), {}};
     return filled(MadeScene{std::move(scene), {}}, options, work);
   }
 };

@@ -141,7 +141,8 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   }
   auto deep = with_kept_depth(scene, settings.depth, kept);
   if (!deep) return std::move(deep).error();
-  make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
+  if (settings.limits == Limits::of_device)
+    make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
   make_carried(*deep, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = deep->materials;
   auto touchable = haptics::make_touchable(*deep, prepared.law, &kept.dilated);

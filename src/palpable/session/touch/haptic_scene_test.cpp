@@ -115,5 +115,16 @@ TEST_F(PreparingAScene, RefusesADepthThatIsNone) {
       prepare_scene(scene_, settings, traits_, kRate_hz, haptics::fit_workspace(scene_, traits_), kept));
 }
 
+TEST_F(PreparingAScene, LowersNoStiffnessWhereTheLimitsAreOff) {
+  TouchSettings settings;
+  settings.law.stiffness_N_per_m = 5000.0;
+  KeptSurfaces kept;
+  EXPECT_LT(prepare(settings, kept).materials.front().stiffness_N_per_m, 5000.0);
+  settings.limits = Limits::off;
+  const PreparedScene unlimited = prepare(settings, kept);
+  EXPECT_EQ(unlimited.law.stiffness_N_per_m, 5000.0);
+  EXPECT_TRUE(unlimited.notices.empty());
+}
+
 }  // namespace
 }  // namespace palpable::session

@@ -132,6 +132,10 @@ Result<std::unique_ptr<TouchSession>> TouchSession::open(std::shared_ptr<const m
   auto device =
       device::open_device(device_url, {options.seed, options.servo.rate_hz, impl->pointers.front()});
   if (!device) return std::move(device).error();
+  if (settings.limits == Limits::off && !device::is_virtual_device(device_url) &&
+      !((*device)->traits().max_force_N <= kMostUnlimited_N))
+    return Error{ErrorCode::usage,
+                 "the limits may be off on simulated devices and on those of at most 4 N only", device_url};
   const auto place = haptics::fit_workspace(*scene, (*device)->traits());
   auto prepared =
       prepare_scene(*scene, settings, (*device)->traits(), options.servo.rate_hz, place, impl->kept);

@@ -13,6 +13,15 @@ inline haptics::LawParameters default_law() {
   return law;
 }
 
+/// Whether a wall's stiffness is lowered to what the device can render stably.
+enum class Limits {
+  of_device,
+  /// As a paper has it, for comparison: on virtual devices and weak ones only (kMostUnlimited_N).
+  off
+};
+/// The greatest force of a device on which limits may be off.
+inline constexpr double kMostUnlimited_N = 4.0;
+
 /// What a person may change while touching.
 struct TouchSettings {
   /// The law and its parameters; a value that is not set comes from the scene's materials. The device's own
@@ -21,6 +30,7 @@ struct TouchSettings {
   haptics::LawParameters law = default_law();
   /// A relief's height is multiplied by this, -4…4; negative engraves, 0 is flat.
   double depth = 1.0;
+  Limits limits = Limits::of_device;
 };
 
 }  // namespace palpable::session
