@@ -84,7 +84,10 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
 Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   const auto published = published_as(arguments.as_published);
   if (!published) return published.error();
-  if (*published) apply_published(**published, arguments.make);
+  if (*published) {
+    apply_published(**published, arguments.make);
+    console.note(std::string((*published)->differs));
+  }
   auto options = make_options(arguments.make);
   if (!options) return options.error();
   if (*published && arguments.make.as.empty()) options->as = (*published)->as;

@@ -93,8 +93,12 @@ Result<MadeScene> grid_from_disparity(DisparityMap disparity, const GridRecipe& 
   scene_from_camera.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};
   scene_from_camera.scale = scale;
   scene_from_camera.translation_m = scale * Vec3{-seen.x.middle(), seen.y.middle(), seen.z.most};
-  const Vec3 half{0.5 * scale * seen.x.width(), 0.5 * scale * seen.y.width(), 0.0};
-  const sculpt::VolumeBox box{-half, {half.x, half.y, scale * seen.z.width()}, 0.0};
+  // As wide as whole spacings, so that the lattice's middle is the scene's.
+  const Vec3 size = scale * Vec3{seen.x.width(), seen.y.width(), seen.z.width()};
+  const double spacing_m = std::max({size.x, size.y, size.z}) / recipe.occupancy.resolution;
+  const auto half = [&](double side) { return 0.5 * spacing_m * std::round(side / spacing_m + 0.5); };
+  const Vec3 least{-half(size.x), -half(size.y), 0.0};
+  const sculpt::VolumeBox box{least, {-least.x, -least.y, size.z}, 0.0};
   work.report(0.95, "filling the grid");
   const sculpt::DepthView view{&depth, scene_from_camera};
   const auto filled = sculpt::occupancy_from_depth({&view, 1}, box, recipe.occupancy, work);

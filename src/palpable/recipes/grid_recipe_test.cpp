@@ -12,13 +12,15 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Two posts as wide in the picture, the left one twice as far away; nothing is known beside them.
+/// Two posts as wide in the picture, the left one twice as far away; beside them, above the middle, a far
+/// strip that makes the box wide.
 DisparityMap two_posts() {
   const int w = 200, h = 150;
   DisparityMap map{Raster<float>(w, h, kUnknown), StereoRig{Pinhole{200, 200, 99.5, 74.5, w, h}, 0.1, 0.0}};
   for (int y = 20; y < 130; ++y) {
     for (int x = 40; x < 80; ++x) map.disparity_px(x, y) = 10.0F;
     for (int x = 120; x < 160; ++x) map.disparity_px(x, y) = 20.0F;
+    for (int x = 180; x < 198 && y < 40; ++x) map.disparity_px(x, y) = 10.0F;
   }
   return map;
 }
@@ -62,13 +64,19 @@ TEST(GridFromDisparity, IsSeenFromAboveAsItIsFilled) {
   const auto made = grid_from_disparity(two_posts(), {}, {});
   ASSERT_TRUE(made);
   const auto& model = *std::get<std::shared_ptr<const models::Grid>>(made->scene.model);
-  // Felt on the near post and at the sides: the highest point of the column is the relief's height there.
+  // Where the columns beside it are as high, a column's highest point is the relief's height.
+  const auto& above = model.from_above->samples_m();
   int seen = 0;
-  for (double x = -0.04; x < 0.04; x += 0.001) {
-    const double height_m = model.from_above->sample(x, 0.0).z_m;
-    if (height_m < 0.01) continue;
+  for (int x = 1; x + 1 < above.width(); ++x) {
+    const int y = above.height() / 2;
+    const double height_m = above(x, y);
+    if (height_m < 0.01 || above(x - 1, y) != above(x, y) || above(x + 1, y) != above(x, y)) continue;
     ++seen;
-    EXPECT_GT(model.occupancy.sample({x, 0.0, height_m - 2.0 * model.occupancy.spacing_m()}).depth_m, 0.0);
+    const Vec3 place{model.occupancy.origin_m().x + x * model.occupancy.spacing_m(), 0.0, height_m};
+    EXPECT_NEAR(place.x, (x - 0.5 * (above.width() - 1)) * model.from_above->pixel_m(), 1e-9);
+    const double spacing_m = model.occupancy.spacing_m();
+    EXPECT_GT(model.occupancy.sample(place - Vec3{0.0, 0.0, 2.0 * spacing_m}).depth_m, 0.0);
+    EXPECT_LT(model.occupancy.sample(place + Vec3{0.0, 0.0, 2.0 * spacing_m}).depth_m, 0.0);
   }
   EXPECT_GT(seen, 5);
 }

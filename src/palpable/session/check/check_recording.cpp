@@ -41,6 +41,7 @@ class Check {
   void take(const device::TouchSample& tick);
   void compare(const device::TouchSample& tick, const device::TouchSample& again);
   bool compare_force(FindingKind kind, const device::TouchSample& tick, Vec3 recorded_N, Vec3 again_N);
+  void check_observed(const device::TouchSample& tick);
   void compare_law(const device::TouchSample& tick, const haptics::LawOutput& again);
   void check_air(const device::TouchSample& tick, const RecordedTouch& touch);
   void add_end(const device::RecordingReader& reader);
@@ -53,6 +54,7 @@ class Check {
   ReplayedLaw law_;
   device::TouchSample before_;
   bool has_before_ = false;
+  double observed_J_ = 0.0;
 };
 
 Result<void> Check::take(const device::Recording& piece) {
@@ -99,6 +101,7 @@ bool Check::compare_force(FindingKind kind, const device::TouchSample& tick, Vec
 }
 
 void Check::compare(const device::TouchSample& tick, const device::TouchSample& again) {
+  check_observed(tick);
   bool equal = compare_force(FindingKind::law_force, tick, tick.raw_force_N.v, again.raw_force_N.v);
   equal = compare_force(FindingKind::written_force, tick, tick.written_force_N.v, again.written_force_N.v) &&
           equal;
@@ -112,6 +115,17 @@ void Check::compare(const device::TouchSample& tick, const device::TouchSample& 
       tick.label == again.label && tick.scene_id == again.scene_id && tick.status == again.status;
   if (!same_state) findings_.add(FindingKind::state, tick, 0.0);
   report_.differing += equal && same_state ? 0 : 1;
+}
+
+/// Of laws of a weight the plain work says nothing: there the servo's own observer is asked, which knows their
+/// potential.
+void Check::check_observed(const device::TouchSample& tick) {
+  const RecordedTouch* touch = scenes_.touch(tick.scene_id);
+  const double made_J = touch_.counts().made_max_J;
+  if (touch == nullptr || made_J <= observed_J_) return;
+  observed_J_ = made_J;
+  if (!haptics::description_of(touch->law.law).is_contact && made_J > kEnergyMade_J)
+    findings_.add(FindingKind::energy_made, tick, made_J);
 }
 
 void Check::compare_law(const device::TouchSample& tick, const haptics::LawOutput& again) {
