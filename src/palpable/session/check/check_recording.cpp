@@ -117,8 +117,8 @@ void Check::compare(const device::TouchSample& tick, const device::TouchSample& 
   report_.differing += equal && same_state ? 0 : 1;
 }
 
-/// Of laws of a weight the plain work says nothing: there the servo's own observer is asked, which knows their
-/// potential.
+/// Of laws of a weight the plain work says nothing: there the servo's own observer is asked, which knows
+/// their potential.
 void Check::check_observed(const device::TouchSample& tick) {
   const RecordedTouch* touch = scenes_.touch(tick.scene_id);
   const double made_J = touch_.counts().made_max_J;

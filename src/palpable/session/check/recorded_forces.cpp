@@ -104,8 +104,10 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
     knows_place_ = true;
     since_place_s_ = 0.0;
   }
-  // A change of scene or a new touch begins a new account, as it does for the servo's own observer.
-  if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading)) {
+  // A change of scene or a new touch begins a new account, as it does for the servo's own observer. So does a
+  // ramp: it comes up under a hand that may have sunk in while there was no force, and pushes it out on
+  // purpose.
+  if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading | flag::kRamping)) {
     observer_.begin(0.0);
     return;
   }
