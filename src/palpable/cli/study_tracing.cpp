@@ -90,13 +90,13 @@ constexpr std::array kChanges{
     Change{"interval",
            [](study::TracingStudyOptions& o, double f) {
              o.tracer.interval_s *= f;
-             o.tracer.lasts_s *= f;
+             o.tracer.duration_s *= f;
            }},
     Change{"motor noise", [](study::TracingStudyOptions& o, double f) { o.tracer.motor_noise *= f; }},
-    Change{"seeing", [](study::TracingStudyOptions& o, double f) { o.tracer.seen_m *= f; }},
+    Change{"visual noise", [](study::TracingStudyOptions& o, double f) { o.tracer.visual_noise_m *= f; }},
     Change{"correction", [](study::TracingStudyOptions& o, double f) { o.tracer.correction *= f; }},
-    Change{"yielding",
-           [](study::TracingStudyOptions& o, double f) { o.tracer.yielding *= f < 1.0 ? 0.0 : 0.5; }},
+    Change{"compliance",
+           [](study::TracingStudyOptions& o, double f) { o.tracer.compliance *= f < 1.0 ? 0.0 : 0.5; }},
     Change{"force F_m", [](study::TracingStudyOptions& o, double f) { o.law.force_N *= f; }}};
 
 /// The sensitivity of the gains on the rectangle to each parameter.
@@ -113,9 +113,10 @@ Result<void> add_sensitivity(const study::TracedFigure& rectangle, const study::
       work.report(0.0, "sensitivity");
       const auto compared = compare(rectangle, other, work);
       if (!compared) return compared.error();
-      const bool yields = std::string_view(change.what) == "yielding";
-      const std::string name = fmt::format(
-          "{} {}", change.what, yields ? (factor < 1.0 ? "= 0" : "= 0.5") : fmt::format("x {:g}", factor));
+      const bool is_compliance = std::string_view(change.what) == "compliance";
+      const std::string name =
+          fmt::format("{} {}", change.what,
+                      is_compliance ? (factor < 1.0 ? "= 0" : "= 0.5") : fmt::format("x {:g}", factor));
       const double time = percent(compared->with.seconds.mean, compared->without.seconds.mean);
       const double error = percent(compared->with.error.mean, compared->without.error.mean);
       answer.json["sensitivity"].push_back(

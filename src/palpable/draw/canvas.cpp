@@ -78,7 +78,7 @@ Layout layout_of(cairo_t* context, std::string_view utf8, const TextStyle& style
   return layout;
 }
 
-Spot size_of(PangoLayout* layout) {
+CanvasPoint size_of(PangoLayout* layout) {
   int width = 0, height = 0;
   pango_layout_get_size(layout, &width, &height);
   return {static_cast<double>(width) / PANGO_SCALE, static_cast<double>(height) / PANGO_SCALE};
@@ -86,9 +86,9 @@ Spot size_of(PangoLayout* layout) {
 
 }  // namespace
 
-void Canvas::ink(Ink ink) {
-  set_colour(context_, ink.colour, ink.alpha);
-  cairo_set_line_width(context_, ink.width);
+void Canvas::set_stroke(StrokeStyle style) {
+  set_colour(context_, style.colour, style.alpha);
+  cairo_set_line_width(context_, style.width);
 }
 
 void Canvas::fill(Rect area, Rgb8 colour, double alpha) {
@@ -97,59 +97,59 @@ void Canvas::fill(Rect area, Rgb8 colour, double alpha) {
   cairo_fill(context_);
 }
 
-void Canvas::frame(Rect area, Ink with) {
-  ink(with);
+void Canvas::frame(Rect area, StrokeStyle style) {
+  set_stroke(style);
   cairo_rectangle(context_, area.x, area.y, area.width, area.height);
   cairo_stroke(context_);
 }
 
-void Canvas::line(Spot from, Spot to, Ink with) { path(std::array{from, to}, with); }
+void Canvas::line(CanvasPoint from, CanvasPoint to, StrokeStyle style) { path(std::array{from, to}, style); }
 
-void Canvas::path(std::span<const Spot> spots, Ink with) {
-  if (spots.empty()) return;
-  ink(with);
+void Canvas::path(std::span<const CanvasPoint> points, StrokeStyle style) {
+  if (points.empty()) return;
+  set_stroke(style);
   cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
-  cairo_move_to(context_, spots.front().x, spots.front().y);
-  for (const Spot spot : spots.subspan(1)) cairo_line_to(context_, spot.x, spot.y);
+  cairo_move_to(context_, points.front().x, points.front().y);
+  for (const CanvasPoint point : points.subspan(1)) cairo_line_to(context_, point.x, point.y);
   cairo_stroke(context_);
 }
 
-void Canvas::polygon(std::span<const Spot> spots, Rgb8 colour, double alpha) {
-  if (spots.empty()) return;
+void Canvas::polygon(std::span<const CanvasPoint> points, Rgb8 colour, double alpha) {
+  if (points.empty()) return;
   set_colour(context_, colour, alpha);
-  cairo_move_to(context_, spots.front().x, spots.front().y);
-  for (const Spot spot : spots.subspan(1)) cairo_line_to(context_, spot.x, spot.y);
+  cairo_move_to(context_, points.front().x, points.front().y);
+  for (const CanvasPoint point : points.subspan(1)) cairo_line_to(context_, point.x, point.y);
   cairo_close_path(context_);
   cairo_fill(context_);
 }
 
-void Canvas::disc(Spot centre, double radius, Rgb8 colour, double alpha) {
+void Canvas::disc(CanvasPoint centre, double radius, Rgb8 colour, double alpha) {
   set_colour(context_, colour, alpha);
   cairo_new_sub_path(context_);
   cairo_arc(context_, centre.x, centre.y, radius, 0.0, 6.283185307179586);
   cairo_fill(context_);
 }
 
-void Canvas::arrow(Spot from, Spot to, Ink with) {
+void Canvas::arrow(CanvasPoint from, CanvasPoint to, StrokeStyle style) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double length = std::hypot(dx, dy);
   if (length <= 0.0) return;
   const double ux = dx / length, uy = dy / length;
-  const double head = std::min(3.6 * with.width + 2.0, length);
+  const double head = std::min(3.6 * style.width + 2.0, length);
   const double half = 0.42 * head;
-  const Spot neck{to.x - head * ux, to.y - head * uy};
-  const std::array tip{to, Spot{neck.x - half * uy, neck.y + half * ux},
-                       Spot{neck.x + half * uy, neck.y - half * ux}};
+  const CanvasPoint neck{to.x - head * ux, to.y - head * uy};
+  const std::array tip{to, CanvasPoint{neck.x - half * uy, neck.y + half * ux},
+                       CanvasPoint{neck.x + half * uy, neck.y - half * ux}};
   cairo_set_line_cap(context_, CAIRO_LINE_CAP_ROUND);
   constexpr Rgb8 kRim{255, 255, 255};
   for (const bool rim : {true, false}) {
-    const Ink stroke = rim ? Ink{kRim, with.width + 1.8, 0.75} : with;
+    const StrokeStyle stroke = rim ? StrokeStyle{kRim, style.width + 1.8, 0.75} : style;
     line(from, neck, stroke);
     if (rim) {
       const std::array outline{tip[0], tip[1], tip[2], tip[0]};
       path(outline, {kRim, 1.8, 0.75});
     }
-    polygon(tip, stroke.colour, with.alpha);
+    polygon(tip, stroke.colour, style.alpha);
   }
 }
 
@@ -194,13 +194,13 @@ void Canvas::hatch(const Raster<std::uint8_t>& mask, Rect area) {
   cairo_mask(context_, pattern.get());
 }
 
-Spot Canvas::text_size(std::string_view utf8, const TextStyle& style) {
+CanvasPoint Canvas::text_size(std::string_view utf8, const TextStyle& style) {
   return size_of(layout_of(context_, utf8, style).get());
 }
 
-double Canvas::text(std::string_view utf8, Spot at, const TextStyle& style) {
+double Canvas::text(std::string_view utf8, CanvasPoint at, const TextStyle& style) {
   const Layout layout = layout_of(context_, utf8, style);
-  const Spot size = size_of(layout.get());
+  const CanvasPoint size = size_of(layout.get());
   const double width = style.wrap_px > 0.0 ? style.wrap_px : size.x;
   const double shift = style.align == Align::left ? 0.0 : style.align == Align::centre ? width / 2.0 : width;
   cairo_save(context_);
@@ -210,7 +210,7 @@ double Canvas::text(std::string_view utf8, Spot at, const TextStyle& style) {
   if (style.rim) {
     pango_cairo_layout_path(context_, layout.get());
     cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
-    ink({{255, 255, 255}, 3.5, 0.9});
+    set_stroke({{255, 255, 255}, 3.5, 0.9});
     cairo_stroke(context_);
     cairo_move_to(context_, -shift, 0.0);
   }

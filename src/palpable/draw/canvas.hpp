@@ -18,12 +18,12 @@ struct Rect {
   double bottom() const { return y + height; }
 };
 
-/// A place in pixels of the figure, x right, y down.
-struct Spot {
+/// A position on the figure, in pixels: x right, y down.
+struct CanvasPoint {
   double x = 0, y = 0;
 };
 
-struct Ink {
+struct StrokeStyle {
   Rgb8 colour{26, 26, 26};
   double width = 1.0;
   double alpha = 1.0;
@@ -38,41 +38,42 @@ struct TextStyle {
   Rgb8 colour{26, 26, 26};
   /// Lines are broken at words beyond this width; 0 = never.
   double wrap_px = 0.0;
-  /// Turned a quarter to the left about its place (an upright axis's name).
+  /// Rotated by 90 degrees counter-clockwise about its position, for the name of a vertical axis.
   bool upward = false;
-  /// A white rim, to be read over a picture.
+  /// A white outline, so that the text can be read over a picture.
   bool rim = false;
 };
 
-/// What the views draw with: Cairo's context, and text set by Pango. Borrowed from write_figure(). One
-/// thread.
+/// Drawing operations for the views: a Cairo context, and text laid out by Pango. Valid only inside
+/// Figure::paint(). One thread.
 class Canvas {
  public:
   explicit Canvas(cairo_t* context) : context_(context) {}
 
   void fill(Rect area, Rgb8 colour, double alpha = 1.0);
-  void frame(Rect area, Ink ink);
-  void line(Spot from, Spot to, Ink ink);
-  /// One stroke through all spots.
-  void path(std::span<const Spot> spots, Ink ink);
-  void polygon(std::span<const Spot> spots, Rgb8 colour, double alpha = 1.0);
-  void disc(Spot centre, double radius, Rgb8 colour, double alpha = 1.0);
-  /// A shaft with a filled head; shorter than its head: the head alone, smaller. Has a white rim.
-  void arrow(Spot from, Spot to, Ink ink);
+  void frame(Rect area, StrokeStyle style);
+  void line(CanvasPoint from, CanvasPoint to, StrokeStyle style);
+  /// One line through all points.
+  void path(std::span<const CanvasPoint> points, StrokeStyle style);
+  void polygon(std::span<const CanvasPoint> points, Rgb8 colour, double alpha = 1.0);
+  void disc(CanvasPoint centre, double radius, Rgb8 colour, double alpha = 1.0);
+  /// A shaft with a filled head and a white outline. An arrow shorter than its head is drawn as a smaller
+  /// head alone.
+  void arrow(CanvasPoint from, CanvasPoint to, StrokeStyle style);
   /// Scaled to fill `area`, smoothed.
   void picture(const Raster<Rgb8>& pixels, Rect area);
-  /// Diagonal lines over light grey: here nothing is known.
+  /// Diagonal lines over light grey, which mark unknown values.
   void hatch(Rect area);
-  /// Where `mask` (stretched over `area`) is not 0, diagonal lines over light grey.
+  /// The same only where `mask`, stretched over `area`, is not 0.
   void hatch(const Raster<std::uint8_t>& mask, Rect area);
 
-  /// The text's top stands at `at`. Returns its height in pixels.
-  double text(std::string_view utf8, Spot at, const TextStyle& style);
-  /// Width and height that text() would take.
-  Spot text_size(std::string_view utf8, const TextStyle& style);
+  /// `at` is the top of the text. Returns the text's height in pixels.
+  double text(std::string_view utf8, CanvasPoint at, const TextStyle& style);
+  /// Width and height of the text as text() would draw it.
+  CanvasPoint text_size(std::string_view utf8, const TextStyle& style);
 
  private:
-  void ink(Ink ink);
+  void set_stroke(StrokeStyle style);
   cairo_t* context_;
 };
 

@@ -23,7 +23,7 @@ TEST(TintColour, StaysLightEnoughForShading) {
   for (int i = 0; i <= 10; ++i) EXPECT_GT(lightness(tint_colour(i / 10.0)), 0.65);
 }
 
-TEST(Lightness, OfWhiteIsOneAndOfBlackNothing) {
+TEST(Lightness, IsOneForWhiteAndZeroForBlack) {
   EXPECT_NEAR(lightness({255, 255, 255}), 1.0, 1e-3);
   EXPECT_NEAR(lightness({0, 0, 0}), 0.0, 1e-9);
 }

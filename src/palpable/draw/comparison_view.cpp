@@ -20,13 +20,13 @@ constexpr double kHeading_px = 96.0;
 constexpr double kName_px = 26.0;
 constexpr double kLine_px = 18.0;
 
-/// Where panels stand.
+/// Positions of the panels.
 struct Grid {
   double picture_height = 0.0;
   double panel_height = 0.0;
   int rows = 0;
 
-  Spot corner(std::size_t i) const {
+  CanvasPoint corner(std::size_t i) const {
     const auto column = static_cast<double>(i % kColumns);
     const auto row = static_cast<double>(i / kColumns);
     return {kMargin_px + column * (kPanel_px + kMargin_px), kHeading_px + row * (panel_height + kMargin_px)};
@@ -44,7 +44,7 @@ Grid grid_for(const std::vector<ComparedRelief>& reliefs) {
   return grid;
 }
 
-void draw_panel(Canvas& canvas, const ComparedRelief& compared, Spot corner, double picture_height) {
+void draw_panel(Canvas& canvas, const ComparedRelief& compared, CanvasPoint corner, double picture_height) {
   const Rect picture{corner.x, corner.y + kName_px, kPanel_px, picture_height};
   canvas.text(compared.name, corner, {.size_px = 16.0, .bold = true});
   canvas.picture(

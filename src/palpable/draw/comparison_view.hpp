@@ -11,14 +11,14 @@
 
 namespace palpable::draw {
 
-/// One relief of several that stand side by side, with a few short lines of text below it.
+/// One of several reliefs shown side by side, with a few short lines of text below it.
 struct ComparedRelief {
   std::string name;
   models::Relief relief;
   std::vector<std::string> lines;
 };
 
-/// Reliefs side by side, three a row, each tinted by height and shaded as relief_figure() does. At least one.
+/// Reliefs side by side, three per row, each tinted by height and shaded as in relief_figure(). At least one.
 Figure comparison_figure(std::vector<ComparedRelief> reliefs, const Heading& heading);
 
 }  // namespace palpable::draw

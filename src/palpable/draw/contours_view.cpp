@@ -20,8 +20,8 @@ Rgb8 line_colour(double strength) {
   return {mix(150, 10), mix(180, 20), mix(230, 110)};
 }
 
-/// The picture's grey, pale enough that lines stand out; white where there is no picture.
-Rgb8 paled(const Raster<Rgb8>& picture, double u, double v) {
+/// The picture in pale grey, so that lines stand out; white where there is no picture.
+Rgb8 pale_grey(const Raster<Rgb8>& picture, double u, double v) {
   if (picture.empty()) return {255, 255, 255};
   const Rgb8 c = picture(std::min(picture.width() - 1, static_cast<int>(u * picture.width())),
                          std::min(picture.height() - 1, static_cast<int>(v * picture.height())));
@@ -39,9 +39,9 @@ Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m
             Raster<Rgb8> pixels(lines.width(), lines.height());
             for (int y = 0; y < lines.height(); ++y)
               for (int x = 0; x < lines.width(); ++x)
-                pixels(x, y) = lines(x, y) > 0.0F
-                                   ? line_colour(lines(x, y))
-                                   : paled(picture, (x + 0.5) / lines.width(), (y + 0.5) / lines.height());
+                pixels(x, y) = lines(x, y) > 0.0F ? line_colour(lines(x, y))
+                                                  : pale_grey(picture, (x + 0.5) / lines.width(),
+                                                              (y + 0.5) / lines.height());
             canvas.picture(pixels, sheet.plot);
             const double half_width = 0.5 * kMm * pixel_m * lines.width(),
                          half_height = 0.5 * kMm * pixel_m * lines.height();
@@ -49,8 +49,8 @@ Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m
             draw_axes(canvas, plot, "to the right, mm", "upwards, mm");
             draw_scale_bar(canvas, plot);
             draw_colour_bar(canvas, sheet.bar, 0.0, 1.0, "strength of\nthe boundary", line_colour);
-            draw_words(canvas, sheet, heading,
-                       "Lines that a hand can follow, over the picture they were found in.");
+            draw_heading_and_caption(canvas, sheet, heading,
+                                     "Lines that a hand can follow, over the picture they were found in.");
           }};
 }
 

@@ -9,8 +9,8 @@
 
 namespace palpable::draw {
 
-/// One-pixel-wide boundaries (`lines`: strength 0 … 1, 0 = none) over the pale picture they were found in:
-/// the stronger, the darker. Axes in millimetres, pixels of pixel_m. The picture may be empty or of another
+/// Boundaries one pixel wide (`lines`: strength 0 … 1, 0 = none) over a pale version of their picture.
+/// Stronger lines are darker. Axes in millimetres, pixels of pixel_m. The picture may be empty or of another
 /// size.
 Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m, const Heading& heading);
 

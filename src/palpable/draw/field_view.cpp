@@ -20,10 +20,10 @@ using models::DistanceField;
 constexpr double kWidth_px = 1000.0;
 constexpr double kLeft_px = 92.0;
 constexpr double kTop_px = 110.0;
-/// The colours are at their deepest so many lines of equal distance from the surface.
+/// The colours saturate at this number of iso-distance lines from the surface.
 constexpr double kColourLines = 5.0;
 
-/// Between lines of equal distance: a round number, 1 mm in a cut 100 mm wide.
+/// Spacing of the iso-distance lines: a round number, 1 mm in a section 100 mm wide.
 double line_spacing_mm(const Plot& plot) {
   constexpr double kMostLines = 120.0;
   const double least = (plot.right - plot.left) / kMostLines;
@@ -33,7 +33,7 @@ double line_spacing_mm(const Plot& plot) {
   return 10.0 * decade;
 }
 
-/// Brown inside, blue outside, both deeper with the distance, white at the surface; t from -1 to 1.
+/// Brown inside, blue outside, white at the surface; darker with the distance. `t` is -1 to 1.
 Rgb8 distance_colour(double t) {
   const double strength = std::sqrt(std::min(std::abs(t), 1.0));
   const auto mix = [&](double to) {
@@ -62,7 +62,7 @@ Raster<Rgb8> distances(const Distance& field, double y_m, const Plot& plot) {
   return picture;
 }
 
-/// The leaves that the cut goes through, those that are large enough to be seen.
+/// The leaves that the section intersects, if they are large enough to be visible.
 void draw_cells(Canvas& canvas, const DistanceField& field, double y_m, const Plot& plot) {
   const models::FieldGrid& grid = field.grid();
   const int y = std::clamp(static_cast<int>((y_m - grid.origin_m.y) / grid.cell_m), 0, grid.cells(1) - 1);
@@ -72,15 +72,15 @@ void draw_cells(Canvas& canvas, const DistanceField& field, double y_m, const Pl
     for (int x = 0; x < grid.cells(0);) {
       const DistanceField::Leaf leaf = field.leaf_of(x, y, z);
       if (leaf.corner[2] == z && leaf.side * cell_px >= kLeast_px) {
-        const Spot low = plot.at(kMm * (grid.origin_m.x + grid.cell_m * leaf.corner[0]),
-                                 kMm * (grid.origin_m.z + grid.cell_m * (leaf.corner[2] + leaf.side)));
+        const CanvasPoint low = plot.at(kMm * (grid.origin_m.x + grid.cell_m * leaf.corner[0]),
+                                        kMm * (grid.origin_m.z + grid.cell_m * (leaf.corner[2] + leaf.side)));
         canvas.frame({low.x, low.y, leaf.side * cell_px, leaf.side * cell_px}, {{40, 40, 40}, 0.4, 0.5});
       }
       x = leaf.corner[0] + leaf.side;
     }
 }
 
-/// All the same size, smaller than can be seen.
+/// A dense field's cells are all of one size, too small to be visible.
 void draw_cells(Canvas& /*canvas*/, const models::DenseField& /*field*/, double /*y_m*/,
                 const Plot& /*plot*/) {}
 
@@ -93,7 +93,7 @@ void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& 
       const models::FieldSample s = field.sample({x / kMm, y_m, z / kMm});
       if (s.distance_m >= 0.0) continue;
       const double length = std::min(kLongest_px, -s.distance_m * kMm / line_spacing_mm(plot) * kPixelsALine);
-      const Spot from = plot.at(x, z);
+      const CanvasPoint from = plot.at(x, z);
       canvas.arrow(from, {from.x + length * s.gradient.x, from.y - length * s.gradient.z},
                    {{150, 20, 40}, 1.6});
     }

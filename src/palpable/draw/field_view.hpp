@@ -10,10 +10,10 @@
 
 namespace palpable::draw {
 
-/// A cut through a solid from left to right at height `y_m`, seen from below: distance in colours with lines
-/// of equal distance, the cells, and the force of a spring of 1 N/mm inside.
+/// A section through a solid in the plane y = `y_m`, seen from below: the signed distance in colours with
+/// iso-distance lines, the leaf cells, and the force of a spring of 1 N/mm inside.
 Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m, const Heading& heading);
-/// The same of a dense field, which has no cells to draw.
+/// The same for a dense field, without cells.
 Figure field_section_figure(std::shared_ptr<const models::FieldOnLattice> field, double y_m,
                             const Heading& heading);
 

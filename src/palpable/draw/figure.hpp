@@ -11,15 +11,16 @@ namespace palpable::draw {
 
 class Canvas;
 
-/// A drawing that is not yet on paper: what paint() puts on a white page of this size.
+/// A drawing as a function: paint() draws it on a white page of this size.
 struct Figure {
   int width_px = 0;
   int height_px = 0;
   std::function<void(Canvas&)> paint;
 };
 
-/// Writes the figure as the file's name ends: .png, .svg or .pdf (a pixel is 1/96 inch there). The file
-/// appears whole or not at all. Errors: usage for another ending, failed if it cannot be written.
+/// Writes the figure in the format of the file name's extension: .png, .svg or .pdf (one pixel is 1/96 inch
+/// in the last two). The file is written atomically. Errors: usage for another extension, failed if it cannot
+/// be written.
 Result<void> write_figure(const Figure& figure, const std::filesystem::path& path);
 
 }  // namespace palpable::draw

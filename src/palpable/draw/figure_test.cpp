@@ -19,7 +19,7 @@
 namespace palpable::draw {
 namespace {
 
-/// A folder of its own, removed at the end.
+/// A temporary folder for each test, removed at the end.
 class Figures : public testing::Test {
  protected:
   void SetUp() override {
@@ -42,7 +42,7 @@ models::Relief hill() {
   return *models::Relief::from_samples(std::move(height), 0.1 / 160);
 }
 
-TEST_F(Figures, AreWrittenInTheFormatThatTheNameEndsIn) {
+TEST_F(Figures, AreWrittenInTheFormatOfTheExtension) {
   const auto relief = hill();
   const Figure figure = relief_figure(relief, {"A hill", "100 × 75 mm"});
   const std::pair<const char*, std::string> cases[] = {
@@ -55,7 +55,7 @@ TEST_F(Figures, AreWrittenInTheFormatThatTheNameEndsIn) {
   }
 }
 
-TEST_F(Figures, RefuseAnUnknownEndingAndLeaveNoFile) {
+TEST_F(Figures, RefuseAnUnknownExtensionAndLeaveNoFile) {
   const auto relief = hill();
   const auto written = write_figure(relief_figure(relief, {}), folder_ / "a.xyz");
   ASSERT_FALSE(written);
@@ -63,7 +63,7 @@ TEST_F(Figures, RefuseAnUnknownEndingAndLeaveNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(Figures, NameTheFolderThatIsMissing) {
+TEST_F(Figures, NameAMissingFolderInTheError) {
   const auto relief = hill();
   const auto written = write_figure(relief_figure(relief, {}), folder_ / "none" / "a.png");
   ASSERT_FALSE(written);
@@ -75,7 +75,8 @@ TEST(ReliefFigure, IsBrighterOnTheSlopeThatFacesTheLight) {
   const Figure figure = relief_figure(relief, {});
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
   const auto place = [&sheet](double x, double y) {
-    return Spot{sheet.plot.x + x / 160.0 * sheet.plot.width, sheet.plot.y + y / 120.0 * sheet.plot.height};
+    return CanvasPoint{sheet.plot.x + x / 160.0 * sheet.plot.width,
+                       sheet.plot.y + y / 120.0 * sheet.plot.height};
   };
   EXPECT_GT(luma(colour_at(figure, place(47, 37))), luma(colour_at(figure, place(73, 63))) + 40.0);
 }
@@ -84,13 +85,13 @@ TEST(HeightFigure, IsPaleWhereItIsHigh) {
   const auto relief = hill();
   const Figure figure = height_figure(relief, {});
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
-  const Spot top{sheet.plot.x + 60.5 / 160.0 * sheet.plot.width,
-                 sheet.plot.y + 50.5 / 120.0 * sheet.plot.height};
-  const Spot flat{sheet.plot.x + 0.05 * sheet.plot.width, sheet.plot.y + 0.06 * sheet.plot.height};
+  const CanvasPoint top{sheet.plot.x + 60.5 / 160.0 * sheet.plot.width,
+                        sheet.plot.y + 50.5 / 120.0 * sheet.plot.height};
+  const CanvasPoint flat{sheet.plot.x + 0.05 * sheet.plot.width, sheet.plot.y + 0.06 * sheet.plot.height};
   EXPECT_GT(luma(colour_at(figure, top)), luma(colour_at(figure, flat)) + 100.0);
 }
 
-TEST(DepthFigure, HatchesInGreyWhatIsUnknownAndColoursTheRest) {
+TEST(DepthFigure, HatchesUnknownPixelsInGreyAndColoursTheRest) {
   Raster<float> depth(80, 60, 2.0F);
   for (int y = 0; y < 60; ++y)
     for (int x = 0; x < 40; ++x) depth(x, y) = std::numeric_limits<float>::quiet_NaN();
@@ -104,14 +105,14 @@ TEST(DepthFigure, HatchesInGreyWhatIsUnknownAndColoursTheRest) {
   EXPECT_NE(known.r, known.b);
 }
 
-TEST(ForceFigure, DrawsAnArrowWhereThereIsAForceAndNoneWhereThereIsNone) {
+TEST(ForceFigure, DrawsAnArrowOnlyWhereThereIsAForce) {
   const auto relief = hill();
   const std::vector<ForceArrow> arrows{{-0.02, 0.0, 1.0, 0.0}, {0.02, 0.0, 0.0, 0.0}};
   const Figure figure = force_figure(relief, Raster<Rgb8>(4, 3, {255, 255, 255}), arrows, 0.01, {});
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
   const auto place = [&sheet](double x_mm) {
-    return Spot{sheet.plot.x + (x_mm + 50.0) / 100.0 * sheet.plot.width,
-                sheet.plot.y + sheet.plot.height / 2.0};
+    return CanvasPoint{sheet.plot.x + (x_mm + 50.0) / 100.0 * sheet.plot.width,
+                       sheet.plot.y + sheet.plot.height / 2.0};
   };
   EXPECT_LT(luma(colour_at(figure, place(-20.0))), 150.0);
   EXPECT_GT(luma(colour_at(figure, place(20.0))), 250.0);

@@ -15,14 +15,14 @@ namespace {
 constexpr Rgb8 kArrow{20, 60, 140};
 constexpr Rgb8 kCutArrow{190, 30, 30};
 
-Raster<Rgb8> paled(const Raster<Rgb8>& picture) {
+Raster<Rgb8> lightened(const Raster<Rgb8>& picture) {
   Raster<Rgb8> out = picture;
-  const auto pale = [](std::uint8_t v) { return static_cast<std::uint8_t>(v + (255 - v) * 55 / 100); };
-  for (Rgb8& p : out.values()) p = {pale(p.r), pale(p.g), pale(p.b)};
+  const auto lighten = [](std::uint8_t v) { return static_cast<std::uint8_t>(v + (255 - v) * 55 / 100); };
+  for (Rgb8& p : out.values()) p = {lighten(p.r), lighten(p.g), lighten(p.b)};
   return out;
 }
 
-/// The greatest of 1, 2, 5 times a power of ten that is not above `value`.
+/// The largest number of the form 1, 2 or 5 times a power of ten that is at most `value`.
 double round_down(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
   for (const double factor : {5.0, 2.0})
@@ -30,7 +30,8 @@ double round_down(double value) {
   return power;
 }
 
-/// The force that fills the space between two arrows: nine of ten arrows are drawn in full.
+/// The force whose arrow is as long as the spacing: the 90th percentile, so that nine of ten arrows are drawn
+/// in full.
 double full_force_N(const std::vector<ForceArrow>& arrows) {
   std::vector<double> sizes;
   for (const ForceArrow& a : arrows)
@@ -50,7 +51,7 @@ Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vec
   const Plot plot{sheet.plot, -half_width, half_width, -half_depth, half_depth};
   return {
       sheet.width_px, sheet.height_px,
-      [backdrop = paled(texture), arrows = std::move(arrows), spacing_m, heading, sheet,
+      [backdrop = lightened(texture), arrows = std::move(arrows), spacing_m, heading, sheet,
        plot](Canvas& canvas) {
         const double longest_px = 0.95 * kMm * spacing_m / (plot.right - plot.left) * plot.area.width;
         const double full_N = full_force_N(arrows);
@@ -63,7 +64,7 @@ Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vec
           const bool cut = size > full_N * 1.001;
           any_cut = any_cut || cut;
           const double scale = std::min(px_per_N, longest_px / size);
-          const Spot centre = plot.at(kMm * a.x_m, kMm * a.y_m);
+          const CanvasPoint centre = plot.at(kMm * a.x_m, kMm * a.y_m);
           const double dx = 0.5 * scale * a.fx_N, dy = -0.5 * scale * a.fy_N;
           canvas.arrow({centre.x - dx, centre.y - dy}, {centre.x + dx, centre.y + dy},
                        {cut ? kCutArrow : kArrow, 1.7});
@@ -71,7 +72,7 @@ Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vec
         draw_axes(canvas, plot, "to the right, mm", "upwards, mm");
         draw_scale_bar(canvas, plot);
         const double known_N = round_down(full_N);
-        Spot key{sheet.bar.x, sheet.plot.y + 12.0};
+        CanvasPoint key{sheet.bar.x, sheet.plot.y + 12.0};
         key.y += canvas.text("force on the hand", key, {.size_px = 14.0, .bold = true}) + 14.0;
         canvas.arrow({key.x, key.y + 8.0}, {key.x + known_N * px_per_N, key.y + 8.0}, {kArrow, 1.7});
         canvas.text(fmt::format("{:g} N", known_N), {key.x + longest_px + 12.0, key.y}, {.size_px = 14.0});
@@ -81,10 +82,10 @@ Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vec
           canvas.text(fmt::format("over {:.2g} N,\ndrawn short", full_N), {key.x + longest_px + 12.0, key.y},
                       {.size_px = 14.0});
         }
-        draw_words(canvas, sheet, heading,
-                   "An arrow's middle stands where the force is felt, its length is the force in the "
-                   "picture's plane; "
-                   "no arrow: less than can be drawn.");
+        draw_heading_and_caption(
+            canvas, sheet, heading,
+            "The middle of an arrow is the position of the hand; its length is the force in the "
+            "picture's plane. No arrow: the force is too small to draw.");
       }};
 }
 

@@ -11,7 +11,7 @@
 
 namespace palpable::draw {
 
-/// The force in the plane of the picture that a resting hand feels at one place.
+/// The in-plane force on a resting hand at one position (scene frame).
 struct ForceArrow {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -19,9 +19,9 @@ struct ForceArrow {
   double fy_N = 0.0;
 };
 
-/// Arrows over the paled picture, with an arrow of known size as the legend. `arrows` stand on a regular grid
-/// `spacing_m` apart; where a force would reach over its neighbours it is drawn short and red, and the legend
-/// says from which force on. `texture` may be empty.
+/// Arrows over a pale version of `texture` (may be empty), with an arrow of known force as the legend.
+/// `arrows` lie on a regular grid with `spacing_m`. A force whose arrow would cover its neighbours is drawn
+/// shortened and red; the legend gives that limit.
 Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vector<ForceArrow> arrows,
                     double spacing_m, const Heading& heading);
 

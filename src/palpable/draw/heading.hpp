@@ -6,7 +6,7 @@
 
 namespace palpable::draw {
 
-/// What stands above a picture, so that it explains itself when it is sent on without a letter.
+/// Title and subtitle above a figure, which make it readable on its own.
 struct Heading {
   std::string title;
   std::string subtitle;

@@ -22,8 +22,7 @@ Plot plot_of(const models::Relief& relief, Rect area) {
   return {area, -half_width, half_width, -half_depth, half_depth};
 }
 
-/// A raster of the surface itself, asked at every pixel of the plot (the samples are its control values
-/// only).
+/// Evaluates the surface at every pixel of the plot; the relief's samples are only its control values.
 /// `colour` takes a sample and its fractions of the plot's width and height.
 template <class Colour>
 Raster<Rgb8> rendered(const models::Relief& relief, const Plot& plot, Colour colour) {
@@ -40,7 +39,7 @@ Raster<Rgb8> rendered(const models::Relief& relief, const Plot& plot, Colour col
   return pixels;
 }
 
-/// The picture's pixel at a fraction of its width and height.
+/// The pixel at fractions of the picture's width and height.
 Rgb8 colour_at(const Raster<Rgb8>& picture, double u, double v) {
   return picture(std::min(picture.width() - 1, static_cast<int>(u * picture.width())),
                  std::min(picture.height() - 1, static_cast<int>(v * picture.height())));
@@ -50,17 +49,17 @@ double position(double value, double low, double high) {
   return high > low ? (value - low) / (high - low) : 0.5;
 }
 
-/// Where the surface crosses `level_mm`, as short strokes: marching squares over a grid of the plot.
+/// Draws the contour line at `level_mm` as short segments, by marching squares on a grid over the plot.
 void draw_contour(Canvas& canvas, const Plot& plot, const Raster<float>& height_mm, double level_mm,
-                  Ink ink) {
+                  StrokeStyle style) {
   const double cell_x = plot.area.width / (height_mm.width() - 1),
                cell_y = plot.area.height / (height_mm.height() - 1);
   for (int y = 0; y + 1 < height_mm.height(); ++y) {
     for (int x = 0; x + 1 < height_mm.width(); ++x) {
-      const std::array corners{Spot{0, 0}, Spot{1, 0}, Spot{1, 1}, Spot{0, 1}};
+      const std::array corners{CanvasPoint{0, 0}, CanvasPoint{1, 0}, CanvasPoint{1, 1}, CanvasPoint{0, 1}};
       const std::array<double, 4> z{height_mm(x, y), height_mm(x + 1, y), height_mm(x + 1, y + 1),
                                     height_mm(x, y + 1)};
-      std::array<Spot, 4> crossings;
+      std::array<CanvasPoint, 4> crossings;
       std::size_t count = 0;
       for (std::size_t i = 0; i < 4; ++i) {
         const std::size_t j = (i + 1) % 4;
@@ -69,7 +68,7 @@ void draw_contour(Canvas& canvas, const Plot& plot, const Raster<float>& height_
         crossings[count++] = {plot.area.x + (x + corners[i].x + t * (corners[j].x - corners[i].x)) * cell_x,
                               plot.area.y + (y + corners[i].y + t * (corners[j].y - corners[i].y)) * cell_y};
       }
-      for (std::size_t k = 0; k + 1 < count; k += 2) canvas.line(crossings[k], crossings[k + 1], ink);
+      for (std::size_t k = 0; k + 1 < count; k += 2) canvas.line(crossings[k], crossings[k + 1], style);
     }
   }
 }
@@ -108,51 +107,50 @@ Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
 
 Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
-  return {
-      sheet.width_px, sheet.height_px,
-      [relief = std::move(relief), picture = std::move(picture), heading, sheet](Canvas& canvas) {
-        const Plot plot = plot_of(relief, sheet.plot);
-        const double low = relief.lowest_m(), high = relief.highest_m();
-        canvas.picture(rendered(relief, plot,
-                                [&](const models::HeightSample& s, double u, double v) {
-                                  const Rgb8 own = picture.empty() ? tint_colour(position(s.z_m, low, high))
-                                                                   : colour_at(picture, u, v);
-                                  return shaded(own, shade_of(s));
-                                }),
-                       sheet.plot);
-        draw_contours(canvas, relief, plot);
-        draw_relief(canvas, relief, sheet, tint_colour);
-        draw_words(
-            canvas, sheet, heading,
-            fmt::format(
-                "Lit from the upper left, slopes drawn twice as steep as they are. A thin line every "
-                "{} mm of height.",
-                label_of(contour_step_mm(kMm * low, kMm * high), contour_step_mm(kMm * low, kMm * high))));
-      }};
+  return {sheet.width_px, sheet.height_px,
+          [relief = std::move(relief), picture = std::move(picture), heading, sheet](Canvas& canvas) {
+            const Plot plot = plot_of(relief, sheet.plot);
+            const double low = relief.lowest_m(), high = relief.highest_m();
+            canvas.picture(rendered(relief, plot,
+                                    [&](const models::HeightSample& s, double u, double v) {
+                                      const Rgb8 own = picture.empty()
+                                                           ? tint_colour(position(s.z_m, low, high))
+                                                           : colour_at(picture, u, v);
+                                      return shaded(own, shade_of(s));
+                                    }),
+                           sheet.plot);
+            draw_contours(canvas, relief, plot);
+            draw_relief(canvas, relief, sheet, tint_colour);
+            draw_heading_and_caption(
+                canvas, sheet, heading,
+                fmt::format("Lit from the upper left, with slopes exaggerated twice. A contour line every "
+                            "{} mm of height.",
+                            label_of(contour_step_mm(kMm * low, kMm * high),
+                                     contour_step_mm(kMm * low, kMm * high))));
+          }};
 }
 
 Figure height_figure(models::Relief relief, const Heading& heading) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
-  return {
-      sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
-        const double low = relief.lowest_m(), high = relief.highest_m();
-        canvas.picture(rendered(relief, plot_of(relief, sheet.plot),
-                                [&](const models::HeightSample& s, double, double) {
-                                  return depth_colour(position(s.z_m, low, high));
-                                }),
-                       sheet.plot);
-        draw_relief(canvas, relief, sheet, depth_colour);
-        draw_words(
-            canvas, sheet, heading,
-            "Pale is high and near, dark is low and far; equal steps of colour are equal steps of height.");
-      }};
+  return {sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
+            const double low = relief.lowest_m(), high = relief.highest_m();
+            canvas.picture(rendered(relief, plot_of(relief, sheet.plot),
+                                    [&](const models::HeightSample& s, double, double) {
+                                      return depth_colour(position(s.z_m, low, high));
+                                    }),
+                           sheet.plot);
+            draw_relief(canvas, relief, sheet, depth_colour);
+            draw_heading_and_caption(
+                canvas, sheet, heading,
+                "Pale is high and near, dark is low and far. The colour scale is linear in the height.");
+          }};
 }
 
 Figure depth_figure(Raster<float> values, const std::string& value_name, Near near, const Heading& heading) {
   const Sheet sheet = sheet_for(static_cast<double>(values.width()) / values.height());
   return {sheet.width_px, sheet.height_px,
           [values = std::move(values), value_name, near, heading, sheet](Canvas& canvas) {
-            const auto [low, high] = usual_range(values);
+            const auto [low, high] = display_range(values);
             const auto colour = near == Near::high ? depth_colour : reversed_depth_colour;
             Raster<Rgb8> pixels(values.width(), values.height());
             Raster<std::uint8_t> unknown(values.width(), values.height());
@@ -176,8 +174,8 @@ Figure depth_figure(Raster<float> values, const std::string& value_name, Near ne
                 100.0 * static_cast<double>(unknown_count) / static_cast<double>(values.count());
             canvas.text(fmt::format("unknown, {:.1f} %", share), {key.right() + 8.0, key.y + 1.0},
                         {.size_px = 13.0});
-            draw_words(canvas, sheet, heading,
-                       "Pale is near, dark is far; equal steps of colour are equal steps of the value.");
+            draw_heading_and_caption(canvas, sheet, heading,
+                                     "Pale is near, dark is far. The colour scale is linear in the value.");
           }};
 }
 

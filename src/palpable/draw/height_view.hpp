@@ -9,16 +9,17 @@
 
 namespace palpable::draw {
 
-/// A relief as a map of its heights: tinted by height and shaded as if lit from the upper left, with contour
-/// lines, axes and scale in millimetres and the light's direction said.
-/// With a `picture` (covering the relief's rectangle) its colours take the tints' place.
+/// A relief as a height map: tinted by height and shaded as if lit from the upper left, with contour lines,
+/// axes and scale in millimetres. If `picture` is given, it covers the relief's rectangle and replaces the
+/// tints.
 Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture = {});
 
-/// The heights of a relief in evenly stepping colours, without shading, so that values can be read off.
+/// The heights of a relief in a linear colour scale without shading, so that values can be read off.
 Figure height_figure(models::Relief relief, const Heading& heading);
 
-/// A depth or disparity map in evenly stepping colours, axes in pixels; what is not finite is hatched.
-/// `value_name` is the legend's, with its unit. Near is pale: `near_is_high` is true for disparity.
+/// A depth or disparity map in a linear colour scale, axes in pixels; values that are not finite are hatched.
+/// `value_name` is the legend's name with its unit. Near is pale: Near::high for disparity, Near::low for
+/// depth.
 enum class Near { low, high };
 Figure depth_figure(Raster<float> values, const std::string& value_name, Near near, const Heading& heading);
 

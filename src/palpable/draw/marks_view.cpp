@@ -15,8 +15,8 @@
 namespace palpable::draw {
 namespace {
 
-/// Tinted pixels keep their brightness as a pattern, and every mark has stripes of its own period, so that it
-/// is told apart without colour too.
+/// Tinted pixels keep part of their brightness. Each kind of mark has stripes of its own period, so that
+/// kinds can be distinguished without colour.
 Rgb8 tinted(Rgb8 pixel, Rgb8 colour, int x, int y, int kind) {
   const double luma = (0.299 * pixel.r + 0.587 * pixel.g + 0.114 * pixel.b) / 255.0;
   const bool stripe = (x + y) / (3 + 2 * kind) % 2 == 0;
@@ -63,7 +63,7 @@ Figure marks_figure(Raster<Rgb8> picture, Raster<std::uint8_t> marks, std::vecto
               14.0 + canvas.text(fmt::format("{}, {:.0f} %", kinds[k].meaning, share), {key.right() + 8.0, y},
                                  {.size_px = 13.0, .wrap_px = sheet.width_px - key.right() - 16.0});
         }
-        draw_words(canvas, sheet, heading, caption);
+        draw_heading_and_caption(canvas, sheet, heading, caption);
       }};
 }
 

@@ -12,14 +12,14 @@
 
 namespace palpable::draw {
 
-/// What a mark on a picture means, and how it is shown.
+/// A kind of mark: its meaning and its colour.
 struct Mark {
   std::string meaning;
   Rgb8 colour;
 };
 
-/// A picture with parts of it tinted: where `marks` (of the picture's size) is k > 0, in kinds[k - 1]'s
-/// colour; the legend names each kind with its share of the picture. Axes in pixels; `caption` stands below.
+/// A picture with tinted parts: where `marks` (same size as the picture) is k > 0, in the colour of kinds[k -
+/// 1]. The legend names each kind with its share of the picture. Axes in pixels; `caption` is written below.
 Figure marks_figure(Raster<Rgb8> picture, Raster<std::uint8_t> marks, std::vector<Mark> kinds,
                     const Heading& heading, const std::string& caption);
 

@@ -53,7 +53,7 @@ double aspect_of(const Panel& panel) {
 
 std::pair<float, float> range_of(const std::vector<Panel>& panels) {
   for (const Panel& panel : panels)
-    if (const auto* map = std::get_if<Raster<float>>(&panel.content)) return usual_range(*map);
+    if (const auto* map = std::get_if<Raster<float>>(&panel.content)) return display_range(*map);
   return {0.0F, 1.0F};
 }
 

@@ -15,14 +15,14 @@ namespace palpable::draw {
 /// One of several maps side by side.
 struct Panel {
   std::string name;
-  /// A line below it.
+  /// A line of text below it.
   std::string caption;
   /// A picture, or a map of disparities in pixels, unknown = not finite (hatched).
   std::variant<Raster<Rgb8>, Raster<float>> content;
 };
 
-/// All panels at one size, three in a row, the maps in one scale of colours (pale is near), which runs over
-/// the usual range of the first map. At least one panel.
+/// All panels at one size, three per row. The maps share one colour scale (pale is near) over the display
+/// range of the first map. At least one panel.
 Figure panels_figure(std::vector<Panel> panels, const Heading& heading);
 
 }  // namespace palpable::draw

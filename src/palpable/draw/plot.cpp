@@ -36,7 +36,7 @@ std::vector<double> round_ticks(double low, double high, int most) {
 }
 
 std::string label_of(double value, double step) {
-  // A step of 0 or less, as a range of one value has, asks for no decimals.
+  // A range of one value gives a step of 0: no decimals.
   const int decimals =
       step > 0.0 ? std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 12) : 0;
   std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
@@ -45,19 +45,19 @@ std::string label_of(double value, double step) {
 }
 
 void draw_axes(Canvas& canvas, const Plot& plot, const std::string& x_name, const std::string& y_name) {
-  const Ink ink{{70, 70, 70}, 1.2};
-  canvas.frame(plot.area, ink);
+  const StrokeStyle style{{70, 70, 70}, 1.2};
+  canvas.frame(plot.area, style);
   const auto xs = round_ticks(std::min(plot.left, plot.right), std::max(plot.left, plot.right),
                               std::max(3, static_cast<int>(plot.area.width / 75.0)));
   for (const double value : xs) {
-    canvas.line({plot.x(value), plot.area.bottom()}, {plot.x(value), plot.area.bottom() + kTick_px}, ink);
+    canvas.line({plot.x(value), plot.area.bottom()}, {plot.x(value), plot.area.bottom() + kTick_px}, style);
     canvas.text(label_of(value, step_of(xs)), {plot.x(value), plot.area.bottom() + kTick_px + 2.0},
                 {.size_px = kLabel_px, .align = Align::centre});
   }
   const auto ys = round_ticks(std::min(plot.bottom, plot.top), std::max(plot.bottom, plot.top),
                               std::max(4, static_cast<int>(plot.area.height / 50.0)));
   for (const double value : ys) {
-    canvas.line({plot.area.x - kTick_px, plot.y(value)}, {plot.area.x, plot.y(value)}, ink);
+    canvas.line({plot.area.x - kTick_px, plot.y(value)}, {plot.area.x, plot.y(value)}, style);
     canvas.text(label_of(value, step_of(ys)),
                 {plot.area.x - kTick_px - 3.0, plot.y(value) - 0.62 * kLabel_px},
                 {.size_px = kLabel_px, .align = Align::right});
@@ -74,13 +74,13 @@ void draw_colour_bar(Canvas& canvas, Rect area, double low, double high, const s
   Raster<Rgb8> bar(1, kSteps);
   for (int i = 0; i < kSteps; ++i) bar(0, i) = colour(1.0 - static_cast<double>(i) / (kSteps - 1));
   canvas.picture(bar, area);
-  const Ink ink{{70, 70, 70}, 1.2};
-  canvas.frame(area, ink);
+  const StrokeStyle style{{70, 70, 70}, 1.2};
+  canvas.frame(area, style);
   canvas.text(name, {area.x, area.y - 46.0}, {.size_px = 14.0, .wrap_px = 150.0});
   const Plot plot{area, 0.0, 1.0, low, high};
   const auto ticks = round_ticks(low, high, std::max(3, static_cast<int>(area.height / 55.0)));
   for (const double value : ticks) {
-    canvas.line({area.right(), plot.y(value)}, {area.right() + kTick_px, plot.y(value)}, ink);
+    canvas.line({area.right(), plot.y(value)}, {area.right() + kTick_px, plot.y(value)}, style);
     canvas.text(label_of(value, step_of(ticks)),
                 {area.right() + kTick_px + 4.0, plot.y(value) - 0.62 * kLabel_px}, {.size_px = kLabel_px});
   }

@@ -12,32 +12,32 @@ namespace palpable::draw {
 /// Millimetres in a metre: figures are labelled in millimetres.
 inline constexpr double kMm = 1000.0;
 
-/// Round numbers (1, 2 or 5 times a power of ten apart) inside [low, high], at most `most` of them.
+/// Tick values in [low, high] at a spacing of 1, 2 or 5 times a power of ten, at most `most` of them.
 std::vector<double> round_ticks(double low, double high, int most);
 
-/// A number as a label: no needless zeros, a true minus sign; the decimals that a step of `step` needs.
+/// A number as a label, with the decimals that ticks of spacing `step` need and a Unicode minus sign.
 std::string label_of(double value, double step);
 
-/// A rectangle of the figure that shows a range of values; y grows upwards.
+/// The mapping from a range of values to a rectangle of the figure; y grows upwards.
 struct Plot {
   Rect area;
   double left = 0, right = 1, bottom = 0, top = 1;
 
   double x(double value) const { return area.x + (value - left) / (right - left) * area.width; }
   double y(double value) const { return area.bottom() - (value - bottom) / (top - bottom) * area.height; }
-  Spot at(double value_x, double value_y) const { return {x(value_x), y(value_y)}; }
+  CanvasPoint at(double value_x, double value_y) const { return {x(value_x), y(value_y)}; }
 };
 
-/// Frame, ticks, their labels and the axes' names (with units), left and below.
+/// Draws the frame, the ticks with labels, and the names of the axes (with units) left and below.
 void draw_axes(Canvas& canvas, const Plot& plot, const std::string& x_name, const std::string& y_name);
 
-/// An upright bar of colours from `low` (below) to `high` with labelled ticks on its right and its name
-/// above. `colour` takes 0…1.
+/// A vertical colour bar from `low` (bottom) to `high`, with labelled ticks on its right and its name above.
+/// `colour` takes 0…1.
 void draw_colour_bar(Canvas& canvas, Rect area, double low, double high, const std::string& name,
                      Rgb8 (*colour)(double));
 
-/// A bar of a round length near a fifth of the plot's width, labelled in millimetres, in its lower left
-/// corner. The plot's values are millimetres.
+/// A scale bar in the plot's lower left corner: a round length of about a fifth of the plot's width. The
+/// plot's values are millimetres.
 void draw_scale_bar(Canvas& canvas, const Plot& plot);
 
 }  // namespace palpable::draw

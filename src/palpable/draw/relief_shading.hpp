@@ -7,11 +7,11 @@
 
 namespace palpable::draw {
 
-/// Lambert's shading by a light from the upper left, 45 degrees high, half of it ambient; slopes count
-/// double, as map makers do. About 0.45 ... 1.2.
+/// Lambertian hill shading by a light from the upper left at 45 degrees elevation, about half of it ambient.
+/// Slopes are exaggerated twice, as usual on maps. About 0.45 ... 1.2.
 double shade_of(const models::HeightSample& sample);
 
-/// A colour made darker or lighter.
+/// A colour multiplied by a shade.
 Rgb8 shaded(Rgb8 colour, double shade);
 
 /// The whole relief from above, tinted by height and shaded, at this size.

@@ -22,7 +22,8 @@ constexpr double kMap_px = 190.0;
 constexpr Rgb8 kCut{200, 40, 40};
 constexpr Rgb8 kSolid{196, 178, 150};
 
-/// Heights are stretched by a round factor until the profile is at least a quarter as high as it is wide.
+/// The vertical exaggeration: the smallest round factor that makes the profile at least a quarter as high as
+/// it is wide.
 double stretch_of(double width_mm, double height_mm) {
   constexpr double kWanted = 0.25;
   for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0})
@@ -45,12 +46,12 @@ Raster<Rgb8> small_map(const models::Relief& relief, int width, int height) {
 
 void draw_profile(Canvas& canvas, const models::Relief& relief, double y_m, const Plot& plot) {
   const int count = static_cast<int>(plot.area.width) * 2;
-  std::vector<Spot> surface;
+  std::vector<CanvasPoint> surface;
   for (int i = 0; i <= count; ++i) {
     const double x_mm = plot.left + (plot.right - plot.left) * i / count;
     surface.push_back(plot.at(x_mm, kMm * relief.sample(x_mm / kMm, y_m).z_m));
   }
-  std::vector<Spot> solid = surface;
+  std::vector<CanvasPoint> solid = surface;
   solid.push_back({plot.area.right(), plot.area.bottom()});
   solid.push_back({plot.area.x, plot.area.bottom()});
   for (const double z :

@@ -8,8 +8,8 @@
 
 namespace palpable::draw {
 
-/// A cut through the relief from left to right at height `y_m` of the picture: the cut's place on a small
-/// map, and the profile as the hand meets it, heights stretched where that helps (said on the page).
+/// A section through the relief in the plane y = `y_m`: the profile, and a small map that shows the section's
+/// position. Low profiles are exaggerated vertically by a factor that the figure states.
 Figure section_figure(models::Relief relief, double y_m, const Heading& heading);
 
 }  // namespace palpable::draw

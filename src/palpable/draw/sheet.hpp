@@ -9,23 +9,24 @@
 
 namespace palpable::draw {
 
-/// Where things stand on a page with one plot: heading above, legend on the right, a caption below.
+/// The layout of a page with one plot: heading above, legend on the right, caption below.
 struct Sheet {
   int width_px = 0;
   int height_px = 0;
   Rect plot;
-  /// The colour bar's place; text beside and below it has room to the page's edge.
+  /// The colour bar; its text has room up to the page's right edge.
   Rect bar;
   Rect caption;
 };
 
-/// A sheet whose plot has this ratio of width to height (clamped to 1:3 … 3:1).
+/// The layout for a plot of this ratio of width to height, clamped to 1:3 … 3:1.
 Sheet sheet_for(double aspect);
 
-/// A page's heading, from its left edge on.
+/// Draws title and subtitle from `left_px` on.
 void draw_heading(Canvas& canvas, const Heading& heading, double left_px, double width_px);
 
-/// Heading and caption in their places.
-void draw_words(Canvas& canvas, const Sheet& sheet, const Heading& heading, const std::string& caption);
+/// Draws heading and caption.
+void draw_heading_and_caption(Canvas& canvas, const Sheet& sheet, const Heading& heading,
+                              const std::string& caption);
 
 }  // namespace palpable::draw

@@ -26,18 +26,18 @@ constexpr Rect kPlot{40.0, 100.0, 900.0, 700.0};
 constexpr int kRaysAcross = 2;
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-/// A pinhole that sees the whole of a ball about `target`.
+/// A pinhole camera that sees all of a ball about the target.
 struct View {
   Vec3 eye, right, up, forward;
-  /// Of the plot, per unit of x / depth.
+  /// Plot pixels per unit of x / depth.
   double focal_px = 0.0;
 
   Vec3 ray(double x_px, double y_px) const {
     const double x = (x_px - 0.5 * kPlot.width) / focal_px, y = (0.5 * kPlot.height - y_px) / focal_px;
     return unit(forward + x * right + y * up);
   }
-  /// On the figure.
-  Spot at(Vec3 p) const {
+  /// The projection of `p`, in pixels of the figure.
+  CanvasPoint at(Vec3 p) const {
     const Vec3 v = p - eye;
     const double depth = dot(v, forward);
     return {kPlot.x + 0.5 * kPlot.width + focal_px * dot(v, right) / depth,
@@ -57,8 +57,8 @@ View view_of(Vec3 target, double radius, const SolidViewOptions& options) {
   return view;
 }
 
-/// Where a ray is inside the box; empty where it passes by.
-std::optional<std::pair<double, double>> inside_of(Vec3 origin, Vec3 ray, Vec3 least, Vec3 most) {
+/// The ray's interval inside the box; nullopt if it misses the box.
+std::optional<std::pair<double, double>> clip_to_box(Vec3 origin, Vec3 ray, Vec3 least, Vec3 most) {
   double in = 0.0, out = std::numeric_limits<double>::max();
   const std::array o{origin.x, origin.y, origin.z}, d{ray.x, ray.y, ray.z}, a{least.x, least.y, least.z},
       b{most.x, most.y, most.z};
@@ -75,10 +75,10 @@ std::optional<std::pair<double, double>> inside_of(Vec3 origin, Vec3 ray, Vec3 l
   return std::pair(in, out);
 }
 
-/// Sphere tracing (Hart 1996): the distance along the ray to the surface, kNothing where there is none.
+/// Sphere tracing (Hart 1996): the distance along the ray to the surface, kNothing if the ray misses it.
 template <models::DistanceSurface Distance>
 double surface_along(const Distance& field, const View& view, Vec3 ray, Vec3 least, Vec3 most) {
-  const auto span = inside_of(view.eye, ray, least, most);
+  const auto span = clip_to_box(view.eye, ray, least, most);
   if (!span) return kNothing;
   constexpr double kShare = 0.9;
   const double shortest_m = 0.1 * field.cell_m();
@@ -100,10 +100,9 @@ double surface_along(const Distance& field, const View& view, Vec3 ray, Vec3 lea
   return kNothing;
 }
 
-/// 1 in the open, towards 0 in hollows: how much nearer the surface stays along the normal than a plane would
-/// (Evans 2006).
+/// Ambient occlusion from the distance field (Evans 2006): 1 in the open, towards 0 in hollows.
 template <models::DistanceSurface Distance>
-double openness(const Distance& field, Vec3 place, Vec3 normal, double reach_m) {
+double ambient_occlusion(const Distance& field, Vec3 place, Vec3 normal, double reach_m) {
   constexpr int kSteps = 4;
   double hidden = 0.0, weight = 0.5;
   for (int k = 1; k <= kSteps; ++k, weight *= 0.5) {
@@ -115,7 +114,7 @@ double openness(const Distance& field, Vec3 place, Vec3 normal, double reach_m) 
 
 struct Rendered {
   Raster<Rgb8> picture;
-  /// Along each ray, metres; kNothing beside the solid.
+  /// Along each ray, metres; kNothing where the ray misses the solid.
   Raster<float> depth_m;
 };
 
@@ -139,8 +138,8 @@ Rendered rendered(const Distance& field, const View& view, Vec3 least, Vec3 most
         const Vec3 normal = unit(field.sample(place).gradient);
         const double lit = 0.35 + 0.75 * std::max(0.0, dot(normal, light));
         const double rim = std::clamp(0.55 + 1.5 * std::abs(dot(normal, ray)), 0.0, 1.0);
-        const double shade = lit * rim * openness(field, place, normal, 0.12 * radius_m);
-        // Paler behind the middle, by up to a third.
+        const double shade = lit * rim * ambient_occlusion(field, place, normal, 0.12 * radius_m);
+        // Farther points are paler, by up to a third.
         const double haze = std::clamp(0.5 + 0.5 * (t - middle_m) / radius_m, 0.0, 1.0) * 0.33;
         const Rgb8 own = shaded(kClay, shade);
         const auto mixed = [haze](std::uint8_t a, std::uint8_t b) {
@@ -158,13 +157,13 @@ Vec3 corner_of(Vec3 least, Vec3 most, unsigned k) {
           (k & 4U) != 0 ? most.z : least.z};
 }
 
-/// A side of the box, piece by piece: faint where the solid hides it.
-void draw_side(Canvas& canvas, const View& view, const Raster<float>& depth_m, Vec3 from, Vec3 to) {
+/// An edge of the box, drawn piece by piece and only where the solid does not hide it.
+void draw_edge(Canvas& canvas, const View& view, const Raster<float>& depth_m, Vec3 from, Vec3 to) {
   constexpr int kPieces = 96;
   for (int k = 0; k < kPieces; ++k) {
     const Vec3 a = from + (static_cast<double>(k) / kPieces) * (to - from),
                b = from + (static_cast<double>(k + 1) / kPieces) * (to - from), middle = 0.5 * (a + b);
-    const Spot at = view.at(middle);
+    const CanvasPoint at = view.at(middle);
     const int i = static_cast<int>((at.x - kPlot.x) * kRaysAcross),
               j = static_cast<int>((at.y - kPlot.y) * kRaysAcross);
     const bool hidden =
@@ -173,27 +172,28 @@ void draw_side(Canvas& canvas, const View& view, const Raster<float>& depth_m, V
   }
 }
 
-/// The box's twelve sides, and the lengths of the three that meet at the lower corner nearest to the eye.
+/// The box's twelve edges, and the lengths of the three that meet at the lower corner nearest to the camera.
 void draw_box(Canvas& canvas, const View& view, const Raster<float>& depth_m, Vec3 least, Vec3 most) {
   for (unsigned k = 0; k < 8; ++k)
     for (const unsigned axis : {1U, 2U, 4U})
       if ((k & axis) == 0)
-        draw_side(canvas, view, depth_m, corner_of(least, most, k), corner_of(least, most, k | axis));
+        draw_edge(canvas, view, depth_m, corner_of(least, most, k), corner_of(least, most, k | axis));
   unsigned nearest = 0;
   for (const unsigned k : {0U, 1U, 4U, 5U})
     if (norm(corner_of(least, most, k) - view.eye) < norm(corner_of(least, most, nearest) - view.eye))
       nearest = k;
   const Vec3 size_mm = kMm * (most - least);
   const auto label = [&](unsigned axis, double length_mm, const char* direction) {
-    // Of the upright sides, the one at the right of the picture.
+    // The vertical label is at the rightmost vertical edge.
     unsigned from = nearest;
     if (axis == 2U)
       for (const unsigned k : {0U, 1U, 4U, 5U})
         if (view.at(corner_of(least, most, k)).x > view.at(corner_of(least, most, from)).x) from = k;
-    const Spot a = view.at(corner_of(least, most, from)), b = view.at(corner_of(least, most, from ^ axis));
-    const Spot middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    const CanvasPoint a = view.at(corner_of(least, most, from)),
+                      b = view.at(corner_of(least, most, from ^ axis));
+    const CanvasPoint middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
     const std::string text = fmt::format("{} mm {}", label_of(length_mm, 0.1), direction);
-    // Beside the box, on the side that its middle is not.
+    // The label is outside the box.
     const bool at_left = axis != 2U && middle.x < view.at(0.5 * (least + most)).x;
     canvas.text(text, {middle.x + (at_left ? -10.0 : 10.0), middle.y + (axis == 2U ? -8.0 : 6.0)},
                 {.size_px = 14.0, .align = at_left ? Align::right : Align::left, .rim = true});
@@ -211,7 +211,7 @@ Figure figure_of(std::shared_ptr<const models::SolidField<Distance>> field, cons
           [field = std::move(field), options, heading](Canvas& canvas) {
             const Vec3 least = field->least_m, most = field->most_m;
             const View view = view_of(0.5 * (least + most), 0.5 * norm(most - least), options);
-            // A little beyond the box, so that a face in it is met from outside.
+            // A margin beyond the box, so that rays meet a face in the box's plane from outside.
             const double beyond_m = 2.0 * field->distance.cell_m();
             const Vec3 margin{beyond_m, beyond_m, beyond_m};
             const Rendered solid = rendered(field->distance, view, least - margin, most + margin);
@@ -219,8 +219,8 @@ Figure figure_of(std::shared_ptr<const models::SolidField<Distance>> field, cons
             canvas.picture(solid.picture, kPlot);
             draw_box(canvas, view, solid.depth_m, least, most);
             canvas.text(
-                fmt::format("Seen in perspective from {} degrees to the {} and {} degrees {}; paler is "
-                            "farther away. The box around the solid is drawn where nothing hides it.",
+                fmt::format("Seen in perspective from {} degrees to the {} and {} degrees {}. Paler is "
+                            "farther away. Edges of the bounding box are drawn where they are visible.",
                             label_of(std::abs(options.azimuth_deg), 1.0),
                             options.azimuth_deg < 0.0 ? "left" : "right",
                             label_of(std::abs(options.elevation_deg), 1.0),
@@ -233,13 +233,10 @@ Figure figure_of(std::shared_ptr<const models::SolidField<Distance>> field, cons
 }  // namespace
 
 std::vector<Parameter> parameters_of(SolidViewOptions& o) {
-  return {{"azimuth_deg", &o.azimuth_deg, {-180.0, 180.0}, "degrees", "viewer's turn to the right"},
-          {"elevation_deg", &o.elevation_deg, {-89.0, 89.0}, "degrees", "viewer's height"},
-          {"half_angle_deg",
-           &o.half_angle_deg,
-           {2.0, 40.0},
-           "degrees",
-           "half of the angle that the solid fills"}};
+  return {
+      {"azimuth_deg", &o.azimuth_deg, {-180.0, 180.0}, "degrees", "camera's azimuth, positive to the right"},
+      {"elevation_deg", &o.elevation_deg, {-89.0, 89.0}, "degrees", "camera's elevation"},
+      {"half_angle_deg", &o.half_angle_deg, {2.0, 40.0}, "degrees", "half of the solid's angular size"}};
 }
 
 Figure solid_figure(std::shared_ptr<const models::Field> field, const SolidViewOptions& options,

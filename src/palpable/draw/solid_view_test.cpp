@@ -14,7 +14,7 @@
 namespace palpable::draw {
 namespace {
 
-/// A ball of 10 mm in the origin, densely kept.
+/// A ball of radius 10 mm about the origin, as a dense field.
 std::shared_ptr<const models::FieldOnLattice> ball() {
   const models::Lattice lattice{{-0.015, -0.015, -0.015}, 0.0005, {61, 61, 61}};
   std::vector<float> values;
@@ -27,9 +27,9 @@ std::shared_ptr<const models::FieldOnLattice> ball() {
   return std::make_shared<const models::FieldOnLattice>(std::move(*field));
 }
 
-TEST(SolidFigure, IsLitFromTheUpperLeftAndEmptyBeside) {
+TEST(SolidFigure, IsLitFromTheUpperLeftOnAnEmptyBackground) {
   const Figure figure = solid_figure(ball(), {}, {});
-  // The plot's middle is the ball's; the ball's radius there is its share of the box's diagonal.
+  // The ball is in the plot's middle; its radius follows from the box's diagonal.
   const double middle_x = 40.0 + 450.0, middle_y = 100.0 + 350.0, radius = 350.0 / std::sqrt(3.0);
   const double upper_left = luma(colour_at(figure, {middle_x - 0.5 * radius, middle_y - 0.5 * radius}));
   const double lower_right = luma(colour_at(figure, {middle_x + 0.5 * radius, middle_y + 0.5 * radius}));

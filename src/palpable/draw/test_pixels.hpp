@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the tests of figures share: the colours that a figure paints.
+// For tests of figures: reads back painted colours.
 
 #include "palpable/draw/canvas.hpp"
 #include "palpable/draw/figure.hpp"
@@ -16,8 +16,8 @@
 
 namespace palpable::draw {
 
-/// The colour at a place of a figure, painted on an image of its size.
-inline Rgb8 colour_at(const Figure& figure, Spot spot) {
+/// The colour at a point of a figure, which is painted on an image of its size.
+inline Rgb8 colour_at(const Figure& figure, CanvasPoint point) {
   const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, figure.width_px, figure.height_px),
       &cairo_surface_destroy);
@@ -30,9 +30,9 @@ inline Rgb8 colour_at(const Figure& figure, Spot spot) {
   EXPECT_STREQ(cairo_status_to_string(cairo_status(context.get())), "no error has occurred");
   cairo_surface_flush(surface.get());
   const auto* row = reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface.get()) +
-                                                           static_cast<std::ptrdiff_t>(spot.y) *
+                                                           static_cast<std::ptrdiff_t>(point.y) *
                                                                cairo_image_surface_get_stride(surface.get()));
-  const std::uint32_t p = row[static_cast<std::ptrdiff_t>(spot.x)];
+  const std::uint32_t p = row[static_cast<std::ptrdiff_t>(point.x)];
   return {static_cast<std::uint8_t>(p >> 16U), static_cast<std::uint8_t>(p >> 8U),
           static_cast<std::uint8_t>(p)};
 }

@@ -18,7 +18,7 @@ constexpr double kMs = 1000.0;
 constexpr double kLeast = 0.05;
 
 void draw_trace(Canvas& canvas, const Trace& trace, const Plot& plot, const std::string& value_name) {
-  std::vector<Spot> path;
+  std::vector<CanvasPoint> path;
   for (std::size_t i = 0; i < trace.values.size(); ++i)
     path.push_back(plot.at(kMs * trace.period_s * static_cast<double>(i), trace.values[i]));
   canvas.line({plot.area.x, plot.y(0.0)}, {plot.area.right(), plot.y(0.0)}, {{215, 215, 215}, 1.0});

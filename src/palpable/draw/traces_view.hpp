@@ -10,16 +10,16 @@
 
 namespace palpable::draw {
 
-/// One value over time, and what stands above its plot.
+/// One value over time, with the title of its plot.
 struct Trace {
   std::string title;
-  /// One each `period_s`.
+  /// One per `period_s`.
   std::vector<double> values;
   double period_s = 0.001;
 };
 
-/// Small plots side by side, `columns` (at least 1) in a row, all with the same scale, which is symmetric
-/// about 0. `value_name` with its unit stands at each row's beginning.
+/// Small plots side by side, `columns` (at least 1) per row, all with the same scale, symmetric about 0.
+/// `value_name` with its unit labels the first plot of each row.
 Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& value_name,
                      const Heading& heading);
 

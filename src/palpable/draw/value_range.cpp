@@ -9,7 +9,7 @@
 
 namespace palpable::draw {
 
-std::pair<float, float> usual_range(const Raster<float>& values) {
+std::pair<float, float> display_range(const Raster<float>& values) {
   std::vector<float> known;
   known.reserve(values.count());
   for (const float v : values.values())

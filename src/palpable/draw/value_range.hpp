@@ -8,8 +8,8 @@
 
 namespace palpable::draw {
 
-/// The values between which nearly all of a map lies: a few wild pixels must not use up the colours. 0 … 1
-/// where nothing is finite; never empty.
-std::pair<float, float> usual_range(const Raster<float>& values);
+/// The range for a colour scale: the 0.5 % and 99.5 % quantiles of the finite values, so that a few outliers
+/// do not use up the colours. 0 … 1 if nothing is finite; never empty.
+std::pair<float, float> display_range(const Raster<float>& values);
 
 }  // namespace palpable::draw

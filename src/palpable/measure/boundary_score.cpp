@@ -54,7 +54,7 @@ class Matching {
     return reached;
   }
 
-  /// Depth-first along the layers with a stack of our own: paths may be thousands long.
+  /// Depth-first search along the layers with an explicit stack, since paths may be thousands long.
   void augment(int root) {
     struct Step {
       int left;
@@ -104,7 +104,7 @@ std::vector<Pixel> pixels_from(const Raster<T>& raster, T least) {
   return out;
 }
 
-/// Pairs within the radius, nearest first, so that the matching begins with the natural ones.
+/// Candidate pairs within the radius, nearest first, so that the matching begins with the nearest.
 std::vector<std::vector<int>> pairs_within(const std::vector<Pixel>& found, const std::vector<Pixel>& drawn,
                                            int width, int height, double radius) {
   Raster<int> index(width, height, kNone);

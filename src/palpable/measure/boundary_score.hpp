@@ -20,7 +20,7 @@ struct BoundaryScoreOptions {
   std::vector<double> thresholds;
 };
 
-/// Counts at one threshold; they add up over pictures of a set before precision and recall are taken.
+/// Counts at one threshold. Those of a set of pictures are added before precision and recall are computed.
 struct BoundaryCounts {
   double threshold = 0.0;
   std::int64_t found = 0;
@@ -42,10 +42,10 @@ struct BoundaryCounts {
 /// 1 % … 99 % in steps of 2 %.
 std::vector<double> usual_thresholds();
 
-/// Compares one-pixel-wide boundaries (`line`: strength 0 … 1, 0 = none) with what people drew (non-zero =
-/// boundary, one raster a person), as Martin, Fowlkes and Malik (2004): at each threshold the most pairs of
-/// found and drawn pixels within the tolerance, each pixel in at most one pair and person (maximum bipartite
-/// matching); a found pixel is true if any person's pixel pairs with it. Errors: sizes that differ, no truth,
+/// Compares boundaries one pixel wide (`line`: strength 0 … 1, 0 = none) with boundaries drawn by people (one
+/// raster per person, non-zero = boundary), as Martin, Fowlkes and Malik (2004). At each threshold and for
+/// each person, found and drawn pixels within the tolerance are paired one to one (maximum bipartite
+/// matching). A found pixel is true if it is paired for any person. Errors: sizes that differ, no truth,
 /// interrupted.
 Result<std::vector<BoundaryCounts>> score_boundary(const Raster<float>& line,
                                                    const std::vector<Raster<std::uint8_t>>& truths,

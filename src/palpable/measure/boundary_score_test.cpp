@@ -44,7 +44,7 @@ TEST(BoundaryScore, CountsADoubledLineAsHalfWrong) {
 }
 
 TEST(BoundaryScore, FindsThePairingThatGreedyMisses) {
-  // Each found pixel's nearest neighbour is the same drawn one; only a re-pairing gives both a partner.
+  // Both found pixels have the same nearest drawn pixel; only a maximum matching pairs both.
   Raster<float> line(100, 80);
   line(10, 10) = line(14, 10) = 1.0F;
   Raster<std::uint8_t> truth(100, 80);
@@ -61,11 +61,11 @@ TEST(BoundaryScore, TakesEveryPersonsTruthForPrecisionAndTheirSumForRecall) {
   EXPECT_DOUBLE_EQ(counts.recall(), 0.5);
 }
 
-TEST(BoundaryScore, LeavesOutWhatIsBelowTheThreshold) {
+TEST(BoundaryScore, IgnoresStrengthsBelowTheThreshold) {
   EXPECT_EQ(at(column(50, 0.4F), {drawn_column(50)}).found, 0);
 }
 
-TEST(BoundaryScore, RefusesOtherSizesAndNoTruth) {
+TEST(BoundaryScore, RefusesSizesThatDifferAndAMissingTruth) {
   EXPECT_FALSE(score_boundary(column(5, 1.0F), {Raster<std::uint8_t>(10, 10)}, {}, Work{}));
   EXPECT_FALSE(score_boundary(column(5, 1.0F), {}, {}, Work{}));
 }

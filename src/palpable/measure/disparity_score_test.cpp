@@ -31,7 +31,7 @@ TEST(DisparityScore, CountsStrictlyGreaterErrorsAndUnknownAsBad) {
   EXPECT_DOUBLE_EQ(score->rms_px, std::sqrt((1.0 + 6.25) / 3.0));
 }
 
-TEST(DisparityScore, LooksOnlyWhereTheMaskIsWhite) {
+TEST(DisparityScore, ScoresOnlyWhereTheMaskIsWhite) {
   Raster<std::uint8_t> mask(3, 1);
   mask(1, 0) = 255;
   mask(2, 0) = 255;

@@ -54,7 +54,7 @@ Result<Reliefs> reliefs_of(const Raster<float>& result_px, const Raster<float>& 
   return out;
 }
 
-/// The normal of the plane nearest to the 5 x 5 heights about a place; false where one is unknown.
+/// The normal of the plane fitted to the 5 x 5 heights about a pixel; false if one is unknown.
 bool normal_at(const Raster<float>& height_mm, double pixel_mm, int x, int y, Vec3& normal) {
   double across = 0.0, down = 0.0, squares = 0.0;
   for (int v = -kReach; v <= kReach; ++v)
@@ -69,7 +69,7 @@ bool normal_at(const Raster<float>& height_mm, double pixel_mm, int x, int y, Ve
   return true;
 }
 
-/// A truth without a step within reach.
+/// The truth has no step in the window.
 bool is_smooth(const Raster<float>& truth_mm, int x, int y) {
   float low = truth_mm(x, y), high = low;
   for (int v = -kReach; v <= kReach; ++v)
@@ -77,7 +77,7 @@ bool is_smooth(const Raster<float>& truth_mm, int x, int y) {
       low = std::min(low, truth_mm(x + u, y + v));
       high = std::max(high, truth_mm(x + u, y + v));
     }
-  // What rises by less than a step a pixel is a slope.
+  // A rise of less than one step per pixel is a slope.
   return static_cast<double>(high - low) <= 2 * kReach * kStep_mm;
 }
 

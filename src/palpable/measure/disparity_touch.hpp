@@ -9,21 +9,22 @@
 
 namespace palpable::measure {
 
-/// What a hand would feel wrong of a disparity map. Both maps are taken as reliefs of one size: the longer
-/// side of the picture is 100 mm, the truth's range over the scored pixels 15 mm high.
+/// Errors of a disparity map as a hand would feel them. Both maps become reliefs of one size: the picture's
+/// longer side is 100 mm, and the truth's range over the scored pixels is 15 mm high.
 struct DisparityTouch {
-  /// Mean angle between the two reliefs' normals, in degrees, where the truth is smooth; slopes over 5 x 5
-  /// pixels. NaN where there is no such place.
+  /// Mean angle between the normals of both reliefs (plane fits of 5 x 5 pixels) where the truth is smooth,
+  /// in degrees. NaN if it is smooth nowhere.
   double normal_error_deg = 0.0;
-  /// Steps between neighbouring pixels that rise or fall by more than 0.25 mm against the truth's own step,
-  /// which itself is smaller, for each cm of path along the rows and down the columns.
+  /// Number of false steps per cm of path along rows and columns. A false step is a difference between
+  /// neighbouring pixels that deviates from the truth's by more than 0.25 mm where the truth's is at most
+  /// 0.25 mm.
   double spurious_steps_per_cm = 0.0;
-  /// How long that path is.
+  /// Length of that path.
   double path_cm = 0.0;
 };
 
-/// Only places where both maps are known, and the mask is white (255; empty = everywhere), count. Errors:
-/// invalid_input for sizes that differ, for a truth without range.
+/// Only pixels count where both maps are known and the mask is white (255; empty = everywhere). Errors:
+/// invalid_input for sizes that differ and for a truth of one value.
 Result<DisparityTouch> touch_of_disparity(const Raster<float>& result_px, const Raster<float>& truth_px,
                                           const Raster<std::uint8_t>& mask = {});
 

@@ -19,7 +19,7 @@ Raster<float> ramp(double tilt_mm_per_row = 0.0) {
   return out;
 }
 
-TEST(DisparityTouch, FindsNothingWrongOnTheTruthItself) {
+TEST(DisparityTouch, IsZeroForTheTruthItself) {
   const auto touch = touch_of_disparity(ramp(), ramp());
   ASSERT_TRUE(touch);
   EXPECT_NEAR(touch->normal_error_deg, 0.0, 1e-3);
@@ -37,7 +37,7 @@ TEST(DisparityTouch, MeasuresATiltAsItsAngle) {
   EXPECT_EQ(touch->spurious_steps_per_cm, 0.0);
 }
 
-TEST(DisparityTouch, CountsStepsThatAreNotThere) {
+TEST(DisparityTouch, CountsFalseSteps) {
   Raster<float> stepped = ramp();
   for (int y = 0; y < 80; ++y)
     for (int x = 50; x < 100; ++x) stepped(x, y) += 0.6F;
@@ -46,7 +46,7 @@ TEST(DisparityTouch, CountsStepsThatAreNotThere) {
   EXPECT_NEAR(touch->spurious_steps_per_cm * touch->path_cm, 80.0, 1e-6);
 }
 
-TEST(DisparityTouch, LeavesOutWhatIsUnknownOrMasked) {
+TEST(DisparityTouch, IgnoresUnknownAndMaskedPixels) {
   Raster<float> hole = ramp();
   hole(10, 10) = std::numeric_limits<float>::quiet_NaN();
   Raster<std::uint8_t> mask(100, 80, 255);
@@ -56,7 +56,7 @@ TEST(DisparityTouch, LeavesOutWhatIsUnknownOrMasked) {
   EXPECT_NEAR(touch->path_cm, 0.1 * (99 * 80 + 100 * 79 - 8), 1e-9);
 }
 
-TEST(DisparityTouch, RefusesATruthWithoutRangeAndOtherSizes) {
+TEST(DisparityTouch, RefusesATruthOfOneValueAndSizesThatDiffer) {
   EXPECT_FALSE(touch_of_disparity(ramp(), Raster<float>(100, 80, 3.0F)));
   EXPECT_FALSE(touch_of_disparity(Raster<float>(10, 80, 3.0F), ramp()));
 }

@@ -17,7 +17,7 @@ bool same_size(const Raster<float>& a, const Raster<float>& b) {
   return a.width() == b.width() && a.height() == b.height();
 }
 
-/// 0 ... 90 degrees between two directions without a sign.
+/// The angle between two undirected lines, 0 ... 90 degrees.
 double angle_between(const Directions& a, const Directions& b, int x, int y) {
   const double ax = a.tangent_x(x, y);
   const double ay = a.tangent_y(x, y);

@@ -9,8 +9,8 @@
 
 namespace palpable::measure {
 
-/// Directions without a sign, in any axes that both sides share: unit tangents, (0, 0) = none, and how
-/// strong the boundary is there.
+/// Undirected tangents of boundaries in any common axes: unit vectors, (0, 0) = none, with the boundary's
+/// strength.
 struct Directions {
   Raster<float> tangent_x;
   Raster<float> tangent_y;
@@ -18,10 +18,10 @@ struct Directions {
 };
 
 struct OrientationScoreOptions {
-  /// A pixel counts where the truth has a direction and the result is at least so strong, as a share of its
-  /// greatest strength; 0 ... 1.
+  /// A pixel counts if the truth has a direction and the result's strength is at least this share of its
+  /// maximum; 0 ... 1.
   double least_strength = 0.8;
-  /// Pixels so near the picture's border do not count: filters see what is not there. >= 0.
+  /// Width of the picture's border that does not count, since filters extrapolate there; >= 0.
   int margin_px = 0;
 };
 
@@ -33,8 +33,8 @@ struct OrientationScore {
   double rms_deg = 0.0;
 };
 
-/// How far directions are from the true ones. Where `truth` has strengths, only those above 0 count. Errors:
-/// invalid_input for sizes that differ, or where no pixel counts.
+/// Angular errors of directions. If `truth` has strengths, only pixels whose strength is above 0 count.
+/// Errors: invalid_input for sizes that differ, or if no pixel counts.
 Result<OrientationScore> score_orientation(const Directions& result, const Directions& truth,
                                            const OrientationScoreOptions& options);
 

@@ -25,7 +25,7 @@ TEST(OrientationScore, IsTheAngleBetweenTheDirections) {
   EXPECT_NEAR(score->rms_deg, 3.0, 1e-4);
 }
 
-TEST(OrientationScore, TakesOppositeDirectionsForTheSame) {
+TEST(OrientationScore, TreatsOppositeDirectionsAsEqual) {
   EXPECT_NEAR(score_orientation(all_at(30.0), all_at(210.0), {})->max_deg, 0.0, 1e-4);
   EXPECT_NEAR(score_orientation(all_at(1.0), all_at(179.0), {})->max_deg, 2.0, 1e-4);
 }
@@ -40,7 +40,7 @@ TEST(OrientationScore, CountsStrongPixelsInsideTheMarginOnly) {
   EXPECT_EQ(score_orientation(result, all_at(0.0), {0.8, 7})->pixels, 6U * 2U);
 }
 
-TEST(OrientationScore, LeavesOutWhereTheTruthHasNone) {
+TEST(OrientationScore, IgnoresPixelsWhereTheTruthHasNoDirection) {
   Directions truth = all_at(0.0);
   for (int x = 0; x < 20; ++x) truth.tangent_x(x, 5) = 0.0F;
   EXPECT_EQ(score_orientation(all_at(0.0), truth, {})->pixels, 300U);
@@ -48,7 +48,7 @@ TEST(OrientationScore, LeavesOutWhereTheTruthHasNone) {
   EXPECT_EQ(score_orientation(all_at(0.0), truth, {})->pixels, 299U);
 }
 
-TEST(OrientationScore, RefusesOtherSizesAndNothingToCompare) {
+TEST(OrientationScore, RefusesSizesThatDifferAndNothingToCompare) {
   EXPECT_FALSE(score_orientation(all_at(0.0), {Raster<float>(4, 4), Raster<float>(4, 4), {}}, {}));
   EXPECT_FALSE(score_orientation(all_at(0.0), all_at(0.0), {0.8, 10}));
   EXPECT_FALSE(score_orientation(all_at(0.0, 0.0F), all_at(0.0), {}));

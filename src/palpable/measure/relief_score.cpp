@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 constexpr float kFeltSlope = 0.02F;
-/// As far as the detail band still sees a silhouette: at 3.3 standard deviations of its wider filter a step
-/// of 10 mm leaves 5 um.
+/// The reach of a silhouette in the detail band: at 3.3 standard deviations of its wider filter, a step of 10
+/// mm leaves 5 um.
 constexpr int kSilhouetteReach = 10;
 constexpr int kStepReach = 4;
 constexpr float kStepOfRange = 0.05F;
 
-/// Everything at the pixels: the truth in its own proportions, the relief, and where both count.
+/// Per pixel: the truth in the scene's own proportions, the relief, and the masks.
 struct Pair {
   cv::Mat truth;
   cv::Mat relief;
@@ -37,7 +37,7 @@ cv::Mat blurred(const cv::Mat& values, double sigma) {
   return out;
 }
 
-/// Forms between 1 and 3 pixels. Unknown places take the mean of what is known round them.
+/// Band-pass filter (difference of Gaussians) for forms of 1 to 3 pixels.
 cv::Mat detail_band(const cv::Mat& values) { return blurred(values, 1.0) - blurred(values, 3.0); }
 
 struct Slopes {
@@ -53,8 +53,8 @@ Slopes slopes(const cv::Mat& z, double pixel_m) {
   return s;
 }
 
-/// Unknown pixels take the value of the nearest known one on their row's left, else right, else above: only
-/// so that the filters beside them see no cliff; they are not scored.
+/// Unknown pixels take the value of the nearest known one to the left, else to the right, else above. This
+/// only avoids false steps in the filters; these pixels are not scored.
 cv::Mat filled(const Raster<float>& nearness, cv::Mat& known) {
   cv::Mat z(nearness.height(), nearness.width(), CV_32F);
   known.create(z.size(), CV_8U);
@@ -72,7 +72,7 @@ cv::Mat filled(const Raster<float>& nearness, cv::Mat& known) {
       if (std::isnan(v) && y > 0) v = z.at<float>(y - 1, x);
     }
   }
-  // Rows above the first known one.
+  // Rows above the first known row.
   for (int y = z.rows - 2; y >= 0; --y)
     for (int x = 0; x < z.cols; ++x)
       if (std::isnan(z.at<float>(y, x))) z.at<float>(y, x) = z.at<float>(y + 1, x);
@@ -87,8 +87,7 @@ void find_silhouettes(Pair& pair, const Slopes& truth, double steepest_slope) {
   cv::bitwise_or(pair.silhouettes, unknown, pair.silhouettes);
   cv::dilate(pair.silhouettes, pair.silhouettes,
              cv::Mat::ones(2 * kSilhouetteReach + 1, 2 * kSilhouetteReach + 1, CV_8U));
-  // Beyond the border the filters see level ground, where the scene goes on: a steep wall seems to bend
-  // there.
+  // The filters extrapolate the border as level, so that a slope seems to bend there.
   cv::rectangle(pair.silhouettes, {0, 0}, {pair.silhouettes.cols - 1, pair.silhouettes.rows - 1}, 255,
                 2 * kSilhouetteReach - 1);
 }
@@ -122,7 +121,7 @@ double band_correlation(const Pair& pair, const cv::Mat& truth, const cv::Mat& r
   const cv::Mat var_t = mean(truth.mul(truth)) - mean_t.mul(mean_t);
   const cv::Mat var_r = mean(relief.mul(relief)) - mean_r.mul(mean_r);
   const cv::Mat covariance = mean(truth.mul(relief)) - mean_t.mul(mean_r);
-  // Below the least the numbers are rounding; above the most, more height is not more detail.
+  // Deviations below kLeast_m are rounding errors; above kMost_m they get no more weight.
   constexpr float kLeast_m = 5e-6F;
   constexpr float kMost_m = 2e-4F;
   double sum = 0.0;

@@ -44,7 +44,7 @@ TEST(ScoreRelief, IsPerfectForTheSceneAtHalfItsHeight) {
   EXPECT_EQ(score->wrong_order_percent, 0.0);
 }
 
-TEST(ScoreRelief, SeesThatAnEngravedSceneIsReversed) {
+TEST(ScoreRelief, FindsAnEngravedSceneReversed) {
   const auto score = score_relief(scaled(hills(), -0.5F), kPixel_m, hills(), half());
   ASSERT_TRUE(score);
   EXPECT_GT(score->reversed_slopes_percent, 80.0);
@@ -52,7 +52,7 @@ TEST(ScoreRelief, SeesThatAnEngravedSceneIsReversed) {
   EXPECT_EQ(score->details_kept_percent, 0.0);
 }
 
-TEST(ScoreRelief, MissesDetailThatWasSmoothedAway) {
+TEST(ScoreRelief, CountsSmoothedDetailAsLost) {
   Raster<float> smooth(120, 100);
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 120; ++x)
@@ -81,7 +81,7 @@ TEST(ScoreRelief, CountsStepsInTheWrongOrder) {
   EXPECT_NEAR(score_relief(right, kPixel_m, truth, {})->greatest_slope, 0.001 / (2 * kPixel_m), 1e-3);
 }
 
-TEST(ScoreRelief, LeavesUnknownDepthOut) {
+TEST(ScoreRelief, IgnoresUnknownDepth) {
   Raster<float> truth = hills();
   for (int y = 0; y < 100; ++y)
     for (int x = 60; x < 120; ++x) truth(x, y) = std::numeric_limits<float>::quiet_NaN();
@@ -94,7 +94,7 @@ TEST(ScoreRelief, LeavesUnknownDepthOut) {
   EXPECT_GT(score->detail_correlation, 0.99);
 }
 
-TEST(ScoreRelief, RefusesWhatCannotBeCompared) {
+TEST(ScoreRelief, RefusesMapsThatCannotBeCompared) {
   EXPECT_FALSE(score_relief(Raster<float>(20, 20), kPixel_m, Raster<float>(20, 21), {}));
   EXPECT_FALSE(score_relief(Raster<float>(8, 8), kPixel_m, Raster<float>(8, 8), {}));
   EXPECT_FALSE(score_relief(Raster<float>(20, 20), kPixel_m, Raster<float>(20, 20, 1.0F), {}));

@@ -11,7 +11,7 @@
 
 namespace palpable::voice {
 
-/// Something that speaks. One thread at a time.
+/// A speech output. One thread at a time.
 class Speaker {
  public:
   Speaker() = default;
@@ -19,19 +19,19 @@ class Speaker {
   Speaker& operator=(const Speaker&) = delete;
   virtual ~Speaker() = default;
 
-  /// Hands a sentence (UTF-8, one line) over and returns before it is spoken; a sentence that is being spoken
-  /// gives way. Errors: whoever speaks is gone.
+  /// Starts to speak a sentence (UTF-8, one line) and returns at once; a sentence that is being spoken is
+  /// interrupted. Errors: the speech program has ended.
   virtual Result<void> say(std::string_view sentence) = 0;
-  /// Waits until what was handed over has been spoken, where whoever speaks would fall silent with us; says
-  /// nothing after that.
+  /// Waits until the last sentence has been spoken, if the speech output would end with this program. say()
+  /// fails afterwards.
   virtual void finish() {}
 };
 
 /// The desktop's own voice, with the person's settings (speech-dispatcher). Errors: no server answers.
 Result<std::unique_ptr<Speaker>> open_speech_dispatcher();
 
-/// A program that speaks each line of its standard input: its name, found on PATH, and arguments. What it
-/// prints is thrown away. Errors: it cannot be started.
+/// A program that speaks each line of its standard input: its name, found on PATH, and its arguments. Its
+/// output is discarded. Errors: it cannot be started.
 Result<std::unique_ptr<Speaker>> open_speaking_program(const std::vector<std::string>& command);
 
 /// speech-dispatcher if it answers, else espeak-ng. Errors: neither is there.

@@ -16,7 +16,7 @@
 namespace palpable::voice {
 namespace {
 
-// The child's standard input, and the child. A socket, since writing to it can be told not to raise SIGPIPE.
+// The child process and its standard input: a socket, since send() can suppress SIGPIPE.
 struct Child {
   int input = -1;
   pid_t id = 0;
@@ -67,8 +67,7 @@ class SpeakingProgram final : public Speaker {
     child_ = {};
   }
 
-  // A program that reads lines speaks each to its end; what is being spoken gives way only by starting it
-  // anew.
+  // Such a program speaks each line to its end. To interrupt it, it is stopped and started again.
   Result<void> say(std::string_view sentence) override {
     if (child_.id == 0) return Error{ErrorCode::failed, "has finished speaking", command_.front()};
     if (spoke_) {

@@ -30,7 +30,7 @@ class SpeechDispatcher final : public Speaker {
 
 Result<std::unique_ptr<Speaker>> open_speech_dispatcher() {
   char* why = nullptr;
-  // Started by us it would outlive us: only a server that the desktop runs is used.
+  // Does not start a server, which would outlive this program: only a running one is used.
   SPDConnection* connection = spd_open2("palpable", nullptr, nullptr, SPD_MODE_SINGLE, nullptr, 0, &why);
   const std::string reason = why == nullptr ? "no answer" : why;
   std::free(why);

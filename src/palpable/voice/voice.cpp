@@ -38,7 +38,7 @@ void Voice::work() {
     lock.unlock();
     const bool spoke = static_cast<bool>(speaker_->say(next.sentence));
     lock.lock();
-    // A speaker that is gone stays gone: the touch goes on without a voice.
+    // After an error the touch goes on without speech.
     if (!spoke) return;
     if (wake_.wait_for(lock, options_.gap, [this] { return ending_; })) return;
   }

@@ -14,12 +14,12 @@
 
 namespace palpable::voice {
 
-/// What may push what aside while it waits to be said.
+/// Priority of a sentence while it waits to be spoken, lowest first.
 enum class Importance { label, news, fault };
 
-/// Says sentences on a thread of its own, at most one in `gap`; what waits gives way to what is as important,
-/// and is dropped when it is older than `lifetime`. Any thread may call say(); it never waits for the
-/// speaker.
+/// Speaks sentences on its own thread, at most one per `gap`. A waiting sentence is replaced by a new one of
+/// equal or higher importance, and dropped when it is older than `lifetime`. Any thread may call say(), which
+/// never waits for the speaker.
 class Voice {
  public:
   struct Options {
@@ -28,7 +28,7 @@ class Voice {
   };
   explicit Voice(std::unique_ptr<Speaker> speaker) : Voice(std::move(speaker), Options{}) {}
   Voice(std::unique_ptr<Speaker> speaker, Options options);
-  /// Drops what waits.
+  /// Drops the waiting sentence.
   ~Voice();
   Voice(const Voice&) = delete;
   Voice& operator=(const Voice&) = delete;

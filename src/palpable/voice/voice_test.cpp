@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// What a fake speaker was given.
+// The sentences that a fake speaker received.
 struct Said {
   std::mutex mutex;
   std::vector<std::string> sentences;
@@ -45,7 +45,7 @@ bool comes_true(Condition condition) {
   return false;
 }
 
-TEST(Voice, SaysTheFirstAtOnceAndThenTheNewestOfEquals) {
+TEST(Voice, SpeaksTheFirstAtOnceAndThenTheNewestOfEqualImportance) {
   Said said;
   Voice voice(std::make_unique<FakeSpeaker>(said), {300ms, 10s});
   voice.say(Importance::label, "a");
@@ -55,7 +55,7 @@ TEST(Voice, SaysTheFirstAtOnceAndThenTheNewestOfEquals) {
   EXPECT_EQ(said.now(), (std::vector<std::string>{"a", "d"}));
 }
 
-TEST(Voice, LetsNoLabelPushAFaultAside) {
+TEST(Voice, DoesNotReplaceAFaultByALabel) {
   Said said;
   Voice voice(std::make_unique<FakeSpeaker>(said), {200ms, 10s});
   voice.say(Importance::label, "first");
@@ -66,7 +66,7 @@ TEST(Voice, LetsNoLabelPushAFaultAside) {
   EXPECT_EQ(said.now().back(), "fault");
 }
 
-TEST(Voice, DropsWhatIsOutOfDate) {
+TEST(Voice, DropsASentenceThatIsTooOld) {
   Said said;
   Voice voice(std::make_unique<FakeSpeaker>(said), {300ms, 0ms});
   voice.say(Importance::label, "too late before it is heard");
@@ -78,7 +78,7 @@ TEST(Voice, DropsWhatIsOutOfDate) {
   EXPECT_EQ(said.now().size(), before);
 }
 
-TEST(Voice, EndsAtOnceWithSomethingWaiting) {
+TEST(Voice, EndsAtOnceWhileASentenceWaits) {
   Said said;
   {
     Voice voice(std::make_unique<FakeSpeaker>(said), {1h, 1h});
@@ -89,7 +89,7 @@ TEST(Voice, EndsAtOnceWithSomethingWaiting) {
   EXPECT_EQ(said.now().size(), 1U);
 }
 
-TEST(Speaker, HandsEachSentenceToItsProgramAsOneLine) {
+TEST(Speaker, WritesEachSentenceToItsProgramAsOneLine) {
   const auto file = std::filesystem::temp_directory_path() / ("palpable-voice-" + std::to_string(getpid()));
   auto speaker = open_speaking_program({"sh", "-c", "exec cat >>\"$0\"", file.string()});
   ASSERT_TRUE(speaker);
@@ -106,7 +106,7 @@ TEST(Speaker, HandsEachSentenceToItsProgramAsOneLine) {
   std::filesystem::remove(file);
 }
 
-TEST(Speaker, FinishesOnlyWhenItsProgramHasSpoken) {
+TEST(Speaker, FinishesOnlyAfterItsProgramHasSpoken) {
   const auto file = std::filesystem::temp_directory_path() / ("palpable-spoken-" + std::to_string(getpid()));
   auto speaker =
       open_speaking_program({"sh", "-c", "read line; sleep 0.2; echo \"$line\" >\"$0\"", file.string()});
@@ -120,14 +120,14 @@ TEST(Speaker, FinishesOnlyWhenItsProgramHasSpoken) {
   std::filesystem::remove(file);
 }
 
-TEST(Speaker, SaysThatAProgramIsNotThere) {
+TEST(Speaker, ReportsAMissingProgram) {
   const auto speaker = open_speaking_program({"palpable-has-no-such-program"});
   ASSERT_FALSE(speaker);
   EXPECT_EQ(speaker.error().sentence(),
             "palpable-has-no-such-program: cannot be started (No such file or directory)");
 }
 
-TEST(Speaker, NoticesThatItsProgramHasEnded) {
+TEST(Speaker, ReportsThatItsProgramHasEnded) {
   auto speaker = open_speaking_program({"true"});
   ASSERT_TRUE(speaker);
   std::this_thread::sleep_for(200ms);

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kSide = 121;
 constexpr double kGroovePixel_m = 0.00015;
-constexpr double kLasts_s = 3.0;
-constexpr double kWatched_s = 1.0;
+constexpr double kDuration_s = 3.0;
+constexpr double kObserved_s = 1.0;
 constexpr int kKept = 200;
 
-/// Bottom on z = 0 along y.
+/// A groove along y with its bottom at z = 0.
 Result<models::Scene> groove_scene(double slope) {
   Raster<float> height_m(kSide, kSide);
   for (int y = 0; y < kSide; ++y)
@@ -55,13 +55,13 @@ GrooveResult rest_in(const haptics::HapticScene& scene, const GrooveStudyOptions
   hand.place({options.beside_m, 0.0, options.slope * options.beside_m + 0.001});
   hand.set_goal({options.beside_m, 0.0, -options.deep_m});
 
-  const int ticks = static_cast<int>(kLasts_s * options.rate_hz);
-  const int watched = static_cast<int>(kWatched_s * options.rate_hz);
+  const int ticks = static_cast<int>(kDuration_s * options.rate_hz);
+  const int observed = static_cast<int>(kObserved_s * options.rate_hz);
   GrooveResult result;
   Span across;
   Span height;
   Vec3 before;
-  // The last push to a side: right in the middle there is none.
+  // The last lateral force: it is zero exactly in the middle.
   double side = 0.0;
   int turns = 0;
   for (int n = 0; n < ticks; ++n) {
@@ -70,7 +70,7 @@ GrooveResult rest_in(const haptics::HapticScene& scene, const GrooveStudyOptions
     }
     const Vec3 place = hand.true_position_m();
     if (n >= ticks - kKept) result.end_m.push_back(place.x);
-    if (n >= ticks - watched) {
+    if (n >= ticks - observed) {
       across.see(place.x);
       height.see(place.z);
       if (force.x != 0.0) {
@@ -83,7 +83,7 @@ GrooveResult rest_in(const haptics::HapticScene& scene, const GrooveStudyOptions
   }
   result.across_m = across.width();
   result.height_m = height.width();
-  result.turns_per_s = turns / kWatched_s;
+  result.turns_per_s = turns / kObserved_s;
   return result;
 }
 
@@ -100,7 +100,7 @@ Result<std::vector<GrooveResult>> study_groove(const GrooveStudyOptions& options
       parameters.stiffness_N_per_m = stiffness;
       parameters.damping_Ns_per_m = options.damping_Ns_per_m;
       parameters.static_friction = options.friction;
-      // As the papers' naive laws point: along the surface's normal.
+      // As the papers' penalty laws: the force points along the surface's normal.
       parameters.force_shading = 1.0;
       const auto touchable = haptics::make_touchable(*scene, parameters);
       if (!touchable) return touchable.error();

@@ -9,7 +9,7 @@
 namespace palpable::study {
 namespace {
 
-TEST(GrooveStudy, SeesTheNaiveLawVibrateAndTheProxyRest) {
+TEST(GrooveStudy, FindsThatThePenaltyLawVibratesAndTheProxyRests) {
   GrooveStudyOptions options;
   options.hand.device_mass_kg = 0.05;
   options.hand.arm_mass_kg = 0.1;

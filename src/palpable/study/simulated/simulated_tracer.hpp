@@ -11,62 +11,62 @@
 
 namespace palpable::study {
 
-/// How a simulated person follows a line with the eye. A model, never evidence about people. All values come
-/// from the literature but the speed, which was fitted once to the mean times without assistance of
-/// "Design and implementation of a graphic-haptic display system" (2006), and to nothing else.
+/// A model of a person who traces a visible line; no evidence about people. All values are from the
+/// literature, except the speed: it was fitted once, to the mean times without assistance in "Design and
+/// implementation of a graphic-haptic display system" (2006).
 struct TracerParameters {
-  /// What the person means to go at on a straight line, m/s.
+  /// Intended speed on a straight line, m/s.
   double speed_m_per_s = 0.0100;
-  /// From seeing to moving: people answer a displaced target or cursor 150 to 200 ms later (Saunders & Knill
+  /// Visuomotor delay: people correct for a displaced target or cursor after 150 to 200 ms (Saunders & Knill
   /// 2003, Brenner & Smeets 1997).
   double delay_s = 0.16;
-  /// From one planned piece of movement to the next: tracking is corrected several times a second (Miall,
+  /// Interval between submovements: tracking is corrected intermittently, several times per second (Miall,
   /// Weir & Stein 1993; Gawthrop et al. 2011).
   double interval_s = 0.2;
-  /// Each piece has the velocity profile of least jerk and lasts so long; neighbours add up (Flash & Henis
-  /// 1991).
-  double lasts_s = 0.4;
-  /// Standard deviation of a piece's end in each direction, as a share of its length: noise that grows with
-  /// the command (Harris & Wolpert 1998; van Beers, Haggard & Wolpert 2004 found about a tenth).
+  /// Duration of a submovement, which has a minimum-jerk velocity profile; overlapping submovements add up
+  /// (Flash & Henis 1991).
+  double duration_s = 0.4;
+  /// Standard deviation of a submovement's end in each direction, as a share of its length: signal-dependent
+  /// noise (Harris & Wolpert 1998; about a tenth in van Beers, Haggard & Wolpert 2004).
   double motor_noise = 0.1;
-  /// Standard deviation of where the hand is seen, each time. A pixel and a half of the paper's screen.
-  double seen_m = 0.0003;
-  /// Share of the seen distance from the line that one piece takes back.
+  /// Standard deviation of each visual estimate of the hand's position: 1.5 pixels of the paper's screen.
+  double visual_noise_m = 0.0003;
+  /// Share of the seen deviation from the line that one submovement corrects.
   double correction = 0.6;
-  /// Share of a displacement by an outer force that the hand's aim follows within one interval: 1 plans each
-  /// piece from where the hand is, 0 holds on to the aim.
-  double yielding = 1.0;
+  /// Share of a displacement by an external force that the aim follows within one interval. With 1 each
+  /// submovement is planned from the hand's position, with 0 from the aim.
+  double compliance = 1.0;
 };
 
-/// Plans the aim that an arm's spring pulls the hand to. Deterministic for a seed.
+/// Plans the aim: the rest position of the arm's spring, which pulls the hand. Deterministic for a seed.
 class SimulatedTracer {
  public:
   SimulatedTracer(std::shared_ptr<const LineByLength> line, const TracerParameters& parameters,
                   std::uint64_t seed);
 
   Vec3 aim() const { return aim_m_; }
-  /// One tick: `hand_m` is where the hand is. Returns the aim.
+  /// One tick: takes the hand's position and returns the aim.
   Vec3 step(Vec3 hand_m, double dt_s);
-  /// The hand has come to the line's end.
+  /// The hand has reached the line's end.
   bool finished() const { return finished_; }
 
  private:
-  struct Piece {
-    Vec3 way_m;
+  struct Submovement {
+    Vec3 displacement_m;
     double age_s = 0.0;
   };
   void plan();
-  /// What the pieces under way will still add.
-  Vec3 to_come() const;
-  double drawn() { return normal_(random_); }
+  /// The rest of the displacement of the running submovements.
+  Vec3 remaining_m() const;
+  double gaussian() { return normal_(random_); }
 
   std::shared_ptr<const LineByLength> line_;
   TracerParameters p_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
   Vec3 aim_m_;
-  std::deque<Piece> pieces_;
-  /// The hand's places over the last delay, oldest first, and what was commanded since each.
+  std::deque<Submovement> submovements_;
+  /// The hand's positions over the last delay, oldest first, and the commanded steps since then.
   std::deque<Vec3> seen_m_;
   std::deque<Vec3> commanded_m_;
   double until_next_s_ = 0.0;

@@ -19,7 +19,7 @@ constexpr int kSamples = 4;
 constexpr std::uint8_t kDark = 60;
 constexpr std::uint8_t kLight = 220;
 
-/// How much of each pixel is covered, by kSamples x kSamples places in it.
+/// The covered share of each pixel, from kSamples x kSamples points in it.
 Raster<float> coverage(const Raster<std::uint8_t>& fine) {
   Raster<float> covered(kFigureWidth, kFigureHeight, 0.0F);
   for (int y = 0; y < kFigureHeight; ++y)
@@ -59,7 +59,7 @@ std::vector<Vec3> millimetres(std::vector<Vec3> points) {
   return points;
 }
 
-/// A stroke 2 mm wide along a line of many short pieces.
+/// A stroke 2 mm wide along a polyline.
 TracingFigure stroke(std::string name, std::vector<Vec3> line) {
   constexpr double kHalf_m = 0.001;
   std::vector<Vec3> left;
@@ -140,7 +140,7 @@ TracingFigure ultrasound_figure(std::uint64_t seed) {
     outline.push_back({r * std::cos(a), r * std::sin(a), 0.0});
   }
   TracingFigure figure = filled("ultrasound", std::move(outline));
-  // Speckle is wider than high: a scanner resolves depth better than width.
+  // Speckle is wider than high, since axial resolution is better than lateral resolution.
   constexpr double kAcross_px = 2.5, kDown_px = 1.2;
   constexpr double kInside_dB = -12.0, kAttenuation_dB = -8.0, kRange_dB = 50.0;
   const Raster<float> covered = coverage_of(figure.nominal);
@@ -157,7 +157,7 @@ TracingFigure ultrasound_figure(std::uint64_t seed) {
           (2.0 * power);
       const double dB = 10.0 * std::log10(size2 + 1e-6) + kInside_dB * double{covered(x, y)} +
                         kAttenuation_dB * y / kFigureHeight;
-      // The mean of bright tissue stands at three quarters of the range.
+      // The mean of bright tissue is at three quarters of the range.
       const double grey = std::clamp(0.75 + dB / kRange_dB, 0.0, 1.0);
       figure.picture(x, y) = static_cast<std::uint8_t>(std::lround(255.0 * grey));
     }

@@ -10,7 +10,7 @@
 namespace palpable::study {
 namespace {
 
-/// Grey at a place of the scene, m.
+/// The grey value at a point of the scene.
 double grey_at(const TracingFigure& figure, Vec3 p) {
   const int x = static_cast<int>(std::lround(p.x / figure.pixel_m + 0.5 * (figure.picture.width() - 1)));
   const int y = static_cast<int>(std::lround(-p.y / figure.pixel_m + 0.5 * (figure.picture.height() - 1)));
@@ -25,7 +25,7 @@ TEST(TracingFigures, AreThoseOfThePaper) {
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
-TEST(TracingFigures, HaveOutlinesAsLongAsTheyAreSaidToBe) {
+TEST(TracingFigures, HaveOutlinesOfTheStatedLengths) {
   const auto length = [](const TracingFigure& f) { return LineByLength(f.nominal, f.ends).length_m(); };
   EXPECT_NEAR(length(rectangle_figure()), 0.260, 1e-9);
   EXPECT_NEAR(length(letter_h_figure()), 0.352, 1e-9);
@@ -44,7 +44,7 @@ TEST(TracingFigures, AreDarkWithinTheirLineAndLightOutside) {
   EXPECT_EQ(grey_at(line, {0.01, -0.01, 0}), 220);
 }
 
-TEST(TracingFigures, TurnToTheLeft) {
+TEST(TracingFigures, RotateCounterClockwise) {
   const auto line = line_figure(45);
   EXPECT_GT(line.nominal.back().x, 0.02);
   EXPECT_GT(line.nominal.back().y, 0.02) << "up to the right";
@@ -66,7 +66,8 @@ TEST(TracingFigures, HaveSpeckleThatIsDarkerInside) {
   };
   const auto inside = statistics({0, 0, 0});
   const auto outside = statistics({0.04, 0, 0});
-  // 12 dB of 50 are 61 of 255 steps; the size of fully developed speckle spreads by 5.6 dB.
+  // 12 dB of 50 are 61 of 255 grey levels; the magnitude of fully developed speckle has a standard deviation
+  // of 5.6 dB.
   EXPECT_NEAR(outside.first - inside.first, 61.0, 12.0);
   EXPECT_NEAR(outside.second, 5.6 / 50.0 * 255.0, 6.0);
   EXPECT_NE(ultrasound_figure(2).picture, scan.picture);

@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kLongest_s = 240.0;
 constexpr double kRest_s = 5.0;
-/// A hand that has been slower than this for so long is at rest: a turn is none, and the law's own estimate
-/// of the speed needs some time.
+/// A hand is at rest if it has been slower than kResting_m_per_s for kSettle_s: a turning point is no rest,
+/// and the law's estimate of the speed needs some time.
 constexpr double kSettle_s = 0.3;
 constexpr double kResting_m_per_s = 0.0005;
 constexpr int kTicksAPlace = 20;
 
-/// The paper's device: a pen in a plane, 3600 dots an inch, 5 N, hardly any friction.
+/// The paper's device: a pen in a plane, 3600 dots per inch, 5 N, almost no friction.
 device::HandOptions paper_hand(double rate_hz) {
   device::HandOptions hand;
   hand.degrees_of_freedom = 2;
@@ -35,10 +35,11 @@ device::HandOptions paper_hand(double rate_hz) {
   return hand;
 }
 
-/// One simulated hand under the law, or under none.
-class Desk {
+/// One simulated hand with the law, or with none.
+class SimulatedTrace {
  public:
-  Desk(const TracedFigure& figure, const TracingStudyOptions& options, Assistance assistance, Vec3 begin_m)
+  SimulatedTrace(const TracedFigure& figure, const TracingStudyOptions& options, Assistance assistance,
+                 Vec3 begin_m)
       : law_(figure.boundaries, options.law),
         hand_(paper_hand(options.rate_hz)),
         dt_s_(1.0 / options.rate_hz),
@@ -47,7 +48,7 @@ class Desk {
     last_m_ = begin_m;
   }
 
-  /// One tick towards the aim; returns where the hand is.
+  /// One tick towards the aim; returns the hand's position.
   Vec3 step(Vec3 aim_m, TraceOutcome& outcome) {
     haptics::Hand felt;
     felt.position.v = hand_.read().position.v;
@@ -66,7 +67,7 @@ class Desk {
     return hand_.true_position_m();
   }
   double speed() const { return norm(hand_.true_velocity_m_per_s()); }
-  /// The law's push along the boundary, without its damper.
+  /// The law's force along the boundary, without its damping.
   double push_N() const { return std::hypot(state_.last_fx_N, state_.last_fy_N); }
 
  private:
@@ -111,29 +112,29 @@ Result<TracedFigure> prepare_figure(TracingFigure figure, double neighbourhood_p
 TraceOutcome trace_once(const TracedFigure& figure, const TracingStudyOptions& options, Assistance assistance,
                         Direction direction, std::uint64_t seed) {
   auto nominal = figure.figure.nominal;
-  // A closed line is begun at the same place, whichever way round.
+  // A closed line starts at the same point in both directions.
   const bool open = figure.figure.ends == LineByLength::Ends::open;
   if (direction == Direction::backwards) std::reverse(nominal.begin() + (open ? 0 : 1), nominal.end());
   const auto line = std::make_shared<const LineByLength>(nominal, figure.figure.ends);
   SimulatedTracer tracer(line, options.tracer, seed);
   TraceOutcome outcome;
-  Desk desk(figure, options, assistance, line->point(0.0));
+  SimulatedTrace simulation(figure, options, assistance, line->point(0.0));
   const double dt_s = 1.0 / options.rate_hz;
   Vec3 hand_m = line->point(0.0);
   const int most = static_cast<int>(kLongest_s * options.rate_hz);
   int tick = 0;
   for (; tick < most && !tracer.finished(); ++tick) {
     if (tick % kTicksAPlace == 0) outcome.trace.push_back(hand_m);
-    hand_m = desk.step(tracer.step(hand_m, dt_s), outcome);
+    hand_m = simulation.step(tracer.step(hand_m, dt_s), outcome);
   }
   outcome.finished = tracer.finished();
   outcome.seconds = tick * dt_s;
   const int rest = static_cast<int>(kRest_s * options.rate_hz);
   double rested_s = 0.0;
   for (int k = 0; k < rest; ++k) {
-    desk.step(tracer.aim(), outcome);
-    rested_s = desk.speed() < kResting_m_per_s ? rested_s + dt_s : 0.0;
-    if (rested_s > kSettle_s) outcome.resting_N = std::max(outcome.resting_N, desk.push_N());
+    simulation.step(tracer.aim(), outcome);
+    rested_s = simulation.speed() < kResting_m_per_s ? rested_s + dt_s : 0.0;
+    if (rested_s > kSettle_s) outcome.resting_N = std::max(outcome.resting_N, simulation.push_N());
   }
   outcome.rested = rested_s > kSettle_s;
   outcome.error = area_error(outcome.trace, figure.figure.nominal);

@@ -15,14 +15,14 @@
 namespace palpable::study {
 
 /// A simulation of the paper's study (graphic-haptic display 2006, section 4): simulated tracers follow a
-/// figure's outline with and without the law `tracing`, both ways round, three times each.
+/// figure's outline with and without the law `tracing`, in both directions, three times each.
 struct TracingStudyOptions {
   int tracers = 20;
   int repeats = 3;
   TracerParameters tracer;
-  /// Standard deviation of speed and noise from one tracer to the next, as a share.
+  /// Relative standard deviation of speed and noise between tracers.
   double spread = 0.07;
-  /// m of eq. 7, px; and F_m.
+  /// m of eq. 7, px; the law holds F_m.
   double neighbourhood_px = 6.0;
   haptics::TracingParameters law;
   double rate_hz = 1000.0;
@@ -34,16 +34,15 @@ struct TraceOutcome {
   /// S'/S; NaN for open lines.
   double error = 0.0;
   double roughness_deg_per_mm = 0.0;
-  /// The fastest that a hand went while the law pushed it, the least that the tank held, and the greatest
-  /// force after the trace's end, at rest: below 0.5 mm/s for 0.3 s. Whether it came to rest within two
-  /// seconds.
+  /// The hand's greatest speed while the law pushed it, the tank's least energy, and the greatest force at
+  /// rest after the trace's end; `rested`: whether it came to rest. At rest means below 0.5 mm/s for 0.3 s.
   double fastest_pushed_m_per_s = 0.0;
   double tank_least_J = haptics::TracingLaw::kTank_J;
   double resting_N = 0.0;
   bool rested = false;
-  /// It came to its end within four minutes.
+  /// The trace reached its end within four minutes.
   bool finished = false;
-  /// The hand's places, one each 20 ms.
+  /// The hand's positions, one per 20 ms.
   std::vector<Vec3> trace;
 };
 
@@ -56,7 +55,7 @@ struct Spread {
 struct TracingSummary {
   int traces = 0;
   int unfinished = 0;
-  /// How many of the hands did not come to rest after the trace.
+  /// How many hands did not come to rest after the trace.
   int restless = 0;
   Spread seconds;
   Spread error;
@@ -66,7 +65,7 @@ struct TracingSummary {
   double resting_N = 0.0;
 };
 
-/// A figure ready to be traced: its boundaries as the program finds them.
+/// A figure with the boundaries that the program finds in its picture.
 struct TracedFigure {
   TracingFigure figure;
   std::shared_ptr<const models::BoundaryMap> boundaries;
@@ -80,8 +79,8 @@ enum class Direction { as_drawn, backwards };
 TraceOutcome trace_once(const TracedFigure& figure, const TracingStudyOptions& options, Assistance assistance,
                         Direction direction, std::uint64_t seed);
 
-/// All traces of one figure in one condition. The same tracers, with the same noise, trace in both
-/// conditions. Errors: interrupted.
+/// All traces of one figure in one condition. Both conditions have the same tracers with the same noise.
+/// Errors: interrupted.
 Result<TracingSummary> study_tracing(const TracedFigure& figure, const TracingStudyOptions& options,
                                      Assistance assistance, const Work& work);
 

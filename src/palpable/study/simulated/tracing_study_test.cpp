@@ -12,7 +12,7 @@ namespace {
 TracerParameters exact() {
   TracerParameters p;
   p.motor_noise = 0.0;
-  p.seen_m = 0.0;
+  p.visual_noise_m = 0.0;
   return p;
 }
 
@@ -20,7 +20,7 @@ std::shared_ptr<const LineByLength> outline_of(const TracingFigure& figure) {
   return std::make_shared<const LineByLength>(figure.nominal, figure.ends);
 }
 
-/// A hand that is where it is aimed at.
+/// The time of a hand that follows the aim exactly.
 double seconds_of(SimulatedTracer& tracer, Vec3 begin) {
   Vec3 hand = begin;
   double t = 0.0;
@@ -28,14 +28,14 @@ double seconds_of(SimulatedTracer& tracer, Vec3 begin) {
   return t;
 }
 
-TEST(SimulatedTracer, GoesAtItsSpeedAlongAStraightLine) {
+TEST(SimulatedTracer, MovesAtItsSpeedAlongAStraightLine) {
   const auto line = outline_of(line_figure(0));
   SimulatedTracer tracer(line, exact(), 1);
   EXPECT_NEAR(seconds_of(tracer, line->point(0.0)), 6.0, 0.7) << "60 mm at 10 mm/s";
 }
 
-TEST(SimulatedTracer, IsFartherFromTheLineTheFasterItGoes) {
-  // Speed against accuracy is not put in: it follows from noise that grows with the command.
+TEST(SimulatedTracer, HasAnErrorProportionalToItsSpeed) {
+  // The trade-off of speed and accuracy is not modelled: it follows from the signal-dependent noise.
   const auto line = outline_of(line_figure(0));
   const auto error = [&](double speed) {
     double squares = 0.0;
@@ -43,7 +43,7 @@ TEST(SimulatedTracer, IsFartherFromTheLineTheFasterItGoes) {
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
       TracerParameters p;
       p.speed_m_per_s = speed;
-      p.seen_m = 0.0;
+      p.visual_noise_m = 0.0;
       SimulatedTracer tracer(line, p, seed);
       Vec3 hand = line->point(0.0);
       for (int k = 0; k < 100000 && !tracer.finished(); ++k, ++n) {
@@ -56,7 +56,7 @@ TEST(SimulatedTracer, IsFartherFromTheLineTheFasterItGoes) {
   EXPECT_NEAR(error(0.02) / error(0.01), 2.0, 0.5);
 }
 
-TEST(SimulatedTracer, GoesToCornersInsteadOfCuttingThem) {
+TEST(SimulatedTracer, ReachesCornersInsteadOfCuttingThem) {
   const auto line = outline_of(rectangle_figure());
   SimulatedTracer tracer(line, exact(), 1);
   Vec3 hand = line->point(0.0);
@@ -86,7 +86,7 @@ TEST_F(OnTheScan, TracesAreTheSameForTheSameSeed) {
   EXPECT_TRUE(a.finished);
 }
 
-TEST_F(OnTheScan, AssistanceKeepsItsTankItsCapAndItsRest) {
+TEST_F(OnTheScan, AssistanceKeepsItsEnergyTankAndSpeedCapAndComesToRest) {
   TracingStudyOptions options;
   options.tracers = 2;
   options.repeats = 1;
@@ -101,7 +101,7 @@ TEST_F(OnTheScan, AssistanceKeepsItsTankItsCapAndItsRest) {
   EXPECT_GT(with->fastest_pushed_m_per_s, 0.0) << "it did push";
 }
 
-TEST_F(OnTheScan, ALawWithoutForceChangesNothingButItsDamper) {
+TEST_F(OnTheScan, ALawWithoutForceAndDampingChangesNothing) {
   TracingStudyOptions options;
   options.law.force_N = 0.0;
   options.law.damping_Ns_per_m = 0.0;

@@ -22,7 +22,7 @@ constexpr double kPixel_m = 0.00015625;
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr double kGround_m = 0.002;
-/// The limit that reliefs are made with.
+/// The default slope limit of reliefs.
 constexpr double kSteepest = 3.0;
 constexpr double kTolerance_N = 1e-6;
 
@@ -33,7 +33,7 @@ int between(std::mt19937_64& random, int low, int high) {
   return std::uniform_int_distribution<int>(low, high)(random);
 }
 
-/// A hand that changes its mind: above, in and under the surface.
+/// A hand that moves at random above, through and under the surface.
 class RandomHand {
  public:
   RandomHand(std::uint64_t seed, const models::Relief& surface, double fastest_m_per_s)
@@ -82,7 +82,7 @@ class RandomHand {
   int left_ = 1;
 };
 
-/// How high the surface is at most on the straight way from one place to another.
+/// The surface's greatest height along the straight path between two points.
 double top_between(const models::Relief& surface, Vec3 from, Vec3 to) {
   const Vec3 way = to - from;
   const int steps = 1 + static_cast<int>(4.0 * std::hypot(way.x, way.y) / surface.pixel_m());
@@ -94,9 +94,9 @@ double top_between(const models::Relief& surface, Vec3 from, Vec3 to) {
   return top_m;
 }
 
-/// Whether a way leads from one place to another over ground that is nowhere higher than `ceiling_m`, within
-/// 3 mm of the straight one: a search over a grid of half pixels.
-bool leads_round(const models::Relief& surface, Vec3 from, Vec3 to, double ceiling_m) {
+/// Whether a path connects two points over ground nowhere higher than `ceiling_m`, within 3 mm of the
+/// straight path: a breadth-first search on a grid of half pixels.
+bool path_leads_around(const models::Relief& surface, Vec3 from, Vec3 to, double ceiling_m) {
   constexpr double kRound_m = 0.003;
   const double step_m = 0.5 * surface.pixel_m();
   const double left_m = std::min(from.x, to.x) - kRound_m;
@@ -127,8 +127,8 @@ bool leads_round(const models::Relief& surface, Vec3 from, Vec3 to, double ceili
   return false;
 }
 
-/// Whether the straight way towards a hand is in free air for the share `end` of it, from where the proxy
-/// was.
+/// Whether the first share `end` of the straight path from the proxy's last position to the hand is in free
+/// air.
 bool is_clear(const models::Relief& surface, Vec3 from, Vec3 hand, double end) {
   constexpr double kTolerance_m = 1e-6;
   const Vec3 way = end * (hand - from);
@@ -140,17 +140,17 @@ bool is_clear(const models::Relief& surface, Vec3 from, Vec3 hand, double end) {
   return true;
 }
 
-/// Whether a proxy went through an obstacle on its way to the hand: between the two places the surface rises
-/// above both by more than half of its height over the ground, no way round leads past it (a spike may be
-/// rounded within a tick, a wall may not), and the hand was not in sight over it.
-bool runs_through(const models::Relief& surface, Vec3 from, Vec3 to, Vec3 hand) {
+/// Whether a proxy jumped through an obstacle: between the two points the surface rises above both by more
+/// than half of its height over the ground, no path leads around it, and the straight path to the hand was
+/// blocked. (The proxy may go around a spike within a tick, but not around a wall.)
+bool jumps_through(const models::Relief& surface, Vec3 from, Vec3 to, Vec3 hand) {
   if (std::hypot(to.x - from.x, to.y - from.y) <= surface.pixel_m()) return false;
   constexpr double kLeast_m = 0.0005;
   const double ends_m = std::max(from.z, to.z);
   const double foot_m = std::min({from.z, to.z, kGround_m});
   const double top_m = top_between(surface, from, to);
   const double ceiling_m = ends_m + std::max(kLeast_m, 0.5 * (top_m - foot_m));
-  if (top_m <= ceiling_m || leads_round(surface, from, to, ceiling_m)) return false;
+  if (top_m <= ceiling_m || path_leads_around(surface, from, to, ceiling_m)) return false;
   const double whole_m = std::hypot(hand.x - from.x, hand.y - from.y);
   const double share = std::min(1.0, std::hypot(to.x - from.x, to.y - from.y) / std::max(whole_m, 1e-12));
   return !is_clear(surface, from, hand, share);
@@ -161,9 +161,9 @@ struct Moment {
   haptics::LawOutput output;
 };
 
-/// The rule of the force's steps.
-void judge_step(const Moment& before, const Moment& now, const TrajectoryStudyOptions& options,
-                LargeStep step, Vec3& written_N, TrajectoryFindings& findings) {
+/// Classifies one change of the force.
+void classify_step(const Moment& before, const Moment& now, const TrajectoryStudyOptions& options,
+                   LargeStep step, Vec3& written_N, TrajectoryFindings& findings) {
   step.hand_moved_m = norm(now.hand_m - before.hand_m);
   step.proxy_moved_m = norm(now.output.proxy.v - before.output.proxy.v);
   step.force_step_N = norm(now.output.force_N - before.output.force_N);
@@ -186,7 +186,7 @@ void judge_step(const Moment& before, const Moment& now, const TrajectoryStudyOp
   findings.largest.push_back(step);
 }
 
-void keep_the_greatest(std::vector<LargeStep>& steps, int most) {
+void keep_largest(std::vector<LargeStep>& steps, int most) {
   std::sort(steps.begin(), steps.end(), [](const LargeStep& a, const LargeStep& b) {
     return std::tuple(-a.force_step_N, a.trajectory, a.tick) <
            std::tuple(-b.force_step_N, b.trajectory, b.tick);
@@ -208,9 +208,8 @@ void add(const TrajectoryFindings& part, int listed, TrajectoryFindings& sum) {
   sum.large_steps += part.large_steps;
   sum.large_and_unlimited += part.large_and_unlimited;
   sum.largest.insert(sum.largest.end(), part.largest.begin(), part.largest.end());
-  // Not at every touch: sorting would take longer than touching.
-  if (sum.largest.size() > 4 * static_cast<std::size_t>(listed) + 1000)
-    keep_the_greatest(sum.largest, listed);
+  // Not for every trajectory: sorting would take longer than simulating.
+  if (sum.largest.size() > 4 * static_cast<std::size_t>(listed) + 1000) keep_largest(sum.largest, listed);
 }
 
 Result<void> check(const TrajectoryStudyOptions& o) {
@@ -224,7 +223,7 @@ Result<void> check(const TrajectoryStudyOptions& o) {
   return {};
 }
 
-/// One ground under one law: everything that its trajectories share.
+/// One ground with one law, which many trajectories share.
 struct Variant {
   std::shared_ptr<const models::Relief> surface;
   std::shared_ptr<const haptics::Touchable> touchable;
@@ -258,8 +257,8 @@ Result<std::shared_ptr<const models::Relief>> obstacle_relief(std::uint64_t seed
       for (int along = 0; along < (upright ? kHeight : kWidth); ++along)
         (upright ? z(k, along) : z(along, k)) = static_cast<float>(height_m);
   };
-  // A wall of 1 mm is six pixels and a half; a groove is one to seven, a spike two. Walls stand on the
-  // grooves, or a groove would leave slivers of them.
+  // In pixels: a wall of 1 mm is 6.5 wide, a groove one to seven, a spike two. Walls come after grooves, or a
+  // groove would leave slivers of a wall.
   for (int i = between(random, 10, 30); i < kWidth - 20; i += between(random, 30, 70))
     bar(i, between(random, 1, 7), true, between(random, 0.0, 0.001));
   for (int i = between(random, 10, 30); i < kWidth - 20; i += between(random, 25, 60))
@@ -299,8 +298,8 @@ TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const 
     findings.sunk += proxy.z - surface.sample(proxy.x, proxy.y).z_m < -1e-9 ? 1 : 0;
     findings.pulled += dot(proxy - tick.hand_m, tick.output.force_N.v) < -1e-9 ? 1 : 0;
     if (k > 0) {
-      findings.jumped_through += runs_through(surface, before.output.proxy.v, proxy, tick.hand_m) ? 1 : 0;
-      judge_step(before, tick, options, {0, k, tick.hand_m, 0.0, 0.0, 0.0}, written_N, findings);
+      findings.jumped_through += jumps_through(surface, before.output.proxy.v, proxy, tick.hand_m) ? 1 : 0;
+      classify_step(before, tick, options, {0, k, tick.hand_m, 0.0, 0.0, 0.0}, written_N, findings);
     }
     before = tick;
   }
@@ -335,7 +334,7 @@ Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& opti
     });
     if (work.cancelled()) return Work::interrupted();
   }
-  keep_the_greatest(sum.largest, options.listed);
+  keep_largest(sum.largest, options.listed);
   return sum;
 }
 

@@ -13,7 +13,7 @@
 namespace palpable::study {
 namespace {
 
-TEST(TrajectoryStudy, FindsThatTheProxyLetsNoHandThroughWallsGroovesAndSpikes) {
+TEST(TrajectoryStudy, FindsThatTheProxyNeverPassesWallsGroovesOrSpikes) {
   TrajectoryStudyOptions options;
   options.trajectories = 4000;
   options.grounds = 8;
@@ -52,7 +52,7 @@ TEST(TrajectoryStudy, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
-/// A law that cannot hold a fast hand: it forgets the surface within a thin wall, as the naive law does.
+/// A law that cannot hold a fast hand: it loses contact within a thin wall, as penalty laws do.
 class FallsThroughWalls final : public haptics::Touchable {
  public:
   explicit FallsThroughWalls(std::shared_ptr<const models::Relief> relief) : relief_(std::move(relief)) {}
@@ -73,7 +73,7 @@ class FallsThroughWalls final : public haptics::Touchable {
   std::shared_ptr<const models::Relief> relief_;
 };
 
-TEST(TrajectoryStudy, NoticesALawThatLetsTheHandThrough) {
+TEST(TrajectoryStudy, DetectsALawThatLetsTheHandThrough) {
   const auto relief = *obstacle_relief(3, 0.0);
   const FallsThroughWalls law(relief);
   TrajectoryFindings sum;
@@ -90,7 +90,7 @@ TEST(TrajectoryStudy, NoticesALawThatLetsTheHandThrough) {
   EXPECT_GT(sum.large_steps, 100);
 }
 
-TEST(TrajectoryStudy, RefusesWhatIsOutOfRange) {
+TEST(TrajectoryStudy, RefusesOptionsOutOfRange) {
   TrajectoryStudyOptions options;
   options.trajectories = 0;
   EXPECT_FALSE(study_trajectories(options, Work{}));
