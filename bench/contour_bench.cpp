@@ -42,7 +42,7 @@ void BM_FindContours1024x768(benchmark::State& state) {
 }
 BENCHMARK(BM_FindContours1024x768)->Arg(1)->Arg(3)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The peer: what OpenCV needs for Gaussian smoothing and Canny's lines, without directions or strengths.
+/// For comparison: OpenCV's Gaussian smoothing and Canny edges, without directions or strengths.
 void BM_OpenCvCanny1024x768(benchmark::State& state) {
   const Image image = discs(1);
   cv::Mat grey(image.height, image.width, CV_8U);
@@ -65,7 +65,7 @@ void BM_BoundaryMap1024x768(benchmark::State& state) {
 }
 BENCHMARK(BM_BoundaryMap1024x768)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// A hand that goes round a circle of 30 mm across all discs, 50 mm/s.
+/// A hand that moves on a circle of 30 mm across all discs at 50 mm/s.
 void BM_TracingTick(benchmark::State& state) {
   const auto contours = vision::find_contours(discs(1), {}, Work{});
   const auto map =

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Correction of a field by a measured surface, step by step (docs/fields.md): a ball of 60 mm at 512 cells,
-// and patches of its surface measured 2 mm farther out. Made ready before: what the first of many corrections
-// makes.
+// and patches of its surface measured 2 mm farther out. The preparation of the first of many corrections is
+// not timed.
 #include "palpable/models/field/superquadric_samples.hpp"
 #include "palpable/sculpt/correction/field_correction.hpp"
 #include "palpable/sculpt/correction/field_update.hpp"
@@ -31,7 +31,7 @@ Mesh ball(double radius_m) {
   return models::mesh_of(s, kSpacing_m);
 }
 
-/// The part of a ball's surface around +z whose share of the whole is `share`.
+/// The cap around +z that is this share of a ball's surface.
 Mesh patch(double radius_m, double share) {
   Mesh mesh = ball(radius_m);
   const double cut_m = radius_m * (1.0 - 2.0 * share);
@@ -54,8 +54,8 @@ class Watch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// How far a corrected field errs where its bound is promised: distances and directions at places from 3 mm
-/// inside to 1 mm outside of a cap three times as wide as what was measured, and of the whole depth.
+/// Errors of a corrected field where its bound holds: distances and directions from 3 mm inside to 1 mm
+/// outside, over a cap three times as wide as the measured one.
 void print_errors(const CorrectedField& corrected, double share) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
@@ -103,7 +103,7 @@ bool measure(const CorrectedField& before, double share, double out_m) {
   const auto corrected = corrected_field(std::move(whole), measured, correction, {}, {});
   if (!corrected) return false;
   std::printf(
-      "%4.1f %% measured %.1f mm out, %4.1f %% of the samples moved, %zu cells: %5.0f ms (apart: surface "
+      "%4.1f %% measured %.1f mm out, %4.1f %% of the samples moved, %zu cells: %5.0f ms (surface "
       "%.0f, "
       "its distance %.0f, field %.0f)\n",
       100.0 * share, 1e3 * out_m,
@@ -122,7 +122,7 @@ int main() {
   if (!surface || !field) return 1;
   Watch watch;
   SmoothSurface solid(mesh);
-  std::printf("%zu triangles, %zu cells; made ready in %.0f ms\n", mesh.triangles.size(), field->leaves(),
+  std::printf("%zu triangles, %zu cells; prepared in %.0f ms\n", mesh.triangles.size(), field->leaves(),
               watch.lap_ms());
   const CorrectedField before{*std::move(field), *std::move(surface), std::move(solid)};
   for (const double out_m : {0.0003, 0.001})

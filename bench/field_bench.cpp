@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The errors of a mesh's field beside its exact distance (docs/fields.md): a model of 100 mm at 512 cells,
-// from 3 mm inside to 1 mm outside. Objects of an OBJ file whose name ends with "_table" are left out.
-// Queries are timed warm along a path, and cold (x86 only). With --dense first, the two dense ways to keep it
-// too, with size, time of building and of a query.
+// Errors of a mesh's field against its exact distance (docs/fields.md): a model of 100 mm at 512 cells, from
+// 3 mm inside to 1 mm outside. Objects of an OBJ file whose name ends with "_table" are left out. Queries are
+// timed with warm caches along a path, and with cold caches (x86 only). With --dense as the first argument,
+// also for both kinds of dense field: size, build time and query time.
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/scene/scene.hpp"
@@ -41,7 +41,7 @@ std::string without_table(const std::string& obj) {
   return kept;
 }
 
-/// Into a box whose longest side is 100 mm.
+/// Scales the mesh so that its longest side is 100 mm.
 void scale_to_hand(Mesh& mesh) {
   const sculpt::Box box = sculpt::bounds_of(mesh);
   const Vec3 size = box.size_m(), middle = 0.5 * (box.least_m + box.most_m);
@@ -49,7 +49,7 @@ void scale_to_hand(Mesh& mesh) {
   for (Vec3& v : mesh.vertices_m) v = scale * (v - middle);
 }
 
-/// Whether the true distance is smooth round a place: its direction turns by at most 0.1 within two cells.
+/// Whether the true distance is smooth around a point: its gradient changes by at most 0.1 within two cells.
 bool is_smooth(const sculpt::DistanceSource& source, Vec3 p, Vec3 gradient, double cell_m,
                sculpt::DistanceSource::Hint& hint) {
   for (unsigned k = 0; k < 14; ++k) {
@@ -136,7 +136,7 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// Nanoseconds for distance and gradient, the middle of nine runs along one path that stays near the surface.
+/// Nanoseconds for distance and gradient: the median of nine runs along a path near the surface.
 template <models::DistanceSurface Distance>
 double query_ns(const Distance& field) {
   constexpr int kPlaces = 200000;
@@ -157,8 +157,8 @@ double query_ns(const Distance& field) {
 }
 
 #if defined(__x86_64__)
-/// One query at a time at random places near the surface, with the whole field put out of the processor's
-/// caches before each; what telling the time takes is taken off.
+/// Single queries at random points near the surface, with the whole field flushed from the processor's caches
+/// before each; the cost of reading the clock is subtracted.
 void tell_cold(const models::DistanceField& field) {
   constexpr int kQueries = 1500;
   constexpr std::size_t kLine = 64;
@@ -199,7 +199,8 @@ void tell_cold(const models::DistanceField& field) {
 }
 #endif
 
-/// One way to keep the field: its size in memory and in a scene file, and how long it takes.
+/// One representation of the field: its size in memory and in a scene file, its build time and its query
+/// time.
 template <models::DistanceSurface Distance>
 void tell(const char* name, Distance distance, double build_s, const sculpt::DistanceSource& source) {
   const double memory_MB = 1e-6 * static_cast<double>(distance.memory_bytes()), ns = query_ns(distance);

@@ -9,7 +9,7 @@
 
 namespace palpable::bench {
 
-/// `places` along a path half a millimetre under a solid's surface: the hand that presses while it explores.
+/// `places` points along a path 0.5 mm under a solid's surface, like a hand that presses while it explores.
 template <models::DistanceSurface Distance>
 std::vector<Vec3> path_under_surface(const Distance& field, int places) {
   std::vector<Vec3> path;

@@ -13,7 +13,7 @@
 namespace palpable::bench {
 namespace {
 
-/// Smooth random numbers in space: trilinear between random values at the points of a lattice, -1 ... 1.
+/// Value noise in space: trilinear interpolation between random values at lattice points, -1 ... 1.
 class SpaceNoise {
  public:
   explicit SpaceNoise(std::uint32_t seed) : seed_(seed) {}
@@ -50,7 +50,7 @@ class SpaceNoise {
   std::uint32_t seed_;
 };
 
-/// The six sides of a cube, each n x n squares of two triangles, welded; its vertices reach from -1 to 1.
+/// The six sides of a cube from -1 to 1, each n x n squares of two triangles, with shared vertices.
 Mesh cube_grid(int n) {
   Mesh mesh;
   std::map<std::array<int, 3>, std::uint32_t> known;
@@ -78,7 +78,7 @@ Mesh cube_grid(int n) {
   return mesh;
 }
 
-/// Moves the vertices of a cube's grid, evenly in angle, onto a star-shaped surface.
+/// Projects the vertices of a cube's grid, evenly spaced in angle, onto a star-shaped surface.
 Mesh star(int triangles, const std::function<double(Vec3 direction)>& radius) {
   const int n = std::max(2, static_cast<int>(std::lround(std::sqrt(triangles / 12.0))));
   Mesh mesh = cube_grid(n);
@@ -94,7 +94,7 @@ Mesh star(int triangles, const std::function<double(Vec3 direction)>& radius) {
 Mesh noisy_ball(std::uint32_t seed, int triangles) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  // Of a facet's side: what scanners leave.
+  // Relative to a facet's side: the noise of a scanner.
   const double share = std::uniform_real_distribution<double>(0.02, 0.08)(random);
   const double side = std::sqrt(8.0 * 3.1416 / triangles);
   return star(triangles, [&](Vec3 /*direction*/) { return 1.0 + share * side * normal(random); });
@@ -136,7 +136,7 @@ Mesh terrain(std::uint32_t seed, int triangles) {
       mesh.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
       mesh.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
     }
-  // Round the rim, seen from above against the clock.
+  // Around the rim, counter-clockwise seen from above.
   std::vector<std::uint32_t> rim;
   for (int i = 0; i < n; ++i) rim.push_back(index(i, 0));
   for (int j = 0; j < n; ++j) rim.push_back(index(n, j));

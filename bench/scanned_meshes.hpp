@@ -9,10 +9,10 @@
 
 namespace palpable::bench {
 
-/// Meshes of the kinds that scanners and sculpting programs give, from seeds: the parameters of fields are
+/// Synthetic meshes like those of scanners and sculpting programs, from seeds. The parameters of fields are
 /// chosen on them.
 enum class ScannedKind {
-  /// A ball whose vertices are displaced at random along its normals, as by a scanner.
+  /// A ball whose vertices are displaced at random along its normals, like scanner noise.
   noisy_ball,
   /// A superquadric with many small bumps, and a little noise.
   bumpy_superquadric,
@@ -21,8 +21,8 @@ enum class ScannedKind {
 };
 std::string_view name_of(ScannedKind kind);
 
-/// A closed mesh of about `triangles` triangles that faces outwards; its longest side is `longest_m`. The
-/// same arguments give the same mesh.
+/// A closed mesh of about `triangles` triangles oriented outwards; its longest side is `longest_m`.
+/// Deterministic.
 Mesh scanned_mesh(ScannedKind kind, std::uint32_t seed, int triangles, double longest_m);
 
 }  // namespace palpable::bench

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Fields of scanned meshes (docs/fields.md): size in memory and on disk, processor time, errors beside the
-// mesh's own facets, and how long single queries take along a path of contacts. Without arguments: the set of
-// generated meshes on which the parameters were chosen, at a quarter of their size (50 mm, 256 cells, 20 000
+// Fields of scanned meshes (docs/fields.md): size in memory and on disk, processor time, errors against the
+// mesh's own facets, and the time of single queries along a path of contacts. Without arguments: the
+// generated meshes on which the parameters were chosen, at a reduced size (50 mm, 256 cells, 20 000
 // triangles). With OBJ files: these, of 100 mm at 512 cells. --noise TURN RISE comes first and sets how
 // closely a field follows a scan's noise.
 #include "palpable/core/read_file.hpp"
@@ -32,8 +32,7 @@ using namespace palpable;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Root mean square of distance (um) and direction (degrees) beside the facets, from 3 mm inside to 1 mm
-/// outside.
+/// RMS errors of distance (um) and direction (degrees) against the facets, from 3 mm inside to 1 mm outside.
 void print_errors(const models::DistanceField& field, const sculpt::DistanceSource& facets) {
   std::mt19937_64 random(17);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);

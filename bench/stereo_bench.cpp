@@ -13,9 +13,9 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/ximgproc/disparity_filter.hpp>
 
-// Each of our stereo methods beside OpenCV's, on the same pictures in the same run, two threads each: wall
-// time, processor time, and the bad pixels (beyond 1 px, not hidden, in percent) of what was timed. The
-// pictures are Middlebury's cones where PALPABLE_DATA names the data, else a drawn pair of the same size; 64
+// Compares our stereo methods with OpenCV's on the same pictures in the same run, two threads each: wall
+// time, processor time, and bad pixels (error above 1 px, not occluded, in percent) of the timed result. The
+// pictures are Middlebury's cones if PALPABLE_DATA names the data, else a synthetic pair of the same size; 64
 // disparities.
 namespace palpable::vision {
 namespace {

@@ -114,7 +114,7 @@ struct Texture {
   }
 };
 
-/// Where a planar surface ends, in the left picture: a rotated rectangle or ellipse around (x, y).
+/// The outline of a planar surface in the left picture: a rotated rectangle or ellipse around (x, y).
 struct Outline {
   enum class Shape { everywhere, rectangle, ellipse } shape = Shape::everywhere;
   double x = 0.0, y = 0.0, half_width = 0.0, half_height = 0.0;
@@ -144,7 +144,7 @@ struct Surface {
   Texture texture;
 };
 
-/// Where a ray of a camera meets a surface: its disparity, and its place in the left picture.
+/// The intersection of a camera ray with a surface: its disparity, and its position in the left picture.
 struct Hit {
   double disparity_px = 0.0;
   double x = 0.0;
@@ -187,7 +187,7 @@ Hit first_hit(const std::vector<Surface>& surfaces, double camera_x, double x, d
 struct Degradation {
   double noise = 1.0 / 255.0;
   double gain = 1.0, offset = 0.0, gamma = 1.0;
-  /// The right camera's picture lies lower by this, and by more towards the right edge.
+  /// Vertical offset of the right picture, which grows towards its right edge.
   double lower_px = 0.0, roll_px = 0.0;
 };
 
@@ -214,7 +214,7 @@ Surface wall(Random& random, double disparity_px) {
   return s;
 }
 
-/// A floor that begins at a row of the picture and comes nearer towards its bottom.
+/// A floor that begins at a row of the picture and gets nearer towards its bottom.
 Surface floor_from(Random& random, double row, double disparity_px, double slope) {
   Surface s;
   s.y0 = row;
@@ -242,7 +242,7 @@ Surface board(Random& random, double disparity_px, double half_size_px, double s
   return s;
 }
 
-/// A room with some boards: what every kind of scene begins with.
+/// A room with some boards: the basis of every kind of scene.
 std::vector<Surface> room(Random& random, int boards, double slope) {
   const double far = random.between(4.0, 9.0);
   std::vector<Surface> out{wall(random, far),
@@ -310,7 +310,7 @@ void add_leaves(Random& random, std::vector<Surface>& out) {
   }
 }
 
-/// A fence: near pickets, between which the far wall shows in strips, many of them hidden from one camera.
+/// A fence: near pickets with strips of the far wall between them, many of which are occluded in one picture.
 void add_fence(Random& random, std::vector<Surface>& out) {
   const double disparity_px = random.between(24.0, 40.0), slope = random.between(-0.03, 0.03);
   Texture texture = rough(random);
@@ -382,7 +382,7 @@ Description describe(SceneKind kind, Random& random) {
   return out;
 }
 
-/// A camera's picture, in whole levels of 255.
+/// A camera's picture, quantised to 8 bits.
 Image picture_of(const Description& scene, double camera_x, std::uint64_t noise_seed) {
   const Degradation& right = scene.degradation;
   const Degradation ideal{.noise = right.noise};

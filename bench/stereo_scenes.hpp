@@ -14,7 +14,7 @@
 // test uses them. docs/stereo.md says which seeds.
 namespace palpable::bench {
 
-/// What a scene is made difficult by.
+/// The difficulty of a scene.
 enum class SceneKind {
   slanted,
   curved,
@@ -37,11 +37,11 @@ struct StereoScene {
   vision::StereoPair pair;
   /// The left picture's disparity at each pixel's centre; px.
   Raster<float> truth_px;
-  /// 1 where the right picture shows the same place of the same surface.
+  /// 1 if the right picture shows the same point of the same surface.
   Raster<std::uint8_t> seen_by_both;
 };
 
-/// Renders one scene of 320 x 240 pixels; the same bytes for the same kind and seed.
+/// Renders one scene of 320 x 240 pixels. Deterministic.
 StereoScene render_scene(SceneKind kind, std::uint32_t seed);
 
 /// The tuning set: the seeds 1 … seeds_per_kind of every kind.

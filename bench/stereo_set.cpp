@@ -24,7 +24,7 @@
 //   N]
 //                       [--json FILE] [--sheet FILE.png] [--sheet-method M]
 //
-// --sheet writes a picture of all scenes, each with its truth and, with --sheet-method, that method's answer.
+// --sheet writes a picture of all scenes, each with its truth and, with --sheet-method, that method's result.
 namespace palpable::bench {
 namespace {
 
@@ -48,8 +48,8 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return out;
 }
 
-/// Percentages of pixels whose disparity is off by more than 0.5, 1 and 2 px: of those that both cameras see;
-/// the last of all pixels, by more than 1 px.
+/// Percentages of pixels with an error above 0.5, 1 and 2 px, among those that both cameras see; and above 1
+/// px, among all pixels.
 struct Score {
   double half = 0.0, one = 0.0, two = 0.0, all = 0.0;
   int scenes = 0;
@@ -99,7 +99,7 @@ void set_parameters(const Arguments& arguments, vision::StereoMethod method, vis
   }
 }
 
-/// One method over the set: a table's rows, and the same as JSON.
+/// Runs one method over the set: prints rows of a table and returns them as JSON.
 nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScene>& scenes,
                            const Arguments& arguments) {
   nlohmann::ordered_json out;
@@ -143,7 +143,7 @@ nlohmann::ordered_json run(const std::string& name, const std::vector<StereoScen
   return out;
 }
 
-/// A picture of every scene at half its size: left picture, truth and, where a method is given, its answer.
+/// A picture with every scene at half its size: left picture, truth and, if a method is given, its result.
 Result<void> write_sheet(const Arguments& arguments, const std::vector<StereoScene>& scenes) {
   const auto method = vision::stereo_method_from(arguments.sheet_method);
   const int panels = method ? 3 : 2, columns = method ? 3 : 4;

@@ -39,11 +39,11 @@ void measure(const char* name, const FitCaseOptions& options, const FitOptions& 
               100.0 * at_share(relative, 0.5), 100.0 * at_share(relative, 0.9));
 }
 
-/// How far fitted taper and bend are beside the true ones. A shape turned end over end, or with x and y
-/// changed, has another taper for the same surface: they are compared in the true shape's axes.
+/// Errors of fitted taper and bend. A shape turned end over end, or with x and y exchanged, has another taper
+/// for the same surface, so they are compared in the true shape's axes.
 struct ParameterErrors {
   double taper = 0.0;
-  /// Of the whole body's bend, its curvature times its half length.
+  /// Bend: curvature times half length.
   double bend = 0.0;
 };
 std::optional<ParameterErrors> parameter_errors(const models::Superquadric& fitted,
@@ -52,7 +52,7 @@ std::optional<ParameterErrors> parameter_errors(const models::Superquadric& fitt
     return truth.scene_from_shape.inverse().rotate(fitted.scene_from_shape.rotate(v));
   };
   const Vec3 x = axis({1.0, 0.0, 0.0}), y = axis({0.0, 1.0, 0.0}), z = axis({0.0, 0.0, 1.0});
-  // Bodies whose z is another axis are other descriptions altogether.
+  // Fits with another z axis are different parametrisations and do not count.
   if (std::abs(z.z) < 0.9) return std::nullopt;
   const double end = z.z > 0.0 ? 1.0 : -1.0;
   const bool straight = std::abs(x.x) > std::abs(x.y);

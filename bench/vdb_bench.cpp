@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The same solids as our field, in OpenVDB and in NanoVDB: sizes, errors, times (docs/measurements.md). Each
-// argument is a mesh; it is scaled to 100 mm. The grids hold the exact distance at their places, which is the
-// best that they can hold; what OpenVDB itself takes to build one from the triangles is timed besides.
+// The same solids as our field, as OpenVDB and NanoVDB grids: sizes, errors, times (docs/measurements.md).
+// Each argument is a mesh, which is scaled to 100 mm. The voxels hold exact distances, the best possible
+// values; OpenVDB's own conversion from triangles is timed separately.
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/models/field/field.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"
@@ -45,8 +45,8 @@ double at_share(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-/// Places within half a millimetre of the surface, with their exact distance, in an order in which neighbours
-/// follow each other.
+/// Points within 0.5 mm of the surface with their exact distances, ordered so that consecutive points are
+/// neighbours.
 struct Places {
   std::vector<Vec3> at;
   std::vector<double> distance_m;
@@ -81,7 +81,7 @@ struct Row {
   double resident_bytes = 0.0, disk_bytes = 0.0, build_s = 0.0;
 };
 
-/// `value(p)` and `slope(p)`: metres, and whatever shows that it was reckoned.
+/// Prints one row. `value(p)`: the distance in metres; `slope(p)`: any sum that needs the gradient.
 void tell(const char* name, const Row& row, const Places& places, const auto& value, const auto& slope) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < places.at.size(); ++i)
@@ -127,7 +127,7 @@ FloatGrid::Ptr exact_grid(const sculpt::DistanceSource& source, double voxel_m, 
       for (int z = low(box.least_m.z); z <= high(box.most_m.z); ++z) {
         const double d = source.at(voxel_m * Vec3{1.0 * x, 1.0 * y, 1.0 * z}, hint).distance_m;
         if (d < width_m && d > -inside_m) access.setValue({x, y, z}, static_cast<float>(d));
-        // As far as it surely is from the surface nothing needs asking.
+        // Voxels that are certainly far from the surface need no query.
         const double sure = d >= width_m ? d - width_m : d <= -inside_m ? -d - inside_m : 0.0;
         z += static_cast<int>(sure / voxel_m);
       }
@@ -143,7 +143,7 @@ double packed_bytes(const FloatGrid::Ptr& grid) {
   return static_cast<double>(stream.str().size());
 }
 
-/// As NanoVDB's files are packed.
+/// Compressed like NanoVDB's files.
 double blosc_packed_bytes(const void* data, std::size_t size) {
   std::vector<char> packed(size + BLOSC_MAX_OVERHEAD);
   constexpr int kLevel = 9, kShuffle = 1, kThreads = 1;

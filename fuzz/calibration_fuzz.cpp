@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-// Whatever the text: finite cameras with positive focal lengths, or a sentence.
+// Any text gives finite cameras with positive focal lengths, or an error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto calibration = palpable::sources::decode_calibration(std::as_bytes(std::span(data, size)));
   if (!calibration) return 0;

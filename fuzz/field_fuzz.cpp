@@ -8,9 +8,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-// The first byte chooses a grid; the others are a field's streams, each with its length before it in two
-// bytes, as they are behind zstd and the archive's checksums. What can be read answers everywhere with a
-// number, and comes back the same.
+// The first byte selects a grid; the others are a field's streams (decompressed), each after its length in
+// two bytes. A field that can be read has a finite distance everywhere and survives a round trip.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable;
   if (size == 0) return 0;

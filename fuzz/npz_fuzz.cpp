@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-// Whatever the bytes: an array whose bytes fit its shape, or an error. What was read is written and read
-// alike.
+// Any bytes give an array whose size fits its shape, or an error. An array that can be read survives a round
+// trip.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable::formats;
   const auto file = std::as_bytes(std::span(data, size));

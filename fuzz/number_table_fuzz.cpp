@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-// Whatever the text: rows of finite numbers, or a sentence.
+// Any text gives rows of finite numbers, or an error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   constexpr std::string_view kWanted[] = {"t_s", "x_m", "y_m"};
   const auto table = palpable::parse_number_table({reinterpret_cast<const char*>(data), size}, kWanted);

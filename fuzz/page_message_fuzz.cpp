@@ -8,8 +8,7 @@
 #include <cstdlib>
 #include <variant>
 
-// What any program on this machine may send: a message within its stated limits, or a sentence; headers are
-// judged.
+// Any text gives a message within its limits, or an error; any header is accepted or refused.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   namespace page = palpable::page;
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Whatever stands in a request's parts, in turn, one a line: nobody without the secret is let in.
+// The input's lines are the parts of a request: none without the secret is admitted.
 #include "palpable/core/check.hpp"
 #include "palpable/page/http.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-// Whatever the bytes: a picture whose size is what it says, or a sentence.
+// Any bytes give a picture of the stated size, or an error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = std::as_bytes(std::span(data, size));
   const auto image = palpable::sources::decode_picture(file);

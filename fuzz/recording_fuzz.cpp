@@ -11,8 +11,8 @@ namespace {
 
 namespace format = palpable::device::recording_format;
 
-/// A file whose checksums are right, so that the fuzzer gets past them: each chunk is one byte for its kind,
-/// one for its length in eights, and as many bytes of the rest.
+/// A file with correct checksums, so that the fuzzer gets past them: each chunk has one byte for its kind,
+/// one for its length in units of 8 bytes, and that many bytes of the rest.
 palpable::ByteWriter whole_file(std::span<const std::byte> rest) {
   constexpr std::uint32_t kKinds[] = {format::kHeader, format::kProgram, format::kTicks, format::kEnd, 7};
   palpable::ByteWriter file;
@@ -31,7 +31,7 @@ palpable::ByteWriter whole_file(std::span<const std::byte> rest) {
   return file;
 }
 
-/// Whatever the bytes: no more ticks than they can hold, or a sentence.
+/// Any bytes give at most as many ticks as they can hold, or an error.
 void check(std::span<const std::byte> file) {
   const auto recording = palpable::device::parse_recording(file, "fuzzed");
   if (recording && recording->ticks.size() * format::kTick_bytes > file.size()) std::abort();

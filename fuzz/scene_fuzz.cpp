@@ -15,7 +15,8 @@ namespace {
 
 using palpable::formats::Bytes;
 
-/// An archive whose every member that the description names holds `content`, packed, with its checksums.
+/// An archive in which every member that the description names holds `content`, compressed, with correct
+/// checksums.
 Bytes archive_of(std::span<const std::byte> description, std::span<const std::byte> content) {
   using namespace palpable;
   constexpr int kLevel = 1;
@@ -37,9 +38,9 @@ Bytes archive_of(std::span<const std::byte> description, std::span<const std::by
 
 }  // namespace
 
-// The bytes are tried as a whole file, and as the scene.json of an archive whose checksums are right, so that
-// the parser behind the checksums is met too; and as a description with what its members hold unpacked. A
-// scene that can be read can be written.
+// The bytes are tried as a whole file; as the scene.json of an archive with correct checksums, which
+// exercises the parser; and as a description with the content of its members. A scene that can be read can be
+// written.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable::formats;
   const auto file = std::as_bytes(std::span(data, size));
@@ -48,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto archive = zip({{"scene.json", Bytes(file.begin(), file.end())}});
   if (archive) static_cast<void>(decode_scene(*archive));
   if (size < 2) return 0;
-  // Behind the length of the description, in two bytes, and the description: what the model's members hold.
+  // Two bytes for the length of the description, the description, then the content of the model's members.
   const std::size_t length = std::min(data[0] | (std::size_t{data[1]} << 8U), size - 2);
   const auto packed = archive_of(file.subspan(2, length), file.subspan(2 + length));
   const auto unpacked = decode_scene(packed);

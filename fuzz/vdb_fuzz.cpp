@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-// Whatever the bytes: blocks of finite numbers, or an error.
+// Any bytes give blocks of finite numbers, or an error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable;
   const auto set = formats::decode_vdb(std::as_bytes(std::span(data, size)));

@@ -29,7 +29,7 @@ class BadInput : public InFolder {
   Outcome make_pair(const std::string& left, const std::string& right) {
     return palpable({"make", path(left), path(right), "-o", path("out.palp")});
   }
-  /// Refused with 3, one sentence that names the file, and nothing written.
+  /// Refused with exit code 3 and one sentence that names the file; nothing is written.
   void expect_refused(const Outcome& outcome, const std::string& file, const std::string& reason = "") {
     EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
     EXPECT_TRUE(is_one_sentence(outcome.err));
@@ -40,7 +40,7 @@ class BadInput : public InFolder {
   }
 };
 
-/// A PNG that states a size it does not hold: only its header is there.
+/// A PNG that states this size but has only a header.
 std::string png_of_size(std::uint32_t width, std::uint32_t height) {
   std::string png("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
   for (const std::uint32_t side : {width, height})
@@ -56,13 +56,13 @@ TEST_F(BadInput, AMissingFileIsNamed) {
                  "none.palp");
 }
 
-TEST_F(BadInput, ATextNamedPngIsNoPicture) {
-  write_text(path("text.png"), "I am not a picture, whatever my name says.\n");
+TEST_F(BadInput, ATextFileNamedPngIsRefused) {
+  write_text(path("text.png"), "This text is not a picture.\n");
   expect_refused(make_pair("text.png", "right.png"), "text.png");
   expect_refused(palpable({"depth", path("left.png"), path("text.png"), "-o", path("d.pfm")}), "text.png");
 }
 
-TEST_F(BadInput, APictureThatIsCutOffIsNotTakenHalf) {
+TEST_F(BadInput, ATruncatedPictureIsRefused) {
   const std::string whole = read_text(path("left.png"));
   write_text(path("cut.png"), whole.substr(0, whole.size() / 2));
   expect_refused(make_pair("cut.png", "right.png"), "cut.png");
@@ -74,17 +74,17 @@ TEST_F(BadInput, APictureOfOnePixelIsTooSmall) {
   expect_refused(palpable({"make", path("one.png"), "--kind", "depth", "-o", path("out.palp")}), "one.png");
 }
 
-TEST_F(BadInput, AHugePictureIsRefusedBeforeMemoryIsTaken) {
+TEST_F(BadInput, AHugePictureIsRefusedBeforeAllocation) {
   write_text(path("huge.png"), png_of_size(20000, 20000));
   expect_refused(make_pair("huge.png", "huge.png"), "huge.png");
 }
 
-TEST_F(BadInput, PicturesOfDifferentSizeAreNoPair) {
+TEST_F(BadInput, PicturesOfDifferentSizeAreRefused) {
   ASSERT_TRUE(formats::write_png(path("small.png"), unrelated_picture(100, 80, 3)));
   expect_refused(make_pair("left.png", "small.png"), "small.png", "160 x 120");
 }
 
-TEST_F(BadInput, UnrelatedPicturesAreMatchedWithAWarningAndItsFigure) {
+TEST_F(BadInput, UnrelatedPicturesAreMatchedWithAWarningAndAFigure) {
   ASSERT_TRUE(formats::write_png(path("other.png"), unrelated_picture(160, 120, 99)));
   const Outcome outcome =
       palpable({"make", path("left.png"), path("other.png"), "-o", path("out.palp"), "--json"});
@@ -99,10 +99,10 @@ TEST_F(BadInput, AnAllBlackPairEndsWithASentence) {
   const Outcome outcome = make_pair("black.png", "black.png");
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 3) << outcome.err;
   EXPECT_THAT(outcome.err, Not(HasSubstr("bug")));
-  EXPECT_NE(outcome.err, "") << "nothing was said about a pair without any texture";
+  EXPECT_NE(outcome.err, "") << "no message about a pair without texture";
 }
 
-TEST_F(BadInput, DepthThatIsNotANumberOrNegativeIsUnknown) {
+TEST_F(BadInput, NanAndNegativeDepthAreUnknown) {
   Raster<float> depth(40, 30, 1.0F);
   for (int x = 0; x < 40; ++x) depth(x, 3) = std::numeric_limits<float>::quiet_NaN();
   for (int x = 0; x < 40; ++x) depth(x, 4) = -2.0F;
@@ -118,7 +118,7 @@ TEST_F(BadInput, DepthThatIsNotANumberOrNegativeIsUnknown) {
   expect_refused(palpable({"make", path("nan.pfm"), "--kind", "depth", "-o", path("out.palp")}), "nan.pfm");
 }
 
-TEST_F(BadInput, ADamagedSceneIsRefusedWhateverIsDamaged) {
+TEST_F(BadInput, ASceneDamagedAnywhereIsRefused) {
   ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("good.palp")}).exit_code, 0);
   const std::string whole = read_text(path("good.palp"));
   for (const double part : {0.0, 0.1, 0.5, 0.9, 0.999}) {
@@ -132,7 +132,7 @@ TEST_F(BadInput, ADamagedSceneIsRefusedWhateverIsDamaged) {
   expect_refused(palpable({"info", path("flipped.palp")}), "flipped.palp");
 }
 
-TEST_F(BadInput, APlaceThatCannotBeWrittenIsNamed) {
+TEST_F(BadInput, APathThatCannotBeWrittenIsNamed) {
   const Outcome outcome =
       palpable({"make", path("left.png"), path("right.png"), "-o", path("no/folder/out.palp")});
   EXPECT_EQ(outcome.exit_code, 1);
@@ -140,7 +140,7 @@ TEST_F(BadInput, APlaceThatCannotBeWrittenIsNamed) {
   EXPECT_THAT(outcome.err, HasSubstr("no/folder"));
 }
 
-TEST_F(BadInput, KillingTheProgramAtAnyTimeLeavesTheOldFileWhole) {
+TEST_F(BadInput, KillingTheProgramAtAnyTimeKeepsTheOldFile) {
   ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o", path("scene.palp")}).exit_code, 0);
   const std::string before = read_text(path("scene.palp"));
   for (int delay_ms = 0; delay_ms < 200; delay_ms += 12) {
@@ -156,11 +156,11 @@ TEST_F(BadInput, KillingTheProgramAtAnyTimeLeavesTheOldFileWhole) {
   }
 }
 
-TEST_F(BadInput, CtrlCEndsWith130AndLeavesNoHalfWrittenFile) {
+TEST_F(BadInput, CtrlCEndsWith130AndLeavesNoIncompleteFile) {
   const auto big = textured_pair(900, 700);
   write_pair(folder_.string(), big);
   Running running({"depth", path("left.png"), path("right.png"), "-o", path("d.pfm")});
-  // The work takes seconds and begins when the handler stands.
+  // The work takes seconds and begins after the handler is installed.
   ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
   running.send(SIGINT);
   const Outcome outcome = running.wait();
@@ -171,7 +171,7 @@ TEST_F(BadInput, CtrlCEndsWith130AndLeavesNoHalfWrittenFile) {
     EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr("d.pfm."))) << "left behind";
 }
 
-TEST_F(BadInput, APortInUseIsSaid) {
+TEST_F(BadInput, APortInUseIsReported) {
   const int taken = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;

@@ -11,8 +11,7 @@
 #include "test_pictures.hpp"
 #include <gmock/gmock.h>
 
-// Pairs that people really have: each gets a statement with the figure that shows what is wrong, and the best
-// depth still possible.
+// Realistic bad pairs: each gets a message with a figure that shows the problem, and the best possible depth.
 namespace palpable::test {
 namespace {
 
@@ -26,7 +25,7 @@ class BadPairs : public InFolder {
     InFolder::SetUp();
     pair_ = textured_pair(320, 240);
   }
-  /// `depth` of the pair, which must end well.
+  /// Runs `depth` on the pair, which must succeed.
   Outcome depth(const Raster<Rgb8>& left, const Raster<Rgb8>& right, std::vector<std::string> options = {}) {
     EXPECT_TRUE(formats::write_png(path("left.png"), left) && formats::write_png(path("right.png"), right));
     std::vector<std::string> words{"depth", path("left.png"), path("right.png"),
@@ -40,7 +39,7 @@ class BadPairs : public InFolder {
       EXPECT_THAT(outcome.err, HasSubstr(note.get<std::string>()));
     return outcome;
   }
-  /// Of what depth() wrote, percent of the pixels off by more than `px`.
+  /// Percent of pixels of depth()'s output with an error above `px`.
   double bad_percent(const Raster<float>& truth_px, const char* px,
                      const std::vector<std::string>& mask = {}) {
     EXPECT_TRUE(formats::write_disparity_pfm(path("truth.pfm"), truth_px));
@@ -62,7 +61,7 @@ Raster<Rgb8> levelled(const Raster<Rgb8>& picture, const Map& map) {
   return out;
 }
 
-/// The picture with what lies at place(x, y) at (x, y), evenly interpolated.
+/// The picture resampled bilinearly at place(x, y).
 template <class Place>
 Raster<Rgb8> moved(const Raster<Rgb8>& picture, const Place& place) {
   Raster<Rgb8> out = picture;
@@ -93,11 +92,11 @@ Raster<T> columns(const Raster<T>& whole, int from, int count) {
 TEST_F(BadPairs, WithoutOverlapShowLittleAgreementAndAreHardlyFit) {
   const Outcome apart = depth(columns(pair_.left, 0, 150), columns(pair_.left, 170, 150));
   EXPECT_THAT(apart.err, AllOf(HasSubstr("little agreement"), HasSubstr("%")));
-  EXPECT_THAT(apart.err, Not(HasSubstr("exposed differently"))) << "nothing can be said of the light";
+  EXPECT_THAT(apart.err, Not(HasSubstr("exposed differently"))) << "exposure cannot be compared";
   EXPECT_THAT(fit().json()["sentence"].get<std::string>(), HasSubstr("hardly fit"));
 }
 
-TEST_F(BadPairs, OfAPlainWallWithACamerasGrainHaveNoTexture) {
+TEST_F(BadPairs, OfAPlainWallWithCameraNoiseHaveNoTexture) {
   std::mt19937 random(4);
   std::normal_distribution<double> grain(128.0, 3.0);
   const auto wall = [&] {
@@ -116,14 +115,14 @@ TEST_F(BadPairs, OfAPlainWallWithACamerasGrainHaveNoTexture) {
   EXPECT_THAT(judged["sentence"].get<std::string>(), HasSubstr("no texture"));
 }
 
-TEST_F(BadPairs, ExchangedAreMatchedTheOtherWayRoundAndSaidToBe) {
+TEST_F(BadPairs, ExchangedAreMatchedAndReported) {
   const Outcome swapped = depth(pair_.right, pair_.left);
   EXPECT_THAT(swapped.err,
               AllOf(HasSubstr("exchanged"), HasSubstr("(disparities from -1"), HasSubstr("pixels")));
   EXPECT_GT(fit().json()["agreement"], 0.8);
 }
 
-TEST_F(BadPairs, ExposedDifferentlyLoseLittleEvenWhereOneIsBurntOut) {
+TEST_F(BadPairs, ExposedDifferentlyLoseLittleEvenIfOneIsOverexposed) {
   for (const auto& [method, gain] : {std::pair{"fast", 0.4}, {"scanline", 1.5}, {"graph-cut", 1.5}}) {
     depth(pair_.left, pair_.right, {"--method", method});
     const double equal = bad_percent(pair_.disparity_px, "1");
@@ -135,7 +134,7 @@ TEST_F(BadPairs, ExposedDifferentlyLoseLittleEvenWhereOneIsBurntOut) {
   EXPECT_THAT(burnt.err, AllOf(HasSubstr("% of the right one is burnt out"), HasSubstr("the same exposure")));
 }
 
-TEST_F(BadPairs, WhoseRowsRollAreEvenedOut) {
+TEST_F(BadPairs, WithRollingOffsetsAreRectified) {
   depth(pair_.left, pair_.right);
   const double still = bad_percent(pair_.disparity_px, "2");
   const auto roll = [](double place) { return 4.0 * std::sin(2.0 * std::numbers::pi * place); };
@@ -150,7 +149,7 @@ TEST_F(BadPairs, WhoseRowsRollAreEvenedOut) {
   }
 }
 
-TEST_F(BadPairs, WithADisparityOfHalfTheWidthAreMatched) {
+TEST_F(BadPairs, WithDisparitiesOfHalfTheWidthAreMatched) {
   constexpr int kWidth = 210, kFarther = 92;
   Raster<float> truth_px = columns(pair_.disparity_px, 0, kWidth);
   Raster<std::uint8_t> seen(kWidth, 240);
@@ -165,7 +164,7 @@ TEST_F(BadPairs, WithADisparityOfHalfTheWidthAreMatched) {
   EXPECT_THAT(fit().json()["sentence"].get<std::string>(), HasSubstr("only one picture shows it"));
 }
 
-TEST_F(BadPairs, AreScaledToACalibrationOfTheSameShapeAndRefusedOneOfAnother) {
+TEST_F(BadPairs, UseACalibrationOfTheSameAspectRatioOnly) {
   const auto calibration = [&](int width, int height) {
     write_text(path("c.json"), "{\"fx\": 600, \"fy\": 600, \"cx\": " + std::to_string(width / 2) +
                                    ", \"cy\": " + std::to_string(height / 2) +
@@ -185,7 +184,7 @@ TEST_F(BadPairs, AreScaledToACalibrationOfTheSameShapeAndRefusedOneOfAnother) {
   EXPECT_FALSE(std::filesystem::exists(path("d.pfm")));
 }
 
-TEST_F(BadPairs, OfACameraThatOnlyTurnedAreSaidToHoldNoDepth) {
+TEST_F(BadPairs, OfACameraThatOnlyTurnedAreReportedWithoutDepth) {
   const double c = std::cos(0.05), s = std::sin(0.05);
   const Raster<Rgb8> turned = moved(pair_.left, [&](int x, int y) {
     return std::pair(170.0 + c * (x - 160) - s * (y - 120), 116.0 + s * (x - 160) + c * (y - 120));

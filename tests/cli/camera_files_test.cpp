@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <opencv2/imgcodecs.hpp>
 
-// What people's own cameras write, through every command that takes it.
+// Files of consumer cameras with every command that reads them.
 namespace palpable::test {
 namespace {
 
@@ -30,7 +30,7 @@ std::string jpeg(const Raster<Rgb8>& picture) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// One picture beside another, or above it.
+/// Two pictures side by side, or one above the other.
 Raster<Rgb8> joined(const Raster<Rgb8>& first, const Raster<Rgb8>& second, bool beside) {
   const int w = first.width(), h = first.height();
   Raster<Rgb8> out(beside ? 2 * w : w, beside ? h : 2 * h);
@@ -49,7 +49,7 @@ class CameraFiles : public InFolder {
     pair_ = textured_pair(240, 180);
     ASSERT_TRUE(formats::write_disparity_pfm(path("truth.pfm"), pair_.disparity_px));
   }
-  /// One file that holds the pair: depth, fit, make and a touch all take it.
+  /// A file with the pair works with depth, fit, make and touch.
   void expect_taken(const std::string& file, const std::vector<std::string>& options = {}) {
     const auto with = [&](std::vector<std::string> words) {
       words.insert(words.end(), options.begin(), options.end());
@@ -78,7 +78,7 @@ class CameraFiles : public InFolder {
   Pair pair_;
 };
 
-TEST_F(CameraFiles, MultiPictureAndJpsHoldAPair) {
+TEST_F(CameraFiles, MpoAndJpsFilesContainAPair) {
   write_text(path("camera.mpo"), sources::mpo(jpeg(pair_.left), jpeg(pair_.right), sources::kDisparity));
   expect_taken("camera.mpo");
   constexpr std::uint32_t kSideBySide = 0x0201;
@@ -86,14 +86,14 @@ TEST_F(CameraFiles, MultiPictureAndJpsHoldAPair) {
   expect_taken("camera.jps");
 }
 
-TEST_F(CameraFiles, OnePictureHoldsAPairBesideOrAbove) {
+TEST_F(CameraFiles, OnePictureContainsAPairSideBySideOrAboveEachOther) {
   ASSERT_TRUE(formats::write_png(path("beside.png"), joined(pair_.left, pair_.right, true)));
   expect_taken("beside.png", {"--layout", "side-by-side"});
   ASSERT_TRUE(formats::write_png(path("above.png"), joined(pair_.right, pair_.left, false)));
   expect_taken("above.png", {"--layout", "over-under-crossed"});
 }
 
-TEST_F(CameraFiles, APhonesPhotographIsDepthUnlessItsContoursAreWanted) {
+TEST_F(CameraFiles, APhonesPhotographIsDepthUnlessContoursAreRequested) {
   Raster<std::uint8_t> near(240, 180);
   for (std::size_t i = 0; i < near.count(); ++i)
     near.values()[i] = static_cast<std::uint8_t>(255.0F - 20.0F * pair_.disparity_px.values()[i]);
@@ -125,7 +125,7 @@ TEST_F(CameraFiles, APhonesPhotographIsDepthUnlessItsContoursAreWanted) {
   }
 }
 
-TEST_F(CameraFiles, APictureThatHoldsNoPairIsNamed) {
+TEST_F(CameraFiles, APictureWithoutAPairIsNamed) {
   ASSERT_TRUE(formats::write_png(path("one.png"), pair_.left));
   const Outcome none = palpable({"info", path("one.png")});
   EXPECT_EQ(none.exit_code, 3);

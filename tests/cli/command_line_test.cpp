@@ -9,7 +9,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
-TEST(CommandLine, TellsItsVersion) {
+TEST(CommandLine, PrintsItsVersion) {
   const Outcome outcome = palpable({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_THAT(outcome.out, MatchesRegex("palpable [0-9]+\\.[0-9]+\\.[0-9]+\n"));
@@ -34,7 +34,7 @@ TEST(CommandLine, EveryCommandExplainsItselfWithAnExample) {
   }
 }
 
-TEST(CommandLine, HelpExplainsACommandAsItsOptionDoes) {
+TEST(CommandLine, HelpCommandEqualsHelpOption) {
   EXPECT_EQ(palpable({"help"}).out, palpable({"--help"}).out);
   for (const char* command : {"touch", "make", "export"}) {
     const Outcome outcome = palpable({"help", command});
@@ -47,7 +47,7 @@ TEST(CommandLine, HelpExplainsACommandAsItsOptionDoes) {
   EXPECT_THAT(wrong.err, HasSubstr("did you mean touch?"));
 }
 
-TEST(CommandLine, AWrongWordListsTheRightOnes) {
+TEST(CommandLine, AWrongValueListsTheValidOnes) {
   const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases{
       {{"touch", "a.png", "--law", "bogus"}, {"--law", "'bogus'", "proxy", "tracing", "groove"}},
       {{"touch", "a.png", "--law", "rollin"}, {"did you mean rolling?"}},
@@ -66,7 +66,7 @@ TEST(CommandLine, AWrongWordListsTheRightOnes) {
   }
 }
 
-TEST(CommandLine, WrongUsageIsOneSentenceAndTwo) {
+TEST(CommandLine, WrongUsageIsOneSentenceAndExitCodeTwo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
       {{"tuoch"}, "did you mean touch?"},
       {{"xyzzy"}, "there is no command xyzzy"},
@@ -88,7 +88,7 @@ TEST(CommandLine, WrongUsageIsOneSentenceAndTwo) {
   }
 }
 
-TEST(CommandLine, JsonIsOneObjectAndQuietSaysNothingElse) {
+TEST(CommandLine, JsonIsOneObjectAndQuietPrintsNothingElse) {
   const Outcome outcome = palpable({"devices", "--json", "--quiet"});
   EXPECT_EQ(outcome.exit_code, 0);
   ASSERT_TRUE(outcome.json().is_object()) << outcome.out;
@@ -96,7 +96,7 @@ TEST(CommandLine, JsonIsOneObjectAndQuietSaysNothingElse) {
   EXPECT_EQ(outcome.err, "");
 }
 
-TEST(CommandLine, DoctorNamesWhatItLookedAt) {
+TEST(CommandLine, DoctorNamesItsChecks) {
   const auto findings = palpable({"doctor", "--json"}).json();
   ASSERT_TRUE(findings.is_object());
   std::vector<std::string> names;

@@ -16,7 +16,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Pictures that nobody would choose, made into contours.
+/// Unsuitable pictures made into contours.
 class ContourInput : public InFolder {
  protected:
   Outcome make() const {
@@ -31,7 +31,7 @@ class ContourInput : public InFolder {
   }
 };
 
-TEST_F(ContourInput, OfOneColourHasNoBoundaryAndIsStillTouched) {
+TEST_F(ContourInput, OfOneColourHasNoBoundaryAndCanBeTouched) {
   ASSERT_TRUE(formats::write_png(path("a.png"), Raster<std::uint8_t>(120, 90, 128)));
   ASSERT_EQ(make().exit_code, 0);
   EXPECT_EQ(boundary_fraction(), 0.0);
@@ -49,7 +49,7 @@ TEST_F(ContourInput, OfPureNoiseGivesAFiniteForce) {
   EXPECT_TRUE(std::isfinite(touched["force"]["max_N"].get<double>()));
 }
 
-TEST_F(ContourInput, OfSixteenBitsInANarrowRangeIsSeen) {
+TEST_F(ContourInput, OfSixteenBitsInANarrowRangeHasBoundaries) {
   // A scanner's values: 1000 to 1100 of 65535.
   Raster<std::uint16_t> scan(120, 90, 1000);
   for (int y = 30; y < 60; ++y)
@@ -68,7 +68,7 @@ TEST_F(ContourInput, IsExportedForSwellPaperEmbossersAndPrinters) {
   ASSERT_TRUE(formats::write_png(path("a.png"), disc));
   const Outcome made = make();
   ASSERT_EQ(made.exit_code, 0);
-  // The grooves are 1.5 mm deep, and that is what the scene says of its height.
+  // The grooves are 1.5 mm deep, which is the scene's stated height.
   EXPECT_NEAR(palpable({"info", path("a.palp"), "--json"}).json()["size_m"][2].get<double>(), 0.0015, 1e-4);
   for (const char* ending : {"svg", "brf", "stl"})
     ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path(std::string("a.") + ending)}).exit_code, 0)
@@ -96,7 +96,7 @@ TEST_F(ContourInput, OfOnePixelLinesHasAJunctionWhereTheyCross) {
   EXPECT_EQ(materials[1]["name"], "junction");
 }
 
-TEST_F(ContourInput, OfMorePixelsThanAFingerFeelsIsReducedAndThatIsSaid) {
+TEST_F(ContourInput, OfTooManyPixelsIsReducedWithAMessage) {
   Raster<std::uint8_t> scan(2400, 1800, 200);
   for (int y = 600; y < 1200; ++y)
     for (int x = 800; x < 1600; ++x) scan(x, y) = 20;
@@ -107,7 +107,7 @@ TEST_F(ContourInput, OfMorePixelsThanAFingerFeelsIsReducedAndThatIsSaid) {
   EXPECT_GT(boundary_fraction(), 0.001);
 }
 
-TEST_F(ContourInput, ThatIsTransparentLiesOnWhite) {
+TEST_F(ContourInput, ThatIsTransparentIsCompositedOnWhite) {
   Image drawing;
   drawing.width = 100;
   drawing.height = 80;
@@ -115,7 +115,7 @@ TEST_F(ContourInput, ThatIsTransparentLiesOnWhite) {
   for (int y = 0; y < 80; ++y)
     for (int x = 0; x < 100; ++x) {
       const bool inside = std::hypot(x - 50, y - 40) < 20;
-      // Black everywhere; only the disc can be seen.
+      // Black everywhere; only the disc is opaque.
       drawing.samples.insert(drawing.samples.end(), {0.0F, 0.0F, 0.0F, inside ? 1.0F : 0.0F});
     }
   ASSERT_TRUE(formats::write_png(path("a.png"), drawing));

@@ -26,7 +26,7 @@ constexpr const char* kTwoBalls =
 
 class FieldCommands : public InFolder {
  protected:
-  /// The distances that the scene tells at places of a list, each "x,y,z".
+  /// The distances of the scene at a list of places, each "x,y,z".
   std::vector<double> distances(const std::string& scene, const std::vector<std::string>& places) const {
     std::string csv = "x_m,y_m,z_m\n";
     for (const auto& place : places) csv += place + "\n";
@@ -48,7 +48,7 @@ class FieldCommands : public InFolder {
   }
 };
 
-TEST_F(FieldCommands, SuperquadricsBecomeAFieldAndItsSurfaceAPrint) {
+TEST_F(FieldCommands, SuperquadricsBecomeAFieldThatIsExportedAsAMesh) {
   write_text(path("shapes.json"), kTwoBalls);
   const Outcome made =
       palpable({"make", path("shapes.json"), "-o", path("s.palp"), "--resolution", "32", "--json"});
@@ -64,11 +64,11 @@ TEST_F(FieldCommands, SuperquadricsBecomeAFieldAndItsSurfaceAPrint) {
     ASSERT_EQ(exported.exit_code, 0) << exported.err;
     EXPECT_GT(exported.json()["triangles"], 200);
   }
-  // What was exported is a closed mesh that means the same solid.
+  // The exported mesh is closed and represents the same solid.
   const Outcome again =
       palpable({"make", path("s.ply"), "-o", path("t.palp"), "--resolution", "32", "--json"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  // Nothing had to be repaired: facets may have been rounded, and the field's worst error is said.
+  // No repair was needed; facets may have been rounded, and the field's greatest error is reported.
   for (const auto& note : again.json()["notes"])
     EXPECT_THAT(note.get<std::string>(),
                 AnyOf(HasSubstr("small facets"), HasSubstr("error near the surface is at most")));
@@ -155,7 +155,7 @@ TEST_F(FieldCommands, CorrectsAFieldByAMeasuredSurface) {
   EXPECT_NEAR(d[2], 0.0005, 1e-4);
   EXPECT_NEAR(d[3], 0.0212132 - 0.02, 1e-4);
 
-  // Too deep for the volume around what was measured, unless it is asked for.
+  // Too deep for the volume around the measured surface, unless requested.
   const std::string deep = "0,0,0.011";
   EXPECT_NEAR(distances(path("c.palp"), {deep})[0], distances(path("b.palp"), {deep})[0], 1e-5);
   ASSERT_EQ(palpable({"correct", path("b.palp"), path("measured.obj"), "-o", path("e.palp"), "--everywhere"})
@@ -230,10 +230,10 @@ TEST_F(FieldCommands, RefusesASceneWhoseFieldIsDamagedInOneSentence) {
   }
 }
 
-TEST_F(FieldCommands, CtrlCStopsABuildAndLeavesNothingHalfWritten) {
+TEST_F(FieldCommands, CtrlCStopsABuildAndLeavesNoIncompleteFile) {
   write_text(path("shapes.json"), kTwoBalls);
-  // Minutes of sampling; two small shapes are read within a tenth of a second, so a second of processor time
-  // is spent on the cells.
+  // Sampling takes minutes. Reading two small shapes takes less than 0.1 s, so after one second of processor
+  // time the program samples cells.
   Running running(
       {"make", path("shapes.json"), "-o", path("s.palp"), "--resolution", "2048", "--max-error", "0.001"});
   ASSERT_TRUE(running.works(std::chrono::seconds(1), std::chrono::seconds(60)));

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// A depth map of a ball before a wall, metres in millimetres (16-bit PNG).
+/// A depth map of a ball in front of a wall, in millimetres (16-bit PNG).
 Raster<std::uint16_t> ball_mm() {
   Raster<std::uint16_t> depth(80, 60, 1000);
   for (int y = 0; y < 60; ++y)
@@ -46,7 +46,7 @@ class Materials : public InFolder {
   }
 };
 
-TEST_F(Materials, AStiffnessOfNoughtOrABillionIsRefusedWithItsRange) {
+TEST_F(Materials, AStiffnessOutOfRangeIsRefusedWithItsRange) {
   for (const char* wrong : {"0", "1e9", "-5", "nan"}) {
     expect_refused(make({"--material", std::string("0:stiffness=") + wrong}), 2, "stiffness must be");
     const auto probed = palpable({"touch", path("depth.png"), "--kind", "depth", "--headless", "--quiet",
@@ -56,7 +56,7 @@ TEST_F(Materials, AStiffnessOfNoughtOrABillionIsRefusedWithItsRange) {
   }
 }
 
-TEST_F(Materials, ALabelPictureOfAnotherShapeIsRefusedAndOneOfAnotherSizeIsTaken) {
+TEST_F(Materials, ALabelPictureMustHaveTheAspectRatioButMayHaveAnotherSize) {
   ASSERT_TRUE(formats::write_png(path("wrong.png"), Raster<std::uint8_t>(80, 40, 0)));
   expect_refused(make({"--labels", path("wrong.png")}), 3, "80x40");
   ASSERT_TRUE(formats::write_png(path("half.png"), Raster<std::uint8_t>(40, 30, 0)));
@@ -68,7 +68,7 @@ TEST_F(Materials, ALabelWithoutAMaterialIsRefused) {
   expect_refused(make({"--labels", path("labels.png"), "--material", "1:friction=0.1"}), 3, "material 3");
 }
 
-TEST_F(Materials, ATextureTooFineForTheLoopIsLeftOutAndSaid) {
+TEST_F(Materials, ATextureTooFineForTheServoIsOmittedWithAMessage) {
   ASSERT_EQ(make({"--material", "0:texture=ridges,pitch=0.2"}).exit_code, 0);
   EXPECT_THAT(palpable({"info", path("a.palp")}).out, HasSubstr("texture ridges every 0.2 mm"));
   const auto touched = palpable({"touch", path("a.palp"), "--headless", "--seconds", "0.2", "--json"});
@@ -76,7 +76,7 @@ TEST_F(Materials, ATextureTooFineForTheLoopIsLeftOutAndSaid) {
   EXPECT_THAT(touched.err, HasSubstr("left out"));
 }
 
-TEST_F(Materials, ATextureIsTakenFromAPictureOfHeights) {
+TEST_F(Materials, ATextureIsReadFromAHeightPicture) {
   Raster<std::uint8_t> waves(128, 128);
   for (int y = 0; y < 128; ++y)
     for (int x = 0; x < 128; ++x) waves(x, y) = static_cast<std::uint8_t>((x / 16) % 2 == 0 ? 40 : 200);
@@ -111,7 +111,7 @@ TEST_F(Materials, ATextureOnAFieldIsFelt) {
   EXPECT_THAT(touched.err, Not(HasSubstr("texture")));
 }
 
-TEST_F(Materials, DepthThatIsMostlyHolesOrOneLevelOrHasAWildSpikeMakesARelief) {
+TEST_F(Materials, DepthWithHolesOneLevelOrAnOutlierMakesARelief) {
   const auto ball = ball_mm();
   auto holes = ball;
   for (std::size_t k = 0; k < holes.count(); ++k)
@@ -134,7 +134,7 @@ TEST_F(Materials, DepthThatIsMostlyHolesOrOneLevelOrHasAWildSpikeMakesARelief) {
   EXPECT_EQ(make({"--depth-scale", "1000"}).exit_code, 0) << "a level 700 km away";
 }
 
-TEST_F(Materials, DepthsAreResampledWhereItIsAsked) {
+TEST_F(Materials, DepthIsResampledOnRequest) {
   for (const char* how : {"bilinear", "bicubic"}) {
     ASSERT_EQ(make({"--resample", how, "--samples", "200"}).exit_code, 0);
     ASSERT_EQ(palpable({"export", path("a.palp"), "-o", path("a.png")}).exit_code, 0);
@@ -145,7 +145,7 @@ TEST_F(Materials, DepthsAreResampledWhereItIsAsked) {
   EXPECT_EQ(make({"--resample", "cubic"}).exit_code, 2);
 }
 
-TEST(Studies, OfTrajectoriesAndTracingAnswerInJson) {
+TEST(Studies, OfTrajectoriesAndTracingPrintJson) {
   const auto trajectories = palpable({"study-trajectories", "--trajectories", "200", "--json"}).json();
   EXPECT_EQ(trajectories["trajectories"], 200);
   EXPECT_EQ(trajectories["let_through"], 0);
@@ -155,7 +155,7 @@ TEST(Studies, OfTrajectoriesAndTracingAnswerInJson) {
   EXPECT_EQ(tracing["figures"][0]["people"]["seconds"][0], 26.12);
 }
 
-TEST_F(Materials, FrictionSetsSlidingToFiveSixthsUnlessItIsGiven) {
+TEST_F(Materials, FrictionSetsSlidingToFiveSixthsByDefault) {
   const auto sliding = [&](const char* material) {
     EXPECT_EQ(make({"--material", material}).exit_code, 0);
     return palpable({"info", path("a.palp"), "--json"})

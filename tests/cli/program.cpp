@@ -136,8 +136,7 @@ Outcome palpable_on_a_terminal(const std::vector<std::string>& arguments) {
   if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0)
     throw std::runtime_error("no terminal for a test");
   const std::string name = ptsname(master);
-  // Held open, so that what was written stays readable after the program's end; raw, so that it comes as
-  // written.
+  // Kept open, so that the output stays readable after the program's end; raw, so that it is not translated.
   const int slave = open(name.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   termios settings{};
   tcgetattr(slave, &settings);
@@ -166,7 +165,7 @@ Outcome palpable_on_a_terminal(const std::vector<std::string>& arguments) {
 
 void InFolder::SetUp() {
   folder_ = new_folder();
-  // No test finds what another one left, nor what the person has.
+  // Isolates the test from other tests and from the user's files.
   setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
 }
 void InFolder::TearDown() { std::filesystem::remove_all(folder_); }

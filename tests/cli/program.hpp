@@ -13,7 +13,7 @@
 
 namespace palpable::test {
 
-/// How a run of the program ended.
+/// The result of a run of the program.
 struct Outcome {
   /// The exit code, or 1000 + the signal that ended it.
   int exit_code = -1;
@@ -23,10 +23,10 @@ struct Outcome {
   nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
 };
 
-/// The program under way.
+/// A running program.
 class Running {
  public:
-  /// Standard input and error are taken from and written to these; by default nothing, and what err() reads.
+  /// `input`: file for standard input; `error`: file for standard error, by default the one that err() reads.
   explicit Running(const std::vector<std::string>& arguments, const std::string& input = "/dev/null",
                    const std::string& error = {});
   ~Running();
@@ -34,14 +34,14 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void send(int signal) const;
-  /// Waits until it has a handler for `signal` of its own; false after `patience`.
+  /// Waits until the program has its own handler for `signal`; false after `patience`.
   bool catches(int signal, std::chrono::seconds patience) const;
-  /// Waits until it has used so much processor time; false where it ends before, or after `patience`.
+  /// Waits until it has used this much processor time; false if it ends earlier, or after `patience`.
   bool works(std::chrono::seconds processor_time, std::chrono::seconds patience) const;
-  /// What it has written so far.
+  /// Its output so far.
   std::string out() const;
   std::string err() const;
-  /// Waits until `text` stands on standard error or output; false after `patience`.
+  /// Waits until `text` appears on standard error or output; false after `patience`.
   bool says(const std::string& text, std::chrono::seconds patience) const;
   /// Waits for its end; kills it after `patience` and fails the test.
   Outcome wait(std::chrono::seconds patience = std::chrono::seconds(100));
@@ -54,10 +54,10 @@ class Running {
 /// Runs the program to its end.
 Outcome palpable(const std::vector<std::string>& arguments);
 
-/// The same with standard error on a terminal of its own.
+/// The same with standard error on a pseudo-terminal.
 Outcome palpable_on_a_terminal(const std::vector<std::string>& arguments);
 
-/// A test with a folder of its own, removed at its end.
+/// A test with a temporary folder, removed at its end.
 class InFolder : public testing::Test {
  protected:
   void SetUp() override;

@@ -45,7 +45,7 @@ std::vector<std::vector<std::string>> rows_of(const std::string& csv) {
   return rows;
 }
 
-TEST_F(SceneCommands, MakeTellsWhatItMade) {
+TEST_F(SceneCommands, MakeReportsItsResult) {
   const auto json = made.json();
   EXPECT_EQ(json["kind"], "relief");
   EXPECT_NEAR(json["size_m"][0], 0.1, 1e-9);
@@ -53,7 +53,7 @@ TEST_F(SceneCommands, MakeTellsWhatItMade) {
   EXPECT_TRUE(std::filesystem::exists(in("a.palp")));
 }
 
-TEST_F(SceneCommands, InfoStatesWhatTheContractNames) {
+TEST_F(SceneCommands, InfoHasAllDocumentedFields) {
   const auto json = palpable({"info", in("a.palp"), "--json"}).json();
   for (const char* field :
        {"format", "kind", "size_m", "scene_from_input", "memory_bytes", "file_bytes", "source", "materials"})
@@ -61,7 +61,7 @@ TEST_F(SceneCommands, InfoStatesWhatTheContractNames) {
   EXPECT_EQ(json["file_bytes"], std::filesystem::file_size(in("a.palp")));
   EXPECT_THAT(json["scene_from_input"], SizeIs(4));
   EXPECT_THAT(json["scene_from_input"][3], ElementsAre(0.0, 0.0, 0.0, 1.0));
-  // The picture's middle lies at the scene's origin, and its rows run downwards.
+  // The picture's middle is at the scene's origin, and its rows run downwards.
   const auto& m = json["scene_from_input"];
   EXPECT_NEAR(m[0][0].get<double>() * 79.5 + m[0][3].get<double>(), 0.0, 1e-9);
   EXPECT_LT(m[1][1], 0.0);
@@ -95,7 +95,7 @@ TEST_F(SceneCommands, ProbeWritesTheForceOfEverySample) {
   EXPECT_EQ(read_text(in("f.csv")), read_text(in("g.csv")));
 }
 
-TEST_F(SceneCommands, LawsWithoutAProxyLeaveItsFieldsEmpty) {
+TEST_F(SceneCommands, LawsWithoutAProxyLeaveTheProxyFieldsEmpty) {
   write_text(in("path.csv"), "t_s,x_m,y_m,z_m\n0,0.01,0.01,9\n0.001,0.011,0.01,9\n");
   ASSERT_EQ(palpable({"probe", in("a.palp"), "--path", in("path.csv"), "-o", in("f.csv"), "--law", "rolling"})
                 .exit_code,
@@ -107,7 +107,7 @@ TEST_F(SceneCommands, LawsWithoutAProxyLeaveItsFieldsEmpty) {
   EXPECT_EQ(rows[1][6], "0");
 }
 
-TEST_F(SceneCommands, SampleAsksTheModel) {
+TEST_F(SceneCommands, SamplePrintsTheModelsValues) {
   write_text(in("points.csv"), "x_m,y_m,z_m\n0,0,0.05\n0,0,-0.001\n0.5,0,0\n");
   const Outcome outcome =
       palpable({"sample", in("a.palp"), "--points", in("points.csv"), "-o", in("v.csv"), "--json"});
@@ -122,7 +122,7 @@ TEST_F(SceneCommands, SampleAsksTheModel) {
   EXPECT_EQ(rows[3][3], "");
 }
 
-TEST_F(SceneCommands, APathThatIsNotSoundIsNamedWithItsLine) {
+TEST_F(SceneCommands, AnInvalidPathIsNamedWithItsLine) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,nan,0,0\n", "line 3"},
       {"t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,0,0\n", "line 3"},
@@ -173,7 +173,7 @@ TEST_F(SceneCommands, MakeComparesTheDetailOperatorsInOnePicture) {
       2);
 }
 
-TEST_F(SceneCommands, ScoreComparesContoursWithWhatIsDrawn) {
+TEST_F(SceneCommands, ScoreComparesContoursWithDrawnOnes) {
   ASSERT_EQ(palpable({"make", in("left.png"), "--as", "contours", "-o", in("c.palp")}).exit_code, 0);
   ASSERT_EQ(palpable({"export", in("c.palp"), "-o", in("c.npz")}).exit_code, 0);
   const Outcome same = palpable({"score", "orientation", in("c.palp"), in("c.npz"), "--json"});
@@ -213,17 +213,17 @@ TEST_F(SceneCommands, ExportWritesNpzAndPng) {
   EXPECT_EQ(palpable({"export", in("a.palp"), "-o", in("a.xyz")}).exit_code, 2);
 }
 
-TEST_F(SceneCommands, MakeAgainGivesTheSameBytes) {
+TEST_F(SceneCommands, MakeIsDeterministic) {
   ASSERT_EQ(palpable({"make", in("left.png"), in("right.png"), "-o", in("b.palp")}).exit_code, 0);
   EXPECT_EQ(read_text(in("a.palp")), read_text(in("b.palp")));
 }
 
-TEST_F(SceneCommands, AHeightMapOfOurOwnIsADepthMapAgain) {
+TEST_F(SceneCommands, AnExportedHeightMapIsReadAsADepthMap) {
   ASSERT_EQ(palpable({"export", in("a.palp"), "-o", in("h.png")}).exit_code, 0);
   EXPECT_EQ(palpable({"make", in("h.png"), "--kind", "depth", "-o", in("h.palp")}).exit_code, 0);
 }
 
-TEST_F(SceneCommands, APictureInPlaceOfASceneIsNamedWithWhatToDo) {
+TEST_F(SceneCommands, APictureInsteadOfASceneIsNamedWithAdvice) {
   for (const std::vector<std::string>& command :
        {std::vector<std::string>{"show", in("left.png"), "-o", in("x.png")},
         {"info", in("left.png")},
@@ -245,7 +245,7 @@ TEST_F(SceneCommands, MakeRefusesAnotherSuffixThanPalp) {
   EXPECT_FALSE(std::filesystem::exists(in("x.foo")));
 }
 
-TEST_F(SceneCommands, ATitleAndADescriptionAreKeptAndShown) {
+TEST_F(SceneCommands, TitleAndDescriptionAreStoredAndPrinted) {
   write_text(in("words.txt"), "A wall behind a box.\nThe floor is slanted.\n");
   const Outcome titled = palpable({"make", in("a.palp"), "-o", in("titled.palp"), "--title", "Wall and box",
                                    "--describe", "@" + in("words.txt")});
@@ -254,7 +254,7 @@ TEST_F(SceneCommands, ATitleAndADescriptionAreKeptAndShown) {
   EXPECT_EQ(json["title"], "Wall and box");
   EXPECT_EQ(json["description"], "A wall behind a box.\nThe floor is slanted.");
   EXPECT_THAT(palpable({"info", in("titled.palp")}).out, HasSubstr("title: Wall and box\n"));
-  // Made again without them, a scene keeps them.
+  // They are kept when a scene is made from this scene without these options.
   ASSERT_EQ(palpable({"make", in("titled.palp"), "-o", in("again.palp")}).exit_code, 0);
   EXPECT_EQ(palpable({"info", in("again.palp"), "--json"}).json()["title"], "Wall and box");
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Solids of every kind, good and bad: OpenVDB, meshes that are no solids, shapes found in a scene.
+// Valid and invalid solids: OpenVDB, meshes that are no solids, shapes found in a scene.
 #include "palpable/formats/picture/picture.hpp"
 
 #include <cmath>
@@ -37,15 +37,15 @@ class SolidCommands : public InFolder {
     write_text(path("q.csv"), "x_m,y_m,z_m\n" + place + "\n");
     EXPECT_EQ(palpable({"sample", path(scene), "--points", path("q.csv"), "-o", path("v.csv")}).exit_code, 0);
     std::string values = read_text(path("v.csv"));
-    // The second line's fourth number, behind the place.
+    // The fourth number of the second line, after the place.
     values.erase(0, values.find('\n') + 1);
     for (int k = 0; k < 3; ++k) values.erase(0, values.find(',') + 1);
     return std::stod(values);
   }
 };
 
-/// A box from (-1, -1, -1) to (1, 1, 1) times `half` around `x`; its triangles, wound outwards or inwards, of
-/// which the last `open` are left out.
+/// A box of side 2 `half` around `x`, with triangles oriented outwards or inwards; the last `open` triangles
+/// are omitted.
 std::string box_obj(double x, double half, int first_vertex, bool outwards = true, int open = 0) {
   std::string obj;
   for (int k = 0; k < 8; ++k)
@@ -61,7 +61,7 @@ std::string box_obj(double x, double half, int first_vertex, bool outwards = tru
   return obj;
 }
 
-TEST_F(SolidCommands, MakeAMeshOnceUnlessToldOtherwise) {
+TEST_F(SolidCommands, AreCachedUnlessDisabled) {
   write_text(path("box.obj"), box_obj(0.0, 0.02, 1));
   const Outcome first = make("box.obj"), second = make("box.obj"), anew = make("box.obj", {"--no-cache"});
   EXPECT_EQ(first.exit_code, 0) << first.err;
@@ -71,17 +71,17 @@ TEST_F(SolidCommands, MakeAMeshOnceUnlessToldOtherwise) {
   EXPECT_TRUE(std::filesystem::is_directory(path("cache/palpable/scenes")));
 }
 
-TEST_F(SolidCommands, AMeshThatCrossesItselfIsTheUnionOfItsBodies) {
+TEST_F(SolidCommands, ASelfIntersectingMeshIsTheUnionOfItsBodies) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1) + box_obj(0.02, 0.015, 9));
   const Outcome outcome = make("m.obj");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  // Deep in both, where a wall of one would pass.
+  // Deep in both bodies, at a wall of one of them.
   EXPECT_NEAR(distance_m("out.palp", "0.0195,0,0"), -0.0150, 0.001);
   EXPECT_NEAR(distance_m("out.palp", "-0.019,0,0"), -0.001, 0.0002);
   EXPECT_GT(distance_m("out.palp", "0,0,0.0205"), 0.0);
 }
 
-TEST_F(SolidCommands, DenseFieldsAreMadeTouchedAndDrawnLikeOthers) {
+TEST_F(SolidCommands, DenseFieldsCanBeMadeTouchedAndDrawn) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
   std::string steps = "t_s,x_m,y_m,z_m\n";
   for (int i = 0; i <= 200; ++i)
@@ -112,7 +112,7 @@ TEST_F(SolidCommands, DenseFieldsAreMadeTouchedAndDrawnLikeOthers) {
   }
 }
 
-TEST_F(SolidCommands, DenseFieldsTooLargeAreRefusedWithTheSizeAndWhatFits) {
+TEST_F(SolidCommands, TooLargeDenseFieldsAreRefusedWithTheirSizeAndTheLimit) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
   const Outcome outcome =
       palpable({"make", path("m.obj"), "-o", path("out.palp"), "--paper", "--resolution", "2048"});
@@ -127,8 +127,8 @@ TEST_F(SolidCommands, DenseFieldsTooLargeAreRefusedWithTheSizeAndWhatFits) {
   EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
 }
 
-TEST_F(SolidCommands, DepthMapsFromSeveralPlacesBecomeOneSolid) {
-  // A wall at 0.3 m with a box of 60 mm before it, seen from the left and from the right.
+TEST_F(SolidCommands, DepthMapsFromSeveralPosesAreFused) {
+  // A wall at 0.3 m with a box of 60 mm in front of it, seen from the left and from the right.
   const auto frame = [&](const std::string& name, double eye_m) {
     Raster<std::uint16_t> depth(160, 120);
     for (int y = 0; y < 120; ++y)
@@ -164,10 +164,10 @@ TEST_F(SolidCommands, DepthMapsFromSeveralPlacesBecomeOneSolid) {
   expect_refused(fuse("poses.csv"), "poses.csv", "no unit quaternion");
 }
 
-TEST_F(SolidCommands, TheEgocentricViewTurnsWithItsExplorer) {
+TEST_F(SolidCommands, TheEgocentricViewRotatesWithItsExplorer) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
   ASSERT_EQ(make("m.obj").exit_code, 0);
-  // The explorer stands right of the box and faces it: ahead is left, and the wall pushes back.
+  // The explorer is right of the box and faces it: ahead means left, and the wall pushes back.
   write_text(path("walk.csv"), "t_s,x_m,y_m,heading_deg\n0,0.1,0,0\n0.01,0.05,0,90\n");
   std::string steps = "t_s,x_m,y_m,z_m\n";
   for (int i = 0; i <= 100; ++i)
@@ -191,7 +191,7 @@ TEST_F(SolidCommands, TheEgocentricViewTurnsWithItsExplorer) {
   EXPECT_NEAR(numbers[5], -2.0, 0.05);
   EXPECT_NEAR(numbers[6], 0.0, 0.01);
   EXPECT_EQ(probe({"--walk", path("walk.csv")}), 2);
-  // Live, recorded and said.
+  // The pose is used live, recorded, and printed.
   const Outcome touched = palpable({"touch", path("out.palp"), "--headless", "--seconds", "0.2", "--view",
                                     "egocentric", "--walk", path("walk.csv"), "--record", path("t.rec")});
   EXPECT_EQ(touched.exit_code, 0) << touched.err;
@@ -203,10 +203,10 @@ TEST_F(SolidCommands, TheEgocentricViewTurnsWithItsExplorer) {
   EXPECT_EQ(probe({"--view", "egocentric", "--walk", path("walk.csv")}), 3);
 }
 
-TEST_F(SolidCommands, FingersWithPadsAreTouchedWithForceAndTorque) {
+TEST_F(SolidCommands, FingerPadsFeelForceAndTorque) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1));
   ASSERT_EQ(make("m.obj").exit_code, 0);
-  // Finger 0 stands upright on the top, finger 1 is tilted on its edge, finger 2 is in the air.
+  // Finger 0 is upright on the top, finger 1 is tilted on its edge, finger 2 is in the air.
   std::string steps = "t_s,x_m,y_m,z_m,probe,qw,qx,qy,qz\n";
   for (int i = 0; i <= 20; ++i) {
     const std::string t = std::to_string(0.001 * i) + ',',
@@ -236,7 +236,7 @@ TEST_F(SolidCommands, FingersWithPadsAreTouchedWithForceAndTorque) {
   for (int i = 0; std::getline(lines, line); ++i) last[i % 3] = line;
   EXPECT_THAT(last[0], HasSubstr(",1,,,,0,0,"));
   EXPECT_THAT(last[2], HasSubstr("0,0,0,0,,,,0,2,0,0,0"));
-  // Places of a pad in a file are felt the same; wrong ones are refused.
+  // Places of a pad from a file give the same result; invalid ones are refused.
   write_text(path("tool.csv"), "x_m,y_m,z_m,share\n0,0,-0.008,1\n");
   EXPECT_EQ(probe({"--tool", path("tool.csv")}).exit_code, 0);
   EXPECT_EQ(probe({"--tool", "glove"}).exit_code, 2);
@@ -249,7 +249,7 @@ TEST_F(SolidCommands, FingersWithPadsAreTouchedWithForceAndTorque) {
   EXPECT_THAT(refused.err, HasSubstr("hand.csv"));
 }
 
-TEST_F(SolidCommands, AMeshInsideOutIsTurned) {
+TEST_F(SolidCommands, AnInsideOutMeshIsReoriented) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1, false));
   const Outcome outcome = make("m.obj");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -257,7 +257,7 @@ TEST_F(SolidCommands, AMeshInsideOutIsTurned) {
   EXPECT_NEAR(distance_m("out.palp", "0,0,0.019"), -0.001, 0.0002);
 }
 
-TEST_F(SolidCommands, AnOpenMeshIsClosedAndSaid) {
+TEST_F(SolidCommands, AnOpenMeshIsClosedWithAMessage) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1, true, 2));
   const Outcome outcome = make("m.obj");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -265,7 +265,7 @@ TEST_F(SolidCommands, AnOpenMeshIsClosedAndSaid) {
   EXPECT_NEAR(distance_m("out.palp", "0.019,0,0"), -0.001, 0.0002);
 }
 
-TEST_F(SolidCommands, TrianglesWithVerticesThatAreNoNumbersAreLeftOut) {
+TEST_F(SolidCommands, TrianglesWithNanVerticesAreOmitted) {
   write_text(path("m.obj"), box_obj(0.0, 0.02, 1) + "v nan nan nan\nf 9 1 2\n");
   const Outcome outcome = make("m.obj");
   if (outcome.exit_code == 3) {
@@ -276,7 +276,7 @@ TEST_F(SolidCommands, TrianglesWithVerticesThatAreNoNumbersAreLeftOut) {
   EXPECT_NEAR(distance_m("out.palp", "0,0,0.019"), -0.001, 0.0002);
 }
 
-TEST_F(SolidCommands, AMeshThatStatesTenMillionTrianglesAndHoldsNoneIsRefused) {
+TEST_F(SolidCommands, AMeshWithAFalseTriangleCountIsRefused) {
   std::string stl(84, '\0');
   const unsigned count = 10'000'000;
   for (unsigned k = 0; k < 4; ++k) stl[80 + k] = static_cast<char>(count >> (8 * k));
@@ -284,7 +284,7 @@ TEST_F(SolidCommands, AMeshThatStatesTenMillionTrianglesAndHoldsNoneIsRefused) {
   expect_refused(make("huge.stl", {"--kind", "mesh"}), "huge.stl", "");
 }
 
-TEST_F(SolidCommands, ExponentsAtTheirLimitsAreTouchedAndBeyondThemRefused) {
+TEST_F(SolidCommands, ExponentsAreAcceptedUpToTheirLimits) {
   const auto shape = [&](const std::string& e1, const std::string& e2) {
     write_text(path("s.json"), R"({"primitives": [{"size_m": [0.02, 0.02, 0.02], "exponents": [)" + e1 +
                                    ", " + e2 + R"(], "position_m": [0, 0, 0]}]})");
@@ -300,7 +300,7 @@ TEST_F(SolidCommands, ExponentsAtTheirLimitsAreTouchedAndBeyondThemRefused) {
   for (const char* bad : {"0.05", "2.5", "-1"}) expect_refused(shape(bad, "1"), "s.json", "exponent");
 }
 
-TEST_F(SolidCommands, AFieldGoesToOpenVdbAndBack) {
+TEST_F(SolidCommands, AFieldSurvivesAnOpenVdbRoundTrip) {
   write_text(
       path("s.json"),
       R"({"primitives": [{"size_m": [0.03, 0.02, 0.02], "exponents": [1, 1], "position_m": [0, 0, 0]}]})");
@@ -326,8 +326,8 @@ TEST_F(SolidCommands, AFieldGoesToOpenVdbAndBack) {
   expect_refused(make("cut.vdb"), "cut.vdb", "cut-off");
 }
 
-TEST_F(SolidCommands, ShapesAreFoundInADepthMapAndTouched) {
-  // A ball of 30 mm before a wall 300 mm away, seen with a focal length of 200 pixels.
+TEST_F(SolidCommands, ShapesAreFittedToADepthMap) {
+  // A ball of 30 mm in front of a wall 300 mm away, with a focal length of 200 pixels.
   constexpr int kWidth = 160, kHeight = 120;
   Raster<std::uint16_t> depth(kWidth, kHeight, 3000);
   for (int y = 0; y < kHeight; ++y)

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Where solids go in the scene: their size, which way is up, and open sheets, through the real program.
+// Placement of solids by the real program: size, up direction, and open sheets.
 #include <cmath>
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A box from the origin, its triangles outwards.
+/// A box with one corner at the given place, triangles oriented outwards.
 std::string box_obj(double x, double y, double z, double left = 0.0, double bottom = 0.0) {
   std::string obj;
   for (int k = 0; k < 8; ++k)
@@ -42,7 +42,7 @@ class SolidPlacement : public InFolder {
   }
 };
 
-TEST_F(SolidPlacement, AMeshWithoutUnitsIsFittedAndSaysSo) {
+TEST_F(SolidPlacement, AMeshWithoutUnitsIsFittedWithAMessage) {
   write_text(path("m.obj"), box_obj(8.0, 6.0, 10.0));
   const Outcome outcome = make(path("m.obj"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -51,7 +51,7 @@ TEST_F(SolidPlacement, AMeshWithoutUnitsIsFittedAndSaysSo) {
   EXPECT_NEAR(info().at("scene_from_input")[0][0].get<double>(), 0.005, 1e-9);
 }
 
-TEST_F(SolidPlacement, AMeshOfAHandsSizeBesideItsOriginIsMovedToTheMiddle) {
+TEST_F(SolidPlacement, AMeshOfAHandsSizeFarFromItsOriginIsCentred) {
   write_text(path("m.obj"), box_obj(0.08, 0.06, 0.1, 0.3, 0.3));
   const Outcome outcome = make(path("m.obj"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -69,7 +69,7 @@ TEST_F(SolidPlacement, AMeshOfAHandsSizeKeepsItsMetresAndOrigin) {
   EXPECT_EQ(info().at("scene_from_input")[0][3].get<double>(), 0.0);
 }
 
-TEST_F(SolidPlacement, UpIsUpByTheFormatsConventionOrAsAsked) {
+TEST_F(SolidPlacement, UpFollowsTheFormatsConventionOrTheOption) {
   // STL: 8 wide, 10 deep, 6 high along z.
   write_text(path("m.obj"), box_obj(8.0, 10.0, 6.0));
   ASSERT_EQ(make(path("m.obj"), {"--up", "z"}).exit_code, 0);
@@ -79,8 +79,8 @@ TEST_F(SolidPlacement, UpIsUpByTheFormatsConventionOrAsAsked) {
   EXPECT_EQ(make(path("m.obj"), {"--up", "w"}).exit_code, 2);
 }
 
-TEST_F(SolidPlacement, AnOpenSheetBecomesAReliefAndSaysSo) {
-  // A flat map about y: two squares, 100 wide together.
+TEST_F(SolidPlacement, AnOpenSheetBecomesAReliefWithAMessage) {
+  // A flat map with y up: two rectangles, together 100 wide.
   write_text(path("m.obj"),
              "v 0 0 0\nv 40 0 0\nv 40 0 40\nv 0 0 40\nv 60 0 0\nv 100 0 0\nv 100 0 40\nv 60 0 40\n"
              "f 1 4 3\nf 1 3 2\nf 5 8 7\nf 5 7 6\n");
@@ -94,7 +94,7 @@ TEST_F(SolidPlacement, AnOpenSheetBecomesAReliefAndSaysSo) {
   EXPECT_EQ(make(path("m.obj"), {"--as", "field"}).exit_code, 3);
 }
 
-TEST_F(SolidPlacement, ABoxThatFillsItsSizeIsDrawnFromAllSides) {
+TEST_F(SolidPlacement, ABoxThatFillsItsBoundingBoxIsDrawnFromAllSides) {
   write_text(path("m.obj"), box_obj(1.0, 1.0, 1.0));
   for (const char* size : {"100x100x100", "100x100x50", "30x30x30"}) {
     ASSERT_EQ(make(path("m.obj"), {"--size", size}).exit_code, 0);

@@ -22,7 +22,7 @@ class StereoCommands : public InFolder {
   }
 };
 
-TEST_F(StereoCommands, DepthOfAPairIsNearTheTruth) {
+TEST_F(StereoCommands, DepthOfAPairIsAccurate) {
   const Outcome depth =
       palpable({"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"), "--json"});
   ASSERT_EQ(depth.exit_code, 0) << depth.err;
@@ -47,7 +47,7 @@ TEST_F(StereoCommands, DepthAsPngHoldsTheSameDisparityTimes256) {
   EXPECT_LT(score["rms_px"], 1.0 / 256.0);
 }
 
-TEST_F(StereoCommands, TheSameInputGivesTheSameBytesWhateverTheThreads) {
+TEST_F(StereoCommands, OutputDoesNotDependOnTheNumberOfThreads) {
   ASSERT_EQ(palpable({"depth", path("left.png"), path("right.png"), "-o", path("a.pfm"), "--threads", "1"})
                 .exit_code,
             0);
@@ -57,7 +57,7 @@ TEST_F(StereoCommands, TheSameInputGivesTheSameBytesWhateverTheThreads) {
   EXPECT_EQ(read_text(path("a.pfm")), read_text(path("b.pfm")));
 }
 
-/// The right picture `rows` lower, as a camera that stands higher sees it.
+/// The picture shifted down by `rows`, as from a higher camera.
 Raster<Rgb8> lowered(const Raster<Rgb8>& picture, int rows) {
   Raster<Rgb8> out = picture;
   for (int y = 0; y < out.height(); ++y)
@@ -65,7 +65,7 @@ Raster<Rgb8> lowered(const Raster<Rgb8>& picture, int rows) {
   return out;
 }
 
-TEST_F(StereoCommands, APairOffItsRowsIsRectifiedAndTheFiguresAreSaid) {
+TEST_F(StereoCommands, AVerticallyShiftedPairIsRectifiedWithFigures) {
   const Pair pair = textured_pair(320, 240);
   ASSERT_TRUE(formats::write_png(path("left.png"), pair.left));
   ASSERT_TRUE(formats::write_png(path("low.png"), lowered(pair.right, 9)));
@@ -98,13 +98,13 @@ TEST_F(StereoCommands, APairOffItsRowsIsRectifiedAndTheFiguresAreSaid) {
   EXPECT_TRUE(raw.json()["rectification"]["residual_px"].is_null());
 }
 
-TEST_F(StereoCommands, ARectifiedPairIsLeftAlone) {
+TEST_F(StereoCommands, ARectifiedPairIsNotChanged) {
   const Outcome depth = palpable(
       {"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"), "--method", "fast", "--json"});
   EXPECT_EQ(depth.json()["rectification"]["by"], "nothing");
 }
 
-TEST_F(StereoCommands, TheFrontViewIsAPictureBetweenTheTwo) {
+TEST_F(StereoCommands, TheFrontViewIsBetweenBothPictures) {
   for (const char* texture : {"left", "front", "none"})
     ASSERT_EQ(palpable({"make", path("left.png"), path("right.png"), "-o",
                         path(std::string(texture) + ".palp"), "--method", "fast", "--texture", texture})
@@ -114,7 +114,7 @@ TEST_F(StereoCommands, TheFrontViewIsAPictureBetweenTheTwo) {
   EXPECT_LT(std::filesystem::file_size(path("none.palp")), std::filesystem::file_size(path("left.palp")));
 }
 
-TEST_F(StereoCommands, CompareRunsEveryMethodIntoOneTableAndOnePicture) {
+TEST_F(StereoCommands, CompareWritesOneTableAndOnePictureForAllMethods) {
   const Outcome compared = palpable({"compare", path("left.png"), path("right.png"), "--truth",
                                      path("truth.pfm"), "-o", path("all.png"), "--json"});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
@@ -128,7 +128,7 @@ TEST_F(StereoCommands, CompareRunsEveryMethodIntoOneTableAndOnePicture) {
   EXPECT_TRUE(std::filesystem::exists(path("all.png")));
 }
 
-TEST_F(StereoCommands, FitSaysOneSentenceAndDrawsOnePicture) {
+TEST_F(StereoCommands, FitPrintsOneSentenceAndDrawsOnePicture) {
   const Outcome fit = palpable({"fit", path("left.png"), path("right.png"), "-o", path("fit.png"), "--json"});
   ASSERT_EQ(fit.exit_code, 0) << fit.err;
   EXPECT_THAT(fit.json()["sentence"].get<std::string>(), HasSubstr("fit to touch"));
@@ -136,7 +136,7 @@ TEST_F(StereoCommands, FitSaysOneSentenceAndDrawsOnePicture) {
   EXPECT_TRUE(std::filesystem::exists(path("fit.png")));
 }
 
-TEST_F(StereoCommands, ACameraThatDidNotMoveIsSaidWithTheFigure) {
+TEST_F(StereoCommands, ACameraThatDidNotMoveIsReportedWithAFigure) {
   const Pair pair = textured_pair(320, 240);
   ASSERT_TRUE(formats::write_png(path("left.png"), pair.left));
   const Outcome still = palpable({"depth", path("left.png"), path("left.png"), "-o", path("d.pfm"),
@@ -146,7 +146,7 @@ TEST_F(StereoCommands, ACameraThatDidNotMoveIsSaidWithTheFigure) {
   EXPECT_THAT(still.err, HasSubstr("0.00 pixels"));
 }
 
-TEST_F(StereoCommands, CalibrateSaysWhatIsWrongWithAFolder) {
+TEST_F(StereoCommands, CalibrateReportsProblemsOfAFolder) {
   for (const auto& [folder, board, code, reason] :
        {std::tuple{path(""), "9x6", 3, "was found in 0 of"},
         std::tuple{path("none"), "9x6", 3, "No such file"}, std::tuple{path(""), "9", 2, "is not a board"}}) {
@@ -158,7 +158,7 @@ TEST_F(StereoCommands, CalibrateSaysWhatIsWrongWithAFolder) {
   }
 }
 
-TEST_F(StereoCommands, RectifyTakesCornersOrLinesAndRefusesWhatIsNone) {
+TEST_F(StereoCommands, RectifyTakesCornersOrLinesAndRefusesOthers) {
   const Outcome cut = palpable({"rectify", path("left.png"), "-o", path("r.png"), "--corners",
                                 "20,20 140,30 150,110 10,100", "--aspect", "3:2", "--json"});
   ASSERT_EQ(cut.exit_code, 0) << cut.err;
@@ -176,7 +176,7 @@ TEST_F(StereoCommands, RectifyTakesCornersOrLinesAndRefusesWhatIsNone) {
   }
 }
 
-TEST_F(StereoCommands, BackgroundIsRemovedNamedAndShown) {
+TEST_F(StereoCommands, BackgroundIsRemovedReportedAndDrawn) {
   write_pair(folder_.string(), textured_pair(160, 120, 0.0));
   const Outcome made = palpable({"make", path("left.png"), path("right.png"), "-o", path("s.palp"),
                                  "--method", "fast", "--background", "remove", "--json"});
@@ -192,7 +192,7 @@ TEST_F(StereoCommands, BackgroundIsRemovedNamedAndShown) {
   EXPECT_THAT(none.err, HasSubstr("has no regions"));
 }
 
-TEST_F(StereoCommands, AnUnknownMethodIsNamedWithThoseThatThereAre) {
+TEST_F(StereoCommands, AnUnknownMethodIsNamedWithTheKnownOnes) {
   const Outcome outcome =
       palpable({"depth", path("left.png"), path("right.png"), "-o", path("d.pfm"), "--method", "scanlin"});
   EXPECT_EQ(outcome.exit_code, 2);
@@ -231,7 +231,7 @@ TEST_F(StereoCommands, AMethodsParametersAreListedAndSet) {
   EXPECT_FALSE(disparity("medians=0") == disparity("medians=2"));
 }
 
-TEST_F(StereoCommands, AParameterThatThereIsNotOrThatMayNotBeIsRefused) {
+TEST_F(StereoCommands, UnknownAndInvalidParametersAreRefused) {
   const auto refused = [&](const std::string& set, const std::string& words) {
     const Outcome depth = palpable({"depth", path("left.png"), path("right.png"), "-o", path("new.pfm"),
                                     "--method", "fast", "--set", set});

@@ -12,7 +12,7 @@
 namespace palpable::test {
 namespace {
 
-/// A number in 0…1 for a place, the same at every call: three octaves of value noise.
+/// Three octaves of value noise, 0…1. Deterministic.
 double noise(double x, double y, unsigned seed) {
   const auto at = [seed](long i, long j) {
     std::uint32_t h = static_cast<std::uint32_t>(i) * 374761393U +
@@ -53,7 +53,7 @@ Pair textured_pair(int width, int height, double floor_rise_px) {
       const double d = box ? kBox : background(y);
       pair.disparity_px(x, y) = static_cast<float>(d);
       pair.left(x, y) = texture(x, y, box ? 7U : 1U);
-      // The right picture shows what lies at x + d in the left one, the box before the background.
+      // The right picture shows the left one's pixel at x + d; the box occludes the background.
       const bool box_here = in_box(x + kBox, y, width, height);
       pair.right(x, y) = texture(x + (box_here ? kBox : background(y)), y, box_here ? 7U : 1U);
     }

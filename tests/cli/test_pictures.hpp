@@ -13,13 +13,13 @@ namespace palpable::test {
 struct Pair {
   Raster<Rgb8> left;
   Raster<Rgb8> right;
-  /// Of the left picture, in pixels.
+  /// Disparity of the left picture, in pixels.
   Raster<float> disparity_px;
 };
-/// `floor_rise_px`: how much nearer the floor comes to the bottom; 0 = the wall goes on.
+/// `floor_rise_px`: increase of the floor's disparity down to the bottom; 0 = the wall continues.
 Pair textured_pair(int width = 160, int height = 120, double floor_rise_px = 3.0);
 
-/// Another texture with no relation to the pair's.
+/// A texture unrelated to the pair's.
 Raster<Rgb8> unrelated_picture(int width, int height, unsigned seed);
 
 /// Writes left.png, right.png and truth.pfm into `folder`.

@@ -37,20 +37,20 @@ TEST_F(Touch, WithoutAPageMeasuresItself) {
   EXPECT_THAT(json["device"].get<std::string>(), HasSubstr("sim"));
 }
 
-TEST_F(Touch, WithoutInputTakesTheSample) {
+TEST_F(Touch, WithoutInputUsesTheSample) {
   const Outcome outcome = palpable({"touch", "--headless", "--seconds", "0.5", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_GT(outcome.json()["servo"]["ticks"], 0);
 }
 
-TEST_F(Touch, RecordsWhatItFelt) {
+TEST_F(Touch, RecordsTheTouch) {
   const Outcome outcome = palpable({"touch", path("left.png"), path("right.png"), "--headless", "--seconds",
                                     "1", "--record", path("touch.rec"), "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_GT(std::filesystem::file_size(path("touch.rec")), 1000U);
 }
 
-TEST_F(Touch, AsPublishedTakesAPapersLawAndRate) {
+TEST_F(Touch, AsPublishedUsesAPapersLawAndRate) {
   const Outcome shi = palpable({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "1",
                                 "--as-published", "shi", "--record", path("shi.rec"), "--json"});
   ASSERT_EQ(shi.exit_code, 0) << shi.err;
@@ -60,7 +60,7 @@ TEST_F(Touch, AsPublishedTakesAPapersLawAndRate) {
   EXPECT_THAT(recorded, HasSubstr("sobel"));
 }
 
-TEST_F(Touch, TheSampleIsMadeAsTheOptionsSay) {
+TEST_F(Touch, OptionsApplyToTheSample) {
   EXPECT_EQ(palpable({"touch", "--headless", "--seconds", "0.2", "--size", "nonsense"}).exit_code, 2);
   const Outcome published =
       palpable({"touch", "--headless", "--seconds", "0.2", "--method", "fast", "--as-published", "shi"});
@@ -68,7 +68,7 @@ TEST_F(Touch, TheSampleIsMadeAsTheOptionsSay) {
   EXPECT_THAT(published.err, HasSubstr("The paper does not state the height"));
 }
 
-TEST_F(Touch, AsPublishedByMoustakasKeepsDistanceAndForceEverywhere) {
+TEST_F(Touch, AsPublishedByMoustakasStoresDistanceAndForceInADenseField) {
   write_text(
       path("ball.json"),
       R"({"primitives": [{"size_m": [0.02, 0.02, 0.02], "exponents": [1, 1], "position_m": [0, 0, 0]}]})");
@@ -85,7 +85,7 @@ TEST_F(Touch, AsPublishedByMoustakasKeepsDistanceAndForceEverywhere) {
   EXPECT_EQ(palpable({"info", path("m.palp"), "--json"}).json()["kind"], "dense-field");
 }
 
-TEST_F(Touch, EndsWhenItIsInterruptedAndStillTellsWhatItMeasured) {
+TEST_F(Touch, PrintsItsMeasurementsWhenInterrupted) {
   Running running({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "60", "--json"});
   ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
   running.send(SIGINT);
@@ -93,19 +93,19 @@ TEST_F(Touch, EndsWhenItIsInterruptedAndStillTellsWhatItMeasured) {
   EXPECT_EQ(outcome.exit_code, 130);
 }
 
-TEST_F(Touch, EndsAtOnceWhenItIsInterruptedTwice) {
+TEST_F(Touch, EndsAtOnceWhenInterruptedTwice) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     Running running({"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "60"});
     ASSERT_TRUE(running.catches(signal, std::chrono::seconds(60)));
     running.send(signal);
     running.send(signal);
     const Outcome outcome = running.wait(std::chrono::seconds(20));
-    // Two signals that come together are one to the system.
+    // The system merges two signals that arrive together.
     EXPECT_TRUE(outcome.exit_code == 1000 + signal || outcome.exit_code == 130) << outcome.exit_code;
   }
 }
 
-TEST_F(Touch, ServesThePageAndSaysWhere) {
+TEST_F(Touch, ServesThePageAndPrintsItsAddress) {
   Running running({"touch", path("left.png"), path("right.png"), "--no-browser"});
   EXPECT_TRUE(running.says("http://127.0.0.1:", std::chrono::seconds(20))) << running.err();
   running.send(SIGTERM);
@@ -113,7 +113,7 @@ TEST_F(Touch, ServesThePageAndSaysWhere) {
   EXPECT_EQ(outcome.exit_code, 130);
 }
 
-TEST_F(Touch, ADeviceThatThereIsNotIsSaid) {
+TEST_F(Touch, AnUnknownDeviceIsReported) {
   const Outcome unknown =
       palpable({"touch", path("left.png"), path("right.png"), "--headless", "--device", "teapot:"});
   EXPECT_EQ(unknown.exit_code, 2);
@@ -125,7 +125,7 @@ TEST_F(Touch, ADeviceThatThereIsNotIsSaid) {
   EXPECT_THAT(law.err, HasSubstr("gravity"));
 }
 
-TEST_F(Touch, AsChoosesTheKindOfScene) {
+TEST_F(Touch, OptionAsSelectsTheKindOfScene) {
   const Outcome outcome = palpable({"touch", path("left.png"), path("right.png"), "--as", "grid",
                                     "--grid-points", "40", "--radius", "0", "--law", "grid", "--headless",
                                     "--seconds", "0.2", "--record", path("touch.rec")});
@@ -133,13 +133,13 @@ TEST_F(Touch, AsChoosesTheKindOfScene) {
   EXPECT_THAT(read_text(path("touch.rec")), HasSubstr("\"law\":\"grid\""));
 }
 
-TEST_F(Touch, ShowsProgressAsOneLineThatMoves) {
+TEST_F(Touch, ShowsProgressInOneLine) {
   write_pair(folder_.string(), textured_pair(640, 480));
   const Outcome outcome = palpable_on_a_terminal({"make", path("left.png"), path("right.png"), "-o",
                                                   path("a.palp"), "--method", "best", "--threads", "1"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr(" %"));
-  // Each step replaces the one before, and no step is left at the end.
+  // Each step overwrites the previous one, and none is left at the end.
   const auto last = outcome.err.rfind(" %");
   EXPECT_EQ(outcome.err.substr(0, last).find('\n'), std::string::npos) << outcome.err;
   EXPECT_THAT(outcome.err.substr(last + 2), StartsWith("\r\x1b[K"));

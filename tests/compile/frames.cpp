@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Each macro makes one mistake that the compiler must refuse; without any, the file must compile.
+// Each macro adds one error that the compiler must reject; without any, the file must compile.
 #include "palpable/core/frame.hpp"
 
 using palpable::Point;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 
-// A program that holds every object file of the servo's side (CMakeLists.txt links the archives whole), so
-// that the shared libraries it needs are all that core, models, device and haptics can ever need.
+// A program with every object file of the servo's side (CMakeLists.txt links the whole archives). Its shared
+// libraries are therefore all that core, models, device and haptics can need.
 int main() { return 0; }

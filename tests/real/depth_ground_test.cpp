@@ -21,17 +21,17 @@ namespace {
 
 using vision::Seen;
 
-/// A video of a map model on a board on a table: the table is what things stand on, since it lies lowest.
+/// A video of a map model on a board on a table: the table is the ground, since it is lowest.
 struct Video {
   const char* name;
   double fx;
-  /// Of the table, in the world; the board's top is at 0.
+  /// Height of the table in the world; the board's top is at 0.
   double table_m;
 };
 
 void PrintTo(const Video& video, std::ostream* out) { *out << video.name; }
 
-/// One of its frames, whose depth and pose are exact.
+/// One frame of the video with exact depth and pose.
 struct Frame {
   std::string depth;
   Raster<Seen> seen;
@@ -49,7 +49,7 @@ Frame frame_of(const std::string& folder, const Video& video, int number) {
   const auto poses = parse_number_table(as_text(csv.value()), names).value();
   const auto row = poses.row(static_cast<std::size_t>(number));
   const double w = row[1], x = row[2], y = row[3], z = row[4];
-  // The third row of the rotation: how high a camera's axis reaches in the world.
+  // The third row of the rotation: the vertical components of the camera's axes in the world.
   const Vec3 up{2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)};
   const std::string name = std::string(number < 10    ? "000"
                                        : number < 100 ? "00"

@@ -17,8 +17,7 @@
 namespace palpable::vision {
 namespace {
 
-/// The rendered heads stand on a table before a wall; the table's truth follows from its exact disparity and
-/// its pose.
+/// Rendered heads on a table in front of a wall; the table's truth follows from its exact disparity and pose.
 class RenderedHeads : public testing::Test {
  protected:
   void SetUp() override {
@@ -63,8 +62,8 @@ class RenderedHeads : public testing::Test {
     EXPECT_LT(shares.object_lost, 0.02) << from;
   }
 
-  /// The world's up in the left camera's frame, and the camera's height over the table, from the data's
-  /// calib.json.
+  /// The world's up direction in the left camera's frame, and the camera's height above the table, from the
+  /// data's calib.json.
   static constexpr Vec3 kUp{0.0, -0.9983283009524989, -0.05779795426567099};
   static constexpr double kCameraHeight_m = 0.22;
   StereoPair pair_;
@@ -81,12 +80,12 @@ TEST_F(RenderedHeads, StandOnATableThatIsFoundFromMatchedDisparity) {
   expect_ground(match->disparity.disparity_px, "best", 0.98);
 }
 
-TEST_F(RenderedHeads, StandOnATableThatIsFoundWhileItIsLive) {
+TEST_F(RenderedHeads, StandOnATableThatIsFoundByMethodFast) {
   if (available_stereo_methods().empty()) GTEST_SKIP() << "no stereo method is built";
   const auto match = vision::match(pair_, StereoMethod::fast, {}, Work{});
   ASSERT_TRUE(match);
-  // The aim is 98 % here too, and `fast` misses it (docs/measurements.md): its steps bend the table beside
-  // the heads. This guards what is reached.
+  // The bar is 98 % here too, but `fast` misses it (docs/measurements.md): its steps bend the table beside
+  // the heads. This test guards the reached value.
   expect_ground(match->disparity.disparity_px, "fast", 0.96);
 }
 

@@ -52,8 +52,8 @@ std::vector<cv::Point2f> corners_of(const Image& picture) {
   return corners;
 }
 
-/// RMS of y_left - y_right over the board's corners, which no rectification was fitted to; NaN where a board
-/// is not whole in both.
+/// RMS of y_left - y_right over the board's corners, which are not used by the rectification; NaN unless both
+/// pictures show the whole board.
 double corner_rms_px(const StereoPair& pair) {
   const auto left = corners_of(pair.left), right = corners_of(pair.right);
   if (left.empty() || right.empty()) return std::nan("");
@@ -63,9 +63,8 @@ double corner_rms_px(const StereoPair& pair) {
 }
 
 TEST_F(RealPairs, ChessboardsOfUnknownCamerasShareScanlines) {
-  // A board repeats itself: features find nothing on it, tracked corners do. Pair 12 shows its board a
-  // period aside to whoever takes the first likeness. Of pair 5 a chance turn explains more features than the
-  // true one.
+  // A chessboard is periodic: feature matching fails on it, tracked corners do not. In pair 12 the first good
+  // match is one period off. In pair 5 a wrong rotation explains more features than the true one.
   for (const int i : {5, 12}) {
     const auto rectified = rectify_uncalibrated(chessboard(i), {});
     ASSERT_TRUE(rectified);
@@ -89,7 +88,7 @@ TEST_F(RealPairs, ChessboardsOfCalibratedCamerasShareScanlines) {
   }
 }
 
-/// The picture of a camera that is turned by these angles.
+/// The picture of a camera rotated by these angles.
 Image turned(const Image& picture, double f, double about_x_deg, double about_y_deg, double about_z_deg) {
   const double degree = std::numbers::pi / 180.0;
   cv::Matx33d r;
@@ -101,7 +100,7 @@ Image turned(const Image& picture, double f, double about_x_deg, double about_y_
   return image_from(out, picture);
 }
 
-TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
+TEST_F(RealPairs, RotatedByUpToFiveDegreesShareScanlinesAgain) {
   const std::array<std::array<std::string, 2>, 2> files{
       {{"mid2_tsukuba/imL.png", "mid2_tsukuba/imR.png"},
        {"mid14_Motorcycle/motorcycle_left.png", "mid14_Motorcycle/motorcycle_right.png"}}};
@@ -113,7 +112,7 @@ TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
       ASSERT_TRUE(rectified);
       EXPECT_TRUE(rectified->changed) << left;
       EXPECT_LE(rectified->residual_px, 0.5) << left;
-      // Features of the new pictures show it rectified too.
+      // Features of the rectified pictures confirm the result.
       const auto again = rectify_uncalibrated(rectified->pair, {});
       ASSERT_TRUE(again);
       EXPECT_FALSE(again->changed) << left;
@@ -122,7 +121,7 @@ TEST_F(RealPairs, TurnedByUpToFiveDegreesShareScanlinesAgain) {
   }
 }
 
-TEST_F(RealPairs, ACameraMovedAndTurnedALittleGivesMetres) {
+TEST_F(RealPairs, AMovedCameraGivesMetricDepth) {
   constexpr double kFocal_px = 820.0, kMoved_m = 0.06;
   const StereoPair straight = read("rendered_heads/left.png", "rendered_heads/right.png");
   const auto truth = sources::read_disparity(stereo_ + "rendered_heads/disp_left.pfm", 1.0,

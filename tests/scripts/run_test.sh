@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-# run_test.sh PROJECT: ./run in a copy of the project where apt, sudo, cmake, ninja and the program itself are stand-ins
-# that write down how they were called.
+# run_test.sh PROJECT: runs ./run in a copy of the project in which apt, sudo, cmake, ninja and the program are stubs that
+# record their calls.
 set -uo pipefail
 project=$1
 room=$(mktemp -d)
@@ -44,32 +44,32 @@ run() { (cd "$room" && PATH=$room/bin:$PATH project/run "$@" </dev/null >out 2>e
 touch "$room/password"
 run info
 expect 'without a terminal a password is not asked for' [ $? -eq 1 ]
-expect 'the person is told what to install' grep -q 'sudo apt-get install absent' "$room/err"
+expect 'a message says what to install' grep -q 'sudo apt-get install absent' "$room/err"
 expect 'the program was not started' [ ! -s "$room/out" ]
 rm "$room/password"
 
 : >"$room/calls"
 run make 'two words' '' '*'
-expect 'arguments arrive as they were given, in the folder of the caller' [ "$(<"$room/out")" = "<$room><make><two words><><*>" ]
-expect 'only what is missing is installed' grep -q 'install -y --no-install-recommends absent$' "$room/calls"
-expect 'what apt prints stays off standard output' grep -q 'noise of apt' "$room/err"
+expect 'arguments are passed unchanged, in the caller'"'"'s folder' [ "$(<"$room/out")" = "<$room><make><two words><><*>" ]
+expect 'only missing packages are installed' grep -q 'install -y --no-install-recommends absent$' "$room/calls"
+expect 'the output of apt is not on standard output' grep -q 'noise of apt' "$room/err"
 
 : >"$room/calls"
 run
 expect 'without arguments the sample is touched' [ "$(<"$room/out")" = "<$room><touch>" ]
 expect 'nothing is installed twice' [ "$(calls_of apt-get)" -eq 0 ]
-expect 'nothing is said when there is nothing to do' [ ! -s "$room/err" ]
+expect 'nothing is printed when there is nothing to do' [ ! -s "$room/err" ]
 
 touch "$room/broken"
 run info
 expect 'a failed build is a failure' [ $? -eq 1 ]
-expect 'and starts nothing' [ ! -s "$room/out" ]
-expect 'and shows why' grep -q 'error: broken' "$room/err"
+expect 'after it the program is not started' [ ! -s "$room/out" ]
+expect 'after it the reason is shown' grep -q 'error: broken' "$room/err"
 rm "$room/broken"
 
 printf 'absent\n' >>"$room/project/packages/run.txt"
 rm "$room/installed"
 run
-expect 'a longer list is looked at again' [ "$(calls_of apt-get)" -ge 1 ]
+expect 'a longer list is checked again' [ "$(calls_of apt-get)" -ge 1 ]
 
 [ "$failures" -eq 0 ]

@@ -17,7 +17,7 @@ def expanded(name):
 installed = {
     line.strip() for file in Path("packages").glob("*.txt") for line in file.read_text().splitlines() if line.strip() and line[0] != "#"
 }
-# The first column of every table; libnanovdb-dev is used where a person has installed it.
+# The first column of every table; libnanovdb-dev is optional.
 cells = re.findall(r"^\| ([^|]+?) \|", Path("docs/dependencies.md").read_text(), re.M)
 documented = {
     name for cell in cells for word in re.findall(r"[a-z0-9][a-z0-9.+{},-]*", re.sub(r" \d[\d.]*", "", cell)) for name in expanded(word.strip(","))

@@ -17,7 +17,7 @@ function frame(words: number[], payload: Uint8Array): ArrayBuffer {
 }
 
 describe('reading messages', () => {
-  it('takes a whole message', () => expect(readMessage(JSON.stringify(state))).toEqual(state));
+  it('accepts a valid message', () => expect(readMessage(JSON.stringify(state))).toEqual(state));
   it.each([
     ['not JSON', '{'],
     ['no object', '[]'],
@@ -37,7 +37,7 @@ describe('reading messages', () => {
     ['a probe beyond the last', withProbe({ probe: 10 })],
     ['more probes than there can be', JSON.stringify({ ...state, probes: Array.from({ length: 11 }, () => probe) })],
     ['a fraction for a whole number', withProbe({ label: 0.5 })],
-  ])('refuses %s with a sentence', (_, text) => expect(readMessage(text)).toBeTypeOf('string'));
+  ])('refuses %s with an error message', (_, text) => expect(readMessage(text)).toBeTypeOf('string'));
   it('counts the bytes of a text, not its letters', () => {
     const notice = (text: string) => JSON.stringify({ type: 'notice', level: 'info', text });
     expect(readMessage(notice('ä'.repeat(500)))).toBeTypeOf('object');
@@ -46,7 +46,7 @@ describe('reading messages', () => {
 });
 
 describe('writing messages', () => {
-  it('writes what its own definition takes', () => {
+  it('writes messages that match their definitions', () => {
     const message = { type: 'pointer', probe: 1, x_m: 0.01, y_m: -0.02, press_m: 0.001 } as const;
     expect(readMessage(writeMessage(message), fromPageSpecs)).toEqual(message);
   });
@@ -57,14 +57,14 @@ describe('writing messages', () => {
 
 describe('reading rasters', () => {
   const heights = new Uint8Array(new Float32Array([1, 2, 3, 4, 5, 6]).buffer);
-  it('takes heights', () => {
+  it('accepts heights', () => {
     const read = readRaster(frame([raster.magic, 1, 7, 3, 2], heights));
     expect(read).toMatchObject({ kind: 'heights', scene: 7, columns: 3, rows: 2 });
     expect(Array.from((read as { heights: Float32Array }).heights)).toEqual([1, 2, 3, 4, 5, 6]);
   });
-  it('takes a picture', () =>
+  it('accepts a picture', () =>
     expect(readRaster(frame([raster.magic, 2, 7, 2, 1], new Uint8Array([1, 2, 3, 4, 5, 6])))).toMatchObject({ kind: 'picture' }));
-  it('takes cells', () =>
+  it('accepts cells', () =>
     expect(readRaster(frame([raster.magic, 3, 7, 2, 1], new Uint8Array([1, 2, 3, 4, 5, 6])))).toMatchObject({ kind: 'cells' }));
   it.each([
     ['a short header', frame([raster.magic, 1, 7, 3], new Uint8Array())],

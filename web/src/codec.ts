@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Reads what the program sends, strictly by the definitions of protocol.json. The C++ side is page/protocol.cpp.
+// Parses the program's messages strictly by the definitions of protocol.json. The C++ side is page/protocol.cpp.
 import { objectSpecs, raster, toPageSpecs, type FromPage, type ToPage } from './generated/protocol';
 
 export interface FieldSpec {
@@ -8,7 +8,7 @@ export interface FieldSpec {
   type: string;
   min?: number;
   max?: number;
-  /** A list of at most so many values. */
+  /** A list of at most this many values. */
   max_count?: number;
   nullable?: boolean;
 }
@@ -36,14 +36,14 @@ function fits(value: unknown, spec: FieldSpec): boolean {
   }
 }
 
-/** What is wrong with an object of these fields; null if nothing is. `besides`: how many keys it has besides. */
+/** The error of an object with these fields; null if it is valid. `besides`: number of other keys. */
 function complaintAbout(object: Record<string, unknown>, fields: Record<string, FieldSpec>, besides = 0): string | null {
   for (const [name, spec] of Object.entries(fields))
     if (!Object.hasOwn(object, name) || !fits(object[name], spec)) return `'${name}' is missing or out of its limits`;
   return Object.keys(object).length === Object.keys(fields).length + besides ? null : 'there are fields that the message does not have';
 }
 
-/** The message in a text frame, or a sentence that says what is wrong with it. */
+/** The message in a text frame, or an error message. */
 export function readMessage(text: string, specs: Specs = toPageSpecs): ToPage | string {
   let value: unknown;
   try {
@@ -75,11 +75,11 @@ export interface PictureFrame {
   scene: number;
   columns: number;
   rows: number;
-  /** Three bytes a pixel, sRGB. */
+  /** Three bytes per pixel, sRGB. */
   rgb: Uint8Array;
 }
 
-/** The raster in a binary frame, or a sentence that says what is wrong with it. */
+/** The raster in a binary frame, or an error message. */
 export function readRaster(buffer: ArrayBuffer): HeightsFrame | PictureFrame | string {
   const headerBytes = 4 * raster.header.length;
   if (buffer.byteLength < headerBytes) return 'the frame is too short';

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Figures for reading: how they are written, and how often they are renewed.
+// Formatting and update rate of displayed figures.
 
-/** Milliseconds between two updates of figures: ten a second can be read, and leave the machine to the servo. */
+/** Milliseconds between two updates of figures: ten per second are readable and leave time for the servo. */
 export const figuresEvery = 100;
 
 /** Metres as millimetres with one digit after the point, with two on scenes smaller than 50 mm (`scale`: Surface.scale). */

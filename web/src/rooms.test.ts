@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Who may import whom: rooms.json is the rule, docs/page.md repeats it. Files at the level of src/ may be imported by
-// every room and import none. The C++ side has the same rule in cmake/Layers.cmake.
+// Checks imports between rooms: rooms.json is the rule, docs/page.md repeats it. Files at the level of src/ may be imported
+// by every room and import none. The C++ side has the same rule in cmake/Layers.cmake.
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, posix } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +9,7 @@ import { describe, expect, it } from 'vitest';
 import rooms from './rooms.json';
 
 type Table = Record<string, { holds: string; may_use: string[] }>;
-/** Path below src/ to what the file imports, as paths below src/. */
+/** Maps a file to its imports; paths are relative to src/. */
 type Imports = Record<string, string[]>;
 
 const src = dirname(fileURLToPath(import.meta.url));
@@ -28,7 +28,7 @@ function importsIn(folder: string): Imports {
   return Object.assign(Object.fromEntries(own), ...below) as Imports;
 }
 
-/** Every breach of the table, as a sentence. */
+/** Every violation of the table, as a sentence. */
 function breaches(imports: Imports, table: Table): string[] {
   const found: string[] = [];
   const names = Object.keys(table);

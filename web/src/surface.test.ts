@@ -6,14 +6,14 @@ import { Surface } from './surface';
 const slope = new Surface(11, 11, Float32Array.from({ length: 121 }, (_, k) => (k % 11) * 0.001), 0.11, 0.11);
 
 describe('the surface', () => {
-  it('knows heights and slopes of a ramp, and its rectangle', () => {
+  it('has the heights and slopes of a ramp, and its rectangle', () => {
     expect(slope.heightAt({ x: 0, y: 0.02 })).toBeCloseTo(0.005, 9);
     expect(slope.heightAt({ x: 0.013, y: 0 })).toBeCloseTo(0.0063, 9);
     expect(slope.slopeAt({ x: 0, y: 0 }).x).toBeCloseTo(0.1, 6);
     expect(slope.slopeAt({ x: 0, y: 0 }).y).toBeCloseTo(0, 9);
     expect(slope.clamp({ x: 1, y: -1 })).toEqual({ x: 0.055, y: -0.055 });
   });
-  it('is hit by a ray where the ray is as high as it', () => {
+  it('intersects a ray at its own height', () => {
     const straight = slope.hit([0.02, 0.01, 1], [0, 0, -1], 1)!;
     expect(straight).toEqual({ x: 0.02, y: 0.01 });
     const slanted = slope.hit([0.02, -0.5, 0.5], [0, Math.SQRT1_2, -Math.SQRT1_2], 2)!;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The relief as the page knows it: heights over a rectangle centred on the origin, x right, y up, z towards the person.
+// The relief on the page: heights over a rectangle centred on the origin, x right, y up, z towards the person.
 
 export interface Place {
   x: number;
@@ -18,8 +18,8 @@ export class Surface {
   ) {}
 
   /**
-   * What one step on a scene of a tenth of a metre is on this one: 1, 2 or 5 times a power of ten, the nearest to its longer
-   * side. Steps of keys and of walking follow it.
+   * The scene's scale: its longer side in units of 0.1 m, rounded to 1, 2 or 5 times a power of ten. Steps of
+   * keys and of walking are multiplied by it.
    */
   get scale(): number {
     const size = Math.max(this.width, this.depth) / 0.1;
@@ -40,7 +40,7 @@ export class Surface {
     return this.heights[j * this.columns + i] ?? 0;
   }
 
-  /** Height at a place, linear between samples; level beyond the border. */
+  /** Height at a place, interpolated bilinearly; constant beyond the border. */
   heightAt({ x, y }: Place): number {
     const u = (x / this.width + 0.5) * this.columns - 0.5;
     const v = (0.5 - y / this.depth) * this.rows - 0.5;
@@ -81,8 +81,8 @@ export class Surface {
   }
 
   /**
-   * Where a ray from above first meets the surface raised by `exaggeration`, or, where it passes beside, the place
-   * where it crosses the base. Null if it never comes down.
+   * First intersection of a ray from above with the surface raised by `exaggeration`, or with the base plane
+   * if it misses. Null if the ray does not descend.
    */
   hit(origin: [number, number, number], direction: [number, number, number], exaggeration: number): Place | null {
     const [dx, dy, dz] = direction;

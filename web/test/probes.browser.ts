@@ -77,7 +77,7 @@ it('each finger is a probe with its own force, until it is lifted', async () => 
   expect(await page.locator('#probe-table').isVisible()).toBe(false);
 });
 
-it('by keys: put down, moved alone, heard, and taken away', async () => {
+it('by keys: added, moved alone, sonified, and removed', async () => {
   const { page } = opened;
   await page.keyboard.press('n');
   await says(page, 'One probe. Probe 1: centre, at the middle');

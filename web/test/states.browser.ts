@@ -57,9 +57,9 @@ describe('the page in every state', () => {
       'paused',
       async (page) => {
         await page.getByRole('button', { name: 'Pause' }).click();
-        await page.getByRole('button', { name: 'Go on' }).waitFor();
+        await page.getByRole('button', { name: 'Resume' }).waitFor();
       },
-      (page) => page.getByRole('button', { name: 'Go on' }).click(),
+      (page) => page.getByRole('button', { name: 'Resume' }).click(),
     ],
     ['help', (page) => page.getByRole('button', { name: 'Help and keys' }).click(), (page) => page.keyboard.press('Escape')],
   ];

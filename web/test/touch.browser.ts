@@ -66,7 +66,7 @@ describe('by pointer', () => {
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
     await page.getByRole('button', { name: 'Pause' }).click();
     await page.waitForFunction(() => document.getElementById('read-force')?.textContent === '0.00');
-    await page.getByRole('button', { name: 'Go on' }).click();
+    await page.getByRole('button', { name: 'Resume' }).click();
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
   });
 

@@ -11,7 +11,7 @@
 namespace palpable::describe {
 namespace {
 
-/// What a place is called while the probe sweeps; empty where it has no name.
+/// The name of a place for a sweeping probe; empty if it has none.
 std::string sweep_name(const models::Scene& scene, Place place) {
   const std::string name = name_at(scene, place);
   const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model);
@@ -38,10 +38,10 @@ std::optional<std::string> Commentary::at(const models::Scene& scene, double dep
       said_s_ = now_s;
       return capitalised(name);
     }
-    // What cannot be said yet is said when its turn comes, if the probe is still there.
+    // Within the gap nothing is said; the name is said later if the probe is still there.
     return std::nullopt;
   }
-  // A new name says more than the edge before it.
+  // A new name is more informative than the edge before it.
   if (edge.empty() || !is_calm || name != current_) return std::nullopt;
   said_s_ = now_s;
   return edge;
@@ -61,7 +61,7 @@ std::string Commentary::edge_at(const models::Scene& scene, double depth, Place 
   const double height_m = depth * surface.sample(place.x_m, place.y_m).z_m;
   way_.push_back({place, height_m});
   constexpr std::size_t kMostSteps = 256;
-  // The last step before the reach stays: a fast probe makes longer steps.
+  // The last step before edge_reach_m is kept, since a fast probe makes longer steps.
   while (way_.size() > 2 &&
          (distance_m(way_[1].place, place) > options_.edge_reach_m || way_.size() > kMostSteps))
     way_.pop_front();
@@ -70,7 +70,7 @@ std::string Commentary::edge_at(const models::Scene& scene, double depth, Place 
                options_.edge_least_m);
   const double step_m = height_m - way_.front().height_m;
   const bool was_on_edge = on_edge_;
-  // Hysteresis: a probe that rests on an edge has one.
+  // Hysteresis: a probe that rests on an edge reports it once.
   on_edge_ = std::abs(step_m) >= (was_on_edge ? 0.5 : 1.0) * least_m;
   if (!on_edge_ || was_on_edge) return {};
   return step_m > 0.0 ? "Edge up" : "Edge down";

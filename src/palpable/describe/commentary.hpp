@@ -11,28 +11,28 @@
 namespace palpable::describe {
 
 struct CommentaryOptions {
-  /// How long a probe must be on something before its name is said, so that a quick sweep stays silent.
+  /// Time that a probe must stay on something before its name is said, so that a quick sweep stays silent.
   double dwell_s = 0.12;
-  /// Between two utterances, at the least; and before the same name is said again.
+  /// Least time between two utterances, and before the same name is repeated.
   double gap_s = 1.2;
   double repeat_s = 4.0;
-  /// What counts as an edge: a change of height within this distance by this share of the scene's range of
-  /// height, and at least this much.
+  /// An edge is a change of height within edge_reach_m of at least edge_share of the scene's height range,
+  /// and of at least edge_least_m.
   double edge_reach_m = 0.003;
   double edge_share = 0.2;
   double edge_least_m = 0.0005;
 };
 
-/// What a sweeping probe meets, in few words: the name of what it comes onto once, an edge once, a line of
-/// contours once. One for each probe and scene; one thread.
+/// Announces in few words what a sweeping probe meets: each name, edge or contour line once when the probe
+/// enters it. One object for each probe and scene; one thread.
 class Commentary {
  public:
   explicit Commentary(CommentaryOptions options = {}) : options_(options) {}
 
-  /// The probe is at `place`; `now_s` never falls. What to say now, or nothing. To be called 20 times a
-  /// second or more while the probe moves.
+  /// Updates the probe's place; `now_s` never decreases. Returns what to say now, or nothing. Call it at
+  /// least 20 times per second while the probe moves.
   std::optional<std::string> at(const models::Scene& scene, double depth, Place place, double now_s);
-  /// The person has just heard what is at `place` in another way, and hears no more of it.
+  /// The person has just heard otherwise what is at `place`: it is not announced again.
   void heard(const models::Scene& scene, Place place, double now_s);
 
  private:
@@ -40,11 +40,11 @@ class Commentary {
     Place place;
     double height_m;
   };
-  /// "Edge up", "Edge down" where the probe meets one; also keeps the way behind the probe.
+  /// "Edge up" or "Edge down" if the probe meets an edge; also updates way_.
   std::string edge_at(const models::Scene& scene, double depth, Place place);
 
   CommentaryOptions options_;
-  /// The way behind the probe, at most edge_reach_m long.
+  /// The probe's recent path, about edge_reach_m long.
   std::deque<Step> way_;
   bool on_edge_ = false;
   std::string candidate_;

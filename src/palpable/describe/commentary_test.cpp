@@ -11,7 +11,7 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// A probe that goes from one place to another in `seconds`, seen 60 times a second.
+/// A probe that moves between two places in `seconds`, sampled at 60 Hz.
 class Sweep {
  public:
   explicit Sweep(models::Scene scene) : scene_(std::move(scene)) {}

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-// Numbers as people read and hear them. Every sentence and table for a person takes its numbers from here.
+// Formats numbers for people. All sentences and tables use these functions.
 
 namespace palpable::describe {
 

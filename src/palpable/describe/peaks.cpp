@@ -14,7 +14,7 @@ namespace palpable::describe {
 namespace {
 
 constexpr int kLongestPeakSide = 128;
-// A range of height below this is a level surface.
+// A surface with a smaller height range is level.
 constexpr double kLevel_m = 1e-5;
 
 struct HeightGrid {
@@ -43,7 +43,8 @@ HeightGrid grid_of(const models::Relief& surface, double sign) {
   return grid;
 }
 
-/// The regions above a level that sinks: each grows round its summit until it meets a higher one's.
+/// The regions above a falling level (a merge tree by union-find): each grows around its summit until it
+/// meets the region of a higher one.
 class Basins {
  public:
   explicit Basins(std::size_t cells) : parent_(cells, kNone), cells_(cells) {}
@@ -59,7 +60,7 @@ class Basins {
   }
   /// Of a summit.
   const std::vector<std::size_t>& cells_of(std::size_t summit) const { return cells_[summit]; }
-  /// The cells of a summit that counts stay its own.
+  /// A summit that counts keeps its cells.
   enum class Cells { go_along, stay };
   void merge(std::size_t keeps, std::size_t ends, Cells cells) {
     parent_[ends] = keeps;
@@ -76,16 +77,15 @@ class Basins {
 
 struct Summit {
   std::size_t cell;
-  /// The cell nearest to the middle of its top: of what is connected to the summit and as high, but for a
-  /// fiftieth of the prominence.
+  /// The cell nearest to the middle of its top: the region connected to the summit and at most a fiftieth of
+  /// the prominence lower.
   std::size_t middle;
   double prominence_m;
-  /// Those above half of the prominence.
+  /// The cells above half of the prominence.
   std::size_t cells;
 };
 
-/// The middle of a summit's top, where the top is about level; the summit itself where that is not on the
-/// top, as on a rim.
+/// The middle of a summit's top; the summit itself if that middle is not on the top, as on a rim.
 std::size_t middle_of_top(const Raster<float>& height_m, std::size_t summit, double least_m) {
   const int width = height_m.width();
   Raster<std::uint8_t> seen(width, height_m.height(), 0);
@@ -115,8 +115,8 @@ std::size_t middle_of_top(const Raster<float>& height_m, std::size_t summit, dou
          static_cast<std::size_t>(middle.x);
 }
 
-/// The summits of at least that prominence, by flooding the heights from the top: where two regions meet is
-/// the lower one's saddle.
+/// The summits of at least that prominence, by flooding from the top: two regions meet at the saddle of the
+/// lower summit.
 std::vector<Summit> summits_of(const Raster<float>& height_m, double least_m) {
   const auto& heights = height_m.values();
   std::vector<std::size_t> order(heights.size());

@@ -16,32 +16,33 @@ struct Place {
 
 /// A local maximum of a surface.
 struct Peak {
-  /// The middle of its top: of what is as high but for a fiftieth of the prominence. Its highest place where
-  /// that middle is not on the top, as of a rim.
+  /// The middle of its top: the region at most a fiftieth of the prominence lower. The highest place if that
+  /// middle is not on the top, as on a rim.
   Place place;
-  /// There.
+  /// Height at `place`.
   double height_m = 0.0;
-  /// Topographic prominence: how far one must go down from it before going up to anything higher; of the
-  /// highest one, down to the lowest place.
+  /// Topographic prominence: the least descent on any path to higher ground; for the highest peak, the
+  /// descent to the lowest place.
   double prominence_m = 0.0;
-  /// Of the region around it that lies above half of its prominence, seen from above.
+  /// Area, seen from above, of the region around it above half of its prominence.
   double area_m2 = 0.0;
 };
 
-/// Which maxima count as objects that rise.
+/// Which maxima count as objects.
 struct PeakOptions {
-  /// Least prominence, as a share of the surface's range of height, 0 ... 1. A tenth leaves out the texture
-  /// and the matching errors of stereo reliefs.
+  /// Least prominence as a share of the surface's height range, 0 ... 1. A tenth excludes texture and the
+  /// matching errors of stereo reliefs.
   double least_prominence = 0.1;
-  /// Least area, as a share of the surface's, 0 ... 1: on 100 x 100 mm a patch of 2.2 x 2.2 mm, which a
-  /// fingertip just feels.
+  /// Least area as a share of the surface's, 0 ... 1: on 100 x 100 mm a patch of 2.2 x 2.2 mm, about the
+  /// smallest that a fingertip feels.
   double least_area = 5e-4;
-  /// Whether the surface is turned over, as an engraved scene is touched: its hollows rise.
+  /// Whether the surface is inverted, as when a scene is touched engraved: then hollows are the peaks.
   bool turned_over = false;
 };
 
-/// The peaks that `options` let through, the most prominent first; none of a level surface. Heights are read
-/// at 128 places along the longer side, and each peak's place and height from the surface's own samples.
+/// The peaks that satisfy `options`, the most prominent first; none on a level surface. They are searched on
+/// a grid of 128 places along the longer side; place and height of each peak come from the surface's own
+/// samples.
 std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& options = {});
 
 }  // namespace palpable::describe

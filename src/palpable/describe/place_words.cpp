@@ -17,7 +17,7 @@ namespace palpable::describe {
 namespace {
 
 constexpr double kHere_m = 0.0005;
-// A line farther away than this is of no help to a hand.
+// Lines farther away than this are not mentioned.
 constexpr double kLineReach_m = 0.015;
 
 const models::BoundaryMap* boundaries_of(const models::Scene& scene) {
@@ -25,7 +25,7 @@ const models::BoundaryMap* boundaries_of(const models::Scene& scene) {
   return contours != nullptr ? &(*contours)->boundaries : nullptr;
 }
 
-/// Of contours: on a line and how it runs, or the way to the nearest one.
+/// For contours: on a line, with its direction, or the offset to the nearest line.
 std::string line_at(const models::BoundaryMap& map, Place place) {
   const auto line = nearest_line(map, place, kLineReach_m);
   if (!line) return "no line near here";
@@ -82,7 +82,7 @@ std::string slope_words(double dzdx, double dzdy) {
 std::string heading_words(double heading_rad) {
   constexpr std::array kEighths{"up",   "up and left",    "left",  "down and left",
                                 "down", "down and right", "right", "up and right"};
-  // Whole degrees, as they are said.
+  // Rounded to whole degrees, as they are spoken.
   const long degrees = (std::lround(heading_rad * 180.0 / std::numbers::pi) % 360 + 360) % 360;
   if (degrees % 45 == 0) return kEighths[static_cast<std::size_t>(degrees / 45)];
   const long quarter = (degrees + 45) / 90, turned = degrees - 90 * quarter;

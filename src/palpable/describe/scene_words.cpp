@@ -18,16 +18,16 @@
 namespace palpable::describe {
 namespace {
 
-// More are counted, and not listed one by one: nobody remembers them.
+// More objects are counted but not listed: nobody would remember them.
 constexpr std::size_t kMostListed = 8;
 
-/// Something that rises, or a region that has a name.
+/// A peak, or a region that has a name.
 struct Object {
   std::string name;
   Peak peak;
 };
 
-/// The label of more than half of the scene's rim: what everything else stands on. nullopt without labels.
+/// The ground's label: the one on more than half of the scene's border. nullopt without labels.
 std::optional<std::size_t> ground_label(const models::Scene& scene) {
   const Raster<std::uint8_t>& labels = scene.labels;
   if (labels.empty()) return std::nullopt;
@@ -47,7 +47,8 @@ std::string ground_name(const models::Scene& scene) {
   return label && name != models::Material{}.name ? name : "ground";
 }
 
-/// The highest place of each region that has a name and covers `least_area` of the scene; the ground is none.
+/// The highest place of each region that has a name and covers at least `least_area` of the scene, except the
+/// ground.
 std::vector<Object> named_objects(const models::Scene& scene, double least_area, double sign) {
   const Raster<std::uint8_t>& labels = scene.labels;
   if (labels.empty()) return {};
@@ -84,8 +85,8 @@ std::vector<Object> named_objects(const models::Scene& scene, double least_area,
   return objects;
 }
 
-/// The peaks, each with the name of what it lies on; an object of a name counts once. The most prominent
-/// first, then what has a name and hardly rises.
+/// The peaks with the names of their regions, the most prominent first, then named regions without a peak. A
+/// named object counts once.
 std::vector<Object> objects_of(const models::Scene& scene, double depth) {
   PeakOptions options;
   options.turned_over = depth < 0.0;
@@ -207,7 +208,7 @@ std::vector<std::string> parts_of(const models::Scene& scene, double depth, Plac
 
 std::string name_of(const models::Scene& scene) {
   if (!scene.title.empty()) return scene.title;
-  // Folders mean nothing to the person who touches.
+  // Without folders, which do not help a person who touches.
   std::vector<std::string> files;
   for (const std::string& input : scene.source.inputs)
     files.push_back(std::filesystem::path(input).filename().string());

@@ -10,22 +10,22 @@
 
 namespace palpable::page {
 
-/// 128 bits of the operating system's randomness as 32 hexadecimal digits. Errors: no randomness to be had.
+/// 128 bits from the operating system's random generator as 32 hexadecimal digits. Errors: the generator
+/// fails.
 Result<std::string> random_secret();
 
-/// Compares in a time that does not depend on how much of it is right.
+/// Compares in constant time, independent of how many characters agree.
 bool same_secret(std::string_view a, std::string_view b);
 
-/// The value of the cookie `name` in a Cookie header's value; empty if it is not there.
+/// The value of the cookie `name` in a Cookie header's value; empty if it is absent.
 std::string_view cookie_value(std::string_view header, std::string_view name);
 
-/// Who may talk to the page's server: loopback by its own name and port only. A Host that is any other name
-/// is a page elsewhere whose name was pointed here (DNS rebinding); an Origin that is not ours is a page
-/// elsewhere that talks to us from the same browser.
+/// Whether a request's Host and Origin are this server's own: a loopback name with its port. Another Host
+/// means DNS rebinding; another Origin means a foreign page in the same browser.
 bool is_own_host(std::string_view host, std::uint16_t port);
 bool is_own_origin(std::string_view origin, std::uint16_t port);
 
-/// The token of the address that was printed: good for one exchange against the session's secret.
+/// Exchanges the token of the printed address, once, for the session's secret.
 class SessionAccess {
  public:
   SessionAccess(std::string token, std::string secret)

@@ -15,7 +15,7 @@ Request own_request(std::string_view method, std::string_view target) {
   return {method, target, "127.0.0.1:4711", "http://127.0.0.1:4711", {}, {}};
 }
 
-TEST(Access, SecretsAreLongAndDiffer) {
+TEST(Access, CreatesLongAndDifferentSecrets) {
   const auto a = random_secret();
   const auto b = random_secret();
   ASSERT_TRUE(a && b);
@@ -23,7 +23,7 @@ TEST(Access, SecretsAreLongAndDiffer) {
   EXPECT_NE(*a, *b);
 }
 
-TEST(Access, ComparesSecretsWhole) {
+TEST(Access, ComparesWholeSecrets) {
   EXPECT_TRUE(same_secret("abc", "abc"));
   EXPECT_FALSE(same_secret("abc", "abd"));
   EXPECT_FALSE(same_secret("abc", "ab"));
@@ -38,7 +38,7 @@ TEST(Access, FindsItsCookieAmongOthers) {
   EXPECT_EQ(cookie_value(";;=; =", "palpable_4711"), "");
 }
 
-TEST(Access, KnowsItsOwnHostOnly) {
+TEST(Access, AcceptsOnlyItsOwnHost) {
   EXPECT_TRUE(is_own_host("127.0.0.1:4711", kPort));
   EXPECT_TRUE(is_own_host("localhost:4711", kPort));
   EXPECT_FALSE(is_own_host("127.0.0.1", kPort));
@@ -51,7 +51,7 @@ TEST(Access, KnowsItsOwnHostOnly) {
   EXPECT_FALSE(is_own_origin("null", kPort));
 }
 
-TEST(Access, TakesTheTokenOnceAndThenKnowsTheCookie) {
+TEST(Access, AcceptsTheTokenOnceAndThenTheCookie) {
   RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   Request request = own_request("POST", "/session");
   request.body = "another";
@@ -69,7 +69,7 @@ TEST(Access, TakesTheTokenOnceAndThenKnowsTheCookie) {
   EXPECT_EQ(front.answer(request).status, 401U);
 }
 
-TEST(Access, RefusesOtherHostsAndOriginsWhateverTheyAskFor) {
+TEST(Access, RefusesOtherHostsAndOriginsForEveryTarget) {
   RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   for (const char* target : {"/", "/session", "/socket"}) {
     Request request = own_request("GET", target);
@@ -81,7 +81,7 @@ TEST(Access, RefusesOtherHostsAndOriginsWhateverTheyAskFor) {
   }
 }
 
-TEST(Access, LetsASocketInOnlyWithOriginAndCookie) {
+TEST(Access, AcceptsAWebSocketOnlyWithOriginAndCookie) {
   const RequestHandler front(SessionAccess("the-token", "the-secret"), kPort);
   Request request = own_request("GET", "/socket");
   EXPECT_EQ(front.check_upgrade(request).status, 401U);

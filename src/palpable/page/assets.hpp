@@ -6,15 +6,14 @@
 
 namespace palpable::page {
 
-/// One file of the built page, kept in the program.
+/// One file of the built page, embedded in the program.
 struct Asset {
   std::string_view path;
   std::string_view media_type;
   std::string_view bytes;
 };
 
-/// The file at `path` ("/index.html"; "/" is that one too), or null. The files are made by Vite at build
-/// time.
+/// The file at `path` ("/" means "/index.html"), or null. Vite makes the files at build time.
 const Asset* find_asset(std::string_view path);
 
 }  // namespace palpable::page

@@ -12,7 +12,7 @@ namespace {
 namespace beast = boost::beast;
 namespace websocket = boost::beast::websocket;
 
-// A page that does not keep up with this many frames (a scene has three) is gone or harmful.
+// A client with this many waiting frames is dead or harmful (a scene has three frames).
 constexpr std::size_t kMostWaiting = 64;
 constexpr std::size_t kLongestReason = 120;
 
@@ -91,7 +91,7 @@ void Client::write_next() {
   socket_.binary(waiting_.front()->binary);
   socket_.async_write(boost::asio::buffer(waiting_.front()->bytes),
                       [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        if (error) return;  // the read ends with it too
+                        if (error) return;  // the pending read fails too
                         self->waiting_.pop_front();
                         if (!self->waiting_.empty() && !self->closing_) self->write_next();
                       });

@@ -22,15 +22,15 @@
 
 namespace palpable::page {
 
-/// A frame ready to be sent, shared by all clients that get it.
+/// An encoded frame, shared by all clients that receive it.
 struct Frame {
   std::string bytes;
   bool binary = false;
 };
 using SharedFrame = std::shared_ptr<const Frame>;
 
-/// One page at the other end of a WebSocket. Keeps itself alive while something is under way; all of it runs
-/// on the server's thread.
+/// The connection to one page over a WebSocket. It keeps itself alive while an operation is pending.
+/// Everything runs on the server's thread.
 class Client : public std::enable_shared_from_this<Client> {
  public:
   using Upgrade = boost::beast::http::request<boost::beast::http::string_body>;
@@ -45,11 +45,11 @@ class Client : public std::enable_shared_from_this<Client> {
          std::chrono::milliseconds idle_timeout, Events events);
 
   void accept(const Upgrade& upgrade);
-  /// Sent in order; a client that lets too many of these wait is disconnected.
+  /// Queues a frame. A client whose queue grows too long is disconnected.
   void send(SharedFrame frame);
-  /// Sent only if nothing waits (the next state is as good); false if it was not.
+  /// Sends a frame only if the queue is empty, since the next state replaces it; returns whether it was sent.
   bool send_if_idle(const SharedFrame& frame);
-  /// Says why (at most 120 bytes) and closes.
+  /// Closes the connection with a reason of at most 120 bytes.
   void close(boost::beast::websocket::close_code code, const std::string& reason);
 
   /// `hello.page`; set by the server.
@@ -57,7 +57,7 @@ class Client : public std::enable_shared_from_this<Client> {
   bool visible = true;
   /// A state was skipped: the next one is sent even if nothing has changed.
   bool is_behind = true;
-  /// The probes that this page has moved and not lifted since.
+  /// The probes that this page has moved and not yet lifted.
   std::bitset<protocol::kMostProbes> moved;
 
  private:

@@ -14,21 +14,21 @@
 
 namespace palpable::page {
 
-/// What the page shows of a scene. Immutable once handed out.
+/// The page's view of a scene. Immutable.
 struct PageScene {
-  /// `scene` in it numbers the scenes of a session: another number means that another scene is touched.
+  /// Its field `scene` is the scene's number in the session: a new number means a new scene.
   protocol::Scene about;
   /// Heights above the base in metres at exaggeration 1, row-major, origin top-left, covering the scene's
   /// rectangle; at least 2 x 2, all finite.
   Raster<float> height_m;
   /// Covers the same rectangle; may be empty.
   Raster<Rgb8> picture;
-  /// The cells of a field at its surface, over the same rectangle; empty where `about.cells` is not set.
+  /// The cells of a field at its surface, over the same rectangle; empty if `about.cells` is not set.
   Raster<Rgb8> cells;
 };
 
-/// What the page's server asks of the touch that it shows. All calls come from the one thread that runs
-/// serve(), none of them may block for longer than a frame (16 ms).
+/// The interface between the page's server and the running touch. All calls come from the thread that runs
+/// serve(); none may block for longer than a frame (16 ms).
 class PageHost {
  public:
   PageHost() = default;
@@ -38,34 +38,34 @@ class PageHost {
 
   virtual protocol::Hello hello() const = 0;
   virtual protocol::Laws laws() const = 0;
-  /// The scene touched now; never null.
+  /// The current scene; never null.
   virtual std::shared_ptr<const PageScene> scene() = 0;
   virtual protocol::Settings settings() = 0;
-  /// Those of the scene touched now.
+  /// The materials of the current scene.
   virtual protocol::Materials materials() = 0;
-  /// The newest tick; which page moved a probe is left to the server.
+  /// The newest tick. The server fills in which page moved each probe.
   virtual protocol::State state() = 0;
 
-  /// Called first, about 60 times a second, while a page is connected.
+  /// Called first in each period, about 60 times per second, while a page is connected.
   virtual void update() = 0;
   virtual void move(const protocol::Pointer& pointer) = 0;
-  /// Takes a further probe away.
+  /// Removes an additional probe.
   virtual void lift(const protocol::Lift& probe) = 0;
-  /// May be carried out later. Then settings() shows what holds and has its serial in `answers`; what could
-  /// not be done comes as a notice.
+  /// May be carried out later: then settings() holds the result, with the change's serial in `answers`. A
+  /// failure is reported as a notice.
   virtual void change(const protocol::Change& change) = 0;
-  /// Likewise, for one material.
+  /// The same for one material.
   virtual void edit(const protocol::Edit& edit) = 0;
-  /// Writes the scene into a file, later; a notice says where, or why not.
+  /// Writes the scene to a file later; a notice gives the path or the error.
   virtual void save() = 0;
   virtual void pause(bool paused) = 0;
   virtual void recentre() = 0;
-  /// The explorer of the egocentric view goes there.
+  /// Moves the explorer of the egocentric view.
   virtual void stand(const protocol::Stand& stand) = 0;
-  /// Words on the scene or a place of it (protocol.json, `ask`). A description of the whole scene takes some
-  /// frames.
+  /// The answer in words to a question about the scene or a place (protocol.json, `ask`). A description of
+  /// the whole scene may take several frames.
   virtual std::string answer(const protocol::Ask& ask) = 0;
-  /// The next sentence for the person (a fault, a better scene, …), each once; nullopt when there is none.
+  /// The next notice for the person (a fault, a finer scene, …), each once; nullopt if there is none.
   virtual std::optional<protocol::Notice> next_notice() = 0;
 };
 

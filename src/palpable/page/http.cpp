@@ -20,7 +20,7 @@ Reply not_from_here() {
 
 }  // namespace
 
-// Browsers share cookies between the ports of a host: the name keeps two sessions apart.
+// Browsers share cookies between the ports of a host, so the name contains the port.
 std::string RequestHandler::cookie_name() const { return "palpable_" + std::to_string(port_); }
 
 bool RequestHandler::admitted(const Request& request) const {
@@ -42,7 +42,7 @@ Reply RequestHandler::answer(const Request& request) {
 Reply RequestHandler::session(const Request& request) {
   if (request.method != "GET" && request.method != "POST")
     return refusal(405, "There is nothing to change here.");
-  // Whoever has the cookie may come again, with the old address too (a reload).
+  // A browser with the cookie may reload the printed address.
   if (admitted(request)) return refusal(204, {});
   if (request.method == "GET")
     return refusal(401, "This browser has not been let in: open the address that palpable printed.");
@@ -60,7 +60,7 @@ Reply RequestHandler::session(const Request& request) {
 }
 
 Reply RequestHandler::check_upgrade(const Request& request) const {
-  // A browser always states the Origin of a WebSocket; what does not is no page of ours.
+  // A browser always sends the Origin of a WebSocket request.
   if (!is_own_host(request.host, port_) || !is_own_origin(request.origin, port_)) return not_from_here();
   if (request.target != kSocketPath) return refusal(404, "There is no WebSocket at this address.");
   if (!admitted(request))

@@ -10,12 +10,12 @@
 
 namespace palpable::page {
 
-/// What the server looks at in a request; views into the request.
+/// The parts of a request that the server uses; views into the request.
 struct Request {
   std::string_view method;
   std::string_view target;
   std::string_view host;
-  /// Empty where the header is not there.
+  /// Empty if the header is absent.
   std::string_view origin;
   std::string_view cookies;
   std::string_view body;
@@ -33,7 +33,7 @@ struct Reply {
 constexpr std::string_view kSocketPath = "/socket";
 constexpr std::string_view kSessionPath = "/session";
 
-/// Decides on each request. Not thread-safe.
+/// Answers HTTP requests. Not thread-safe.
 class RequestHandler {
  public:
   RequestHandler(SessionAccess access, std::uint16_t port) : access_(std::move(access)), port_(port) {}
@@ -52,7 +52,7 @@ class RequestHandler {
   std::uint16_t port_;
 };
 
-/// The headers that every answer carries: what the page may load, from where, and that nothing of it is kept.
+/// Security headers of every response: what the page may load, and that nothing is cached.
 struct Header {
   const char* name;
   const char* value;

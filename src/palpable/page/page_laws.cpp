@@ -13,7 +13,7 @@ namespace {
 
 using haptics::LawParameters;
 
-/// What the scene decides where nothing is set.
+/// The scene's value of a parameter that is not set.
 double decided_by_scene(const models::Scene& scene, const haptics::LawParameter& parameter) {
   const auto& material = scene.materials.front();
   if (parameter.value == &LawParameters::stiffness_N_per_m) return material.stiffness_N_per_m;

@@ -11,16 +11,16 @@
 
 namespace palpable::page {
 
-/// The laws that the scene can be touched with, the default first, with the parameters that a slider offers.
+/// The laws that fit the scene, the default first, with their slider parameters.
 protocol::Laws page_laws(const models::Scene& scene);
 
-/// The parameters of `law` as they are set in `parameters`, and the values in use: where none is set, the
-/// first material's, the model's or the law's own.
+/// The parameters of `law` with their values in `parameters` and the effective values: if one is not set,
+/// that of the first material, the model or the law.
 std::vector<protocol::ParameterValue> parameter_values(const models::Scene& scene, haptics::Law law,
                                                        const haptics::LawParameters& parameters);
 
-/// `before` with the law and its parameters as a page requests them; those that are not listed are not set.
-/// Errors: usage for a law or a parameter that does not exist.
+/// `before` with the law and the parameters that a page requests; parameters that are not listed become
+/// unset. Errors: usage for a law or a parameter that does not exist.
 Result<haptics::LawParameters> requested_parameters(const haptics::LawParameters& before,
                                                     const protocol::Change& change);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kLongestSide = 640;
 
-// Sampled at the page's points: the surface that is touched, not its control values.
+// Evaluates the touched surface at the page's points; the relief's samples are only its control values.
 Raster<float> sampled(const models::Relief& relief) {
   const int longest = std::max(relief.samples_m().width(), relief.samples_m().height());
   const double shrink = std::min(1.0, static_cast<double>(kLongestSide) / longest);

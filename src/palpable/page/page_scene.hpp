@@ -12,12 +12,12 @@
 
 namespace palpable::page {
 
-/// A scene as the page shows it: heights of the surface that is touched, at most 640 on the longer side.
-/// Kinds of models that have no height over each place show a level surface at their base.
+/// The page's view of a scene: heights of the touched surface, at most 640 along the longer side. Models
+/// without a height at each place show a level surface at their base.
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
                                             const std::string& name);
 
-/// Height of the surface at a place at exaggeration 1; 0 for kinds that have none.
+/// Height of the surface at a place at exaggeration 1; 0 for models without heights.
 double surface_height_m(const models::Scene& scene, double x_m, double y_m);
 
 /// The name that a person gave the material; nullopt if none did.

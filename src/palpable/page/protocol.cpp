@@ -21,10 +21,10 @@ concept Object = requires(T object) {
   T::each_field(object, [](const auto&...) {});
 };
 
-// Reads the fields of one message, or of one object within it, and keeps the first complaint.
+// Reads the fields of one message or nested object and keeps the first error message.
 class FieldReader {
  public:
-  /// `besides`: how many keys the object has besides the fields.
+  /// `besides`: number of keys other than fields.
   FieldReader(const Json& object, std::size_t besides) : object_(object), expected_(besides) {}
 
   template <class T>
@@ -38,7 +38,7 @@ class FieldReader {
       read(name, *found, value, limits);
     }
   }
-  /// Empty if every field was read and there are no others.
+  /// Empty if every field was read and there are no unknown ones.
   std::string complaint() const {
     if (complaint_.empty() && object_.size() != expected_)
       return "there are fields that the message does not have";
@@ -54,7 +54,7 @@ class FieldReader {
     }
   }
   void read(const char* name, const Json& json, double& value, const Limits& limits) {
-    // The comparison also refuses what is not finite.
+    // The comparison also refuses NaN and infinity.
     if (json.is_number() && json.get<double>() >= limits.lowest && json.get<double>() <= limits.highest) {
       value = json.get<double>();
     } else {
@@ -169,7 +169,7 @@ void append_word(std::string& out, std::uint32_t word) {
 
 template <class T>
 std::string raster_frame(RasterKind kind, std::uint32_t scene, const Raster<T>& raster) {
-  static_assert(std::endian::native == std::endian::little, "rasters are sent as they lie in memory");
+  static_assert(std::endian::native == std::endian::little, "rasters are sent in memory order");
   std::string out;
   out.reserve(20 + raster.count() * sizeof(T));
   append_word(out, kRasterMagic);
@@ -183,7 +183,7 @@ std::string raster_frame(RasterKind kind, std::uint32_t scene, const Raster<T>& 
   return out;
 }
 
-// The mean over the block of source pixels that a target pixel covers; Sum adds up one pixel.
+// Each target pixel is the mean over its block of source pixels.
 template <class T, class Mean>
 Raster<T> block_means(const Raster<T>& raster, int longest_side, Mean mean) {
   const int longest = std::max(raster.width(), raster.height());
@@ -208,7 +208,7 @@ Raster<T> block_means(const Raster<T>& raster, int longest_side, Mean mean) {
 }  // namespace
 
 Result<FromPage> parse_from_page(std::string_view text) {
-  // Nesting costs the parser stack: what is deeper than any message is refused while parsing.
+  // Deep nesting would exhaust the parser's stack, so it is refused while parsing.
   bool too_deep = false;
   const auto shallow = [&](int depth, Json::parse_event_t event, Json&) {
     const bool opens =

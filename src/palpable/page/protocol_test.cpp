@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
+TEST(PageProtocol, ParsesEveryMessageOfThePage) {
   const auto pointer =
       parse_from_page(R"({"type":"pointer","probe":3,"x_m":0.01,"y_m":-0.02,"press_m":0.002})");
   ASSERT_TRUE(pointer);
@@ -36,7 +36,7 @@ TEST(PageProtocol, ReadsEveryMessageThatAPageSends) {
   EXPECT_FALSE(std::get<Visible>(*parse_from_page(R"({"type":"visible","visible":false})")).visible);
 }
 
-TEST(PageProtocol, RefusesJunkWithASentence) {
+TEST(PageProtocol, RefusesInvalidMessagesWithASentence) {
   const std::string deep(100000, '[');
   for (const std::string& junk :
        {std::string(),
@@ -83,7 +83,7 @@ TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
   EXPECT_FALSE(parse_from_page(change.dump()));
 }
 
-TEST(PageProtocol, NamesTheFieldOfAListOrAnObjectThatIsWrong) {
+TEST(PageProtocol, NamesTheWrongFieldInListsAndObjects) {
   const auto complaint = [](const Json& parameters) {
     const Json change = {
         {"type", "change"}, {"serial", 1}, {"law", "x"}, {"parameters", parameters}, {"exaggeration", 1}};
@@ -105,7 +105,7 @@ TEST(PageProtocol, NamesTheFieldOfAListOrAnObjectThatIsWrong) {
             "the message is not a JSON object, or too deep");
 }
 
-TEST(PageProtocol, WritesWhatIsNotSetAsNull) {
+TEST(PageProtocol, WritesUnsetValuesAsNull) {
   Settings settings;
   settings.parameters = {{"stiffness_N_per_m", {}, 500.0}, {"static_friction", 0.0, 0.0}};
   const Json json = Json::parse(write_message(settings));
@@ -114,7 +114,7 @@ TEST(PageProtocol, WritesWhatIsNotSetAsNull) {
   EXPECT_EQ(json["parameters"][1]["set"], 0.0);
 }
 
-TEST(PageProtocol, WritesWhatIsNotFiniteOrTooLargeWithinItsLimits) {
+TEST(PageProtocol, ClampsNumbersThatAreNotFiniteOrTooLarge) {
   State state;
   auto& probe = state.probes.emplace_back();
   probe.x_m = std::numeric_limits<double>::quiet_NaN();
@@ -128,7 +128,7 @@ TEST(PageProtocol, WritesWhatIsNotFiniteOrTooLargeWithinItsLimits) {
   EXPECT_EQ(json["fx_N"], -1000.0);
 }
 
-TEST(PageProtocol, ShortensTextAtTheEndOfALetter) {
+TEST(PageProtocol, TruncatesTextAtACharacterBoundary) {
   Laws laws;
   laws.laws.emplace_back().name = std::string(31, 'a') + "\xc3\xa4";  // 33 bytes, the last two are one letter
   EXPECT_EQ(Json::parse(write_message(laws))["laws"][0]["name"], std::string(31, 'a'));
@@ -136,7 +136,7 @@ TEST(PageProtocol, ShortensTextAtTheEndOfALetter) {
   EXPECT_EQ(Json::parse(write_message(laws))["laws"][0]["name"], "\xef\xbf\xbd");
 }
 
-TEST(PageProtocol, WritesARasterAsItsHeaderSays) {
+TEST(PageProtocol, WritesARasterThatMatchesItsHeader) {
   Raster<float> heights(3, 2);
   heights(2, 1) = 1.5F;
   const std::string frame = write_heights(7, heights);
@@ -153,7 +153,7 @@ TEST(PageProtocol, WritesARasterAsItsHeaderSays) {
   EXPECT_EQ(last, 1.5F);
 }
 
-TEST(PageProtocol, ThinsByMeansAndKeepsTheRest) {
+TEST(PageProtocol, ReducesRastersByBlockMeans) {
   Raster<float> ramp(1000, 500);
   for (int y = 0; y < 500; ++y)
     for (int x = 0; x < 1000; ++x) ramp(x, y) = static_cast<float>(x);

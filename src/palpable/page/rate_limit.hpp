@@ -6,23 +6,24 @@
 
 namespace palpable::page {
 
-/// What to do with a message that came in.
+/// What to do with a received message.
 enum class Verdict { accept, drop, disconnect };
 
 struct RateLimits {
-  /// Ten probes sixty times a second, and room for the rest.
+  /// Ten probes at 60 Hz, with a margin for other messages.
   double per_s = 1000.0;
   double burst = 1000.0;
-  /// After so many messages dropped without a pause of a second, the client is disconnected.
+  /// The client is disconnected after this many dropped messages without a pause of one second.
   int most_drops = 1000;
 };
 
-/// A token bucket: lets `per_s` messages through on average, bursts of `burst`; drops more, then gives up.
+/// A token bucket: accepts `per_s` messages per second on average and bursts of `burst`, drops the excess,
+/// and finally disconnects.
 class RateLimit {
  public:
   explicit RateLimit(RateLimits limits) : limits_(limits), tokens_(limits.burst) {}
 
-  /// `now_s` must not go backwards.
+  /// `now_s` must not decrease.
   Verdict check(double now_s) {
     tokens_ = std::min(limits_.burst, tokens_ + (now_s - last_s_) * limits_.per_s);
     last_s_ = now_s;

@@ -7,12 +7,12 @@
 namespace palpable::page {
 namespace {
 
-TEST(RateLimit, LetsAnEagerPersonThrough) {
+TEST(RateLimit, AcceptsThePaceOfAFastPerson) {
   RateLimit limit({.per_s = 250, .burst = 500, .most_drops = 1000});
   for (int i = 0; i < 6000; ++i) EXPECT_EQ(limit.check(i / 200.0), Verdict::accept);
 }
 
-TEST(RateLimit, DropsAFloodThenShowsItOut) {
+TEST(RateLimit, DropsAFloodThenDisconnects) {
   RateLimit limit({.per_s = 100, .burst = 10, .most_drops = 50});
   int accepted = 0;
   int dropped = 0;
@@ -27,7 +27,7 @@ TEST(RateLimit, DropsAFloodThenShowsItOut) {
   EXPECT_EQ(dropped, 50);
 }
 
-TEST(RateLimit, ForgivesAfterAQuietSecond) {
+TEST(RateLimit, ResetsAfterAQuietSecond) {
   RateLimit limit({.per_s = 10, .burst = 1, .most_drops = 3});
   double now_s = 0.0;
   for (int round = 0; round < 20; ++round, now_s += 2.0) {

@@ -31,7 +31,7 @@ using tcp = boost::asio::ip::tcp;
 using std::chrono::milliseconds;
 
 constexpr std::size_t kLongestHeaderBytes = 8192;
-// The page's mesh and sound need no more; the state carries the exact height.
+// Enough for the page's mesh and sound; the state carries the exact height.
 constexpr int kLongestHeightSide = 320;
 constexpr int kLongestPictureSide = 1024;
 constexpr auto kRestPeriod = std::chrono::seconds(1);
@@ -47,8 +47,8 @@ SharedFrame text_frame(const Message& message) {
   return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
 }
 
-// Two states that nobody could tell apart: a micrometre, two millinewtons.
-bool looks_alike(const protocol::ProbeState& a, const protocol::ProbeState& b) {
+// Whether two states are equal for a person: within a micrometre and two millinewtons.
+bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b) {
   const auto near = [](double p, double q, double limit) { return std::abs(p - q) < limit; };
   return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&
          near(a.x_m, b.x_m, 1e-6) && near(a.y_m, b.y_m, 1e-6) && near(a.z_m, b.z_m, 1e-6) &&
@@ -56,7 +56,7 @@ bool looks_alike(const protocol::ProbeState& a, const protocol::ProbeState& b) {
          near(a.fz_N, b.fz_N, 2e-3);
 }
 
-// What all connections share: the request handler, the host and the open pages.
+// The state that all connections share: request handler, host and open pages.
 class Pages {
  public:
   Pages(PageHost& host, const ServeOptions& options, RequestHandler front)
@@ -89,7 +89,7 @@ class Pages {
     client->accept(upgrade);
   }
 
-  // Called 60 times a second: what has changed goes to all pages.
+  // Called 60 times per second: sends changes to all pages.
   void update() {
     while (const auto notice = host_.next_notice()) broadcast(text_frame(*notice));
     if (clients_.empty()) return;
@@ -117,13 +117,13 @@ class Pages {
   }
 
  private:
-  // At rest once a second; otherwise each time, to the pages that keep up.
+  // Once per second at rest; otherwise each time, to the pages that keep up.
   void send_state() {
     protocol::State state = host_.state();
     for (auto& probe : state.probes) probe.page = movers_.at(static_cast<std::size_t>(probe.probe));
     const auto now = std::chrono::steady_clock::now();
     const bool changed = !std::equal(state.probes.begin(), state.probes.end(), sent_probes_.begin(),
-                                     sent_probes_.end(), looks_alike) ||
+                                     sent_probes_.end(), nearly_equal) ||
                          now - sent_state_at_ >= kRestPeriod;
     const auto frame = text_frame(state);
     for_each_client([&](Client& client) {
@@ -134,7 +134,7 @@ class Pages {
     sent_state_at_ = now;
   }
 
-  // A further probe goes with the page that moved it; the first one stays where it is.
+  // Removes the additional probes that this page moved; the first probe stays.
   void release_probes(const Client& client) {
     for (std::size_t probe = 1; probe < client.moved.size(); ++probe)
       if (client.moved.test(probe)) host_.lift({static_cast<std::int64_t>(probe)});
@@ -172,7 +172,7 @@ class Pages {
     if (scene->about.cells) push(protocol::RasterKind::cells, scene->cells);
   }
 
-  // Iterates over a copy: a client that is disconnected leaves the list meanwhile.
+  // Iterates over a copy, since a disconnected client is removed from the list.
   template <class Do>
   void for_each_client(Do act) {
     const auto clients = clients_;
@@ -212,7 +212,8 @@ class Pages {
   PageHost& host_;
   const ServeOptions& options_;
   RequestHandler handler_;
-  // Weak: a client lives by what is under way on its socket, and never longer than the context that runs it.
+  // Weak: a client lives as long as operations on its socket are pending, and never longer than the I/O
+  // context.
   std::vector<std::weak_ptr<Client>> clients_;
   std::shared_ptr<const PageScene> shown_;
   std::vector<SharedFrame> scene_frames_;
@@ -221,11 +222,11 @@ class Pages {
   std::vector<protocol::ProbeState> sent_probes_;
   std::chrono::steady_clock::time_point sent_state_at_;
   std::int64_t next_page_ = 1;
-  /// The page that moved each probe last.
+  /// The page that last moved each probe.
   std::array<std::optional<std::int64_t>, protocol::kMostProbes> movers_;
 };
 
-// One HTTP connection, until it ends or becomes a client.
+// One HTTP connection, until it is closed or becomes a client.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(tcp::socket socket, Pages& pages) : stream_(std::move(socket)), pages_(pages) {
@@ -310,7 +311,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 void accept_next(tcp::acceptor& acceptor, Pages& pages) {
   acceptor.async_accept([&](beast::error_code error, tcp::socket socket) {
     if (error == asio::error::operation_aborted) return;
-    // Beyond the limit a connection is dropped at once; so is one that failed while it was made.
+    // Connections beyond the limit, and failed ones, are dropped at once.
     if (!error && pages.connections < pages.options().most_connections)
       std::make_shared<Connection>(std::move(socket), pages)->read();
     accept_next(acceptor, pages);
@@ -318,7 +319,7 @@ void accept_next(tcp::acceptor& acceptor, Pages& pages) {
 }
 
 void update_next(asio::steady_timer& timer, Pages& pages, std::chrono::microseconds period) {
-  // From now on, not from when it was due: after a stall frames are skipped, not made up for.
+  // Relative to now, not to the due time: after a stall, frames are skipped.
   timer.expires_after(period);
   timer.async_wait([&timer, &pages, period](beast::error_code error) {
     if (error) return;
@@ -347,7 +348,7 @@ Result<void> run(PageHost& host, const ServeOptions& options, const std::atomic<
   const auto secret = random_secret();
   if (!secret) return secret.error();
 
-  std::optional<Pages> pages;  // outlives the context: what is left under way there refers to it
+  std::optional<Pages> pages;  // outlives the context, whose pending operations refer to it
   asio::io_context context(1);
   tcp::acceptor acceptor(context);
   if (auto opened = open(acceptor, options.port); !opened) return opened;

@@ -30,7 +30,7 @@ namespace websocket = boost::beast::websocket;
 using tcp = boost::asio::ip::tcp;
 using Json = nlohmann::json;
 
-// A touch without a servo: remembers what it was sent. Used by the server's thread, then read by the test.
+// A host without a servo that records messages. Used by the server's thread, then read by the test.
 class FakeHost final : public PageHost {
  public:
   FakeHost() {
@@ -79,9 +79,9 @@ class FakeHost final : public PageHost {
   std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
 
   std::atomic<int> moves = 0;
-  /// How often the state was asked for.
+  /// How often state() was called.
   std::atomic<int> states = 0;
-  /// Bit k for each time that probe k was lifted.
+  /// Bit k is set if probe k was lifted.
   std::atomic<int> lifted = 0;
 
  private:
@@ -92,7 +92,7 @@ class FakeHost final : public PageHost {
   std::optional<protocol::Notice> notice_;
 };
 
-// A server on its own thread for the length of a test.
+// A server on its own thread for the duration of a test.
 class ServedPage {
  public:
   explicit ServedPage(ServeOptions options = {}) {
@@ -149,7 +149,7 @@ Response ask(const ServedPage& page, http::verb method, const std::string& targe
   return parser.release();
 }
 
-// What the server answers to a request for a WebSocket.
+// The status of the server's answer to a WebSocket request.
 unsigned upgrade_status(const ServedPage& page, const std::string& cookie, const std::string& origin,
                         const std::string& host = {}) {
   return ask(page, http::verb::get, "/socket", {},
@@ -170,7 +170,7 @@ std::string cookie_of(const ServedPage& page) {
   return header.substr(0, header.find(';'));
 }
 
-// A page as the server sees one.
+// A minimal client in place of a page.
 class TestPage {
  public:
   explicit TestPage(const ServedPage& page) : TestPage(page, cookie_of(page)) {}
@@ -215,7 +215,7 @@ class TestPage {
   bool failed_ = false;
 };
 
-TEST(PageServer, ServesThePageWithItsSafetyHeaders) {
+TEST(PageServer, ServesThePageWithSecurityHeaders) {
   const ServedPage page;
   const Response response = ask(page, http::verb::get, "/");
   EXPECT_EQ(response.result_int(), 200U);
@@ -225,7 +225,7 @@ TEST(PageServer, ServesThePageWithItsSafetyHeaders) {
   EXPECT_EQ(ask(page, http::verb::head, "/nothing").result_int(), 404U);
 }
 
-TEST(PageServer, LetsOneBrowserInByTheTokenOnce) {
+TEST(PageServer, AcceptsTheTokenOfOneBrowserOnce) {
   const ServedPage page;
   EXPECT_EQ(ask(page, http::verb::post, "/session", "wrong").result_int(), 403U);
   EXPECT_FALSE(cookie_of(page).empty());
@@ -248,7 +248,7 @@ TEST(PageServer, RefusesForeignHostsAndOrigins) {
   EXPECT_EQ(upgrade_status(page, cookie, page.own_origin()), 101U);
 }
 
-TEST(PageServer, SendsTheSceneThenStatesAndCarriesOutMessages) {
+TEST(PageServer, SendsTheSceneThenStatesAndHandlesMessages) {
   const ServedPage page;
   TestPage client(page);
   EXPECT_EQ(Json::parse(client.read())["type"], "hello");
@@ -277,18 +277,18 @@ TEST(PageServer, SendsTheSceneThenStatesAndCarriesOutMessages) {
   EXPECT_EQ(words["text"], "words on step");
 }
 
-TEST(PageServer, SendsAStateASecondWhileNothingChanges) {
+TEST(PageServer, SendsOneStatePerSecondWhileNothingChanges) {
   const ServedPage page;
   TestPage client(page);
   const Json first = client.read_until("state");
   const Json second = client.read_until("state");
-  // The host is asked 60 times a second; its clock counts the questions.
+  // The host is called 60 times per second; its clock counts the calls.
   EXPECT_GT(second["t_s"].get<double>() - first["t_s"].get<double>(), 10.0);
   client.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
   EXPECT_EQ(client.read_until("state")["probes"][0]["x_m"], 0.03);
 }
 
-TEST(PageServer, SaysWhichPageMovedAProbe) {
+TEST(PageServer, ReportsWhichPageMovedAProbe) {
   const ServedPage page;
   const std::string cookie = cookie_of(page);
   TestPage first(page, cookie);
@@ -308,12 +308,12 @@ TEST(PageServer, SaysWhichPageMovedAProbe) {
   EXPECT_TRUE(comes(second, one));
 }
 
-/// Returns once the probes lifted so far are these and no others.
+/// Waits until exactly these probes have been lifted.
 void wait_until_lifted(const FakeHost& host, int wanted) {
   for (int now = host.lifted; now != wanted; now = host.lifted) host.lifted.wait(now);
 }
 
-TEST(PageServer, LiftsTheProbesOfAPageThatLeavesAndNoOthers) {
+TEST(PageServer, LiftsOnlyTheProbesOfAPageThatDisconnects) {
   const ServedPage page;
   const std::string cookie = cookie_of(page);
   TestPage stays(page, cookie);
@@ -332,7 +332,7 @@ TEST(PageServer, LiftsTheProbesOfAPageThatLeavesAndNoOthers) {
   wait_until_lifted(page.host, (1 << 4) + (1 << 1) + (1 << 2));
 }
 
-TEST(PageServer, DisconnectsAPageThatSendsJunkWithAReason) {
+TEST(PageServer, DisconnectsAPageAfterAnInvalidMessageWithAReason) {
   const ServedPage page;
   const std::string cookie = cookie_of(page);
   TestPage text(page, cookie);
@@ -345,8 +345,8 @@ TEST(PageServer, DisconnectsAPageThatSendsJunkWithAReason) {
   EXPECT_EQ(binary.read_to_the_end().code, websocket::close_code::unknown_data);
   TestPage big(page, cookie);
   big.send(std::string(100000, ' '));
-  // The server refuses it by its length alone and closes with the rest unread: where the kernel answers that
-  // with a reset, the reason does not arrive, but the end does.
+  // The server refuses it by its length and closes with the rest unread. If the kernel answers with a reset,
+  // the reason does not arrive, but the end of the connection does.
   EXPECT_THAT(big.read_to_the_end().code,
               testing::AnyOf(websocket::close_code::too_big, websocket::close_code::none));
   TestPage after(page, cookie);
@@ -365,7 +365,7 @@ TEST(PageServer, DropsAFloodThenDisconnectsIt) {
   EXPECT_LT(page.host.moves, 1000);
 }
 
-TEST(PageServer, TellsAPageBeyondTheLimitOfTheLimit) {
+TEST(PageServer, ReportsTheLimitToAPageBeyondIt) {
   ServeOptions options;
   options.most_clients = 1;
   const ServedPage page(options);
@@ -382,7 +382,7 @@ TEST(PageServer, TellsAPageBeyondTheLimitOfTheLimit) {
   }
 }
 
-TEST(PageServer, OutlivesWhatIsNotHttp) {
+TEST(PageServer, SurvivesInvalidHttp) {
   const ServedPage page;
   for (const std::string& junk :
        {std::string("\r\n\r\n"), std::string(20000, 'x'), std::string("GET / HTTP/9.9\r\n\r\n"),
@@ -400,7 +400,7 @@ TEST(PageServer, OutlivesWhatIsNotHttp) {
   EXPECT_EQ(ask(page, http::verb::get, "/").result_int(), 200U);
 }
 
-TEST(PageServer, SaysThatAPortIsInUse) {
+TEST(PageServer, ReportsThatAPortIsInUse) {
   const ServedPage page;
   FakeHost host;
   const std::atomic<bool> stop = false;
@@ -413,7 +413,7 @@ TEST(PageServer, SaysThatAPortIsInUse) {
   EXPECT_EQ(second.error().sentence(), "port " + std::to_string(page.port) + ": in use by another program");
 }
 
-TEST(PageServer, SaysThatTheSessionHasEnded) {
+TEST(PageServer, ReportsThatTheSessionHasEnded) {
   std::optional<TestPage> client;
   {
     const ServedPage page;

@@ -18,7 +18,7 @@ double now_s() {
 
 describe::Place place_of(const protocol::ProbeState& probe) { return {probe.x_m, probe.y_m}; }
 
-/// Whether the probe follows the surface; one that is lifted meets nothing.
+/// Whether the probe is near the surface; a lifted probe is not announced.
 bool is_near_surface(const protocol::ProbeState& probe) {
   constexpr double kNear_m = 0.002;
   return probe.contact || probe.z_m - probe.surface_m < kNear_m;
@@ -53,7 +53,7 @@ std::optional<std::string> SpokenWords::remark(const protocol::State& state) {
   if (scene->model != model_) {
     model_ = scene->model;
     commentaries_.fill(describe::Commentary());
-    // Where the probes are already is no news.
+    // The first places of the probes are not announced.
     for (const auto& probe : state.probes)
       commentaries_.at(static_cast<std::size_t>(probe.probe)).heard(*scene, place_of(probe), now);
   }

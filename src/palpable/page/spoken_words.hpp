@@ -13,16 +13,16 @@
 
 namespace palpable::page {
 
-/// What the page says of a touch (describe/): answers to questions, and remarks on what sweeping probes meet.
-/// One thread.
+/// The page's speech during a touch (describe/): answers to questions, and remarks on what sweeping probes
+/// meet. One thread.
 class SpokenWords {
  public:
   /// `session` must outlive it.
   explicit SpokenWords(const session::TouchSession& session) : session_(session) {}
 
-  /// The words for a question; empty for one that there is not.
+  /// The answer to a question; empty for an unknown question.
   std::string answer(const protocol::Ask& ask);
-  /// What a probe has just met; nothing most of the time. To be called with every state.
+  /// What a probe has just met; usually nothing. Call it with every state.
   std::optional<std::string> remark(const protocol::State& state);
 
  private:

@@ -18,7 +18,7 @@ namespace {
 using Leaf = models::DistanceField::Leaf;
 
 constexpr int kLongestSide = 768;
-/// Narrower cells have no line round them, in pixels of the picture.
+/// Narrower cells are not outlined, in pixels of the picture.
 constexpr double kLeastOutlined = 4.0;
 
 Raster<Leaf> leaves_of(const models::Field& field) {
@@ -41,7 +41,7 @@ Raster<Leaf> leaves_of(const models::Field& field) {
   return leaves;
 }
 
-/// From sand, a finest cell, to deep blue, a root cell.
+/// From sand (finest cells) to deep blue (root cells).
 Rgb8 colour_of(const Leaf& leaf, int levels) {
   const int level = static_cast<int>(std::bit_width(static_cast<unsigned>(leaf.side))) - 1;
   const double t = static_cast<double>(level) / std::max(levels, 1);

@@ -11,16 +11,16 @@
 
 namespace palpable::page {
 
-/// The cells of an adaptively sampled field where its surface, seen from above, goes through them.
+/// The cells of an adaptively sampled field at its surface, seen from above.
 struct SurfaceCells {
-  /// Covers the scene's rectangle, origin top-left: the finer the lighter, with lines round those that are
-  /// large enough to be seen.
+  /// Covers the scene's rectangle, origin top-left. Finer cells are lighter; cells that are large enough are
+  /// outlined.
   Raster<Rgb8> picture;
   /// What the picture shows, as a sentence.
   std::string words;
 };
 
-/// Nothing for a scene that has no such cells.
+/// nullopt for a scene without such cells.
 std::optional<SurfaceCells> surface_cells(const models::Scene& scene);
 
 }  // namespace palpable::page

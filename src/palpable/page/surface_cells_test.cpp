@@ -13,7 +13,7 @@
 namespace palpable::page {
 namespace {
 
-/// A level surface 3 mm high; to the left in four cells of 4 mm by height, to the right in one of 8 mm.
+/// A level surface at 3 mm; on the left in cells of 4 mm, on the right in one cell of 8 mm.
 models::Scene level_field() {
   const auto w = [](float v) { return std::bit_cast<std::uint32_t>(v); };
   constexpr std::uint32_t kLeaf = models::FieldTree::kLeaf;
@@ -49,7 +49,7 @@ TEST(SurfaceCells, ShowsWhereCellsMeetAndWhichAreFiner) {
   EXPECT_EQ(across, 2);
 }
 
-TEST(SurfaceCells, AreNoneInASceneWithoutAField) { EXPECT_FALSE(surface_cells(models::Scene{})); }
+TEST(SurfaceCells, AreAbsentInASceneWithoutAField) { EXPECT_FALSE(surface_cells(models::Scene{})); }
 
 }  // namespace
 }  // namespace palpable::page

@@ -46,7 +46,7 @@ protocol::Material page_material(const models::Material& m) {
   return material;
 }
 
-/// What `newer` sets counts, else what `older` does.
+/// The values of `newer`, else those of `older`.
 protocol::MaterialEdit merged(const protocol::MaterialEdit& older, protocol::MaterialEdit newer) {
   if (!newer.stiffness_N_per_m) newer.stiffness_N_per_m = older.stiffness_N_per_m;
   if (!newer.damping_Ns_per_m) newer.damping_Ns_per_m = older.damping_Ns_per_m;
@@ -62,7 +62,7 @@ Result<void> apply(const protocol::MaterialEdit& edit, models::Material& m) {
     if (!kind) return Error{ErrorCode::usage, "there is no such texture", edit.texture->kind};
     if (*kind == models::TouchTexture::Kind::picture && m.texture.tile.empty())
       return Error{ErrorCode::usage, "this material has no texture from a picture", m.name};
-    // A picture's tile stays, so that a person may come back to it.
+    // A picture's tile is kept, so that the person may select it again.
     m.texture = {*kind, edit.texture->pitch_m, edit.texture->height_m, edit.texture->angle_deg / kDegrees,
                  std::move(m.texture.tile)};
   }
@@ -106,7 +106,7 @@ protocol::Laws TouchHost::laws() const { return page_laws(*session_.scene()); }
 
 std::shared_ptr<const PageScene> TouchHost::scene() {
   auto scene = session_.scene();
-  // Other materials alone are no other scene to look at.
+  // A change of materials alone does not change the view.
   if (!shown_ || scene->model != shown_->model) {
     const auto number = page_scene_ ? static_cast<std::uint32_t>(page_scene_->about.scene) + 1 : 0U;
     if (page_scene_) say("info", "A finer version of the scene is in place");
@@ -153,7 +153,7 @@ protocol::State TouchHost::state() {
   return state;
 }
 
-// A pointer at rest sends nothing, but it is still there: without updates the device would count it as lost.
+// A pointer at rest sends nothing; without these updates the device would count it as lost.
 void TouchHost::update() {
   for (const auto& pointer : pointers_)
     if (pointer) place(*pointer);
@@ -176,7 +176,7 @@ void TouchHost::lift(const protocol::Lift& probe) {
 void TouchHost::place(const protocol::Pointer& pointer) {
   if (pointer.probe == 0 && !pointer_moves()) return;
   const auto touch = session_.settings();
-  // The probe is the middle of the ball that touches: at rest on the surface it is a radius above it.
+  // The probe is the centre of the touching ball: at rest it is one radius above the surface.
   const double surface_m = touch.depth * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
   const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + touch.law.radius_m.value_or(0.0) - pointer.press_m};
   session_.move_pointer({middle}, static_cast<std::size_t>(pointer.probe));
@@ -231,7 +231,7 @@ void TouchHost::pause(bool paused) {
 }
 
 void TouchHost::recentre() {
-  // The page's own pointer goes to the middle by itself; a device's workspace is moved there.
+  // The page's own pointer moves to the middle by itself; a device's workspace is moved there.
   if (!pointer_moves()) put([](Tasks& tasks) { tasks.recentre = true; });
 }
 
@@ -254,7 +254,7 @@ std::optional<protocol::Notice> TouchHost::next_notice() {
 void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
   for (const auto& event : session_.take_events()) {
-    // A pointer is lost whenever no page is open, a further probe whenever it is lifted: no fault.
+    // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
     const bool device = event.probe == 0 && !pointer_moves();
     if (event.kind == Kind::fault && device) {
       const auto fault = session_.device_fault();
@@ -302,7 +302,7 @@ void TouchHost::report(const std::function<Result<void>()>& step) {
     for (auto& sentence : notices) say("info", std::move(sentence));
 }
 
-/// Edited materials stay where the better scene has as many.
+/// Edited materials are kept if the finer scene has the same number.
 Result<void> TouchHost::swap_in(const models::Scene& better) {
   models::Scene scene = better;
   const auto held = session_.scene();
@@ -310,7 +310,7 @@ Result<void> TouchHost::swap_in(const models::Scene& better) {
   return session_.change_scene(std::make_shared<const models::Scene>(std::move(scene)));
 }
 
-/// The page's own pointer goes along by itself: it sends places in the scene's frame.
+/// The page's own pointer follows by itself, since it sends places in the scene frame.
 Result<void> TouchHost::stand_there(const session::Stance& stance) {
   if (!pointer_moves())
     if (auto stood = session_.stand(stance); !stood) return stood;
@@ -333,7 +333,7 @@ Result<void> TouchHost::attempt(const protocol::Change& change) {
   return session_.change_settings(touch);
 }
 
-/// An edited value decides from then on: it is not set for all materials any more.
+/// From then on the edited value applies: the value set for all materials is removed.
 Result<void> TouchHost::attempt(const std::map<std::int64_t, protocol::MaterialEdit>& edits) {
   auto materials = session_.scene()->materials;
   auto touch = session_.settings();

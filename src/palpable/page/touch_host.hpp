@@ -23,21 +23,20 @@
 
 namespace palpable::page {
 
-/// A TouchSession as the page's server sees it. Changes that may take long (a new law, another depth) run on
-/// a thread of its own, so that the page goes on at its rate; of several changes that wait, the last one
-/// counts.
+/// The page's server's interface to a TouchSession. Long changes (a new law, another depth) run on a worker
+/// thread, so that the page keeps its rate; of several waiting changes, the last one counts.
 class TouchHost final : public PageHost {
  public:
   struct Options {
     /// Shown to the person: "palpable 0.1.0".
     std::string program;
-    /// What the scene is called; empty: its title, or the files that it was made from.
+    /// The scene's name; empty: its title, or the names of its input files.
     std::string name;
-    /// Asked once a frame, on the server's thread: a better scene if one is ready, else null. May be empty.
+    /// Called once per frame on the server's thread: a finer scene if one is ready, else null. May be empty.
     std::function<std::shared_ptr<const models::Scene>()> take_better_scene;
     /// Where save() writes the scene (.palp).
     std::filesystem::path save_as;
-    /// The device's frame goes with an explorer whom the page moves.
+    /// The device's frame follows an explorer that the page moves.
     bool egocentric = false;
   };
   /// `session`, and what the options refer to, must outlive the host.
@@ -62,11 +61,11 @@ class TouchHost final : public PageHost {
   std::string answer(const protocol::Ask& ask) override { return words_.answer(ask); }
   std::optional<protocol::Notice> next_notice() override;
 
-  /// Something for the person to hear of; levels as in protocol.json. Any thread.
+  /// Adds a notice for the person; levels as in protocol.json. Any thread.
   void say(std::string level, std::string text);
 
  private:
-  /// The tasks that wait, taken all at once. Of several edits of one value the last one counts.
+  /// The waiting tasks, taken all at once. Of several edits of one value, the last one counts.
   struct Tasks {
     std::optional<protocol::Change> change;
     std::map<std::int64_t, protocol::MaterialEdit> edits;
@@ -74,7 +73,7 @@ class TouchHost final : public PageHost {
     bool recentre = false;
     bool save = false;
     std::optional<session::Stance> stance;
-    /// Of the last change or edit among them.
+    /// Serial of the last change or edit among them.
     std::int64_t serial = 0;
     bool any() const { return change || !edits.empty() || better || recentre || save || stance; }
   };
@@ -86,27 +85,27 @@ class TouchHost final : public PageHost {
   Result<void> swap_in(const models::Scene& better);
   Result<void> write_scene();
   Result<void> stand_there(const session::Stance& stance);
-  /// Carries out `step`; reports what it changed by itself, or its error.
+  /// Carries out `step`; reports its automatic changes, or its error.
   void report(const std::function<Result<void>()>& step);
   void take_notices();
   bool pointer_moves() const { return !session_.device_traits().pushes_back; }
   void place(const protocol::Pointer& pointer);
 
   session::TouchSession& session_;
-  /// The server's thread alone.
+  /// Used by the server's thread alone.
   SpokenWords words_;
   Options options_;
 
-  // The server's thread alone.
+  // Used by the server's thread alone.
   std::shared_ptr<const models::Scene> shown_;
   std::shared_ptr<const PageScene> page_scene_;
-  /// Where the pages have each probe; the first one is above the surface until it is moved.
+  /// Each probe's place as the pages set it; the first one is above the surface until it is moved.
   std::array<std::optional<protocol::Pointer>, protocol::kMostProbes> pointers_{
       protocol::Pointer{0, 0.0, 0.0, -0.02}};
   std::chrono::steady_clock::time_point rate_time_;
   double rate_hz_ = 0.0;
 
-  // Both threads, under mutex_.
+  // Guarded by mutex_.
   std::mutex mutex_;
   std::condition_variable wake_;
   Tasks tasks_;
@@ -114,7 +113,7 @@ class TouchHost final : public PageHost {
   std::deque<protocol::Notice> notices_;
   std::int64_t answered_ = 0;
 
-  // The worker alone.
+  // Used by the worker alone.
   bool edited_ = false;
 
   std::thread worker_;

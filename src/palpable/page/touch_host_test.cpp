@@ -52,7 +52,7 @@ class HostOnATouch : public ::testing::Test {
 
   protocol::ProbeState first() const { return host->state().probes.front(); }
 
-  // Updates as the server does until it holds, for ten seconds at most.
+  // Updates as the server does until `condition` holds, for ten seconds at most.
   bool comes_true(const std::function<bool()>& condition) const {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
     while (std::chrono::steady_clock::now() < end) {
@@ -83,7 +83,7 @@ double stiffness_in(const protocol::Settings& settings) {
   return parameter(settings, "stiffness_N_per_m").used;
 }
 
-TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
+TEST_F(HostOnATouch, ShowsTheTouchedScene) {
   const auto scene = host->scene();
   EXPECT_EQ(scene->about.name, "cone left.png and cone right.png");
   EXPECT_EQ(scene->about.kind, "relief");
@@ -98,7 +98,7 @@ TEST_F(HostOnATouch, ShowsTheSceneAsItIsFelt) {
   EXPECT_EQ(host->laws().laws.front().name, host->settings().law);
 }
 
-TEST_F(HostOnATouch, FeelsWhereThePagePressesAndNothingWhereItLifts) {
+TEST_F(HostOnATouch, FeelsAForceOnlyWhileThePagePresses) {
   host->move({0, 0.0, 0.0, 0.002});
   EXPECT_TRUE(comes_true([&] { return first().contact && first().fz_N > 0.3; }));
   EXPECT_NEAR(first().surface_m, 0.010, 0.001);
@@ -135,7 +135,7 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   host->lift({3});
   EXPECT_TRUE(comes_true([&] { return numbers() == std::vector<std::int64_t>{0, 9}; }));
   EXPECT_TRUE(first().contact);
-  EXPECT_FALSE(host->next_notice()) << "nobody need hear that a finger was lifted";
+  EXPECT_FALSE(host->next_notice()) << "lifting a finger is no news";
   ASSERT_TRUE(session->stop_recording());
   const auto recording = device::read_recording(recorded);
   ASSERT_TRUE(recording) << recording.error().sentence();
@@ -145,7 +145,7 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
   EXPECT_GE(recording->ticks.size(), recording->further.size() / 2);
 }
 
-TEST_F(HostOnATouch, ChangesSettingsAndSaysWhichChangeHolds) {
+TEST_F(HostOnATouch, ChangesSettingsAndReportsTheSerial) {
   auto change = change_of(7);
   change.exaggeration = 2.0;
   host->change(change);
@@ -155,7 +155,7 @@ TEST_F(HostOnATouch, ChangesSettingsAndSaysWhichChangeHolds) {
   EXPECT_NEAR(host->scene()->about.highest_m, 0.010, 0.001) << "heights are sent at exaggeration 1";
 }
 
-TEST_F(HostOnATouch, RefusesALawThatDoesNotExistAndKeepsTheOneThere) {
+TEST_F(HostOnATouch, RefusesAnUnknownLawAndKeepsTheCurrentOne) {
   auto change = change_of(8);
   change.law = "fly";
   host->change(change);
@@ -167,7 +167,7 @@ TEST_F(HostOnATouch, RefusesALawThatDoesNotExistAndKeepsTheOneThere) {
   EXPECT_EQ(notice->text, "fly: there is no such law");
 }
 
-TEST_F(HostOnATouch, OfManyChangesTheLastOneHolds) {
+TEST_F(HostOnATouch, AppliesTheLastOfManyChanges) {
   for (int i = 1; i <= 50; ++i) {
     host->change(change_of(i, 100.0 + i));
   }
@@ -175,7 +175,7 @@ TEST_F(HostOnATouch, OfManyChangesTheLastOneHolds) {
   EXPECT_EQ(stiffness_in(host->settings()), 150.0);
 }
 
-TEST_F(HostOnATouch, KeepsAValueThatIsSetToTheMaterialsOwnAndForgetsOneThatIsNotSet) {
+TEST_F(HostOnATouch, DistinguishesAValueEqualToTheMaterialsFromAnUnsetOne) {
   const double own = stiffness_in(host->settings());
   EXPECT_FALSE(parameter(host->settings(), "stiffness_N_per_m").set);
   host->change(change_of(1, own));
@@ -209,7 +209,7 @@ TEST_F(HostOnATouch, HoldsTheForceAtZeroWhilePaused) {
   EXPECT_TRUE(comes_true([&] { return first().fz_N > 0.3; }));
 }
 
-TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutShowingAnotherScene) {
+TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutANewScene) {
   host->move({0, 0.0, 0.0, 0.002});
   ASSERT_TRUE(comes_true([&] { return first().fz_N > 0.5; }));
   const auto shown = host->scene();
@@ -229,7 +229,7 @@ TEST_F(HostOnATouch, EditsAMaterialUnderTheHandWithoutShowingAnotherScene) {
   EXPECT_FALSE(host->next_notice());
 }
 
-TEST_F(HostOnATouch, LetsAnEditedMaterialDecideOverAValueSetForAll) {
+TEST_F(HostOnATouch, PrefersAnEditedMaterialToAValueSetForAll) {
   host->change(change_of(3));
   ASSERT_TRUE(comes_true([&] { return host->settings().answers == 3; }));
   ASSERT_EQ(stiffness_in(host->settings()), 400.0);
@@ -239,7 +239,7 @@ TEST_F(HostOnATouch, LetsAnEditedMaterialDecideOverAValueSetForAll) {
   EXPECT_FALSE(session->settings().law.stiffness_N_per_m);
 }
 
-TEST_F(HostOnATouch, LeavesWhatAnEditDoesNotName) {
+TEST_F(HostOnATouch, KeepsValuesThatAnEditDoesNotName) {
   host->change(change_of(3));
   ASSERT_TRUE(comes_true([&] { return host->settings().answers == 3; }));
   auto expected = host->materials().materials.front().material;
@@ -255,7 +255,7 @@ TEST_F(HostOnATouch, LeavesWhatAnEditDoesNotName) {
   EXPECT_EQ(session->settings().law.stiffness_N_per_m, 400.0) << "set for all materials, and still so";
 }
 
-TEST_F(HostOnATouch, RefusesAMaterialThatIsNotThere) {
+TEST_F(HostOnATouch, RefusesAnUnknownMaterial) {
   auto request = edit(5, 300.0);
   request.label = 7;
   host->edit(request);
@@ -279,7 +279,7 @@ TEST_F(HostOnATouch, SavesTheSceneWithItsEditedMaterials) {
   EXPECT_EQ(read->scene.materials.front().texture.kind, models::TouchTexture::Kind::ridges);
 }
 
-TEST_F(HostOnATouch, TellsOfABetterSceneOnceItIsThere) {
+TEST_F(HostOnATouch, ReportsAFinerSceneOnce) {
   ASSERT_EQ(host->scene()->about.scene, 0);
   better = cone_scene();
   EXPECT_TRUE(comes_true([&] { return host->scene()->about.scene == 1; }));
@@ -305,7 +305,7 @@ TEST_F(HostOnATouch, AnswersQuestionsWithWords) {
   EXPECT_EQ(answer("nonsense"), "");
 }
 
-TEST_F(HostOnATouch, SaysWhereTheExplorerStands) {
+TEST_F(HostOnATouch, ReportsTheExplorersPose) {
   EXPECT_TRUE(host->hello().egocentric);
   host->stand({0.010, -0.005, 90.0});
   std::string said;

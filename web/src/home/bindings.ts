@@ -1,10 +1,10 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Binds the page's buttons and the window's events to what they do.
+// Binds the page's buttons and the window's events to actions.
 import { element } from '../dom';
 import { undoKey } from './keys';
 
-/** By the buttons' ids; `after` is called after each. */
+/** `actions`: by button id; `after` is called after each action. */
 export function bindButtons(actions: Readonly<Record<string, () => void>>, after: () => void): void {
   for (const [id, act] of Object.entries(actions))
     element(id).addEventListener('click', () => {

@@ -1,12 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The way in (the address's token for a cookie, once) and the socket that follows it.
+// Authentication (the address's token is exchanged for a cookie, once) and the WebSocket.
 import { readMessage, readRaster, writeMessage, type HeightsFrame, type PictureFrame } from '../codec';
 import type { FromPage, ToPage } from '../generated/protocol';
 
 export interface Loss {
   sentence: string;
-  /** It will not be tried again by itself. */
+  /** Whether there is no automatic retry. */
   final: boolean;
 }
 
@@ -17,16 +17,16 @@ export interface Receiver {
   closed(loss: Loss): void;
 }
 
-/** Lets this browser in: null, or why not. */
+/** Exchanges the token for a cookie; null, or the reason of a refusal. */
 async function enter(): Promise<Loss | null> {
   const token = location.hash.slice(1);
   try {
     const reply = await (token === ''
       ? fetch('/session')
       : fetch('/session', { method: 'POST', body: token, headers: { 'Content-Type': 'text/plain' } }));
-    // The token is spent: nobody needs to see it in the address, or to find it in the history.
+    // The token is used up: remove it from the address and the history.
     if (token !== '') history.replaceState(null, '', location.pathname);
-    // Too many pages is a refusal that passes; a browser that has no cookie is one that stays.
+    // Refusals for too many pages are temporary; those without a cookie are final.
     return reply.ok ? null : { sentence: await reply.text(), final: reply.status !== 503 };
   } catch {
     return { sentence: 'Palpable does not answer: it has probably ended. Trying again.', final: false };
@@ -34,7 +34,7 @@ async function enter(): Promise<Loss | null> {
 }
 
 const wait = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
-/** The person has put another address, with the right token, into the address bar. */
+/** Resolves when the person enters another address, with a new token. */
 const newAddress = () => new Promise<void>((resolve) => window.addEventListener('hashchange', () => resolve(), { once: true }));
 const firstDelay = 500;
 const longestDelay = 5000;
@@ -44,7 +44,7 @@ export class Connection {
 
   constructor(private readonly receiver: Receiver) {}
 
-  /** Connects, and connects again after a loss; after a refusal when the address has changed. */
+  /** Connects; reconnects after a loss, and after a refusal when the address has changed. */
   async run(): Promise<void> {
     for (let delay = firstDelay; ; ) {
       const refused = await enter();

@@ -3,7 +3,7 @@
 import { expect, it } from 'vitest';
 import { FrameLoop } from './frame_loop';
 
-it('frames are asked for while something moves, once each, and not at rest', () => {
+it('requests one frame at a time while something moves, and none at rest', () => {
   const asked: (() => void)[] = [];
   const seen: [number | null, number][] = [];
   let [now, moving] = [0, 2];

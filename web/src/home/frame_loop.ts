@@ -1,16 +1,16 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Animation frames only while something moves: at rest the page asks for none.
+// Requests animation frames only while something moves.
 
 export class FrameLoop {
   private pending = false;
   private last: number | null = null;
-  /** Frames so far; the tests read it. */
+  /** Number of frames so far, for tests. */
   count = 0;
 
   /**
-   * `frame`: milliseconds now, since the frame before (null after a rest), and since this frame was requested; true if another
-   * one is needed.
+   * `frame` gets the time in ms, the time since the previous frame (null after a rest), and the time since
+   * this frame was requested. It returns true if another frame is needed.
    */
   constructor(
     private readonly frame: (now: number, passed: number | null, waited: number) => boolean,
@@ -18,7 +18,7 @@ export class FrameLoop {
     private readonly clock: () => number = () => performance.now(),
   ) {}
 
-  /** Something has changed: draw it in the next frame. */
+  /** Requests a frame after a change. */
   request(): void {
     if (this.pending) return;
     this.pending = true;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The help: a dialog whose table of keys is made from the keys themselves, and the line of hints under the picture.
+// The help dialog, whose table is generated from keys.ts, and the line of hints under the picture.
 import { element } from '../dom';
 import { keyRows, coarseStep, fineStep } from './keys';
 
@@ -18,7 +18,7 @@ export function fillHelp(): void {
   );
 }
 
-/** Opens at its top, and is read from there. */
+/** Opens the help, scrolled to its top and with the focus there. */
 export function showHelp(): void {
   const dialog = element<HTMLDialogElement>('help-dialog');
   dialog.showModal();
@@ -26,7 +26,7 @@ export function showHelp(): void {
   dialog.scrollTop = 0;
 }
 
-/** How far the arrow keys go, on a scene of this scale. */
+/** Shows the step of the arrow keys for a scene of this scale. */
 export function showSteps(scale: number): void {
   const millimetres = (metres: number) => `${Number((metres * scale * 1000).toPrecision(3))}\u00A0mm`;
   element('step-fine').textContent = millimetres(fineStep);

@@ -38,7 +38,7 @@ describe('keys', () => {
     type('e');
     expect(calls).toEqual(['walk 0.005 0', 'walk -0.02 0', 'walk 0 15', 'walk 0 -45', 'stance']);
   });
-  it('choose the probe of their number, the tenth by 0', () => {
+  it('select the probe of their number, the tenth by 0', () => {
     calls.length = 0;
     for (const key of ['1', '9', '0', 'Delete', 'n']) type(key);
     expect(calls).toEqual(['choose 0', 'choose 8', 'choose 9', 'take', 'describe probes']);
@@ -48,14 +48,14 @@ describe('keys', () => {
     for (const key of ['+', '-', 'c', 'R']) type(key);
     expect(calls).toEqual(['zoom in', 'zoom out', 'move view', 'reset view']);
   });
-  it('leave the browser its own', () => {
+  it('ignore the browser\'s shortcuts', () => {
     calls.length = 0;
     expect(type('d', false, true)).toBe(false);
     expect(type('Tab')).toBe(false);
     expect(type('D', true)).toBe(true);
     expect(calls).toEqual(['describe']);
   });
-  it('stand for one thing each', () => {
+  it('have one action each', () => {
     const all = keyRows.flatMap(({ keys }) => keys);
     expect(new Set(all).size).toBe(all.length);
   });

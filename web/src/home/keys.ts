@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What each key does on the relief: the one table for the page and for its help.
+// The keys and their actions: one table for the page and its help.
 
 import { pace, turnBy } from '../probe/explorer';
 
@@ -26,10 +26,10 @@ export interface KeyTarget {
   describeProbes(): void;
   pause(): void;
   mute(): void;
-  /** Magnifies the picture by a factor. */
+  /** Zooms by a factor. */
   zoom(factor: number): void;
   resetView(): void;
-  /** Drags, pinches and arrows move the picture, or the probe again. */
+  /** Switches drags, pinches and arrows between moving the picture and the probe. */
   moveView(): void;
   help(): void;
 }
@@ -87,13 +87,13 @@ export const keyRows: KeyRow[] = [
   { shown: 'E', does: 'In the egocentric view: say where you stand', keys: ['e'], act: (target) => target.stance() },
   {
     shown: '1 to 9, 0',
-    does: 'Go on with the probe of that number (0 is the tenth); one that is not there is put down where the last one is',
+    does: 'Select the probe of that number (0 is the tenth); a new one is added at the place of the current one',
     keys: [...'1234567890'],
     act: (target, { key }) => target.choose((Number(key) + 9) % 10),
   },
-  { shown: 'Delete', does: 'Take this probe away; the first one stays', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
+  { shown: 'Delete', does: 'Remove this probe; the first one cannot be removed', keys: ['Delete', 'Backspace'], act: (target) => target.take() },
   { shown: 'N', does: 'Say where every probe is and what it feels', keys: ['n'], act: (target) => target.describeProbes() },
-  { shown: 'Space', does: 'Pause, go on', keys: [' '], act: (target) => target.pause() },
+  { shown: 'Space', does: 'Pause, resume', keys: [' '], act: (target) => target.pause() },
   { shown: '+, −', does: 'Zoom the picture in, out', keys: ['+', '=', '-'], act: (target, { key }) => target.zoom(key === '-' ? 0.8 : 1.25) },
   {
     shown: 'C',
@@ -101,12 +101,12 @@ export const keyRows: KeyRow[] = [
     keys: ['c'],
     act: (target) => target.moveView(),
   },
-  { shown: 'R', does: 'The picture as at first', keys: ['r'], act: (target) => target.resetView() },
+  { shown: 'R', does: 'Reset the picture', keys: ['r'], act: (target) => target.resetView() },
   { shown: 'M', does: 'Sound off, on', keys: ['m'], act: (target) => target.mute() },
   { shown: 'H or ?', does: 'This help', keys: ['h', '?'], act: (target) => target.help() },
 ];
 
-/** Carries out what the key stands for; false if it stands for nothing. */
+/** Runs the key's action; false if it has none. */
 export function press(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>, target: KeyTarget): boolean {
   if (event.ctrlKey || event.altKey || event.metaKey) return false;
   const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
@@ -115,7 +115,7 @@ export function press(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' 
   return row !== undefined;
 }
 
-/** What a key together with Control or Command asks for. */
+/** The action of a key with Control or Command. */
 export function undoKey(event: Pick<KeyboardEvent, 'key' | 'shiftKey' | 'ctrlKey' | 'altKey' | 'metaKey'>): 'undo' | 'redo' | null {
   if (!(event.ctrlKey || event.metaKey) || event.altKey) return null;
   const key = event.key.toLowerCase();

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The page of a touch: wires the socket, the stage, the settings, the keys, what is heard and what is said.
+// The page: connects the socket, the stage, the settings, the keys, sound and speech.
 import type { HeightsFrame, PictureFrame } from '../codec';
 import { element } from '../dom';
 import { protocolVersion, type Hello, type Scene, type Settings as ProgramSettings, type State, type ToPage } from '../generated/protocol';
@@ -72,7 +72,7 @@ class TouchPage implements KeyTarget {
     say: (words) => this.voice.say(words, Importance.answer),
     send: (message) => this.connection.send(message),
     stands: (stance) => this.readouts.stance(stance),
-    // On contours the line is their trace.
+    // On contours the line is the current trace.
     arrow: (points) => this.scene?.kind !== 'contours' && this.stage.line(points),
   });
   private readonly trace = new TracePanel({
@@ -93,7 +93,7 @@ class TouchPage implements KeyTarget {
   private readonly picture = new ViewActions(this.stage, (words) => this.voice.say(words, Importance.answer));
   private hello: Hello | null = null;
   private paused = false;
-  /** While the program is not, nothing is felt, moved or heard. */
+  /** Whether the program is connected; otherwise nothing is felt, moved or heard. */
   private connected = false;
 
   start(): void {
@@ -105,7 +105,7 @@ class TouchPage implements KeyTarget {
     document.documentElement.dataset.frames = '0';
   }
 
-  // What the keys do.
+  // The actions of the keys.
 
   move(by: Move): void {
     this.motion.move(by);
@@ -183,12 +183,12 @@ class TouchPage implements KeyTarget {
     this.showProbes();
   }
 
-  /** Offered until audio runs: browsers begin it only when the person does something. */
+  /** Offered until audio runs, since browsers start it only after a user action. */
   private offerSound(): void {
     element('sound-on').hidden = this.store.settings.page.sound && this.feedback.sound.runs;
   }
 
-  /** Audio runs from this click on, and is heard at once. */
+  /** Starts audio from this click, with a sound at once. */
   private turnOnSound(): void {
     if (!this.store.settings.page.sound) this.changePage({ sound: true }, 'sound');
     void this.feedback.sound.wake().then(() => {
@@ -201,13 +201,13 @@ class TouchPage implements KeyTarget {
     const changed = this.store.undoOrRedo(which);
     if (changed === null) return this.voice.say(`Nothing to ${which}.`, Importance.answer);
     this.apply();
-    this.voice.say(`${which === 'undo' ? 'Taken back' : 'Made again'}: ${changed}.`, Importance.answer);
+    this.voice.say(`${which === 'undo' ? 'Undone' : 'Redone'}: ${changed}.`, Importance.answer);
   }
 
   private receiveSettings(settings: ProgramSettings): void {
-    if (settings.paused !== this.paused) this.voice.say(settings.paused ? 'Paused: no force.' : 'Going on.', Importance.news);
+    if (settings.paused !== this.paused) this.voice.say(settings.paused ? 'Paused: no force.' : 'Resumed.', Importance.news);
     this.paused = settings.paused;
-    element('pause').textContent = this.paused ? 'Go on' : 'Pause';
+    element('pause').textContent = this.paused ? 'Resume' : 'Pause';
     this.stage.element.toggleAttribute('data-paused', this.paused);
     this.readouts.status(this.paused ? 'paused' : 'running', this.paused ? 'Paused' : 'Touching');
     if (this.store.receive(settings)) this.apply();
@@ -272,7 +272,7 @@ class TouchPage implements KeyTarget {
     this.own.set(hello.probes, hello.pointer_moves);
     this.actions.changed();
     this.walking.allow(hello.egocentric);
-    // A device's middle is to be where this page has the explorer stand.
+    // Moves the device's middle to the place of this page's explorer.
     if (hello.pointer_moves) this.walking.show();
     else this.walking.stand();
     if (hello.version !== protocolVersion) this.alert('This page and the program are of different versions: reload the page.');
@@ -296,7 +296,7 @@ class TouchPage implements KeyTarget {
     this.showProbes();
   }
 
-  /** The relief takes the focus, so that the keys that are announced work at once; not from where the person is already. */
+  /** Focuses the relief, so that the announced keys work at once, unless the person has focused something else. */
   private ready(): void {
     const { activeElement } = document;
     if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });
@@ -346,7 +346,7 @@ class TouchPage implements KeyTarget {
     this.voice.aloudOnly(sentence);
   }
 
-  // What the person does.
+  // User actions.
 
   private bindStage(): void {
     const { element: stage } = this.stage;
@@ -412,7 +412,7 @@ class TouchPage implements KeyTarget {
   private reset(): void {
     this.store.reset();
     this.apply();
-    this.voice.say('All settings are as at the start.', Importance.answer);
+    this.voice.say('All settings were reset.', Importance.answer);
   }
 }
 

@@ -14,7 +14,7 @@ function frames(): SceneFrames {
   return loaded;
 }
 
-/** A narrator whose program answers each question with its name. */
+/** A narrator with a program that answers each question with its name. */
 function answered(loaded = frames()): { narrator: Narrator; asked: Ask[]; say: (words: Words) => Promise<string | null> } {
   const asked: Ask[] = [];
   const narrator = new Narrator(loaded, new Probes(), (ask) => {
@@ -25,7 +25,7 @@ function answered(loaded = frames()): { narrator: Narrator; asked: Ask[]; say: (
 }
 
 describe('the narrator', () => {
-  it('says more each time it is asked for the scene, and begins anew after another question', async () => {
+  it('says more on each question for the scene, and restarts after another question', async () => {
     const { narrator, asked, say } = answered();
     await say(narrator.describe());
     await say(narrator.describe());
@@ -33,17 +33,17 @@ describe('the narrator', () => {
     await say(narrator.describe());
     expect(asked.map(({ what, part }) => `${what} ${part}`)).toEqual(['scene 0', 'scene 1', 'position 0', 'scene 0']);
   });
-  it('says the rim before what lies there', async () => {
+  it('says the rim first', async () => {
     const { narrator, say } = answered();
     expect(await say(narrator.step(true))).toBe('step.');
     expect(await say(narrator.step(false))).toBe('Rim of the scene. step.');
   });
-  it('asks nothing where there is no scene', async () => {
+  it('asks nothing without a scene', async () => {
     const { narrator, asked, say } = answered(new SceneFrames());
     expect(await say(narrator.describe())).toBe(noScene);
     expect(asked).toEqual([]);
   });
-  it('ends what is open when the connection is lost', async () => {
+  it('ends open questions when the connection is lost', async () => {
     const narrator = new Narrator(frames(), new Probes(), () => undefined);
     const words = narrator.where()();
     narrator.forget();

@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What is said of the scene and of the probes: the program makes the words (docs/adr/0006), the page asks for them.
+// Spoken descriptions of the scene and the probes: the program makes the sentences (docs/adr/0006), and the page requests
+// them.
 import type { Ask, Words as Answer } from '../generated/protocol';
 import type { Probes } from '../probe/probes';
 import { noScene, type Words } from '../sound/announcer';
@@ -12,7 +13,7 @@ type Question = 'opening' | 'scene' | 'position' | 'step' | 'press' | 'probe';
 export class Narrator {
   private serial = 0;
   private readonly open = new Map<number, (text: string | null) => void>();
-  /** The part of the description that D says next; another question begins it anew. */
+  /** The next part of the description for D; another question resets it. */
   private part = 0;
 
   constructor(
@@ -21,33 +22,33 @@ export class Narrator {
     private readonly send: (message: Ask) => void,
   ) {}
 
-  /** The program's words for a question. */
+  /** The program's answer to a question. */
   receive({ serial, text }: Answer): void {
     this.open.get(serial)?.(text);
     this.open.delete(serial);
   }
-  /** The connection is gone: nothing that was asked is answered any more. */
+  /** The connection is lost: open questions get no answer. */
   forget(): void {
     for (const answer of this.open.values()) answer(null);
     this.open.clear();
   }
 
-  /** Said when the scene is there: its name and the maker's description. */
+  /** Spoken when the scene has arrived: its name and the maker's description. */
   opening(): Words {
     return () => this.ask('opening');
   }
-  /** What D says: the scene in short; when asked again, more. */
+  /** The sentences for D: the scene in short, and more on each repetition. */
   describe(): Words {
     const part = this.part;
     this.part += 1;
     return () => this.ask('scene', this.probes.own.chosen, part);
   }
-  /** What P says. */
+  /** The sentence for P. */
   where(): Words {
     this.part = 0;
     return () => this.named(this.ask('position'));
   }
-  /** What a step led to. */
+  /** The place after a step. */
   step(free: boolean): Words {
     this.part = 0;
     return () => this.named(this.ask('step').then((words) => words && (free ? words : `Rim of the scene. ${words}`)));
@@ -56,11 +57,11 @@ export class Narrator {
     this.part = 0;
     return () => this.named(this.ask('press'));
   }
-  /** What lies under a probe that was put down or chosen. */
+  /** The place of a probe that was added or selected. */
   chosen(what: string): Words {
     return () => this.ask('step').then((words) => words && `${what}. ${words}`);
   }
-  /** How many probes there are, where, and what each feels. */
+  /** The number of probes, their places and forces. */
   all(): Words {
     return async () => {
       const { states, own } = this.probes;

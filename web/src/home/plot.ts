@@ -22,7 +22,7 @@ export class ForcePlot {
     this.samples = [];
   }
 
-  /** Whether the line is level and was drawn so: there is nothing new to see. */
+  /** Whether the line is constant and already drawn. */
   isLevel(): boolean {
     const first = this.samples[0]?.force ?? 0;
     const level = this.samples.every(({ force }) => Math.abs(force - first) < 0.005);
@@ -84,7 +84,7 @@ export class ForcePlot {
   }
 }
 
-/** A round number of newtons at or above, at least 1. */
+/** The next round number of newtons, at least 1. */
 export function niceTop(force: number): number {
   const steps = [1, 2, 4, 6, 10, 20, 40, 60, 100, 200, 400, 1000];
   return steps.find((step) => force <= step) ?? 1000;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The probes of this page on their way: moved by keys, sent to the program, heard.
+// The motion of this page's probes: moved by keys, sent to the program, and sonified.
 import type { FromPage } from '../generated/protocol';
 import { pressScale } from '../probe/page_probe';
 import type { Probes } from '../probe/probes';
@@ -15,16 +15,16 @@ export interface MotionPage {
   surface(): Surface | null;
   connected(): boolean;
   exaggeration(): number;
-  /** The name of what moves the first probe where this page does not. */
+  /** The name of the device that moves the first probe, if this page does not. */
   device(): string;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
-  /** Something moves: frames are needed. */
+  /** Requests frames while something moves. */
   moves(): void;
   draw(): void;
 }
 
-/** Milliseconds between two messages about where the probes are, at the least: many fingers on a fast screen are many messages. */
+/** Least milliseconds between two messages with the probes' places, since many fingers on a fast screen give many messages. */
 const sendEvery = 12;
 
 export class ProbeMotion {
@@ -38,13 +38,13 @@ export class ProbeMotion {
     private readonly page: MotionPage,
   ) {}
 
-  /** By a key, on a scene of a tenth of a metre; larger and smaller ones are stepped over alike. */
+  /** Moves by a key; the step is for a scene of 0.1 m and is scaled with the scene's size. */
   move(by: Move): void {
     const surface = this.page.surface();
     if (surface === null) return;
     const { own } = this.probes;
     if (!own.movable()) return this.page.say(`The probe is moved by ${this.page.device()}.`, Importance.answer);
-    // The egocentric view's arrows run as the explorer faces; in the other they face up the scene.
+    // In the egocentric view arrows are relative to the explorer's heading, otherwise to the scene.
     const way = this.walking.inScene({ x: by.x * surface.scale, y: by.y * surface.scale });
     const free = own.current.step(way.x, way.y, by.press * pressScale(surface.scale), surface, performance.now());
     this.page.moves();
@@ -61,7 +61,7 @@ export class ProbeMotion {
     this.page.say(this.probes.named('In the middle.'), Importance.answer);
   }
 
-  /** Moves the marbles on and sends their places; true while they move. */
+  /** Advances the marbles and sends their places; true while they move. */
   advance(now: number, passed: number | null): boolean {
     const surface = this.page.surface();
     if (surface === null || !this.page.connected()) return false;
@@ -78,14 +78,14 @@ export class ProbeMotion {
     return moved.length > 0;
   }
 
-  /** What the program reports of the probes, as it is heard. */
+  /** Sonifies the program's report of the probes. */
   hear(surface: Surface): void {
     for (const one of this.probes.states) this.feedback.reported(one, surface);
     if (!this.probes.own.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.page.exaggeration());
     this.feedback.keep(this.probes.numbers);
   }
 
-  /** The tone of the chosen probe's place: what sound is like here. */
+  /** Plays the tone of the selected probe's place, as an example. */
   sample(): void {
     const surface = this.page.surface();
     if (surface !== null) this.feedback.moved(this.probes.own.chosen, this.narrator.place(), surface, this.page.exaggeration());

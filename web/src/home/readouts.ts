@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows in figures: status, position, height, force and its plot, rates; and the banner for what went wrong.
+// The displayed figures: status, position, height, force and its plot, rates; and the banner for errors.
 import { element } from '../dom';
 import { figuresEvery, millimetreFigure } from '../figures';
 import type { ProbeState, State } from '../generated/protocol';
@@ -8,7 +8,7 @@ import type { Stance } from '../probe/explorer';
 import { newtons } from '../probe/probes';
 import { ForcePlot } from './plot';
 
-/** Milliseconds between two drawings of the plot; where motion is unwelcome. */
+/** Milliseconds between two drawings of the plot; and with reduced motion. */
 const plotEvery = 100;
 const calmPlotEvery = 1000;
 
@@ -31,7 +31,7 @@ export class Readouts {
     this.device = device;
   }
 
-  /** A new tick; `probe`: the chosen one. Shown a little later, not more often than it can be read. */
+  /** Takes a new tick; `probe`: the selected one. Shown a little later, at a readable rate. */
   state(state: State, probe: ProbeState | undefined): void {
     if (probe === undefined) return;
     this.plot.add(state.t_s, newtons(probe));
@@ -45,7 +45,7 @@ export class Readouts {
     }, figuresEvery);
   }
 
-  /** In the colours of now. */
+  /** Redraws in the current colours. */
   redraw(): void {
     this.plot.draw();
   }
@@ -55,7 +55,7 @@ export class Readouts {
     write('read-stance', `${millimetreFigure(x)}, ${millimetreFigure(y)}, facing ${facing}`);
   }
 
-  /** Nothing is known any more. */
+  /** Clears all figures. */
   blank(): void {
     this.rate = 0;
     this.shown = null;
@@ -71,7 +71,7 @@ export class Readouts {
     element('status').dataset.state = state;
   }
 
-  /** Shows a sentence that stays; screen readers are interrupted by it. */
+  /** Shows a persistent sentence, which interrupts screen readers. */
   alert(sentence: string): void {
     const banner = element('banner');
     write('banner', sentence);
@@ -87,7 +87,7 @@ export class Readouts {
     write('read-position', `${millimetreFigure(x_m, this.scale)}, ${millimetreFigure(y_m, this.scale)}`);
     write('read-height', millimetreFigure(surface_m, this.scale));
     write('read-force', newtons(this.shown).toFixed(2));
-    // Rounded, so that it changes only when it means something: each change is drawn.
+    // Rounded, so that it changes rarely: each change is drawn.
     const parts = [`Force ${10 * Math.round(this.rate / 10)} times a second`, this.device];
     write('rates', parts.filter((part) => part !== '').join(' · '));
     write('plot-words', `Greatest in the last ten seconds: ${this.plot.greatest().toFixed(2)} N.`);
@@ -97,7 +97,7 @@ export class Readouts {
   }
 }
 
-/** Only what differs: a change costs a layout, and moves a reading cursor. */
+/** Writes only differences: a change costs a layout and moves a reading cursor. */
 function write(id: string, text: string): void {
   const target = element(id);
   if (target.textContent !== text) target.textContent = text;

@@ -12,7 +12,7 @@ const scene: Scene = {
 const heights: HeightsFrame = { kind: 'heights', scene: 2, columns: 2, rows: 2, heights: new Float32Array(4) };
 const picture: PictureFrame = { kind: 'picture', scene: 2, columns: 1, rows: 1, rgb: new Uint8Array(3) };
 
-it('a scene is complete when its heights and its picture are there, of this scene and no other', () => {
+it('a scene is complete with its own heights and picture', () => {
   const frames = new SceneFrames();
   expect(frames.take(heights)).toBe(false);
   frames.scene = scene;

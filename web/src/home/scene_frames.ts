@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A scene arrives in parts: its description, then its heights, its picture and its cells. Here they come together.
+// Assembles a scene from its parts: description, heights, picture and cells.
 import type { HeightsFrame, PictureFrame } from '../codec';
 import type { Scene } from '../generated/protocol';
 import { Surface } from '../surface';
@@ -23,7 +23,7 @@ export class SceneFrames {
     return true;
   }
 
-  /** Whether nothing is missing that the scene has. */
+  /** Whether all parts of the scene have arrived. */
   get isComplete(): boolean {
     const { scene, surface, picture, cells } = this;
     return scene !== null && surface !== null && (!scene.has_picture || picture !== null) && (scene.cells === null || cells !== null);

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows and calls of the scene: its name, the maker's description, the name of what is touched.
+// The scene's heading: its name, the maker's description, and the label of the stage.
 import { element } from '../dom';
 import type { Scene } from '../generated/protocol';
 
@@ -23,7 +23,7 @@ export function showHeading({ name, description }: Pick<Scene, 'name' | 'descrip
   document.title = `${name} – Palpable`;
 }
 
-/** The program has not let this page in, or has not answered. */
+/** For a page without a scene: refused, or not connected. */
 export function showNoScene(): void {
   element('scene-name').textContent = 'No scene';
 }

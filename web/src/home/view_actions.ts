@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The picture is zoomed, moved and put back: by keys and buttons, and what is said of it.
+// Zooming, moving and resetting the picture by keys and buttons, with spoken messages.
 import { element } from '../dom';
 import type { Stage } from '../view/stage';
 
@@ -16,9 +16,9 @@ export class ViewActions {
   }
   reset(): void {
     this.stage.resetView();
-    this.say('The picture is as at first.');
+    this.say('The picture was reset.');
   }
-  /** From now on drags and arrows move the picture, or the probe again. */
+  /** Switches drags and arrows between moving the picture and the probe. */
   toggleMoving(): void {
     const moving = !this.stage.isMovingView;
     this.stage.setViewMoving(moving);

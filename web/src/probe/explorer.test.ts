@@ -11,7 +11,7 @@ const near = (place: { x: number; y: number }, x: number, y: number) => {
 };
 
 describe('an explorer', () => {
-  it('walks the way they face', () => {
+  it('walks in the direction of the heading', () => {
     const explorer = new Explorer();
     expect(explorer.walk(0.01, surface)).toBe(true);
     near(explorer.stance, 0, 0.01);
@@ -22,19 +22,19 @@ describe('an explorer', () => {
     explorer.walk(-0.005, surface);
     near(explorer.stance, -0.025, 0.01);
   });
-  it('goes no farther than the scene', () => {
+  it('stays within the scene', () => {
     const explorer = new Explorer();
     expect(explorer.walk(0.05, surface)).toBe(false);
     near(explorer.stance, 0, 0.03);
   });
-  it('tells a heading within half a turn', () => {
+  it('has a heading from -180 to 180 degrees', () => {
     const explorer = new Explorer();
     for (let k = 0; k < 13; ++k) explorer.turn(15);
     expect(explorer.stance.heading).toBe(-165);
     for (let k = 0; k < 23; ++k) explorer.turn(-15);
     expect(explorer.stance.heading).toBe(-150);
   });
-  it('takes the hand along, walking and turning', () => {
+  it('moves the hand along while walking and turning', () => {
     const explorer = new Explorer();
     const { stance } = explorer;
     explorer.walk(0.01, surface);

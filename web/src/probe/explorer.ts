@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The egocentric frame of reference: where the explorer stands in the scene, and what goes with them.
+// The egocentric frame of reference: the explorer's pose in the scene.
 import type { Place, Surface } from '../surface';
 
 export const pace = 0.005;
@@ -23,12 +23,12 @@ export class Explorer {
     return this.now;
   }
 
-  /** A displacement (x to the right of the explorer, y ahead) in the scene's frame. */
+  /** Converts a displacement (x to the explorer's right, y ahead) to the scene's frame. */
   inScene(way: Place): Place {
     return turned(way, this.now.heading);
   }
 
-  /** Walks ahead (metres; negative: back) as far as the scene reaches. False at its rim. */
+  /** Walks ahead (metres; negative: back), clamped to the scene. False at its rim. */
   walk(ahead: number, surface: Surface): boolean {
     const way = this.inScene({ x: 0, y: ahead });
     const wanted = { x: this.now.x + way.x, y: this.now.y + way.y };
@@ -37,7 +37,7 @@ export class Explorer {
     return Math.hypot(place.x - wanted.x, place.y - wanted.y) < 1e-9;
   }
 
-  /** To the left by so many degrees; negative: to the right. */
+  /** Turns left by this angle in degrees; negative: right. */
   turn(degrees: number): void {
     const heading = this.now.heading + degrees;
     this.now = { ...this.now, heading: heading - 360 * Math.ceil((heading - 180) / 360) };
@@ -47,14 +47,14 @@ export class Explorer {
     this.now = { x: 0, y: 0, heading: 0 };
   }
 
-  /** Where a hand comes to lie that goes along, from where it lay when the explorer stood so. */
+  /** The new place of a hand that moves with the explorer, from its place at an earlier pose. */
   carried(hand: Place, before: Stance): Place {
     const held = turned({ x: hand.x - before.x, y: hand.y - before.y }, -before.heading);
     const way = this.inScene(held);
     return { x: this.now.x + way.x, y: this.now.y + way.y };
   }
 
-  /** An arrow from where they stand the way they face, to be drawn on the scene. */
+  /** An arrow from the explorer's place in the direction of the heading, for drawing on the scene. */
   arrow(scale = 1): Place[] {
     const shape: Place[] = [{ x: 0, y: 0 }, { x: 0, y: 0.008 }, { x: -0.0025, y: 0.005 }, { x: 0, y: 0.008 }, { x: 0.0025, y: 0.005 }];
     return shape.map((corner) => {

@@ -8,7 +8,7 @@ import { PageProbe } from './page_probe';
 const slope = new Surface(11, 11, Float32Array.from({ length: 121 }, (_, k) => (k % 11) * 0.001), 0.11, 0.11);
 
 describe('the marble', () => {
-  it('lags uphill, hurries downhill, and arrives', () => {
+  it('is slower uphill, faster downhill, and arrives', () => {
     const after = (rise: number) => follow({ x: 0, y: 0 }, { x: 0.01, y: 0 }, { x: rise, y: 0 }, 0.016).x;
     expect(after(1)).toBeLessThan(after(0));
     expect(after(-1)).toBeGreaterThan(after(0));
@@ -17,7 +17,7 @@ describe('the marble', () => {
     for (let i = 0; i < 200; ++i) marble = follow(marble, { x: 0.01, y: 0.01 }, { x: 2, y: 0 }, 0.016);
     expect(marble).toEqual({ x: 0.01, y: 0.01 });
   });
-  it('is where a key puts it at once, within the scene', () => {
+  it('moves at once by a key, within the scene', () => {
     const probe = new PageProbe();
     expect(probe.step(0.001, 0, 0, slope, 0)).toBe(true);
     expect(probe.place).toEqual({ x: 0.001, y: 0 });

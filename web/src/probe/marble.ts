@@ -1,17 +1,17 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The probe as a marble that follows the pointer, slower uphill and faster downhill: slope is felt by eye (pseudo-haptics;
-// pointer gain 1/(1 + k s) uphill after Lecuyer et al. 2004).
+// The probe as a marble that follows the pointer, slower uphill and faster downhill (pseudo-haptics; pointer gain 1/(1 + k
+// s) uphill after Lecuyer et al. 2004).
 import type { Place } from '../surface';
 
-/** How much a slope of 1 slows the marble: k. */
+/** Gain k: how much a slope of 1 slows the marble. */
 export const slopeWeight = 4;
 const downhillGainMost = 1.8;
-/** Seconds in which the marble closes most of its distance on the level. */
+/** Time constant of the marble on level ground, seconds. */
 const followTime = 0.025;
 const closeEnough = 2e-5;
 
-/** Pointer gain along a direction of motion that rises by `rise` (metres a metre). */
+/** Pointer gain along a direction of motion with the slope `rise`. */
 export function pointerGain(rise: number): number {
   return rise >= 0 ? 1 / (1 + slopeWeight * rise) : Math.min(downhillGainMost, 1 + (slopeWeight * -rise) / 4);
 }

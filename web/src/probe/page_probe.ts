@@ -9,7 +9,7 @@ const usualPress = 0.0015;
 const deepest = 0.004;
 const highest = -0.02;
 
-/** Less deep on small scenes, but never so little that nothing is felt. */
+/** Less deep on small scenes, but deep enough to be felt. */
 export const pressScale = (scale: number) => Math.min(1, Math.max(0.2, scale));
 
 export class PageProbe {
@@ -26,13 +26,13 @@ export class PageProbe {
     this.marblePlace = { ...place };
   }
 
-  /** Of Surface; on small scenes the probe presses less deep. */
+  /** The surface's scale; on small scenes the probe presses less deep. */
   setScale(scale: number): void {
     const press = this.pressDepth / pressScale(this.scale);
     this.scale = scale;
     this.pressDepth = press * pressScale(scale);
   }
-  /** Whether it is still on its way, or its place has to be sent. */
+  /** Whether it is still moving, or its place must be sent. */
   get pending(): boolean {
     return this.changed || this.target.x !== this.marblePlace.x || this.target.y !== this.marblePlace.y;
   }
@@ -45,7 +45,7 @@ export class PageProbe {
     return this.pressDepth;
   }
 
-  /** By pointer: the marble follows in its own time. */
+  /** Moves by pointer: the marble follows with a delay. */
   aim(place: Place, surface: Surface, now: number): void {
     this.target = surface.clamp(place);
     this.movedAt = now;
@@ -56,7 +56,7 @@ export class PageProbe {
     this.setPress((0.0005 + 0.003 * pressure) * pressScale(this.scale));
   }
 
-  /** By key: there at once, so that a step is a step. False at the rim. */
+  /** Moves by key: at once, so that each step is exact. False at the rim. */
   step(dx: number, dy: number, press: number, surface: Surface, now: number): boolean {
     const wanted = { x: this.target.x + dx, y: this.target.y + dy };
     this.put(surface.clamp(wanted));
@@ -72,18 +72,18 @@ export class PageProbe {
     this.movedAt = now;
   }
 
-  /** Another page moved it: it is there, and this page has nothing to send. */
+  /** Another page moved it: takes its place, with nothing to send. */
   adopt(place: Place): void {
     this.put(place);
     this.changed = false;
   }
 
-  /** Its place is sent again, wherever it is. */
+  /** Requests that its place is sent again. */
   resend(): void {
     this.changed = true;
   }
 
-  /** Moves the marble on; true if its place has to be sent. */
+  /** Advances the marble; true if its place must be sent. */
   advance(seconds: number, surface: Surface, exaggeration: number): boolean {
     const slope = surface.slopeAt(this.marblePlace);
     const before = this.marblePlace;

@@ -15,14 +15,14 @@ beforeEach(() => {
 });
 
 describe('pointers and probes', () => {
-  it('a pointer that is alone moves the first probe and leaves it where it was', () => {
+  it('a single pointer moves the first probe and leaves it in place', () => {
     const { own } = probes;
     expect(own.movedBy(7)).toBe(0);
     expect(own.press(7, right)).toEqual({ probe: 0, isNew: false });
     expect(own.release(7)).toBe(null);
     expect(own.numbers).toEqual([0]);
   });
-  it('each further finger is a probe of its own, where it touches, until it is lifted', () => {
+  it('each additional finger has its own probe until it is lifted', () => {
     const { own } = probes;
     own.press(1, middle);
     expect(own.press(2, right)).toEqual({ probe: 1, isNew: true });
@@ -36,7 +36,7 @@ describe('pointers and probes', () => {
     expect(own.numbers).toEqual([0, 2]);
     expect(own.press(4, middle)).toEqual({ probe: 1, isNew: true });
   });
-  it('the first finger up leaves the first probe behind, and the next one takes it again', () => {
+  it('lifting the first finger leaves the first probe, which the next finger moves again', () => {
     const { own } = probes;
     own.press(1, middle);
     own.press(2, right);
@@ -44,7 +44,7 @@ describe('pointers and probes', () => {
     expect(own.press(3, middle)).toEqual({ probe: 0, isNew: false });
     expect(own.numbers).toEqual([0, 1]);
   });
-  it('the probe of a device is not moved by a pointer, which has a probe of its own', () => {
+  it('a pointer does not move the device\'s probe but its own one', () => {
     const { own } = probes;
     own.set(3, false);
     expect(own.movedBy(7)).toBe(null);
@@ -54,7 +54,7 @@ describe('pointers and probes', () => {
 });
 
 describe('keys and probes', () => {
-  it('put a probe down, move it alone, and take it away', () => {
+  it('add a probe, move it alone, and remove it', () => {
     const { own } = probes;
     own.advance(0.016, ramp, 1);
     expect(own.choose(2, right)).toBe(true);
@@ -67,11 +67,11 @@ describe('keys and probes', () => {
     expect(own.chosen).toBe(0);
     expect(own.remove(0)).toBe(false);
   });
-  it('choose none beyond what the program holds', () => {
+  it('select none beyond the program\'s limit', () => {
     expect(probes.own.choose(3, right)).toBe(false);
     expect(probes.own.numbers).toEqual([0]);
   });
-  it('a probe that keys have put down stays when a pointer that moved it is up', () => {
+  it('a probe that keys have added stays after a pointer moved it', () => {
     const { own } = probes;
     own.choose(1, right);
     expect(own.press(5, middle)).toEqual({ probe: 1, isNew: false });
@@ -84,11 +84,11 @@ describe('what probes feel', () => {
   const first: ProbeState = { probe: 0, page: null, x_m: 0, y_m: 0, z_m: 0.004, surface_m: 0.005, fx_N: 0, fy_N: 0, fz_N: 0.5, contact: true, label: 1 };
   const third: ProbeState = { probe: 2, page: 7, x_m: 0.03, y_m: 0.01, z_m: 0.007, surface_m: 0.008, fx_N: 0.3, fy_N: 0, fz_N: 0.4, contact: true, label: 0 };
   const state: State = { type: 'state', t_s: 1, rate_hz: 1000, probes: [first, third] };
-  it('is known of each by its number', () => {
+  it('is stored by number', () => {
     probes.receive(state, 0);
     expect(probes.stateOf(2)).toMatchObject({ x_m: 0.03, fx_N: 0.3, contact: true });
   });
-  it('is shown where another page moves a probe, and a row each', () => {
+  it('is shown in one row per probe, also for those of other pages', () => {
     probes.receive(state, 0);
     const views = probes.views(ramp, 1);
     expect(views.map(({ number, chosen }) => [number, chosen])).toEqual([[1, true], [3, false]]);
@@ -96,7 +96,7 @@ describe('what probes feel', () => {
     probes.forget();
     expect(probes.numbers).toEqual([0]);
   });
-  it('is named only where there are several', () => {
+  it('is named only if there are several', () => {
     expect(probes.named('level')).toBe('level');
     probes.own.choose(1, right);
     expect(probes.named('level')).toBe('Probe 2: level');
@@ -111,24 +111,24 @@ describe('a probe that two pages move', () => {
   beforeEach(() => {
     probes.page = 2;
   });
-  it('is where the other page has it, so that a key steps from there', () => {
+  it('has the other page\'s place, and a key steps from there', () => {
     expect(probes.receive(at(1, 0.02), 1000)).toBeNull();
     expect(probes.own.current.place.x).toBe(0.02);
     expect(probes.own.advance(0.016, ramp, 1)).toEqual([]);
     probes.own.current.step(0.001, 0, 0, ramp, 1000);
     expect(probes.own.current.place.x).toBeCloseTo(0.021, 9);
   });
-  it('stays where this page has just put it, whatever states are still on the way', () => {
+  it('keeps this page\'s recent place despite delayed states', () => {
     probes.own.current.step(0.01, 0, 0, ramp, 1000);
     expect(probes.receive(at(1, 0.02), 1100)).toBeNull();
     expect(probes.own.current.place.x).toBeCloseTo(0.01, 9);
   });
-  it('is said to be taken once, when another page takes it', () => {
+  it('is announced once when another page takes it', () => {
     probes.receive(at(2, 0.01), 1000);
     expect(probes.receive(at(1, 0.02), 2000)).toBe(0);
     expect(probes.receive(at(1, 0.03), 2100)).toBeNull();
   });
-  it('is put where this page has it as long as nobody has moved it', () => {
+  it('has this page\'s place until somebody moves it', () => {
     probes.receive(at(null, 0), 1000);
     expect(probes.own.advance(0.016, ramp, 1)).toEqual([0]);
   });

@@ -1,13 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Which probe a pointer or the keys move. Keys and a pointer that is alone move the chosen probe; each further pointer at
-// the same moment is a probe of its own, as long as it is down. Probe 0 is the first one and always there.
+// Which probe a pointer or the keys move. Keys and a single pointer move the selected probe; each additional simultaneous
+// pointer has its own probe while it is down. Probe 0 always exists.
 import { PageProbe } from './page_probe';
 import type { Place, Surface } from '../surface';
 
 interface Held {
   probe: number;
-  /** It came with its pointer and goes with it. */
+  /** It was added with its pointer and is removed with it. */
   own: boolean;
 }
 
@@ -25,7 +25,7 @@ export class PageProbes {
     this.movesFirst = movesFirst;
   }
 
-  /** Of the surface that they touch. */
+  /** The scale of the touched surface. */
   setScale(scale: number): void {
     this.scale = scale;
     for (const probe of this.probes.values()) probe.setScale(scale);
@@ -34,11 +34,11 @@ export class PageProbes {
   get chosen(): number {
     return this.chosenProbe;
   }
-  /** Of those that this page moves, and the first. */
+  /** The numbers of this page's probes and the first one. */
   get numbers(): number[] {
     return [...this.probes.keys()].sort((a, b) => a - b);
   }
-  /** Whether one that this page moves is on its way. */
+  /** Whether one of this page's probes is moving. */
   get pending(): boolean {
     return this.numbers.some((probe) => this.movable(probe) && this.probes.get(probe)!.pending);
   }
@@ -55,7 +55,7 @@ export class PageProbes {
     return probe !== 0 || this.movesFirst;
   }
 
-  /** Chooses a probe, which is put down at `place` where it is not there yet; false if there can be none of that number. */
+  /** Selects a probe, which is added at `place` if it does not exist; false for an invalid number. */
   choose(probe: number, place: Place): boolean {
     if (probe >= this.most) return false;
     if (!this.probes.has(probe)) this.put(probe, place);
@@ -63,13 +63,13 @@ export class PageProbes {
     return true;
   }
 
-  /** The lowest number that is free; null if there is none. */
+  /** The lowest free number; null if there is none. */
   free(): number | null {
     for (let probe = 1; probe < this.most; ++probe) if (!this.probes.has(probe)) return probe;
     return null;
   }
 
-  /** False for the first one, which stays. */
+  /** False for the first one, which cannot be removed. */
   remove(probe: number): boolean {
     if (probe === 0 || !this.probes.delete(probe)) return false;
     if (this.chosenProbe === probe) this.chosenProbe = 0;
@@ -77,7 +77,7 @@ export class PageProbes {
     return true;
   }
 
-  /** A pointer goes down: the probe that it moves from now on, and whether it is a new one; null if there are enough. */
+  /** A pointer goes down: the probe that it moves, and whether it is new; null if there is none left. */
   press(pointer: number, place: Place): { probe: number; isNew: boolean } | null {
     if (this.movable() && !this.isHeld(this.chosenProbe)) {
       this.pointers.set(pointer, { probe: this.chosenProbe, own: false });
@@ -90,21 +90,21 @@ export class PageProbes {
     return { probe, isNew: true };
   }
 
-  /** The probe that a pointer moves: its own, or, where it hovers, the chosen one if no other pointer holds it. */
+  /** The probe that a pointer moves: its own, or for a hovering pointer the selected one unless another pointer holds it. */
   movedBy(pointer: number): number | null {
     const held = this.pointers.get(pointer);
     if (held) return held.probe;
     return this.movable() && this.pointers.size === 0 ? this.chosenProbe : null;
   }
 
-  /** A pointer is up again: the probe that went with it; null if none did. */
+  /** A pointer goes up: the probe that was removed with it; null if none was. */
   release(pointer: number): number | null {
     const held = this.pointers.get(pointer);
     this.pointers.delete(pointer);
     return held?.own && this.remove(held.probe) ? held.probe : null;
   }
 
-  /** Moves all marbles on; the probes whose places have to be sent. */
+  /** Advances all marbles; returns the probes whose places must be sent. */
   advance(seconds: number, surface: Surface, exaggeration: number): number[] {
     return this.numbers.filter((probe) => this.movable(probe) && this.probes.get(probe)!.advance(seconds, surface, exaggeration));
   }

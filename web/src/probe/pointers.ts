@@ -1,20 +1,20 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, pen and fingers on the stage: where each points, and which probe it moves.
+// Mouse, pen and fingers on the stage: their positions and probes.
 import type { PageProbes } from './page_probes';
 import type { Place, Surface } from '../surface';
 
 export interface PointersTarget {
   surface(): Surface | null;
-  /** What a point of the stage (CSS pixels from its upper left corner) lies over. */
+  /** The place under a point of the stage (CSS pixels from its upper left corner). */
   placeAt(left: number, top: number): Place | null;
-  /** The person did something: sound may begin. */
+  /** A user action: sound may start. */
   wake(): void;
-  /** A probe has another target. */
+  /** A probe has a new target. */
   moved(): void;
   came(probe: number): void;
   left(probe: number): void;
-  /** There are as many probes as there can be. */
+  /** The maximum number of probes is reached. */
   full(): void;
 }
 

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Probes come, are chosen and go: by key, by the panel, by fingers; and what is said of it.
+// Adding, selecting and removing probes by key, panel and fingers, with spoken messages.
 import { Importance, noScene, type Words } from '../sound/announcer';
 import type { FromPage } from '../generated/protocol';
 import type { Probes } from './probes';
@@ -12,9 +12,9 @@ export interface ProbesPage {
   surface(): Surface | null;
   say(words: Words | string, importance: Importance): void;
   send(message: FromPage): void;
-  /** What was done, and what lies under the chosen probe. */
+  /** Says what was done, and the selected probe's place. */
   chosenWords(what: string): Words;
-  /** How many probes there are, where, and what each feels. */
+  /** Says the number of probes, their places and forces. */
   allWords(): Words;
   draw(): void;
 }
@@ -32,8 +32,8 @@ export class ProbeActions implements ProbesTarget {
     const { own } = this.probes;
     const before = own.numbers.length;
     if (this.page.surface() === null) return this.page.say(noScene, Importance.answer);
-    if (!own.choose(probe, this.probes.placeOf(own.chosen))) return this.page.say('There can be no probe of that number.', Importance.answer);
-    const how = own.numbers.length > before ? ' put down' : '';
+    if (!own.choose(probe, this.probes.placeOf(own.chosen))) return this.page.say('There is no probe of that number.', Importance.answer);
+    const how = own.numbers.length > before ? ' added' : '';
     this.page.say(this.page.chosenWords(`Probe ${probe + 1}${how}`), Importance.answer);
     this.changed();
   }
@@ -43,15 +43,15 @@ export class ProbeActions implements ProbesTarget {
   }
   take(): void {
     const probe = this.probes.own.chosen;
-    if (!this.probes.own.remove(probe)) return this.page.say('The first probe stays.', Importance.answer);
+    if (!this.probes.own.remove(probe)) return this.page.say('The first probe cannot be removed.', Importance.answer);
     this.lift(probe);
-    this.page.say(`Probe ${probe + 1} taken away. The keys move probe 1.`, Importance.answer);
+    this.page.say(`Probe ${probe + 1} removed. The keys move probe 1.`, Importance.answer);
   }
   describeProbes(): void {
     this.page.say(this.page.allWords(), Importance.answer);
   }
 
-  /** A finger has put a probe down; has lifted it; or finds no further one. */
+  /** A finger has added a probe, has lifted it, or found none left. */
   came(probe: number): void {
     this.page.say(`Probe ${probe + 1} touches.`, Importance.motion);
     this.changed();
@@ -64,14 +64,14 @@ export class ProbeActions implements ProbesTarget {
     this.page.say(`More than ${this.probes.own.numbers.length} probes cannot touch at once.`, Importance.news);
   }
 
-  /** Shows the newest figures, not more often than they can be read. */
+  /** Shows the newest figures at a readable rate. */
   show(): void {
     const now = performance.now();
     if (now - this.shownAt < figuresEvery) return;
     this.shownAt = now;
     this.panel.show(this.probes.states, this.page.surface()?.scale);
   }
-  /** Nothing is known any more. */
+  /** Clears all figures. */
   blank(): void {
     this.probes.forget();
     this.panel.show([]);

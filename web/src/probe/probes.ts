@@ -1,12 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// All probes as the page knows them: those that it moves itself, and what the program says of each.
+// All probes: this page's own, and the program's state of each.
 import type { ProbeState, State } from '../generated/protocol';
 import type { Place, Surface } from '../surface';
 import type { ProbeView } from '../view/view';
 import { PageProbes } from './page_probes';
 
-/** So long after its own last move of a probe a page ignores where others have it (ms): their answers are on the way. */
+/** Time after its own last move of a probe in which a page ignores other places of it (ms), since states are delayed. */
 const ownMoveTime = 400;
 
 export const forceOf = ({ fx_N, fy_N, fz_N }: ProbeState): [number, number, number] => [fx_N, fy_N, fz_N];
@@ -14,12 +14,12 @@ export const newtons = (state: ProbeState): number => Math.hypot(...forceOf(stat
 
 export class Probes {
   readonly own = new PageProbes();
-  /** The first probe first; empty while nothing is known. */
+  /** The states, first probe first; empty if unknown. */
   states: readonly ProbeState[] = [];
   /** This page's number in the session. */
   page = 0;
 
-  /** Takes the newest tick. Returns the probe that another page has begun to move, if there is one. */
+  /** Takes the newest tick. Returns the probe that another page has started to move, if any. */
   receive(state: State, now: number): number | null {
     const before = this.states;
     this.states = state.probes;
@@ -28,7 +28,7 @@ export class Probes {
       const moved = this.own.at(probe);
       if (moved === undefined || !this.own.movable(probe) || page === this.page || now - moved.movedAt < ownMoveTime) continue;
       if (page === null) {
-        // Nobody has moved it yet: it is where this page has it.
+        // Nobody has moved it yet: this page's place applies.
         moved.resend();
         continue;
       }
@@ -41,7 +41,7 @@ export class Probes {
     this.states = [];
   }
 
-  /** This page's and those that others move. */
+  /** The numbers of this page's probes and of those that others move. */
   get numbers(): number[] {
     return [...new Set([...this.own.numbers, ...this.states.map(({ probe }) => probe)])].sort((a, b) => a - b);
   }
@@ -52,7 +52,7 @@ export class Probes {
     return this.stateOf(this.own.chosen);
   }
 
-  /** Of a probe that this page moves where it has it, else where the program has it. */
+  /** The place of a probe: this page's own, else the program's. */
   placeOf(probe: number): Place {
     const own = this.own.at(probe);
     const state = this.stateOf(probe);
@@ -60,12 +60,12 @@ export class Probes {
     return own?.place ?? { x: 0, y: 0 };
   }
 
-  /** Says which probe these words are about once there are several. */
+  /** Adds the probe's number to a sentence if there are several. */
   named(words: string): string {
     return this.own.several ? `Probe ${this.own.chosen + 1}: ${words}` : words;
   }
 
-  /** As they are drawn. */
+  /** The probes for drawing. */
   views(surface: Surface, exaggeration: number): ProbeView[] {
     return this.numbers.map((probe) => {
       const [place, state, own] = [this.placeOf(probe), this.stateOf(probe), this.own.at(probe)];

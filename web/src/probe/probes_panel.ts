@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Several probes at once: which of them the keys move, and the force on each.
+// The panel of several probes: the selected one, and the force on each.
 import { element } from '../dom';
 import type { ProbeState } from '../generated/protocol';
 import { newtons } from './probes';
@@ -25,7 +25,7 @@ export class ProbesPanel {
     element('probe-all').addEventListener('click', () => target.describeProbes());
   }
 
-  /** `numbers`: those that can be chosen here. */
+  /** `numbers`: those that can be selected here. */
   offer(numbers: readonly number[], chosen: number, canAdd: boolean): void {
     element<HTMLButtonElement>('probe-take').disabled = chosen === 0;
     element<HTMLButtonElement>('probe-add').disabled = !canAdd;
@@ -36,7 +36,7 @@ export class ProbesPanel {
     this.choice.value = String(chosen);
   }
 
-  /** A row for each, once there are several. Cells are kept, so that a reading cursor stays where it is. */
+  /** One row per probe if there are several. Cells are reused, so that a reading cursor stays in place. */
   show(states: readonly ProbeState[], scale = 1): void {
     element('probe-table').hidden = states.length < 2;
     while (this.rows.rows.length > states.length) this.rows.deleteRow(-1);

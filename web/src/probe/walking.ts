@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Walking in the egocentric view: the explorer goes and turns, this page's probes go along, and where they stand is said,
-// sent and drawn.
+// Walking in the egocentric view: the explorer moves and turns with this page's probes, and the pose is spoken, sent and
+// drawn.
 import { element } from '../dom';
 import { Explorer, type Stance } from './explorer';
 import type { FromPage } from '../generated/protocol';
@@ -36,7 +36,7 @@ export class Walking {
     for (const id of ['walking', 'walk-keys', 'stance-row']) element(id).hidden = !egocentric;
   }
 
-  /** A displacement (x to the right of the explorer, y ahead) in the scene's frame. */
+  /** Converts a displacement (x to the explorer's right, y ahead) to the scene's frame. */
   inScene(way: Place): Place {
     return this.explorer.inScene(way);
   }
@@ -57,7 +57,7 @@ export class Walking {
   }
 
   sayStance(): void {
-    if (!this.egocentric) return this.page.say('You look on from outside: this is the exocentric view.');
+    if (!this.egocentric) return this.page.say('This is the exocentric view: you look from outside.');
     this.stand();
   }
 
@@ -65,7 +65,7 @@ export class Walking {
     this.explorer.reset();
   }
 
-  /** Tells the program where the explorer stands, which says it in words. */
+  /** Sends the explorer's pose to the program, which says it in words. */
   stand(): void {
     if (!this.egocentric) return;
     const { x, y, heading } = this.explorer.stance;

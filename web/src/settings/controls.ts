@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The settings panel: what it shows and what a person changes in it.
+// The settings panel.
 import { element } from '../dom';
 import type { Law } from '../generated/protocol';
 import { ParameterPanel } from './parameter_panel';
@@ -71,7 +71,7 @@ export class Controls {
     this.show(this.settings, this.used);
   }
 
-  /** `used`: the values of the law's parameters, by name. */
+  /** `used`: the effective values of the law's parameters, by name. */
   show(settings: Settings, used: Readonly<Record<string, number>>): void {
     this.settings = settings;
     this.used = used;
@@ -86,9 +86,9 @@ export class Controls {
     sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));
     for (const id of checks) element<HTMLInputElement>(id).checked = settings.page[id];
     for (const id of selects) element<HTMLSelectElement>(id).value = settings.page[id];
-    // Without WebGL the choice is kept for another browser; meanwhile the view is from above.
+    // Without WebGL the preference is kept for another browser; meanwhile the view is from above.
     if (element<HTMLSelectElement>('view').disabled) element<HTMLSelectElement>('view').value = 'flat';
-    // The choice of cells is kept for the next field; meanwhile the picture is shown.
+    // The preference for cells is kept for the next field; meanwhile the picture is shown.
     if (element<HTMLOptionElement>('surface-cells').disabled && settings.page.surface === 'cells') element<HTMLSelectElement>('surface').value = 'picture';
   }
 

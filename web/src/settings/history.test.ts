@@ -11,7 +11,7 @@ describe('history', () => {
     expect([history.undo(), history.now, history.undo(), history.now, history.undo()]).toEqual([true, 1, true, 0, false]);
     expect([history.redo(), history.redo(), history.redo(), history.now]).toEqual([true, true, false, 2]);
   });
-  it('makes one step of a dragged slider, and two of two drags', () => {
+  it('counts each drag of a slider as one step', () => {
     const history = new History(0);
     for (let i = 1; i <= 10; ++i) history.change(i, 'slider', i * 50);
     for (let i = 11; i <= 20; ++i) history.change(i, 'slider', 5000 + i * 50);
@@ -28,7 +28,7 @@ describe('history', () => {
     history.undo();
     expect(history.now).toBe(0);
   });
-  it('forgets what was undone when something else changes', () => {
+  it('drops undone steps after a new change', () => {
     const history = new History(0);
     history.change(1, 'a', 0);
     history.undo();

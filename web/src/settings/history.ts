@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Undo and redo of settings. A slider that is dragged makes one step, not a hundred.
+// Undo and redo of settings. Dragging a slider is one step.
 
 export class History<T> {
   private past: T[] = [];
@@ -35,12 +35,12 @@ export class History<T> {
     this.lastTime = time;
   }
 
-  /** What holds anew without being a step of its own (the program lowered a value). */
+  /** Replaces the current value without a new step (the program lowered a value). */
   correct(next: T): void {
     this.present = next;
   }
 
-  /** Begins anew: what was before never held. */
+  /** Resets the history. */
   restart(present: T): void {
     this.present = present;
     this.past = [];

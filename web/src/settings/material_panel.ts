@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The panel for materials: how one region of the scene answers a touch.
+// The panel for the material of one region.
 import { element } from '../dom';
 import { pictureForms, type Law } from '../generated/protocol';
 import type { Material } from './materials';
@@ -12,10 +12,10 @@ type Numbers = { [K in keyof Material]: Material[K] extends number ? K : never }
 interface Slider {
   id: string;
   key: Numbers;
-  /** Of what is kept, to what the slider shows. */
+  /** Factor from the stored value to the slider's value. */
   scale: number;
   unit: string;
-  /** What the slider offers. */
+  /** The slider's range. */
   min: number;
   max: number;
   texture?: true;
@@ -31,7 +31,7 @@ const sliders: Slider[] = [
   { id: 'texture-angle', key: 'angle_deg', scale: 1, unit: '°', min: -90, max: 90, texture: true },
 ];
 
-/** The size of the picture that a texture was made from: more than its pitch says. */
+/** The size of the picture that a texture was made from, in addition to its pitch. */
 function sideOf({ texture, pitch_m }: Material, key: Numbers): string {
   return texture === 'picture' && key === 'pitch_m' ? `, picture ${figure(pitch_m * pictureForms * 1e3)} mm` : '';
 }
@@ -42,7 +42,7 @@ export class MaterialPanel {
   private readonly ranges: RangeInput[];
   private readonly region = element<HTMLSelectElement>('region');
   private readonly texture = element<HTMLSelectElement>('texture');
-  /** Regions whose texture is or was from a picture: only the program has it. */
+  /** Regions whose texture is or was from a picture, which only the program has. */
   private readonly pictured = new Set<number>();
 
   constructor(
@@ -69,7 +69,7 @@ export class MaterialPanel {
     if (material !== undefined) this.showOne(material);
   }
 
-  /** Edits the region with this label from now on; false if there is none. */
+  /** Selects the region with this label for editing; false if there is none. */
   choose(label: number): boolean {
     if (this.settings.materials[label] === undefined) return false;
     this.region.selectedIndex = label;

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A scene's materials as the page keeps them: one flat object a label, so that each value has its own slider and its own undo.
+// A scene's materials: one flat object per label, so that each value has its own slider and its own undo.
 import type { MaterialEdit, Materials, Texture, Material as ProgramMaterial } from '../generated/protocol';
 
 export interface Material extends Omit<ProgramMaterial, 'texture'>, Omit<Texture, 'kind'> {

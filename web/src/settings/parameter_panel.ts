@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The sliders of a law's parameters, made from what the program says of the law.
+// The sliders of a law's parameters, generated from the law's descriptor.
 import { element } from '../dom';
 import type { Parameter } from '../generated/protocol';
 import { figure, RangeInput } from './range_input';
@@ -18,7 +18,7 @@ export class ParameterPanel {
 
   constructor(private readonly changed: (name: string, value: number) => void) {}
 
-  /** `used` and `set`: the values in use, and those of them that a person set, by name. */
+  /** `used`: the effective values; `set`: those that the person has set; by name. */
   show(parameters: readonly Parameter[], used: Readonly<Record<string, number>>, set: Readonly<Record<string, number>>, materials: number): void {
     if (JSON.stringify(parameters) !== JSON.stringify(this.ranges.map(({ parameter }) => parameter))) this.build(parameters);
     for (const { parameter, range } of this.ranges) {
@@ -44,7 +44,7 @@ export class ParameterPanel {
   }
 }
 
-/** Every region of the scene has its own value of these. */
+/** Whether every region has its own value of this parameter. */
 function isOfMaterials(name: string): boolean {
   return ['stiffness_N_per_m', 'damping_Ns_per_m', 'static_friction', 'dynamic_friction'].includes(name);
 }

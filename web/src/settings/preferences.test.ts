@@ -5,13 +5,13 @@ import { defaults, preferencesCookie, readPreferences } from './preferences';
 
 describe('preferences', () => {
   const jar = (text: string) => `other=1; palpable_page=${encodeURIComponent(text)}; more=2`;
-  it('are the defaults when nothing is kept, or nonsense', () => {
+  it('are the defaults for a missing or invalid cookie', () => {
     for (const cookies of ['', jar('{'), jar('7'), jar('null'), 'palpable_page=%', jar('{"volume":1e9,"theme":"neon","sound":1,"__proto__":{"tilt":3}}')])
       expect(readPreferences(cookies)).toEqual(defaults);
   });
-  it('come back as they were kept', () => {
+  it('survive a round trip', () => {
     const mine = { ...defaults, volume: 20, theme: 'dark' as const, sound: false };
     expect(readPreferences(preferencesCookie(mine).split('; ')[0]!)).toEqual(mine);
   });
-  it('leave nothing behind when all is as at first', () => expect(preferencesCookie(defaults)).toContain('Max-Age=0'));
+  it('remove the cookie when all are the defaults', () => expect(preferencesCookie(defaults)).toContain('Max-Age=0'));
 });

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// How the page looks and sounds, as this person likes it. Kept in a cookie, since an ordinary browser store belongs to one
-// port and palpable's changes; nothing is kept before something was changed, and resetting removes it.
+// The person's preferences for look and sound. Stored in a cookie, since local storage is separate for each port and
+// palpable's port changes. Nothing is stored before a change, and a reset removes the cookie.
 
 export interface Preferences {
   surface: 'picture' | 'unlit' | 'clay' | 'cells';
@@ -29,7 +29,7 @@ const name = 'palpable_page';
 const choices = { surface: ['picture', 'unlit', 'clay', 'cells'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
 const ranges = { tilt: [0, 60], volume: [0, 100] };
 
-/** The preferences in a document.cookie; what is missing or makes no sense is the default. */
+/** The preferences in a document.cookie; defaults for missing or invalid values. */
 export function readPreferences(cookies: string): Preferences {
   const found: Preferences = { ...defaults };
   const text = cookies.split('; ').find((pair) => pair.startsWith(`${name}=`))?.slice(name.length + 1);
@@ -53,7 +53,7 @@ function isSensible(key: string, value: unknown): boolean {
   return typeof value === 'boolean';
 }
 
-/** What to assign to document.cookie: only what differs from the defaults is kept, and nothing if nothing does. */
+/** The value for document.cookie: only differences from the defaults are stored. */
 export function preferencesCookie(preferences: Preferences): string {
   const own = Object.entries(preferences).filter(([key, value]) => value !== defaults[key as keyof Preferences]);
   const age = own.length > 0 ? 365 * 24 * 3600 : 0;

@@ -4,15 +4,15 @@ import { describe, expect, it } from 'vitest';
 import { figure, keyValue, snapped, stepOf } from './range_input';
 
 describe('a slider', () => {
-  it('has a step that reads well, a hundredth of its range or a little more', () => {
+  it('has a round step of about a hundredth of its range', () => {
     expect([stepOf(20, 2000), stepOf(0, 1), stepOf(0, 5), stepOf(0.1, 5), stepOf(1, 32), stepOf(0, 500)]).toEqual([20, 0.01, 0.05, 0.05, 0.5, 5]);
   });
-  it('holds values that read well: 500 and not 495.2', () => {
+  it('has round values: 500 and not 495.2', () => {
     expect(snapped(495.2, 20, 2000)).toBe(500);
     expect(snapped(0.333, 0, 1)).toBe(0.33);
     expect(snapped(9999, 20, 2000)).toBe(2000);
   });
-  it('is moved by every key that moves a slider, and comes back', () => {
+  it('is moved by all slider keys, in both directions', () => {
     expect(keyValue('ArrowRight', 500, 20, 2000)).toBe(520);
     expect(keyValue('ArrowLeft', 520, 20, 2000)).toBe(500);
     expect(keyValue('PageUp', 500, 20, 2000)).toBe(700);

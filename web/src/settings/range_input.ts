@@ -7,13 +7,13 @@ export interface RangeState {
   min: number;
   max: number;
   value: number;
-  /** What is shown beside it and read by screen readers, of the value as it is shown. */
+  /** The text beside it, also for screen readers. */
   words(value: number): string;
-  /** Why it cannot be moved; null if it can. */
+  /** The reason why it is disabled; null if it is enabled. */
   disabled: string | null;
 }
 
-/** Four significant digits, none of them without meaning. */
+/** Rounds to four significant digits. */
 export function figure(value: number): number {
   return Math.abs(value) < 1e-9 ? 0 : Number(value.toPrecision(4));
 }
@@ -32,7 +32,7 @@ export function snapped(value: number, min: number, max: number): number {
   return figure(Math.min(max, Math.max(min, Math.round(value / step) * step)));
 }
 
-/** Where a key moves the slider; null if it does not. */
+/** The slider's value after a key; null if the key does not move it. */
 export function keyValue(key: string, value: number, min: number, max: number): number | null {
   const step = stepOf(min, max);
   const steps: Record<string, number> = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
@@ -72,7 +72,7 @@ export class RangeInput {
   show(state: RangeState): void {
     this.state = state;
     this.input.disabled = state.disabled !== null;
-    // A value beyond what the slider offers widens it, so that it is held all the same.
+    // A value outside the slider's range widens the range.
     this.input.min = String(Math.min(state.min, state.value));
     this.input.max = String(Math.max(state.max, state.value));
     this.put(figure(state.value));

@@ -1,14 +1,14 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Everything that a person can set: values, without the elements that show them.
+// The values of all settings, without page elements.
 import type { Law } from '../generated/protocol';
 import type { Material } from './materials';
 import type { Preferences } from './preferences';
 
-/** What the program keeps (protocol.json, "change"). */
+/** The settings that the program holds (protocol.json, "change"). */
 export interface TouchSettings {
   law: string;
-  /** The law's parameters that are set, by name; the others are the scene's or the law's. */
+  /** The law's parameters that are set, by name; the others come from the scene or the law. */
   set: Readonly<Record<string, number>>;
   exaggeration: number;
 }
@@ -20,7 +20,7 @@ export interface Settings {
   materials: Material[];
 }
 
-/** Another law keeps the parameters that mean the same there. */
+/** Changes the law and keeps the parameters with the same meaning. */
 export function withLaw(touch: TouchSettings, from: Law | undefined, to: Law): TouchSettings {
   const same = to.parameters.filter(({ name, unit }) => from?.parameters.some((before) => before.name === name && before.unit === unit));
   const set = Object.fromEntries(Object.entries(touch.set).filter(([name]) => same.some((parameter) => parameter.name === name)));

@@ -35,7 +35,7 @@ function kept() {
 }
 
 describe('the settings', () => {
-  it('ask for nothing before it is known what holds', () => {
+  it('request nothing before the first report', () => {
     const { store, sent } = kept();
     store.change({ ...initial, page: { ...defaults, volume: 10 } }, 'volume');
     expect(sent).toEqual([]);
@@ -44,7 +44,7 @@ describe('the settings', () => {
     expect(store.settings.page.volume).toBe(10);
     expect(store.canUndo).toBe(false);
   });
-  it('send a change once, and undo sends what was before: not set', () => {
+  it('send a change once, and undo restores the unset value', () => {
     const { store, sent, stiffness } = kept();
     store.receive(holds);
     stiffness(800);
@@ -57,14 +57,14 @@ describe('the settings', () => {
     expect(store.undoOrRedo('redo')).toBe('stiffness');
     expect(sent[2]).toMatchObject({ serial: 13, parameters: [{ value: 800 }] });
   });
-  it('know the value in use of what is not set, and of what is', () => {
+  it('know the effective values of set and unset parameters', () => {
     const { store, stiffness } = kept();
     store.receive(holds);
     expect(store.used).toEqual({ stiffness_N_per_m: 500, static_friction: 0.3 });
     stiffness(500);
     expect(store.settings.touch.set).toEqual({ stiffness_N_per_m: 500 });
   });
-  it('stay where the slider is while answers to its earlier places come in', () => {
+  it('keep the slider\'s value while older answers arrive', () => {
     const { store, stiffness } = kept();
     store.receive(holds);
     stiffness(600);
@@ -74,7 +74,7 @@ describe('the settings', () => {
     expect(store.receive(answered(12, 412))).toBe(true);
     expect(store.used.stiffness_N_per_m).toBe(412);
   });
-  it('take what the program reports when no answer comes for long, and after a new connection', () => {
+  it('take the program\'s values after a timeout and after a new connection', () => {
     const { store, pass, stiffness } = kept();
     store.receive(holds);
     stiffness(600);
@@ -85,7 +85,7 @@ describe('the settings', () => {
     expect(store.receive(answered(3, null))).toBe(true);
     expect(store.settings.touch.set).toEqual({});
   });
-  it('undo what belongs to the page without asking the program', () => {
+  it('undo page settings without the program', () => {
     const { store, sent } = kept();
     store.receive(holds);
     store.change({ ...store.settings, page: { ...defaults, theme: 'dark' } }, 'theme');
@@ -93,7 +93,7 @@ describe('the settings', () => {
     expect(store.settings.page.theme).toBe('system');
     expect(sent).toEqual([]);
   });
-  it('are as at the start after a reset, which can be undone', () => {
+  it('are reset to the start, which can be undone', () => {
     const { store, touch } = kept();
     store.receive(holds);
     touch({ set: { stiffness_N_per_m: 600 }, exaggeration: 2 });
@@ -119,7 +119,7 @@ describe('the settings', () => {
     store.reset();
     expect(store.settings.materials[1]).toMatchObject({ stiffness_N_per_m: 400 });
   });
-  it('take the materials of another scene as they are', () => {
+  it('take the materials of a new scene', () => {
     const { store, sent, edit } = kept();
     store.receive(holds);
     store.receiveMaterials(made);
@@ -137,7 +137,7 @@ describe('another law', () => {
     name, title: name, has_materials: true, has_texture: true, parameters: units.map(([parameterName, unit]) => ({ name: parameterName, title: '', unit, min: 0, max: 1 })),
   });
   const [wall, ball] = [law('wall', ['stiffness', 'N/m'], ['damping', 'N·s/m']), law('ball', ['stiffness', 'N'], ['damping', 'N·s/m'])];
-  it('keeps the parameters that mean the same, and no stiffness as a force', () => {
+  it('keeps parameters with the same meaning only', () => {
     const touch = { law: 'wall', set: { stiffness: 500, damping: 2 }, exaggeration: 1 };
     expect(withLaw(touch, wall, ball)).toEqual({ law: 'ball', set: { damping: 2 }, exaggeration: 1 });
   });

@@ -1,13 +1,13 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Settings with their undo, and their exchange with the program: requests go there, the values in use come back.
+// Settings with undo, and their exchange with the program: requests are sent, effective values come back.
 import type { Change, Edit, Law, Materials, Settings as ProgramSettings } from '../generated/protocol';
 import { History } from './history';
 import { editOf, materialsOf, type Material } from './materials';
 import { defaults } from './preferences';
 import { sameTouch, type Settings, type TouchSettings } from './settings';
 
-/** How long to wait for the answer to a change before taking whatever the program reports (ms). */
+/** Timeout for the answer to a change, after which the program's values are used (ms). */
 const answerTime = 3000;
 const titles: Record<string, string> = {
   exaggeration: 'depth',
@@ -21,9 +21,9 @@ const titles: Record<string, string> = {
 
 export class SettingsStore {
   private readonly history: History<Settings>;
-  /** The settings when the page was opened; null before they are known. */
+  /** The settings when the page was opened; null if unknown. */
   private begun: TouchSettings | null = null;
-  /** What the program was last asked for, or reported by itself. */
+  /** The last requested or reported settings. */
   private asked: TouchSettings | null = null;
   private begunMaterials: Material[] | null = null;
   private askedMaterials: Material[] = [];
@@ -45,7 +45,7 @@ export class SettingsStore {
   get settings(): Settings {
     return this.history.now;
   }
-  /** The values in use of the law's parameters, by name. */
+  /** The effective values of the law's parameters, by name. */
   get used(): Readonly<Record<string, number>> {
     return { ...this.usedValues, ...this.settings.touch.set };
   }
@@ -74,7 +74,7 @@ export class SettingsStore {
     this.change({ touch: this.begun ?? this.settings.touch, page: { ...defaults }, materials }, 'reset');
   }
 
-  /** In words what became different, or null if there was nothing to undo or redo. */
+  /** The name of the changed setting, or null if there was nothing to undo or redo. */
   undoOrRedo(which: 'undo' | 'redo'): string | null {
     const before = this.settings;
     if (!this.history[which]()) return null;
@@ -82,13 +82,13 @@ export class SettingsStore {
     return this.difference(before, this.settings);
   }
 
-  /** A new connection: what was asked before was perhaps never heard. */
+  /** A new connection: earlier requests may be lost. */
   connected(): void {
     this.asked = null;
     this.askedAt = -Infinity;
   }
 
-  /** The values in use, from the program. False if it answers an earlier change than the last: a slider is still dragged. */
+  /** The effective values from the program. False if they answer an earlier change than the last, while a slider is dragged. */
   receive({ answers, law, parameters, exaggeration }: ProgramSettings): boolean {
     if (this.waits(answers)) return false;
     const set = Object.fromEntries(parameters.flatMap((parameter) => (parameter.set === null ? [] : [[parameter.name, parameter.set]])));
@@ -105,7 +105,7 @@ export class SettingsStore {
     return true;
   }
 
-  /** The same for the materials; those of another scene begin anew. */
+  /** The same for the materials; a new scene resets them. */
   receiveMaterials(message: Materials): boolean {
     const materials = materialsOf(message);
     const another = materials.length !== this.begunMaterials?.length;

@@ -9,7 +9,7 @@ describe('the announcer', () => {
     said.length = 0;
     return new Announcer((text) => said.push(text));
   };
-  it('speaks at once, then at most once a second, the newest of equals', () => {
+  it('speaks at once, then at most once per second, the newest of equal importance', () => {
     const announcer = fresh();
     for (let t = 0; t < 1000; t += 10) announcer.say(`${t}`, Importance.motion, t);
     expect(said).toEqual(['0']);
@@ -18,14 +18,14 @@ describe('the announcer', () => {
     announcer.tick(1000);
     expect(said).toEqual(['0', '990']);
   });
-  it('drops what is out of date', () => {
+  it('drops expired sentences', () => {
     const announcer = fresh();
     announcer.say('a', Importance.motion, 0);
     announcer.say('b', Importance.motion, 100, 300);
     announcer.tick(1000);
     expect(said).toEqual(['a']);
   });
-  it('lets no motion push an answer aside, but a fault may', () => {
+  it('does not replace an answer by a motion, but by a fault', () => {
     const announcer = fresh();
     announcer.say('first', Importance.motion, 0);
     announcer.say('answer', Importance.answer, 10);
@@ -37,7 +37,7 @@ describe('the announcer', () => {
     announcer.tick(2000);
     expect(said).toEqual(['first', 'answer', 'fault']);
   });
-  it('says where the probe is once an answer was said, when the probe moved after the question', () => {
+  it('says a later motion after an answer', () => {
     const announcer = fresh();
     announcer.say('opening', Importance.news, 0);
     announcer.say('in the middle', Importance.answer, 10);
@@ -48,7 +48,7 @@ describe('the announcer', () => {
     expect(said).toEqual(['opening', 'in the middle', 'a step to the right']);
     expect(announcer.due(2000)).toBe(null);
   });
-  it('works its words out when it speaks, and says nothing if there is nothing to say any more', () => {
+  it('computes a sentence when it speaks, and skips an obsolete one', () => {
     const announcer = fresh();
     let height = 1;
     announcer.say('first', Importance.motion, 0);
@@ -59,7 +59,7 @@ describe('the announcer', () => {
     announcer.say('free', Importance.motion, 2001);
     expect(said).toEqual(['first', 'height 2', 'free']);
   });
-  it('asks when its turn comes, and says the answer when it arrives', async () => {
+  it('requests a sentence when its turn comes, and says it when it arrives', async () => {
     const announcer = fresh();
     announcer.say('first', Importance.motion, 0);
     let asked = 0;
@@ -70,7 +70,7 @@ describe('the announcer', () => {
     await Promise.resolve();
     expect(said).toEqual(['first', 'answer 1']);
   });
-  it('drops an answer that comes after something else was said', async () => {
+  it('drops an answer that arrives after another sentence', async () => {
     const announcer = fresh();
     let answer: (text: string) => void = () => undefined;
     announcer.say(() => new Promise<string>((resolve) => (answer = resolve)), Importance.answer, 0);

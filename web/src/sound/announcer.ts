@@ -1,11 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Words for the live region: at most one utterance a second, the most important first, and nothing that is out of date.
+// Announcements for the live region: at most one per second, the most important first, and none that is out of date.
 
-/** What to say, worked out or asked for when its turn comes; null if there is nothing to say any more. */
+/** A sentence that is computed or requested when its turn comes; null if it is obsolete. */
 export type Words = () => string | null | Promise<string | null>;
 
-/** What is said where there is nothing to describe. */
+/** The sentence when there is no scene. */
 export const noScene = 'There is no scene yet.';
 
 export enum Importance {
@@ -22,7 +22,7 @@ interface Waiting {
 }
 
 export class Announcer {
-  /** By falling importance: what is less important here was said later than what is more important. */
+  /** In order of decreasing importance: less important sentences here are newer than more important ones. */
   private waiting: Waiting[] = [];
   private spokeAt = -Infinity;
 
@@ -32,8 +32,8 @@ export class Announcer {
   ) {}
 
   /**
-   * Says it now if a second has passed, else when it has, unless something as important comes or it grows old (ms).
-   * What is more important and waits already is said first.
+   * Says it now if a second has passed, else later, unless a sentence of equal importance replaces it or it
+   * expires (ms). More important waiting sentences come first.
    */
   say(words: Words | string, importance: Importance, now: number, lifetime = 2500): void {
     const before = this.waiting.filter((entry) => entry.importance > importance && entry.until >= now);
@@ -41,12 +41,12 @@ export class Announcer {
     this.tick(now);
   }
 
-  /** When tick() has something to do (ms from `now`); null if nothing waits. */
+  /** The time until tick() must be called (ms); null if nothing waits. */
   due(now: number): number | null {
     return this.waiting.length === 0 ? null : Math.max(0, this.spokeAt + this.gap - now);
   }
 
-  /** Says what waits, if it is time. */
+  /** Says the next waiting sentence if it is time. */
   tick(now: number): void {
     if (now - this.spokeAt < this.gap) return;
     this.waiting = this.waiting.filter((entry) => entry.until >= now);
@@ -56,7 +56,7 @@ export class Announcer {
     if (text === null || text === '') return this.tick(now);
     this.spokeAt = now;
     if (typeof text === 'string') return this.speak(text);
-    // What was asked for is said when it comes, unless something was said meanwhile.
+    // A requested sentence is said when it arrives, unless something else was said meanwhile.
     void text.then((answer) => answer && this.spokeAt === now && this.speak(answer));
   }
 }

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Turns the probes' motion and the servo's states into sound and vibration.
+// Sound and vibration from the probes' motion and the servo's states.
 import type { ProbeState } from '../generated/protocol';
 import type { Preferences } from '../settings/preferences';
 import { EdgeDetector, panOf, pitchOf, RisingEdge } from './sonify';
@@ -18,12 +18,12 @@ export class Feedback {
     this.vibration = vibration;
   }
 
-  /** A probe has come to another place. */
+  /** A probe has moved. */
   moved(probe: number, place: Place, surface: Surface, exaggeration: number): void {
     const { lowest, highest } = surface.range();
     const height = surface.heightAt(place);
     const pan = panOf(place.x, surface.width);
-    // Engraved scenes sound low where they are deep, as raised ones do.
+    // The pitch follows the height in engraved scenes too.
     const [from, to] = exaggeration < 0 ? [-highest, -lowest] : [lowest, highest];
     this.sound.height(probe, pitchOf(exaggeration < 0 ? -height : height, from, to), pan);
     const slope = surface.slopeAt(place);
@@ -32,14 +32,14 @@ export class Feedback {
     if (this.vibration) pulse(15, 0.4);
   }
 
-  /** The program reports a probe. */
+  /** A state of a probe from the program. */
   reported({ probe, contact, x_m }: ProbeState, surface: Surface): void {
     if (!this.of(probe).contact.rises(contact)) return;
     this.sound.click(panOf(x_m, surface.width));
     if (this.vibration) pulse(25, 0.8);
   }
 
-  /** Forgets the probes that are not there any more: the next one of that number begins anew. */
+  /** Drops the state of removed probes. */
   keep(numbers: readonly number[]): void {
     for (const probe of this.probes.keys()) if (!numbers.includes(probe)) this.probes.delete(probe);
     this.sound.keep(numbers);

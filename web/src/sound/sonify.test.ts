@@ -13,12 +13,12 @@ describe('sonification', () => {
     expect(pitchOf(9, 0, 1)).toBe(pitchOf(1, 0, 1));
     expect(pitchOf(5, 5, 5)).toBe(pitchOf(0, 0, 1));
   });
-  it('puts left left and right right', () => {
+  it('pans from left to right', () => {
     expect(panOf(-0.05, 0.1)).toBeCloseTo(-0.8);
     expect(panOf(0, 0.1)).toBe(0);
     expect(panOf(1, 0.1)).toBeCloseTo(0.8);
   });
-  it('sounds an edge once, however long the slope', () => {
+  it('detects an edge once for a long slope', () => {
     const edges = new EdgeDetector(0.8, 0.4);
     expect([0, 1, 1.2, 0.6, 1, 0.3, 1].map((slope) => edges.crossed(slope))).toEqual([false, true, false, false, false, false, true]);
   });

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What is heard, as numbers; sound.ts plays it.
+// Sonification as numbers; sound.ts plays it.
 
 export const lowestPitch = 196;
 export const octaves = 2.5;
@@ -12,12 +12,12 @@ export function pitchOf(height: number, lowest: number, highest: number): number
   return lowestPitch * 2 ** (octaves * part);
 }
 
-/** -1 (left) to 1 (right) for a place across the scene; never quite at one ear, where it would be lost on some. */
+/** Stereo pan, -1 (left) to 1 (right), for a place across the scene; never fully on one side, for people who hear with one ear. */
 export function panOf(x: number, width: number): number {
   return 0.8 * Math.min(1, Math.max(-1, (2 * x) / width));
 }
 
-/** Tells when the probe crosses an edge: the slope grows past one limit, and must fall below the other before the next. */
+/** Detects edges with hysteresis: the slope exceeds one limit, and must fall below another before the next edge. */
 export class EdgeDetector {
   private steep = false;
   constructor(
@@ -25,7 +25,7 @@ export class EdgeDetector {
     readonly release = 0.4,
   ) {}
 
-  /** `slope`: steepness under the probe (metres a metre). True once an edge. */
+  /** `slope`: steepness under the probe. True once per edge. */
   crossed(slope: number): boolean {
     if (this.steep) {
       this.steep = slope > this.release;
@@ -36,7 +36,7 @@ export class EdgeDetector {
   }
 }
 
-/** True when a condition becomes true, after it was false. */
+/** True when a condition changes from false to true. */
 export class RisingEdge {
   private before = false;
   rises(now: boolean): boolean {

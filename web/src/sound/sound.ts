@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Plays what sonify.ts works out: a tone that carries the height, a click for contact, a short tone for an edge.
+// Plays the values of sonify.ts: a tone for the height, a click for contact, a short tone for an edge.
 
 const toneLevel = 0.25;
-/** The tone fades out when the probe has rested so long (s): silence means that nothing moves. */
+/** The tone fades out after the probe has rested this long (s): silence means no motion. */
 const restTime = 1.2;
 
 interface Tone {
@@ -15,19 +15,19 @@ interface Tone {
 export class Sound {
   private context: AudioContext | null = null;
   private master: GainNode | null = null;
-  /** One for each probe that has been heard. */
+  /** One tone for each probe. */
   private readonly tones = new Map<number, Tone>();
   private on = false;
   private volume = 0.5;
-  /** How often each was played; the tests listen to these. */
+  /** How often each sound was played, for tests. */
   readonly played = { clicks: 0, edges: 0 };
 
-  /** Whether audio runs, so that sounds are heard. */
+  /** Whether audio runs. */
   get runs(): boolean {
     return this.context?.state === 'running';
   }
 
-  /** Browsers let audio begin only after the person did something: call this from such an event. */
+  /** Browsers start audio only after a user action: call this from such an event. */
   async wake(): Promise<void> {
     if (!this.on || typeof AudioContext === 'undefined') return;
     if (this.context === null) this.build(new AudioContext());
@@ -40,7 +40,7 @@ export class Sound {
     this.level();
   }
 
-  /** The tone for where a probe is now; several share the loudness of one. */
+  /** Plays the tone of a probe's place; several tones share the loudness of one. */
   height(probe: number, pitch: number, pan: number): void {
     if (!this.on || this.context === null || this.master === null) return;
     const tone = this.tones.get(probe) ?? this.begin(probe, this.context, this.master);
@@ -52,7 +52,7 @@ export class Sound {
     tone.gain.gain.setTargetAtTime(0, now + restTime, 0.15);
   }
 
-  /** Ends the tones of probes that are not there any more. */
+  /** Ends the tones of removed probes. */
   keep(numbers: readonly number[]): void {
     for (const [probe, tone] of this.tones) {
       if (numbers.includes(probe) || this.context === null) continue;

@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Short pulses where the device can give them: the phone's own motor, or a gamepad's. Rumble is slow: events only.
+// Short vibration pulses of the phone or a gamepad, if available. Rumble motors are slow, so for events only.
 
 export function pulse(milliseconds: number, strength: number): void {
-  // Browsers refuse to vibrate before the person has touched the page once, and complain.
+  // Browsers refuse vibration, with a warning, before the first user action.
   if (navigator.userActivation?.hasBeenActive !== false) navigator.vibrate?.(milliseconds);
   for (const pad of gamepads())
     void pad.vibrationActuator

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Everything that is said: the live region that screen readers follow, which is also the caption on the page, and the
-// browser's own speech for people without a screen reader.
+// Speech output: the live region for screen readers, which is also the caption on the page, and the browser's speech for
+// people without a screen reader.
 import { Announcer, Importance, type Words } from './announcer';
 import { element } from '../dom';
 
@@ -22,7 +22,7 @@ export class Voice {
     this.wait();
   }
 
-  /** For words that a screen reader gets in another way. */
+  /** For sentences that a screen reader gets otherwise. */
   aloudOnly(text: string): void {
     if (!this.aloud) return;
     speechSynthesis.cancel();
@@ -31,7 +31,7 @@ export class Voice {
     speechSynthesis.speak(utterance);
   }
 
-  /** What has to wait is said by a timer: nothing runs while nothing waits. */
+  /** Waiting sentences are said by a timer, which runs only while something waits. */
   private wait(): void {
     const due = this.announcer.due(performance.now());
     if (due === null || this.timer !== undefined) return;
@@ -43,7 +43,7 @@ export class Voice {
   }
 
   private utter(text: string): void {
-    // A new element each time: the same words twice are said twice.
+    // A new element each time, so that a repeated sentence is announced again.
     const line = document.createElement('span');
     line.textContent = text;
     this.region.replaceChildren(line);

@@ -25,14 +25,14 @@ describe('a trace', () => {
     expect(tracer.seconds()).toBe(3);
     expect(tracer.points[0]).toEqual({ x: 0, y: 0, t: 0 });
   });
-  it('closes where it began, not while it leaves', () => {
+  it('closes at its start, but not while leaving it', () => {
     const { tracer, closedAt } = walked(circle(0.02));
     expect(closedAt).toBeGreaterThan(350);
     expect(tracer.isClosed()).toBe(true);
     expect(walked(circle(0.02).slice(0, 300)).closedAt).toBe(-1);
     expect(walked(circle(0.001)).closedAt).toBe(-1);
   });
-  it('knows which way round it went', () => {
+  it('has an orientation', () => {
     expect(turnOf(circle(0.02))).toBe('counter-clockwise');
     expect(turnOf(circle(0.02).reverse())).toBe('clockwise');
     expect(signedArea(circle(0.02))).toBeCloseTo(Math.PI * 0.02 ** 2, 6);
@@ -40,23 +40,23 @@ describe('a trace', () => {
 });
 
 describe('the score', () => {
-  it('is the area between over the area within', () => {
+  it('is the area between the lines over the area inside', () => {
     const nominal = circle(0.02);
     expect(scoreOf(nominal, nominal, 0.1, 0.1)!.error).toBe(0);
     expect(scoreOf(circle(0.022), nominal, 0.1, 0.1)!.error).toBeCloseTo(1.1 ** 2 - 1, 2);
     expect(scoreOf(circle(0.018), nominal, 0.1, 0.1)!.error).toBeCloseTo(1 - 0.9 ** 2, 2);
     expect(scoreOf(circle(0.02, 0.03), circle(0.02, -0.03), 0.12, 0.1)!.error).toBeCloseTo(2, 2);
   });
-  it('does not depend on where a line begins or which way it goes', () => {
+  it('does not depend on a line\'s start or direction', () => {
     const shifted = [...circle(0.022).slice(100), ...circle(0.022).slice(0, 100)].reverse();
     expect(scoreOf(shifted, circle(0.02), 0.1, 0.1)!.error).toBe(scoreOf(circle(0.022), circle(0.02), 0.1, 0.1)!.error);
   });
-  it('is not given for lines that enclose nothing', () => {
+  it('is null for lines that enclose nothing', () => {
     const line = [{ x: 0, y: 0, t: 0 }, { x: 0.01, y: 0, t: 1 }];
     expect(scoreOf(line, circle(0.02), 0.1, 0.1)).toBeNull();
     expect(scoreOf(circle(0.02), line, 0.1, 0.1)).toBeNull();
   });
-  it('calls a trembling line rougher than a round one', () => {
+  it('has a larger roughness for a trembling line', () => {
     const round = circle(0.02);
     const trembling = round.map(({ x, y, t }, k) => ({ x: x * (1 + 0.004 * (k % 2)), y: y * (1 + 0.004 * (k % 2)), t }));
     expect(roughnessOf(round)).toBeCloseTo(360 / (2 * Math.PI * 20), 1);
@@ -71,11 +71,11 @@ describe('files of a trace', () => {
     { x: 0.01, y: 0.01, t: 2 },
     { x: -0.01, y: 0.01, t: 3 },
   ];
-  it('hold the points', () => {
+  it('contain the points', () => {
     expect(traceCsv(square).split('\n').slice(0, 3)).toEqual(['t_s,x_m,y_m', '0.0000,-0.010000,-0.010000', '1.0000,0.010000,-0.010000']);
     expect(traceSvg(square, 0.1, 0.08)).toContain('d="M40 50 L60 50 L60 30 L40 30 Z"');
   });
-  it('hold the inside as a label, upright and to scale', () => {
+  it('contain the inside as a label, upright and to scale', () => {
     const low: TracePoint[] = square.map(({ x, y, t }) => ({ x, y: y - 0.02, t }));
     const file = traceNrrd(low, 0.1, 0.08, 0.001);
     const text = new TextDecoder('latin1').decode(file);
@@ -87,12 +87,12 @@ describe('files of a trace', () => {
     expect(mask[(40 + 20) * 100 + 50]).toBe(1);
     expect(mask[(40 - 20) * 100 + 50]).toBe(0);
   });
-  it('leave out a loop within a loop', () => {
+  it('exclude a loop within a loop', () => {
     const inner = square.map(({ x, y }) => ({ x: x / 2, y: y / 2 }));
     const ring = [...square, square[0]!, ...inner, inner[0]!];
     expect(maskOf(ring, gridOver(0.1, 0.1, 0.001)).reduce((sum, v) => sum + v, 0)).toBe(300);
   });
-  it('read back what was saved, and say what is wrong with anything else', () => {
+  it('read saved files back, and report errors of others', () => {
     const line = readLine(traceCsv(circle(0.02)));
     expect(line).toHaveLength(400);
     expect((line as Place[])[100]!.y).toBeCloseTo(0.02, 5);

@@ -1,7 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Following a contour: a trace and its time, whether it is closed and which way round it goes, and how far it is from another
-// (e = S'/S of "Design and implementation of a graphic-haptic display system", 2006: area between over area within).
+// Tracing a contour: a trace with its time, whether it is closed, its orientation, and its area error against another line
+// (e = S'/S of "Design and implementation of a graphic-haptic display system", 2006: area between the lines over area
+// inside).
 import type { Place } from '../surface';
 
 export interface TracePoint extends Place {
@@ -9,14 +10,14 @@ export interface TracePoint extends Place {
   t: number;
 }
 
-/** Closer than this to its beginning a trace may close (m) … */
+/** A trace may close when it is closer than this to its start (m) … */
 export const closeWithin = 0.002;
-/** … once it has come this many times that far. */
+/** … and longer than this many times that distance. */
 const leastLoop = 10;
-/** Movements below this are those of a hand at rest (m). */
+/** Smaller movements count as rest (m). */
 const leastStep = 0.0002;
 
-/** Collects a trace from the cue on; the clock starts with the first movement, as in the paper's study. */
+/** Records a trace from the cue on; the clock starts with the first movement, as in the paper's study. */
 export class Tracer {
   readonly points: TracePoint[] = [];
   private from: Place;
@@ -102,14 +103,14 @@ export function gridOver(width: number, depth: number, spacing: number): Grid {
 }
 
 export interface Score {
-  /** Area between the two lines over the nominal's own. */
+  /** Area between the two lines divided by the area inside the nominal line. */
   error: number;
   seconds: number;
-  /** Mean size of the turn from step to step, degrees a millimetre: the smaller, the smoother. */
+  /** Total turning angle divided by the length, degrees per millimetre: the smaller, the smoother. */
   roughness: number;
 }
 
-/** How far a closed trace is from the nominal line, on pixels of 0.1 mm; null if either encloses nothing. */
+/** The score of a closed trace against the nominal line, on pixels of 0.1 mm; null if either encloses nothing. */
 export function scoreOf(trace: readonly TracePoint[], nominal: readonly Place[], width: number, depth: number): Score | null {
   const grid = gridOver(width, depth, 0.0001);
   const [a, b] = [maskOf(trace, grid), maskOf(nominal, grid)];

@@ -9,10 +9,10 @@ export function traceCsv(points: readonly TracePoint[]): string {
   return ['t_s,x_m,y_m', ...rows, ''].join('\n');
 }
 
-/** The longest line that is read. */
+/** Most points of a line. */
 const mostPoints = 100_000;
 
-/** A line of a table with the columns x_m and y_m (scene, metres), or a sentence that says what is wrong with it. */
+/** The line in a table with the columns x_m and y_m (scene frame, metres), or an error message. */
 export function readLine(csv: string): Place[] | string {
   const [head = '', ...rows] = csv.replace(/^\uFEFF/, '').split(/\r?\n/).filter((row) => row.trim() !== '');
   const columns = head.split(',').map((name) => name.trim());
@@ -24,7 +24,7 @@ export function readLine(csv: string): Place[] | string {
   return wrong < 0 ? points : `Line ${wrong + 2} of the file holds no number.`;
 }
 
-/** In millimetres, y downwards as SVG has it, over the scene's rectangle (m). */
+/** An SVG in millimetres, y downwards, over the scene's rectangle (m). */
 export function traceSvg(points: readonly TracePoint[], width: number, depth: number): string {
   const mm = (metres: number) => Number((metres * 1000).toFixed(3));
   const [w, h] = [mm(width), mm(depth)];

@@ -1,20 +1,20 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The panel for tracing contours: cue, clock, picture of the trace beside the scene's, score and files.
+// The panel for tracing contours: cue, clock, picture of the trace, score and files.
 import { element } from '../dom';
 import type { Place } from '../surface';
 import { gridOver, maskOf, scoreOf, Tracer, turnOf, type TracePoint } from './trace';
 import { readLine, traceCsv, traceNrrd, traceSvg } from './trace_files';
 
 export interface TraceSetting {
-  /** Where the chosen probe is. */
+  /** The selected probe's place. */
   place(): Place;
   say(words: string): void;
-  /** Draws the trace on the scene itself, too. */
+  /** Draws the trace on the scene. */
   overlay(points: readonly Place[]): void;
 }
 
-/** Pixels of a label (m). */
+/** Size of a label's pixels (m). */
 const labelSpacing = 0.0002;
 const redrawEvery = 50;
 
@@ -87,11 +87,11 @@ export class TracePanel {
 
   private words(closed: boolean): string {
     const last = this.trace[this.trace.length - 1];
-    if (last === undefined) return 'Nothing was traced.';
+    if (last === undefined) return 'The trace is empty.';
     const turn = turnOf(this.trace);
     const wanted = element<HTMLSelectElement>('trace-turn').value;
     const parts = [`${closed ? `Closed, ${turn}` : 'Not closed'}, ${last.t.toFixed(1)} seconds`];
-    if (closed && wanted !== 'either' && wanted !== turn) parts.push(`the other way round than asked (${wanted})`);
+    if (closed && wanted !== 'either' && wanted !== turn) parts.push(`in the opposite direction to the requested one (${wanted})`);
     const score = closed && this.nominal.length > 2 ? scoreOf(this.trace, this.nominal, this.size.width, this.size.depth) : null;
     if (score) parts.push(`error ${(100 * score.error).toFixed(1)} percent, roughness ${score.roughness.toFixed(1)} degrees a millimetre`);
     return `${parts.join('; ')}.`;
@@ -103,7 +103,7 @@ export class TracePanel {
     this.draw();
   }
 
-  /** A nominal line that somebody who knows has drawn. */
+  /** Reads a nominal line drawn by an expert. */
   private async load(input: HTMLInputElement): Promise<void> {
     const file = input.files?.[0];
     if (file === undefined) return;

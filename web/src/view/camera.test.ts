@@ -11,12 +11,12 @@ beforeEach(() => {
 });
 
 describe('the camera', () => {
-  it('turns all the way round, and says so within half a turn', () => {
+  it('rotates without limit, with angles from -180 to 180 degrees', () => {
     camera.turnBy(170);
     camera.turnBy(30);
     expect(camera.pose.turn).toBe(-160);
   });
-  it('keeps the place under the pointer where it is while it zooms', () => {
+  it('keeps the place under the pointer while zooming', () => {
     const place = { x: 0.03, y: -0.02 };
     const offset = () => (place.x - camera.pose.centre.x) * camera.pose.zoom;
     const before = offset();
@@ -25,7 +25,7 @@ describe('the camera', () => {
     camera.zoomBy(0.5, place, surface);
     expect(camera.pose.centre.x).toBeCloseTo(0, 12);
   });
-  it('stays within its magnifications, and over the scene', () => {
+  it('clamps the zoom and stays over the scene', () => {
     for (let k = 0; k < 99; ++k) camera.zoomBy(2, null, surface);
     expect(camera.pose.zoom).toBe(mostZoom);
     for (let k = 0; k < 99; ++k) camera.zoomBy(0.5, null, surface);
@@ -33,13 +33,13 @@ describe('the camera', () => {
     camera.panBy(-9, 0, surface);
     expect(camera.pose.centre).toEqual({ x: 0.05, y: 0 });
   });
-  it('shifts the picture as it is seen, however it is turned', () => {
+  it('shifts the picture relative to the view at any rotation', () => {
     camera.turnBy(90);
     camera.panBy(0.01, 0, surface);
     expect(camera.pose.centre.x).toBeCloseTo(0, 12);
     expect(camera.pose.centre.y).toBeCloseTo(-0.01, 12);
   });
-  it('goes back to the front', () => {
+  it('resets to the front', () => {
     camera.turnBy(45);
     camera.zoomBy(3, null, surface);
     camera.reset();

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// From where the scene is seen: turned about the upright axis, magnified, and shifted. The tilt is a setting of its own.
+// The camera's pose: rotation about the vertical axis, zoom and shift. The tilt is a setting.
 import type { Place, Surface } from '../surface';
 
 export const leastZoom = 0.5;
@@ -10,7 +10,7 @@ export interface CameraPose {
   /** Degrees, counter-clockwise as seen from above; -180 to 180. */
   turn: number;
   zoom: number;
-  /** What the middle of the picture shows. */
+  /** The place in the middle of the picture. */
   centre: Place;
 }
 
@@ -31,7 +31,7 @@ export class Camera {
     this.now = { ...this.now, turn: turn - 360 * Math.round(turn / 360) };
   }
 
-  /** `about` stays where it is in the picture. */
+  /** `about` keeps its position in the picture. */
   zoomBy(factor: number, about: Place | null, surface: Surface): void {
     const zoom = Math.min(mostZoom, Math.max(leastZoom, this.now.zoom * factor));
     const { centre } = this.now;
@@ -40,7 +40,7 @@ export class Camera {
     this.now = { ...this.now, zoom, centre: surface.clamp(moved) };
   }
 
-  /** Shifts the picture by metres of the scene, to the right and up as it is seen. */
+  /** Shifts the picture by metres of the scene, relative to the view's right and up. */
   panBy(right: number, up: number, surface: Surface): void {
     const angle = (this.now.turn * Math.PI) / 180;
     const { centre } = this.now;

@@ -1,14 +1,14 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What moves the picture rather than a probe: the wheel, drags with the right or the middle button, and, while the picture is
-// moved (`isMoving`), every drag and pinch.
+// Gestures that move the picture instead of a probe: the wheel, drags with the right or middle button, and, in the mode for
+// moving the picture (`isMoving`), every drag and pinch.
 
 export interface GestureTarget {
   isMoving(): boolean;
-  /** CSS pixels that the pointer went to the right and down. */
+  /** The pointer's movement in CSS pixels, to the right and down. */
   turn(right: number, down: number): void;
   pan(right: number, down: number): void;
-  /** About a point in CSS pixels from the stage's upper left corner. */
+  /** Zooms about a point in CSS pixels from the stage's upper left corner. */
   zoom(factor: number, left: number, top: number): void;
 }
 
@@ -19,7 +19,7 @@ interface Finger {
 
 const wheelRate = 0.0015;
 
-/** Bind it before what moves the probes: it takes the events that are its own. */
+/** Bind this before the handlers of the probes, since it consumes its own events. */
 export function bindGestures(stage: HTMLElement, target: GestureTarget): void {
   const fingers = new Map<number, Finger>();
   const at = (event: MouseEvent): Finger => {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// One probe in three dimensions: a marble, the force on it as an arrow, and its number where there are several.
+// One probe in 3D: a marble, its force as an arrow, and its number if there are several.
 import {
   CanvasTexture,
   ConeGeometry,
@@ -17,7 +17,7 @@ import {
 } from 'three';
 import type { ProbeView } from './view';
 
-/** Metres of arrow a newton. */
+/** Metres of arrow per newton. */
 const arrowScale = 0.008;
 const arrowMost = 0.04;
 const radius = 0.0022;
@@ -35,7 +35,7 @@ export class Marble3d {
 
   constructor() {
     this.arrow.add(this.shaft, this.tip);
-    // Drawn last and over all else: neither the arrow, seen end-on, nor a hill in front hides the marble.
+    // Drawn last without depth test, so that neither the arrow seen end-on nor a hill hides the marble.
     this.marble.renderOrder = 1;
     this.badge.renderOrder = 2;
     this.badge.scale.setScalar(0.006);
@@ -43,7 +43,7 @@ export class Marble3d {
     this.group.add(this.marble, this.arrow, this.badge);
   }
 
-  /** `scale`: the scene's size in tenths of a metre, which the marble and its arrow follow. */
+  /** `scale`: the scene's size in units of 0.1 m, which scales the marble and its arrow. */
   show(probe: ProbeView, several: boolean, scale: number): void {
     this.group.scale.setScalar(scale);
     this.group.position.set(probe.x, probe.y, probe.z + radius * scale);
@@ -73,7 +73,7 @@ export class Marble3d {
     this.badge.material.dispose();
   }
 
-  /** Black on white; of the probe that the keys move, white on black with a ring. */
+  /** Black on white; for the selected probe white on black with a ring. */
   private number(text: string, chosen: boolean): void {
     const badged = `${text}${chosen}`;
     if (badged === this.badged) return;

@@ -3,7 +3,7 @@
 import { expect, it } from 'vitest';
 import { Pace } from './pace';
 
-it('the pace is slow after several late frames in a row, and too slow where they are very late', () => {
+it('the pace is slow after several late frames in a row, and too slow after very late ones', () => {
   const pace = new Pace();
   const frames = (count: number, waited: number) => Array.from({ length: count }, () => pace.drawn(waited)).find((speed) => speed !== 'fine') ?? 'fine';
   expect(frames(100, 16)).toBe('fine');

@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Notices when drawing is too slow to follow the probe: how long each frame waits for the frames before it.
+// Detects when drawing is too slow to follow the probe, by the waiting time of each frame.
 
-/** Milliseconds that a frame may wait: more is late; on average more than the second is hopeless. */
+/** Limits of the waiting time (ms): above `late` a frame is late; a mean above `hopeless` is too slow. */
 const late = 45;
 const hopeless = 120;
 const patience = 8;
@@ -12,7 +12,7 @@ export type Speed = 'fine' | 'slow' | 'too slow';
 export class Pace {
   private waits: number[] = [];
 
-  /** A frame was drawn that had waited so long (ms): slow or too slow once many in a row were late. */
+  /** Records a frame's waiting time (ms); the result is slow or too slow after several late frames in a row. */
   drawn(waited: number): Speed {
     this.waits = waited > late ? [...this.waits, waited] : [];
     if (this.waits.length < patience) return 'fine';

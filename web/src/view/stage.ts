@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The stage that carries a view: three-dimensional where the browser can, flat where it cannot or where that is preferred.
+// The stage with the view: 3D if the browser supports it, flat otherwise or if preferred.
 import type { PictureFrame } from '../codec';
 import { element } from '../dom';
 import { defaults, type Preferences } from '../settings/preferences';
@@ -12,16 +12,16 @@ import { View3d } from './view3d';
 import { FlatView } from './view_flat';
 
 export interface StageTarget {
-  /** Something looks different: draw() should be called. */
+  /** The view has changed: draw() must be called. */
   changed(): void;
   /** A drag has tilted the scene (degrees). */
   tilted(tilt: number): void;
-  /** The person wants the flat view, which a slow machine was offered. */
+  /** The person accepts the flat view that is offered on a slow machine. */
   flattened(): void;
   say(words: string): void;
 }
 
-/** Degrees a pixel of a drag, and a press of an arrow key. */
+/** Degrees per pixel of a drag, and per press of an arrow key. */
 const dragRate = 0.4;
 const keyTurn = 10;
 const tilts = { least: 0, most: 80 };
@@ -98,7 +98,7 @@ export class Stage {
     this.target.say('Drawing in 3D is slow on this machine. The view from above is offered under the picture.');
   }
 
-  // From where it is seen.
+  // The camera.
 
   get magnification(): number {
     return this.camera.pose.zoom;
@@ -106,7 +106,7 @@ export class Stage {
   get isMovingView(): boolean {
     return this.moving;
   }
-  /** Whether drags, pinches and arrow keys move the picture, and no probe. */
+  /** Whether drags, pinches and arrow keys move the picture instead of a probe. */
   setViewMoving(moving: boolean): void {
     this.moving = moving;
     this.element.toggleAttribute('data-moving-view', moving);
@@ -120,7 +120,7 @@ export class Stage {
     if (this.surface) this.camera.zoomBy(factor, about, this.surface);
     this.aim();
   }
-  /** The keys while the picture is moved; false if this is none of them. */
+  /** Handles keys that move the picture; false for other keys. */
   moveViewBy({ key, shiftKey, ctrlKey, altKey, metaKey }: KeyboardEvent): boolean {
     if (!this.moving || ctrlKey || altKey || metaKey) return false;
     const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
@@ -151,7 +151,7 @@ export class Stage {
     this.target.changed();
   }
 
-  /** Puts the surface into the view, with the picture or its cells on it. */
+  /** Shows the surface with the picture or its cells. */
   private lay(): void {
     if (this.surface) this.view?.show(this.surface, this.look.surface === 'cells' ? (this.cells ?? this.picture) : this.picture);
   }
@@ -178,7 +178,7 @@ export class Stage {
 
   private giveUp3d(why: string): void {
     this.canDo3d = false;
-    this.note(`${why} (no WebGL): it is shown from above instead. Touch, sound and words work as ever.`);
+    this.note(`${why} (no WebGL): it is shown from above instead. Touch, sound and speech work as usual.`);
     const choice = element<HTMLSelectElement>('view');
     choice.disabled = true;
     this.build('flat');

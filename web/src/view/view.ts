@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What a picture of the scene can do, in three dimensions (view3d.ts) or flat (view_flat.ts).
+// The interface of a view of the scene, in 3D (view3d.ts) or flat (view_flat.ts).
 import type { PictureFrame } from '../codec';
 import type { Preferences } from '../settings/preferences';
 import type { Place, Surface } from '../surface';
@@ -12,23 +12,23 @@ export interface ProbeView extends Place {
   force: [number, number, number];
   /** Counted from 1. */
   number: number;
-  /** The one that the keys move. */
+  /** Whether it is the selected one. */
   chosen: boolean;
 }
 
 export interface View {
   readonly canvas: HTMLCanvasElement;
   show(surface: Surface, picture: PictureFrame | null): void;
-  /** Height factor, and how the surface and the view are to look. */
+  /** Sets the height factor and the look of the surface and the view. */
   set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
-  /** All that there are; their numbers are shown once there are several. True if that looks different. */
+  /** Sets all probes; numbers are shown if there are several. True if the view has changed. */
   probes(probes: readonly ProbeView[]): boolean;
-  /** A line drawn on the surface; empty for none. */
+  /** Sets a line on the surface; empty for none. */
   line(points: readonly Place[]): void;
-  /** The place on the surface under a point of the canvas in CSS pixels from its upper left corner; null if none. */
+  /** The place on the surface at a point of the canvas (CSS pixels from its upper left corner); null if there is none. */
   placeAt(left: number, top: number): Place | null;
   aim(pose: CameraPose): void;
-  /** Of the surface at the middle of the picture. */
+  /** Metres per CSS pixel on the surface in the middle of the picture. */
   metresPerPixel(): number;
   resize(): void;
   /** Draws if anything has changed; `waited`: milliseconds from the request of the frame to its beginning. */
@@ -36,7 +36,7 @@ export interface View {
   dispose(): void;
 }
 
-/** Whether nobody would see a difference: a hundredth of a millimetre, a hundredth of a newton. */
+/** Whether two lists of probes look equal: within 0.01 mm and 0.01 N. */
 export function lookAlike(some: readonly ProbeView[], others: readonly ProbeView[]): boolean {
   const near = (p: number, q: number, limit: number) => Math.abs(p - q) < limit;
   const alike = (a: ProbeView, b: ProbeView) =>

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The scene as a block with its surface carved into it, with probes on it (three.js).
+// The scene as a block with its surface, and the probes (three.js).
 import {
   AmbientLight,
   BufferAttribute,
@@ -33,10 +33,10 @@ import { Surface, type Place } from '../surface';
 import { lookAlike, themeColours, type ProbeView, type View } from './view';
 
 const fieldOfView = 32;
-/** How much larger than the block the picture is. */
+/** The picture's size relative to the block. */
 const margin = 1.07;
 const baseThickness = 0.002;
-/** Pixels of the picture to a CSS pixel, at the least. */
+/** Least pixel ratio (pixels per CSS pixel). */
 const coarsest = 0.5;
 
 export class View3d implements View {
@@ -61,7 +61,7 @@ export class View3d implements View {
   private pixelRatio = Math.min(2, window.devicePixelRatio);
   private readonly pace = new Pace();
 
-  /** Throws where the browser has no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(container: HTMLElement) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: 'low-power' });
     this.renderer.setPixelRatio(this.pixelRatio);
@@ -140,7 +140,7 @@ export class View3d implements View {
     this.renderer.render(this.scene, this.camera);
     const speed = this.pace.drawn(waited);
     if (speed === 'fine' || this.pixelRatio <= coarsest) return speed === 'fine' ? 'fine' : 'too slow';
-    // Too slow for this machine (often one without a graphics processor): fewer pixels are better than fewer frames.
+    // On a slow machine (often without a GPU) fewer pixels are better than fewer frames.
     this.pixelRatio = Math.max(coarsest, 0.7 * this.pixelRatio);
     this.renderer.setPixelRatio(this.pixelRatio);
     this.resize();
@@ -176,7 +176,7 @@ export class View3d implements View {
     this.stale = true;
   }
 
-  /** Just far enough back that all corners of the block are seen, looking down at it by the tilt; then as the pose says. */
+  /** Places the camera at the tilt angle so that the whole block is visible, then applies the pose. */
   private place(): void {
     if (this.surface === null) return;
     const tilt = (this.look.tilt * Math.PI) / 180;
@@ -240,7 +240,7 @@ export class View3d implements View {
   }
 }
 
-/** The scene's longer side in tenths of a metre: marbles, lines and the camera's range follow it. */
+/** The scene's longer side in units of 0.1 m, which scales marbles, lines and the camera's range. */
 function sizeOf({ width, depth }: Surface): number {
   return Math.max(width, depth) / 0.1;
 }
@@ -294,7 +294,7 @@ function groundOf(surface: Surface, exaggeration: number): BufferGeometry {
   return geometry;
 }
 
-/** The sides of the block, from the rim of the surface down to below its lowest point. */
+/** The sides of the block, from the surface's rim down to the base. */
 function wallsOf(surface: Surface, exaggeration: number): BufferGeometry {
   const { columns, rows } = surface;
   const rim: [number, number][] = [];

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The scene seen straight from above, drawn without WebGL: hill-shaded, with the picture where it is wanted.
+// The scene from directly above, without WebGL: hill-shaded, optionally with the picture.
 import type { PictureFrame } from '../codec';
 import type { Preferences } from '../settings/preferences';
 import { Surface, type Place } from '../surface';
@@ -106,7 +106,7 @@ export class FlatView implements View {
     return { middleX: clientWidth / 2 - centre.x * scale, middleY: clientHeight / 2 + centre.y * scale, scale };
   }
 
-  /** One pixel a sample: the picture or plain clay, times the light on the slope. */
+  /** One pixel per sample: the picture or plain clay, multiplied by the shading. */
   private shaded(surface: Surface, clay: string): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
     canvas.width = surface.columns;

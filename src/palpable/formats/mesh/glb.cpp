@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// glTF's numbers for the kinds of data.
+// glTF's constants for component types and buffer targets.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 constexpr int kVertexBuffer = 34962;
@@ -29,12 +29,11 @@ void write_float(ByteWriter& out, double value) {
   out.u32(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
 }
 
-/// The binary chunk, and what the JSON says about its parts.
+/// The binary chunk, and the JSON descriptions of its buffer views and accessors.
 class Parts {
  public:
   ByteWriter& bytes() { return bytes_; }
-  /// Names what was written since the last call as a buffer view and, where `accessor` is given, as its
-  /// accessor.
+  /// Adds a buffer view for the bytes written since the last call; accessor() also describes its content.
   std::size_t close(int target) {
     while (bytes_.bytes().size() % 4 != 0) bytes_.u8(0);
     Json view = {{"buffer", 0}, {"byteOffset", begin_}, {"byteLength", bytes_.bytes().size() - begin_}};

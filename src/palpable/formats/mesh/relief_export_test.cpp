@@ -34,13 +34,13 @@ T at(const std::vector<std::byte>& bytes, std::size_t offset) {
   return value;
 }
 
-TEST(EncodeStl, ReadsBackWatertightAtTrueSize) {
+TEST(EncodeStl, IsWatertightAndOfTrueSize) {
   const Mesh solid = models::solid_of(cone());
   const auto file = encode_stl(solid);
   ASSERT_TRUE(file);
   const auto count = at<std::uint32_t>(*file, 80);
   ASSERT_EQ(file->size(), 84U + 50U * count);
-  // Corners that are bit for bit the same are one vertex, as a printing program joins them.
+  // Bitwise equal corners become one vertex, as in slicing programs.
   std::map<std::array<float, 3>, std::uint32_t> numbers;
   Mesh read;
   float low = 1e9F;
@@ -61,7 +61,7 @@ TEST(EncodeStl, ReadsBackWatertightAtTrueSize) {
   EXPECT_NEAR(high - low, 61.0F, 0.001F) << "millimetres";
 }
 
-TEST(EncodeGlb, HoldsConsistentPartsAndThePicture) {
+TEST(EncodeGlb, HasConsistentPartsAndThePicture) {
   const Mesh solid = models::solid_of(cone());
   const auto file = encode_glb(solid, Raster<Rgb8>(8, 6, {200, 10, 20}));
   ASSERT_TRUE(file);

@@ -11,11 +11,11 @@
 
 namespace palpable::formats {
 
-/// Bytes packed by zstd. Errors: failed.
+/// Compresses bytes by zstd. Errors: failed.
 Result<std::vector<std::byte>> pack_bytes(std::span<const std::uint8_t> bytes);
 
-/// The same bytes back. What states more than `most` bytes, or more than zstd could have packed into what is
-/// there, is damage, and no memory is taken for it. Errors: invalid_input.
+/// Decompresses them. A stated size above `most`, or above what zstd can compress into `packed`, is refused
+/// before memory is allocated. Errors: invalid_input.
 Result<std::vector<std::uint8_t>> unpack_bytes(std::span<const std::byte> packed, std::size_t most);
 
 }  // namespace palpable::formats

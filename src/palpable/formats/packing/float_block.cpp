@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kSign = 0x80000000U;
 
-/// Integers in the order of the floats: negative ones mirrored below the positive.
+/// Maps a float's bits to an integer of the same order.
 std::uint32_t ordered(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   return (bits & kSign) != 0U ? ~bits : bits | kSign;
@@ -25,7 +25,7 @@ float from_ordered(std::uint32_t value) {
   return std::bit_cast<float>((value & kSign) != 0U ? value & ~kSign : ~value);
 }
 
-/// Small differences of either sign become small numbers: 0, -1, 1, -2 … to 0, 1, 2, 3 …
+/// Zigzag coding: differences 0, -1, 1, -2 … become 0, 1, 2, 3 …
 std::uint32_t folded(std::uint32_t difference) { return (difference << 1U) ^ (0U - (difference >> 31U)); }
 std::uint32_t unfolded(std::uint32_t value) { return (value >> 1U) ^ (0U - (value & 1U)); }
 
@@ -37,7 +37,7 @@ Result<std::vector<std::byte>> pack_floats(std::span<const float> values, std::s
   std::vector<std::byte> planes(4 * count);
   std::uint32_t previous = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    // A row begins with the difference to the row above, not to the far end of it.
+    // A row begins with the difference to the row above.
     if (i % row == 0) previous = i == 0 ? 0U : ordered(values[i - row]);
     const std::uint32_t now = ordered(values[i]);
     const std::uint32_t small = folded(now - previous);

@@ -10,13 +10,14 @@
 
 namespace palpable::formats {
 
-/// Floats made small without loss: neighbours in a row differ little, so the differences of their bit
-/// patterns (mapped to integers of the same order) are small; their four bytes are sorted into four planes
-/// and packed by zstd. `row` values make one row, row > 0. NaN and infinity are kept too. Errors: failed.
+/// Compresses floats without loss. Neighbours in a row differ little, so the differences of their bit
+/// patterns (mapped to integers of the same order) are small. The differences are split into four byte planes
+/// and compressed by zstd. `row` > 0 is the number of values per row. NaN and infinity are kept. Errors:
+/// failed.
 Result<std::vector<std::byte>> pack_floats(std::span<const float> values, std::size_t row);
 
-/// The same values back, bit by bit. `count` is known from elsewhere; what states another size is damage, and
-/// no memory is taken for it. Errors: invalid_input.
+/// Decompresses the same values bit by bit. `count` is the expected number; another stated size is refused
+/// before memory is allocated. Errors: invalid_input.
 Result<std::vector<float>> unpack_floats(std::span<const std::byte> packed, std::size_t count,
                                          std::size_t row);
 

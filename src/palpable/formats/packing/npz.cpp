@@ -19,7 +19,7 @@
 namespace palpable::formats {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "values are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "values are written in memory order");
 
 constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::string_view kSuffix = ".npy";
@@ -43,7 +43,7 @@ constexpr std::array<TypeName, 11> kTypes{{{NpyType::boolean, "b1", 1},
 
 const TypeName& facts_of(NpyType type) { return kTypes[static_cast<std::size_t>(type)]; }
 
-/// What stands behind 'key': in the header's Python dictionary, without leading blanks.
+/// The text after 'key': in the header's Python dictionary, without leading blanks.
 std::optional<std::string_view> entry(std::string_view header, std::string_view key) {
   const std::string quoted = "'" + std::string(key) + "'";
   const std::size_t at = header.find(quoted);
@@ -71,7 +71,7 @@ std::optional<std::vector<std::size_t>> shape_of(std::string_view text) {
   }
 }
 
-/// The product of the sides; nullopt where it does not fit into what any file may hold.
+/// The product of the sides; nullopt if it is larger than any file may hold.
 std::optional<std::size_t> count_of(const std::vector<std::size_t>& shape) {
   std::size_t count = 1;
   for (const std::size_t side : shape) {

@@ -15,12 +15,12 @@
 
 namespace palpable::formats {
 
-/// The kinds of numbers in NumPy files that are read and written; all little-endian when written.
+/// The number types of NumPy files that can be read and written; written as little-endian.
 enum class NpyType : std::uint8_t { boolean, u1, i1, u2, i2, u4, i4, u8, i8, f4, f8 };
 
 std::size_t size_of(NpyType type);
 
-/// An array as NumPy keeps it: row-major (C order), values in the machine's byte order.
+/// A NumPy array: row-major (C order), values in the machine's byte order.
 struct NpyArray {
   NpyType type = NpyType::f4;
   /// Outermost first: a picture is {height, width}; empty = a single number.
@@ -45,22 +45,23 @@ NpyArray npy_array(std::span<const float> values, std::size_t columns = 0);
 /// than kMaxPixels values.
 Result<Raster<float>> raster_of(const NpyArray& array);
 
-/// Arrays by name, as numpy.savez and numpy.load see them.
+/// Arrays by name, as in numpy.savez and numpy.load.
 using Npz = std::map<std::string, NpyArray>;
 
 /// An .npy file: format versions 1 to 3, C or Fortran order, either byte order. Errors: invalid_input for
-/// what is damaged, cut off, or of a kind not in NpyType (objects, structures, text, complex numbers).
+/// files that are damaged, truncated, or of a type not in NpyType (objects, structures, text, complex
+/// numbers).
 Result<NpyArray> decode_npy(std::span<const std::byte> file);
 /// Version 1.0, little-endian, C order.
 std::vector<std::byte> encode_npy(const NpyArray& array);
 
-/// An .npz file, members stored or deflated; members that are not .npy are passed over. Errors as
-/// decode_npy(), and for members that unpack to more than 2 GiB together.
+/// An .npz file, members stored or deflated; members that are not .npy are ignored. Errors as decode_npy(),
+/// and for more than 2 GiB of decompressed members.
 Result<Npz> decode_npz(std::span<const std::byte> file);
 /// Deflated. Errors: failed.
 Result<std::vector<std::byte>> encode_npz(const Npz& arrays);
 
-/// The same from and to a file; written atomically; errors name the file.
+/// The same for a file, written atomically. Errors name the file.
 Result<Npz> read_npz(const std::filesystem::path& path);
 Result<void> write_npz(const std::filesystem::path& path, const Npz& arrays);
 

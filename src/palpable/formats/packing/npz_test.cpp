@@ -63,7 +63,7 @@ TEST(Npy, ReadsBigEndianAndColumnMajor) {
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(array->number(i), static_cast<double>(i + 1));
 }
 
-TEST(Npy, OfAnotherKindOrDamagedIsRefused) {
+TEST(Npy, RefusesOtherTypesAndDamage) {
   const std::string good = "{'descr': '<f4', 'fortran_order': False, 'shape': (2,), }\n";
   EXPECT_TRUE(decode_npy(npy_file(good, "12345678")));
   EXPECT_FALSE(decode_npy(npy_file(good, "1234567")));
@@ -78,7 +78,7 @@ TEST(Npy, OfAnotherKindOrDamagedIsRefused) {
     EXPECT_FALSE(decode_npy(std::span(file).first(length))) << length;
 }
 
-TEST(Zip, CutOffOrDamagedIsAnError) {
+TEST(Zip, RefusesTruncatedOrDamagedArchives) {
   const auto file = *zip({{"a.txt", Bytes(1000, std::byte{7})}, {"b.png", Bytes(20, std::byte{9})}});
   for (std::size_t length = 0; length < file.size(); ++length)
     EXPECT_FALSE(unzip(std::span(file).first(length))) << length;
@@ -86,26 +86,26 @@ TEST(Zip, CutOffOrDamagedIsAnError) {
     auto changed = file;
     changed[i] ^= std::byte{0xFF};
     const auto members = unzip(changed);
-    // Dates and flags may change without harm; content may not.
+    // Dates and flags may change, content may not.
     if (members && members->contains("a.txt")) {
       EXPECT_EQ(members->at("a.txt"), Bytes(1000, std::byte{7})) << i;
     }
   }
 }
 
-TEST(Zip, ThatClaimsMoreThanItCanHoldIsRefusedBeforeUnpacking) {
+TEST(Zip, RefusesAnImpossibleSizeBeforeUnpacking) {
   auto file = *zip({{"a.txt", Bytes(1000, std::byte{7})}});
   const std::string_view text = as_text(file);
   const std::size_t central = text.find("PK\x01\x02");
   ASSERT_NE(central, std::string_view::npos);
-  // The stated sizes in the local header and the central directory: 1 GiB from a few bytes.
+  // Both stated sizes (local header, central directory): 1 GiB from a few bytes.
   for (const std::size_t place : {std::size_t{22}, central + 24}) file[place + 3] = std::byte{0x40};
   const auto members = unzip(file);
   ASSERT_FALSE(members);
   EXPECT_NE(members.error().message.find("unpacks to more"), std::string::npos) << members.error().message;
 }
 
-TEST(Npz, FromNumPyItselfIsRead) {
+TEST(Npz, ReadsAFileOfNumPyItself) {
   const char* data = std::getenv("PALPABLE_DATA");
   if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";
   const auto path = std::filesystem::path(data) / "stereo/mid14_Motorcycle/motorcycle_disp.npz";

@@ -48,7 +48,7 @@ Error damaged(const std::string& reason) {
   return invalid_input("is damaged or not a zip archive (" + reason + ")");
 }
 
-/// One member, of the size it states; one byte more is asked for to notice a lie.
+/// Reads one member of the stated size; one extra byte is requested to detect a larger member.
 Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, const zip_stat_t& stated) {
   const Member member(zip_fopen_index(archive, index, 0));
   if (!member) return damaged(zip_strerror(archive));
@@ -99,7 +99,7 @@ Result<ZipMembers> unzip(std::span<const std::byte> file) {
     constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
     if (zip_stat_index(archive, index, 0, &stated) != 0 || (stated.valid & kNeeded) != kNeeded)
       return damaged("a member without name or size");
-    // Deflate packs at most 1032 : 1, so a larger claim is a lie even before it is unpacked.
+    // Deflate compresses by at most 1032 : 1, so a larger stated size is false.
     constexpr zip_uint64_t kMaxRatio = 1040;
     if (stated.size > kMaxUnpackedBytes || total + stated.size > kMaxUnpackedBytes ||
         stated.size / kMaxRatio > stated.comp_size)

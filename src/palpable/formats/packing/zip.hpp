@@ -13,7 +13,7 @@
 
 namespace palpable::formats {
 
-/// The most that all members of one archive may unpack to.
+/// Largest decompressed size of all members of one archive.
 inline constexpr std::uint64_t kMaxUnpackedBytes = std::uint64_t{2} << 30U;
 inline constexpr std::int64_t kMaxMembers = 4096;
 
@@ -21,16 +21,16 @@ using Bytes = std::vector<std::byte>;
 /// Members by name.
 using ZipMembers = std::map<std::string, Bytes>;
 
-/// Unpacks a whole archive in memory. Every stated size is checked before memory is taken, and a member that
-/// unpacks to another size than it states is damage: a zip bomb is refused by its own words. Errors:
-/// invalid_input for damage, encryption, doubled names or more than the limits above.
+/// Unpacks a whole archive in memory. Every stated size is checked before memory is allocated, and a member
+/// of another size than stated is refused; this stops zip bombs. Errors: invalid_input for damage,
+/// encryption, duplicate names or sizes above the limits.
 Result<ZipMembers> unzip(std::span<const std::byte> file);
 
 /// The members' names, without unpacking them. Errors as unzip().
 Result<std::vector<std::string>> member_names(std::span<const std::byte> file);
 
-/// Packs members: deflated, or stored as they are where they are compressed already (their name ends in one
-/// of .zst .png .jpg). The same members give the same bytes. Errors: failed.
+/// Packs members: deflated, or stored if they are compressed already (names that end in .zst, .png or .jpg).
+/// The output is deterministic. Errors: failed.
 Result<Bytes> zip(const ZipMembers& members);
 
 }  // namespace palpable::formats

@@ -10,8 +10,8 @@
 
 namespace palpable::formats {
 
-/// Bytes packed by zstd as one frame that states its size and a checksum of its content, so that damage
-/// inside a well-formed container is noticed too. `level` 1 ... 19. Errors: failed.
+/// Compresses bytes to one zstd frame with its size and a checksum, so that damage inside a well-formed
+/// container is detected. `level` 1 ... 19. Errors: failed.
 Result<std::vector<std::byte>> zstd_frame(std::span<const std::byte> bytes, int level);
 
 }  // namespace palpable::formats

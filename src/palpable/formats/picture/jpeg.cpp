@@ -14,8 +14,8 @@
 namespace palpable::formats {
 namespace {
 
-// libjpeg reports errors by a function that must not return. Everything with a destructor lives in the job,
-// outside the functions that call setjmp.
+// libjpeg's error handler must not return. Everything with a destructor is in the Job, outside the functions
+// that call setjmp.
 
 struct Job {
   jpeg_error_mgr errors{};
@@ -45,7 +45,7 @@ void keep_message_and_jump(j_common_ptr jpeg) {
   std::longjmp(job.jump, 1);
 }
 
-/// Warnings that mean missing or wrong pixels; others (a few stray bytes before a marker) do no harm.
+/// Notes warnings that mean missing or wrong pixels; others (a few stray bytes before a marker) are harmless.
 void note_warning(j_common_ptr jpeg, int level) {
   if (level >= 0) return;
   const int code = jpeg->err->msg_code;
@@ -59,7 +59,7 @@ void note_warning(j_common_ptr jpeg, int level) {
 
 void print_nothing(j_common_ptr) {}
 
-/// A progressive file may name thousands of scans to keep a reader busy; cameras write about ten.
+/// Limits the number of scans: a hostile progressive file may have thousands, cameras write about ten.
 void refuse_endless_scans(j_common_ptr jpeg) {
   constexpr int kMaxScans = 500;
   if (job_of(jpeg).jpeg.input_scan_number > kMaxScans) ERREXIT(jpeg, JERR_BAD_PROGRESSION);
@@ -102,7 +102,7 @@ bool finish(Job& job) {
   return true;
 }
 
-/// Adobe writes CMYK inverted (255 = no ink); without its marker the values are inks.
+/// Adobe writes CMYK inverted (255 = no ink); without Adobe's marker 255 is full ink.
 void inks_to_rgb(std::span<const JSAMPLE> inks, bool inverted, float* out) {
   const auto light = [inverted](JSAMPLE v) {
     const float f = static_cast<float>(v) / 255.0F;

@@ -10,10 +10,10 @@
 
 namespace palpable::formats {
 
-/// A baseline or progressive JPEG: grey, YCbCr, RGB or CMYK (made RGB). What follows its end marker is not
-/// read; the orientation in its EXIF block is not applied (sources::read_picture does). Errors: invalid_input
-/// for what is damaged or cut off (libjpeg alone would fill the missing part with grey) or larger than
-/// kMaxPixels (asked before memory is taken).
+/// Decodes a baseline or progressive JPEG: grey, YCbCr, RGB or CMYK (converted to RGB). Data after its end
+/// marker is ignored. The EXIF orientation is not applied (sources::read_picture does that). Errors:
+/// invalid_input for files that are damaged or truncated (libjpeg alone would fill the missing part with
+/// grey) or larger than kMaxPixels (checked before memory is allocated).
 Result<Image> decode_jpeg(std::span<const std::byte> file);
 
 }  // namespace palpable::formats

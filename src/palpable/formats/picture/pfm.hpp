@@ -11,9 +11,9 @@
 
 namespace palpable::formats {
 
-/// A portable float map, of one ("Pf") or three ("PF") channels, either byte order, rows stored from the
-/// bottom up. Values are given exactly; the size of the scale number in its header is not applied. Errors:
-/// invalid_input for a bad header, a file that is cut off, or more than kMaxPixels.
+/// Decodes a portable float map of one ("Pf") or three ("PF") channels in either byte order, with rows stored
+/// from the bottom up. Values are exact; the magnitude of the header's scale is not applied. Errors:
+/// invalid_input for a bad header, a truncated file, or more than kMaxPixels.
 Result<Image> decode_pfm(std::span<const std::byte> file);
 
 /// A one-channel map in little-endian order.

@@ -16,7 +16,7 @@ Result<void> write_png(const std::filesystem::path& path, const Raster<std::uint
 Result<void> write_png(const std::filesystem::path& path, const Raster<std::uint16_t>& grey);
 Result<void> write_png(const std::filesystem::path& path, const Image& picture);
 
-/// Writes a one-channel float map, values as they are, atomically.
+/// Writes a one-channel PFM without conversion, atomically.
 Result<void> write_pfm(const std::filesystem::path& path, const Raster<float>& values);
 
 /// Writes disparity in pixels (NaN or infinite = unknown) as PFM, where unknown is infinity.

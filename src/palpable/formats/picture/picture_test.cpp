@@ -27,7 +27,7 @@ Image pattern(int width, int height, int channels, int bits) {
   return image;
 }
 
-TEST(Png, KeepsEveryKindOfPictureExactly) {
+TEST(Png, KeepsAllChannelCountsAndBitDepthsExactly) {
   for (const int channels : {1, 2, 3, 4})
     for (const int bits : {8, 16}) {
       const Image image = pattern(13, 7, channels, bits);
@@ -39,16 +39,16 @@ TEST(Png, KeepsEveryKindOfPictureExactly) {
     }
 }
 
-TEST(Png, CutOffAnywhereIsAnErrorAndNeverACrash) {
+TEST(Png, RefusesAFileTruncatedAnywhere) {
   const auto file = *encode_png(pattern(31, 17, 3, 8));
   for (std::size_t length = 0; length < file.size(); ++length)
     EXPECT_FALSE(decode_png(std::span(file).first(length))) << length;
 }
 
-TEST(Png, OfTwentyThousandSquaredIsRefusedBeforeMemoryIsTaken) {
+TEST(Png, RefusesTooManyPixelsBeforeAllocation) {
   auto file = *encode_png(pattern(4, 4, 1, 8));
-  // IHDR's width and height; its CRC is then wrong, and libpng refuses on that alone unless the size comes
-  // first, so the CRC is mended too (computed once for this header).
+  // Changes IHDR's width and height, and its CRC (computed once for this header), which libpng would
+  // otherwise refuse.
   const std::string ihdr("IHDR\x00\x00\x4E\x20\x00\x00\x4E\x20\x08\x00\x00\x00\x00", 17);
   std::uint32_t crc = 0xFFFFFFFFU;
   for (const char c : ihdr) {
@@ -65,9 +65,9 @@ TEST(Png, OfTwentyThousandSquaredIsRefusedBeforeMemoryIsTaken) {
       << refused.error().message;
 }
 
-TEST(Png, WithoutPixelsIsRefusedOnWriting) { EXPECT_FALSE(encode_png(Raster<Rgb8>())); }
+TEST(Png, RefusesToWriteAnEmptyPicture) { EXPECT_FALSE(encode_png(Raster<Rgb8>())); }
 
-TEST(Pfm, KeepsEveryValueExactlyAndTheTopAtTheTop) {
+TEST(Pfm, KeepsEveryValueAndTheRowOrder) {
   Raster<float> values(3, 2);
   values(0, 0) = 1.5F;
   values(2, 0) = std::numeric_limits<float>::infinity();
@@ -90,14 +90,14 @@ TEST(Pfm, ReadsBigEndianColour) {
   EXPECT_EQ(image->samples, (std::vector<float>{1.0F, 2.0F, 3.0F}));
 }
 
-TEST(Pfm, WithABadHeaderOrTooFewPixelsIsRefused) {
+TEST(Pfm, RefusesABadHeaderOrTooFewPixels) {
   for (const char* text : {"", "Pf", "Pf\n", "Pf\n2 2\n", "Pf\n2 2\n-1.0\n", "Pf\n2 2\n0\nxxxxxxxxxxxxxxxxx",
                            "Pf\n-2 2\n-1.0\nxxxxxxxxxxxxxxxxx", "Pf\n2 2\nnan\nxxxxxxxxxxxxxxxxx",
                            "Pf\n99999999999999999999 2\n-1\nx", "Pf\n20000 20000\n-1\nx"})
     EXPECT_FALSE(decode_pfm(as_bytes(text))) << text;
 }
 
-TEST(DisparityFiles, SayUnknownAsTheContractDoes) {
+TEST(DisparityFiles, MarkUnknownValues) {
   Raster<float> d(3, 1);
   d(0, 0) = 12.25F;
   d(1, 0) = std::numeric_limits<float>::quiet_NaN();
@@ -114,7 +114,7 @@ TEST(DisparityFiles, SayUnknownAsTheContractDoes) {
   EXPECT_EQ(std::lround(65535.0F * png->samples[2]), 1) << "a known disparity of 0 must not read as unknown";
 }
 
-TEST(Jpeg, ThatIsNoneOrEmptyIsRefused) {
+TEST(Jpeg, RefusesOtherFilesAndEmptyOnes) {
   EXPECT_FALSE(decode_jpeg({}));
   EXPECT_FALSE(decode_jpeg(as_bytes("this is a text, not a picture")));
 }

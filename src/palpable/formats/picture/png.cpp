@@ -16,8 +16,8 @@
 namespace palpable::formats {
 namespace {
 
-// libpng reports errors by longjmp. Everything with a destructor lives in a job outside the functions that
-// call setjmp, so nothing is skipped by the jump.
+// libpng reports errors by longjmp. Everything with a destructor is in a job outside the functions that call
+// setjmp, so the jump skips no destructor.
 
 struct Message {
   std::array<char, 160> text{};

@@ -12,14 +12,14 @@
 
 namespace palpable::formats {
 
-/// A PNG of any kind: grey, colour or palette, 1 to 16 bits, interlaced or not; a transparent colour becomes
-/// an alpha channel. Colour profiles and gamma are not applied. Errors: invalid_input for what is damaged,
-/// cut off or larger than kMaxPixels (asked before memory is taken).
+/// Decodes any PNG: grey, colour or palette, 1 to 16 bits, interlaced or not; a transparent colour becomes an
+/// alpha channel. Colour profiles and gamma are not applied. Errors: invalid_input for files that are
+/// damaged, truncated or larger than kMaxPixels (checked before memory is allocated).
 Result<Image> decode_png(std::span<const std::byte> file);
 
-/// PNG files of these values, exactly. Sizes must be at least 1 x 1. An Image keeps its channels, with 8 bits
-/// (values clamped to 0…1 and rounded) or 16 bits where image.bits is more than 8. Errors: failed, for a size
-/// that PNG cannot hold.
+/// Encodes exactly these values as PNG. Sizes must be at least 1 x 1. An Image keeps its channels, with 8
+/// bits (values clamped to 0…1 and rounded), or 16 bits if image.bits is more than 8. Errors: failed, for a
+/// size that PNG cannot hold.
 Result<std::vector<std::byte>> encode_png(const Raster<Rgb8>& picture);
 Result<std::vector<std::byte>> encode_png(const Raster<std::uint8_t>& grey);
 Result<std::vector<std::byte>> encode_png(const Raster<std::uint16_t>& grey);

@@ -21,7 +21,7 @@ Result<void> write_contours(const models::Contours& contours, nlohmann::json& de
   const models::BoundaryMap& map = contours.boundaries;
   nlohmann::json grooves;
   if (auto written = write_relief(*contours.grooves, grooves, members); !written) return written;
-  // Plane after plane: neighbours in a plane are alike.
+  // Plane by plane, since neighbours in a plane are similar.
   std::vector<float> planes;
   planes.reserve(2 * map.edges().count());
   for (const models::BoundaryPixel& p : map.edges().values()) planes.push_back(p.c2);

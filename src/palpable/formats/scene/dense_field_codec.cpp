@@ -18,7 +18,7 @@ namespace {
 
 using models::DenseContent;
 
-/// One member for each of the floats at a place: neighbours of one kind differ little.
+/// One member for each component, since neighbours of one component differ little.
 constexpr std::array kMembers{"distance.f32.zst", "force_x.f32.zst", "force_y.f32.zst", "force_z.f32.zst"};
 constexpr const char* kDistance = "distance";
 constexpr const char* kDistanceAndForce = "distance and force";

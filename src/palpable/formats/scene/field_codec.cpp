@@ -22,9 +22,10 @@ namespace {
 using models::FieldGrid;
 
 constexpr const char* kCells = "cells.field.zst";
-/// How the cells are kept: the streams of field_streams.hpp, one after the other, each packed by zstd.
+/// The storage layout of the cells: the streams of field_streams.hpp one after the other, each compressed by
+/// zstd.
 constexpr int kLayout = 3;
-/// The layout before compact leaves, which is still read.
+/// The older layout without compact leaves, which is still read.
 constexpr int kLayoutBefore = 2;
 constexpr std::size_t kMostBytes = std::size_t{1} << 31U;
 

@@ -12,12 +12,12 @@ namespace {
 using models::CompactQuadratic;
 using models::LeafHead;
 
-/// Halves of the leaf's side in one step of the middle.
+/// The quantisation step of the middle, in halves of the leaf's side.
 double middle_step(int level) { return 2.0 / (LeafHead::kValuesPerCell * (1 << level)); }
 
 std::int32_t held(double v) { return static_cast<std::int32_t>(std::clamp(v, -1e9, 1e9)); }
 
-/// The piece of a leaf nearby, continued into the leaf at `to`.
+/// The quadratic of the leaf at `from`, extrapolated to the leaf at `to`.
 QuadraticValues continued(const QuadraticValues& piece, const Place& from, const Place& to) {
   const double scale = to.half() / from.half();
   const auto way = [&](std::size_t axis) {

@@ -14,10 +14,10 @@
 
 namespace palpable::formats {
 
-// What a field's streams (field_streams.hpp) predict from what came before: curved pieces from their
-// neighbours', planes from those met lately. The writer and the reader remember the same.
+// Prediction for a field's streams (field_streams.hpp): curved pieces from recent pieces, planes from recent
+// planes. Writer and reader keep the same history.
 
-/// Where a leaf stands: its corner in finest cells, and its level.
+/// A leaf's position: its corner in finest cells, and its level.
 struct Place {
   std::array<int, 3> corner{};
   int level = 0;
@@ -33,31 +33,31 @@ struct QuadraticValues {
   std::array<double, 9> numbers{};
 };
 
-/// A curved piece in whole steps.
+/// A curved piece as integers (quantised).
 struct Curved {
   static constexpr std::size_t kNumbers = 9;
   std::int32_t middle = 0;
   std::array<std::int32_t, kNumbers> numbers{};
 };
 
-/// A piece's words as steps; nothing for words that are no whole steps.
+/// The quantised piece of these words; nullopt if they are not multiples of the steps.
 std::optional<Curved> steps_of(const std::uint32_t* words, int level);
-/// Appends the words.
+/// Appends the words of a quantised piece.
 void set_words(const Curved& curved, int level, std::vector<std::uint32_t>& words);
 
 QuadraticValues values_of(const Curved& curved, int level);
 QuadraticValues values_of(const models::CompactQuadratic& compact);
-/// To the nearest steps of a curved piece at that level, and of a compact leaf.
+/// Quantises to the nearest steps of a curved piece at that level, or of a compact leaf.
 Curved rounded_curved(const QuadraticValues& values, int level);
 models::CompactQuadratic rounded_compact(const QuadraticValues& values);
 
-/// The last quadratics, the latest first.
+/// The most recent quadratics, the latest first.
 class RecentPieces {
  public:
   static constexpr std::size_t kMost = 4;
   void add(const QuadraticValues& piece, const Place& place);
   std::size_t count() const { return count_; }
-  /// Piece k, continued into the leaf at `place`. k < count().
+  /// Piece k, extrapolated to the leaf at `place`. k < count().
   QuadraticValues predict(std::size_t k, const Place& place) const;
 
  private:
@@ -67,12 +67,12 @@ class RecentPieces {
 
 using Plane = std::array<std::uint32_t, models::LeafHead::kPlaneWords>;
 
-/// Planes in the order in which they were last met, the latest first; the oldest are forgotten.
+/// Planes in the order of their last use (move to front), the latest first; the oldest are dropped.
 class RecentPlanes {
  public:
-  /// 1 for the latest, 0 for none; moves it to the front.
+  /// The plane's position in that order: 1 for the latest, 0 if absent; moves it to the front.
   std::uint32_t rank(const Plane& plane);
-  /// The plane of that rank, which moves to the front; nothing for a rank that none has.
+  /// The plane of that rank, which moves to the front; nullopt for an unused rank.
   std::optional<Plane> take(std::uint32_t rank);
   void add(const Plane& plane);
 

@@ -23,10 +23,10 @@ using models::FieldGrid;
 using models::FieldTree;
 using models::LeafHead;
 
-/// In `predictions`, after the recent pieces' places: by nothing, and not at all.
+/// Values in `predictions` after the indices of the recent pieces: no prediction, and raw words.
 constexpr std::uint8_t kByNothing = RecentPieces::kMost, kRaw = kByNothing + 1;
 
-/// Seven bits a byte, the last one without its high bit.
+/// Variable-length integer (LEB128): seven bits per byte, the high bit cleared in the last byte.
 void put_count(std::vector<std::uint8_t>& out, std::uint32_t value) {
   for (; value >= 0x80U; value >>= 7U) out.push_back(static_cast<std::uint8_t>(value | 0x80U));
   out.push_back(static_cast<std::uint8_t>(value));
@@ -40,7 +40,7 @@ std::optional<std::uint32_t> take_count(std::span<const std::uint8_t> in, std::s
   }
   return std::nullopt;
 }
-/// Small numbers of either sign as small numbers.
+/// Zigzag coding.
 std::uint32_t folded(std::int32_t v) {
   return static_cast<std::uint32_t>(v) << 1U ^ static_cast<std::uint32_t>(v >> 31);
 }
@@ -48,7 +48,7 @@ std::int32_t unfolded(std::uint32_t v) {
   return static_cast<std::int32_t>(v >> 1U) ^ -static_cast<std::int32_t>(v & 1U);
 }
 
-/// Numbers of `size` words each, apart by number and by byte.
+/// Splits records of `size` words into byte planes: by word, then by byte.
 std::vector<std::uint8_t> planes_of(std::span<const std::uint32_t> words, std::size_t size,
                                     std::size_t bytes) {
   std::vector<std::uint8_t> planes;
@@ -147,7 +147,8 @@ class Writer {
     std::uint32_t middle = 0;
     std::array<std::uint32_t, Curved::kNumbers> numbers{};
   };
-  /// How far a piece in steps is from the nearest prediction, `round`ed to such steps; notes which.
+  /// The residual of a quantised piece to the nearest prediction, which `round` quantises; records which
+  /// prediction.
   template <class Steps, class Round>
   Residual residual_of(const Steps& steps, const Round& round, const Place& place) {
     const auto cost = [&](const Steps& p) {
@@ -213,7 +214,7 @@ class Reader {
   std::optional<std::uint32_t> count(FieldStreams::Name name) {
     return take_count(in_.bytes[name], at_[name]);
   }
-  /// The next `size` words of a list; nullptr at its end.
+  /// The next `size` words of a list; nullptr at the end.
   static const std::uint32_t* words(const std::vector<std::uint32_t>& list, std::size_t& at,
                                     std::size_t size) {
     if (list.size() - at < size) return nullptr;
@@ -313,7 +314,7 @@ class Reader {
     return true;
   }
 
-  /// What a leaf is predicted from; nothing where there is no such piece.
+  /// The prediction for a leaf; nullopt if there is no such piece.
   std::optional<QuadraticValues> predicted(std::uint8_t by, const Place& place) const {
     if (by == kByNothing) return QuadraticValues{};
     if (by >= pieces_.count()) return std::nullopt;

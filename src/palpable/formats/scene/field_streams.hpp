@@ -11,28 +11,31 @@
 
 namespace palpable::formats {
 
-/// A field's tree as streams of bytes of one kind each, which pack far better than the tree itself:
-/// entries (0 a node, 1 a leaf), depth first; for each leaf how many leaves ago the same content was met
-/// (0: new); the new leaves' heads; for each plane how recently it was met (0: new); new planes in four byte
-/// planes; for each curved piece what it is predicted from; how far its middle and its nine numbers are from
-/// that prediction, number by number, low bytes and high bytes apart; and curved pieces that are no multiples
-/// of the steps (models/field/field_leaf.hpp), as they are; and of compact leaves, which are predicted in the
-/// same way, the middles and the nine numbers. No number leads anywhere by itself, so a damaged
-/// file cannot build a tree that is not one.
+/// A field's tree as byte streams, each of one kind of data, which compress far better than the tree itself.
+/// The streams contain no indices or offsets, so a damaged file cannot build an invalid tree.
 struct FieldStreams {
   static constexpr std::size_t kCount = 11;
-  /// Of files that were written before there were compact leaves.
+  /// Number of streams in files from before compact leaves.
   static constexpr std::size_t kCountBefore = 9;
   enum Name : std::size_t {
+    /// Entries, depth first: 0 a node, 1 a leaf.
     tree,
+    /// For each leaf: how many leaves ago the same content occurred, 0 = new content.
     shared,
+    /// The heads of new leaves.
     heads,
+    /// For each plane: its rank among the recent planes, 0 = a new plane.
     plane_ranks,
+    /// New planes, as four byte planes.
     planes,
+    /// For each quadratic: the recent piece that it is predicted from.
     predictions,
+    /// Residuals of the curved pieces' middles and of their nine numbers; low and high bytes apart.
     middles,
     shapes,
+    /// Curved pieces that are not multiples of the steps (models/field/field_leaf.hpp), unchanged.
     raw,
+    /// Residuals of the compact leaves' middles, and of their nine numbers.
     compact_middles,
     compact_numbers
   };
@@ -41,7 +44,7 @@ struct FieldStreams {
 
 FieldStreams streams_of(const models::FieldGrid& grid, const models::FieldTree& tree);
 
-/// The same tree. `grid` is sound. Errors: invalid_input for streams that do not fit together.
+/// Decodes the same tree. `grid` must be valid. Errors: invalid_input for inconsistent streams.
 Result<models::FieldTree> tree_from(const models::FieldGrid& grid, const FieldStreams& streams);
 
 }  // namespace palpable::formats

@@ -23,7 +23,7 @@ using models::LeafHead;
 
 models::FieldGrid grid() { return {{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}}; }
 
-/// Leaves of all kinds: planes, curved pieces in whole steps and others, up to three of them; compact ones.
+/// Leaves of all kinds: one to three planes and curved pieces, quantised or not, and compact leaves.
 FieldTree tree_of_everything(bool with_compact = true) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
@@ -62,17 +62,17 @@ FieldTree tree_of_everything(bool with_compact = true) {
   for (std::size_t i = 0; i < 8; ++i) tree.nodes[i] = i == 3 ? 1U : leaf();
   for (std::size_t i = 8; i < 16; ++i) tree.nodes[i] = i == 9 ? 2U : leaf();
   for (std::size_t i = 16; i < 24; ++i) tree.nodes[i] = leaf();
-  // A leaf that is met again.
+  // A repeated leaf.
   tree.nodes[20] = tree.nodes[5];
   tree.roots = {0U, leaf()};
   return tree;
 }
 
-TEST(FieldStreams, BringEveryKindOfLeafBackToTheBit) {
+TEST(FieldStreams, KeepEveryKindOfLeafBitByBit) {
   const FieldTree tree = tree_of_everything();
   const auto again = tree_from(grid(), streams_of(grid(), tree));
   ASSERT_TRUE(again) << again.error().sentence();
-  // Words lie in another order: the order of the tree's leaves.
+  // The words are in another order: that of the tree's leaves.
   const auto same = [&](std::uint32_t a, std::uint32_t b, auto&& recurse) -> bool {
     if (((a ^ b) & FieldTree::kLeaf) != 0) return false;
     if ((a & FieldTree::kLeaf) == 0) {
@@ -89,7 +89,7 @@ TEST(FieldStreams, BringEveryKindOfLeafBackToTheBit) {
     EXPECT_TRUE(same(tree.roots[i], again->roots[i], same)) << i;
 }
 
-TEST(FieldCodec, ReadsFieldsThatWereWrittenBeforeThereWereCompactLeaves) {
+TEST(FieldCodec, ReadsFieldsFromBeforeCompactLeaves) {
   auto distance = models::DistanceField::from_tree(grid(), tree_of_everything(false), {1e-5, 2e-5, 3e-5});
   ASSERT_TRUE(distance) << distance.error().sentence();
   auto field = models::field_of(*std::move(distance), {-0.005, 0.001, 0.003}, {0.005, 0.006, 0.008});
@@ -97,7 +97,7 @@ TEST(FieldCodec, ReadsFieldsThatWereWrittenBeforeThereWereCompactLeaves) {
   nlohmann::json description;
   ZipMembers members;
   ASSERT_TRUE(write_field(*field, description, members));
-  // Then there were two streams fewer, and another layout's number.
+  // That layout had another number and two streams fewer.
   description["layout"] = 2;
   auto& parts = description["parts"];
   Bytes& cells = members.at(description["cells"].get<std::string>());
@@ -116,7 +116,7 @@ TEST(FieldCodec, ReadsFieldsThatWereWrittenBeforeThereWereCompactLeaves) {
   EXPECT_FALSE(read_field(description, members));
 }
 
-TEST(FieldStreams, AreRefusedOrHarmlessWhenDamagedAnywhere) {
+TEST(FieldStreams, AreRefusedOrGiveAValidTreeWhenDamaged) {
   const FieldStreams whole = streams_of(grid(), tree_of_everything());
   int refused = 0;
   for (std::size_t stream = 0; stream < FieldStreams::kCount; ++stream)

@@ -19,7 +19,7 @@ Result<void> write_grid(const models::Grid& grid, nlohmann::json& description, Z
   nlohmann::json from_above;
   if (auto written = write_relief(*grid.from_above, from_above, members); !written) return written;
   const models::Occupancy o = grid.occupancy.occupancy();
-  // Eight points a byte, x fastest, the lowest bit first.
+  // Eight points per byte, x fastest, lowest bit first.
   std::vector<std::uint8_t> bits((o.points() + 7) / 8);
   for (std::size_t i = 0; i < o.points(); ++i)
     bits[i / 8] = static_cast<std::uint8_t>(bits[i / 8] | (o.occupied[i] << (i % 8)));

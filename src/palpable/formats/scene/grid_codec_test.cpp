@@ -15,7 +15,7 @@ models::Scene grid_scene() {
   return models::grid_scene({21, 17, 9}, 0.003F, [&](int) { return random() % 4 == 0; });
 }
 
-TEST(GridScene, ComesBackPointByPoint) {
+TEST(GridScene, KeepsEveryPoint) {
   const models::Scene scene = grid_scene();
   const auto file = encode_scene(scene);
   ASSERT_TRUE(file.has_value());
@@ -28,10 +28,10 @@ TEST(GridScene, ComesBackPointByPoint) {
   EXPECT_EQ(after.origin_m(), before.origin_m());
 }
 
-TEST(GridScene, IsRefusedWhenDamagedAnywhere) {
+TEST(GridScene, IsRefusedOrValidWhenDamaged) {
   const auto file = encode_scene(grid_scene());
   ASSERT_TRUE(file.has_value());
-  // A changed byte either is noticed or leaves a scene that is sound: never a crash.
+  // A changed byte is either detected or leaves a valid scene; it never causes a crash.
   for (std::size_t at = 0; at < file->size(); at += 7) {
     auto damaged = *file;
     damaged[at] ^= std::byte{0x55};

@@ -16,7 +16,7 @@ namespace {
 using models::TouchTexture;
 using nlohmann::json;
 
-/// The tile as a 16-bit grey picture: 32768 is 0.
+/// The tile as a 16-bit grey picture, where 32768 means 0.
 constexpr double kMiddle = 32768.0, kHeight = 32767.0;
 
 Result<std::vector<std::byte>> encode_tile(const std::vector<float>& tile) {
@@ -40,7 +40,7 @@ Result<std::vector<float>> decode_tile(const Bytes& member) {
   return tile;
 }
 
-/// A kind that a later version may know is none here: the scene is felt without it.
+/// An unknown kind, perhaps of a later version, is ignored: the scene is felt without its texture.
 Result<TouchTexture> read_texture(const json& j, ZipMembers& members) {
   TouchTexture texture;
   if (j.contains("tile")) {

@@ -12,13 +12,12 @@
 
 namespace palpable::formats {
 
-/// Material `number` of a scene as its description says it; a texture's picture goes into `members`.
+/// The JSON description of material `number`; a texture's picture is added to `members`.
 Result<nlohmann::json> write_material(const models::Material& material, std::size_t number,
                                       ZipMembers& members);
 
-/// The material of its description `j`; its texture's picture is taken out of `members`. Whether its numbers
-/// are sound is for check_scene() to say. May throw nlohmann::json::exception where it is not as it should
-/// be.
+/// The material of the description `j`; its texture's picture is removed from `members`. The values are not
+/// checked (check_scene() does that). May throw nlohmann::json::exception for a description of another shape.
 Result<models::Material> read_material(const nlohmann::json& j, ZipMembers& members);
 
 }  // namespace palpable::formats

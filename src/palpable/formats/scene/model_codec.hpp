@@ -10,10 +10,10 @@
 
 namespace palpable::formats {
 
-// How each kind of model is kept inside a scene file: one file of ours a kind (relief_codec.cpp …), entered
-// in scene_file.cpp's table. write_ puts the model's numbers into `description` (scene.json's "model") and
-// its large blocks into `members`. read_ trusts nothing: it may throw nlohmann::json::exception where the
-// description has another shape, which scene_file.cpp turns into an Error. Errors: failed on writing,
+// The codecs for each kind of model in a scene file: one source file per kind (relief_codec.cpp …), listed in
+// scene_file.cpp's table. write_ puts the model's numbers into `description` ("model" in scene.json) and its
+// large blocks into `members`. read_ validates everything. It may throw nlohmann::json::exception for a
+// description of another shape, which scene_file.cpp turns into an Error. Errors: failed on writing,
 // invalid_input on reading.
 
 Result<void> write_relief(const models::Relief& relief, nlohmann::json& description, ZipMembers& members);

@@ -36,7 +36,7 @@ struct Reader {
   std::string_view kind;
   Result<models::Model> (*read)(const json& description, const ZipMembers& members);
 };
-/// A kind that joins models::Model is entered here and in write_model().
+/// A new kind of models::Model is added here and in write_model().
 constexpr std::array<Reader, 5> kReaders{{{"relief", read_relief},
                                           {"contours", read_contours},
                                           {"field", read_field},
@@ -70,7 +70,7 @@ SceneFromInput transform_from(const json& j) {
           j.at("scale").get<double>()};
 }
 
-bool is_sound(const SceneFromInput& t) {
+bool is_valid(const SceneFromInput& t) {
   return std::all_of(t.rotation.begin(), t.rotation.end(), [](double v) { return std::isfinite(v); }) &&
          is_finite(t.translation_m) && std::isfinite(t.scale) && t.scale > 0.0;
 }
@@ -102,7 +102,7 @@ Result<void> check_version(const json& description, SceneFile& out) {
   return {};
 }
 
-/// The member that `key` names, taken out of `members`; nullopt where the scene has none.
+/// Removes the member that `key` names from `members`; nullopt if the scene has none.
 Result<std::optional<Bytes>> member_named(const json& description, const char* key, ZipMembers& members) {
   if (!description.contains(key)) return std::optional<Bytes>();
   const auto name = description.at(key).get<std::string>();
@@ -136,7 +136,7 @@ void read_source(const json& description, models::Provenance& source) {
   source.made_by = j.at("made_by").get<std::string>();
 }
 
-/// The maker's own words, in files since they exist.
+/// The maker's title and description; absent in older files.
 void read_words(const json& description, models::Scene& scene) {
   scene.title = description.value("title", std::string());
   scene.description = description.value("description", std::string());
@@ -183,11 +183,11 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
 Result<void> check_scene(const models::Scene& scene) {
   if (scene.materials.empty() || scene.materials.size() > kMaxMaterials)
     return invalid_input("a scene has between 1 and 256 materials");
-  if (!std::all_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return is_sound(m); }))
+  if (!std::all_of(scene.materials.begin(), scene.materials.end(), [](const auto& m) { return is_valid(m); }))
     return invalid_input(
         "a material's stiffness, damping or friction is negative or not a number, or its texture out of "
         "range");
-  if (!is_sound(scene.scene_from_input))
+  if (!is_valid(scene.scene_from_input))
     return invalid_input("the scene's place in its input is not a number");
   if (scene.title.size() > models::kMaxTitleBytes || scene.title.find('\n') != std::string::npos)
     return invalid_input("a scene's title is one line of at most 200 bytes");
@@ -236,7 +236,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
   };
   if (auto added = add_picture("texture", kTexture, scene.texture); !added) return std::move(added).error();
   if (auto added = add_picture("labels", kLabels, scene.labels); !added) return std::move(added).error();
-  // Names come from files and people: what is not UTF-8 in them is replaced rather than refused.
+  // Names come from files and people: invalid UTF-8 in them is replaced, not refused.
   constexpr int kIndent = 1;
   const std::string text = description.dump(kIndent, ' ', false, json::error_handler_t::replace);
   const auto bytes = as_bytes(text);

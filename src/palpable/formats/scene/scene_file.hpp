@@ -14,32 +14,32 @@
 
 namespace palpable::formats {
 
-/// A scene as it was read from a .palp file (docs/formats.md).
+/// A scene read from a .palp file (docs/formats.md).
 struct SceneFile {
   models::Scene scene;
-  /// The version that it states, "1.0".
+  /// The format version in the file, "1.0".
   std::string version;
   /// The file's own size.
   std::uintmax_t file_bytes = 0;
-  /// Members that this version does not know; give them to write_scene() to keep them.
+  /// Members unknown to this version; pass them to write_scene() to keep them.
   ZipMembers others;
 };
 
-/// Whether a scene could be saved: at least one material and at most 256, every number finite, stiffness,
-/// damping and friction not negative. Errors: invalid_input.
+/// Checks that a scene can be saved: 1 to 256 materials, all numbers finite, stiffness, damping and friction
+/// not negative. Errors: invalid_input.
 Result<void> check_scene(const models::Scene& scene);
 
-/// Writes a scene atomically. The same scene gives the same bytes. Errors: check_scene()'s; failed, with the
-/// system's reason.
+/// Writes a scene atomically and deterministically. Errors: those of check_scene(); failed, with the system's
+/// reason.
 Result<void> write_scene(const std::filesystem::path& path, const models::Scene& scene,
                          const ZipMembers& others = {});
 
-/// Reads a scene. Errors: invalid_input, with the file's name, for what is missing, damaged, cut off, of a
-/// newer major version, or states sizes beyond what is read (kMaxPixels, kMaxUnpackedBytes), always before
-/// memory is taken for them.
+/// Reads a scene. Errors: invalid_input, with the file's name, for content that is missing, damaged,
+/// truncated, of a newer major version, or larger than kMaxPixels or kMaxUnpackedBytes (checked before memory
+/// is allocated).
 Result<SceneFile> read_scene(const std::filesystem::path& path);
 
-/// The same in memory; errors without a place.
+/// The same in memory; errors have no file name.
 Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others = {});
 Result<SceneFile> decode_scene(std::span<const std::byte> file);
 

@@ -43,7 +43,7 @@ models::Scene sample(int width = 40, int height = 30) {
   return scene;
 }
 
-/// The sample's file with a part of its scene.json replaced.
+/// The sample's file after a text replacement in its scene.json.
 Bytes with_description(const std::string& from, const std::string& to) {
   auto members = *unzip(*encode_scene(sample()));
   std::string text(as_text(members["scene.json"]));
@@ -54,7 +54,7 @@ Bytes with_description(const std::string& from, const std::string& to) {
   return *zip(members);
 }
 
-TEST(SceneFile, KeepsATexturesPictureToTheFifteenthBit) {
+TEST(SceneFile, KeepsATexturesPictureToFifteenBits) {
   models::Scene scene = sample();
   std::vector<float> tile(std::size_t{models::kTextureSide} * models::kTextureSide);
   for (std::size_t k = 0; k < tile.size(); ++k) tile[k] = std::sin(0.37F * static_cast<float>(k));
@@ -76,7 +76,7 @@ TEST(SceneFile, KeepsATexturesPictureToTheFifteenthBit) {
   EXPECT_FALSE(encode_scene(broken));
 }
 
-TEST(SceneFile, GivesBackEveryValueExactly) {
+TEST(SceneFile, KeepsEveryValueExactly) {
   const models::Scene scene = sample();
   const auto path = std::filesystem::path(testing::TempDir()) / "palpable-scene.palp";
   ASSERT_TRUE(write_scene(path, scene));
@@ -115,7 +115,7 @@ TEST(SceneFile, KeepsTheMakersTitleAndDescription) {
   EXPECT_FALSE(encode_scene(scene));
 }
 
-TEST(SceneFile, GivesBackContoursAndTheirGroovesExactly) {
+TEST(SceneFile, KeepsContoursAndTheirGroovesExactly) {
   Raster<models::BoundaryPixel> edges(12, 9);
   for (int x = 0; x < 12; ++x) edges(x, 4) = {0.5F, 0.01F * static_cast<float>(x)};
   auto map = models::BoundaryMap::from_edges(edges, 0.001, 2.5, {0.3, 0.125}, Work{});
@@ -135,7 +135,8 @@ TEST(SceneFile, GivesBackContoursAndTheirGroovesExactly) {
   EXPECT_EQ((*contours)->grooves->samples_m(), hills(24, 18));
 }
 
-/// A field of two roots, one of them cut, with a plane that two leaves share, an edge and a curved leaf.
+/// A field of two root cells, one of them subdivided, with a plane that two leaves share, an edge and a
+/// curved leaf.
 models::Scene field_scene() {
   const auto w = [](float v) { return std::bit_cast<std::uint32_t>(v); };
   constexpr std::uint32_t kLeaf = models::FieldTree::kLeaf;
@@ -167,7 +168,7 @@ models::Scene dense_scene(models::DenseContent content) {
   return scene;
 }
 
-TEST(SceneFile, GivesBackADenseFieldToTheBit) {
+TEST(SceneFile, KeepsADenseFieldBitByBit) {
   for (const auto content : {models::DenseContent::distance, models::DenseContent::distance_and_force}) {
     const models::Scene scene = dense_scene(content);
     const auto back = decode_scene(*encode_scene(scene));
@@ -198,7 +199,7 @@ TEST(SceneFile, RefusesADenseFieldOfAnotherSizeThanItStates) {
   }
 }
 
-TEST(SceneFile, GivesBackAFieldsDistancesExactly) {
+TEST(SceneFile, KeepsAFieldsDistancesExactly) {
   const models::Scene scene = field_scene();
   const auto back = decode_scene(*encode_scene(scene));
   ASSERT_TRUE(back) << back.error().sentence();
@@ -216,7 +217,7 @@ TEST(SceneFile, GivesBackAFieldsDistancesExactly) {
   }
 }
 
-TEST(SceneFile, WithADamagedFieldIsRefusedOrHarmless) {
+TEST(SceneFile, RefusesADamagedFieldOrReadsAValidOne) {
   const auto members = unzip(*encode_scene(field_scene()));
   ASSERT_TRUE(members);
   const Bytes& sound = members->at("cells.field.zst");
@@ -233,9 +234,7 @@ TEST(SceneFile, WithADamagedFieldIsRefusedOrHarmless) {
   EXPECT_FALSE(decode_scene(*zip(cut)));
 }
 
-TEST(SceneFile, GivesTheSameBytesForTheSameScene) {
-  EXPECT_EQ(*encode_scene(sample()), *encode_scene(sample()));
-}
+TEST(SceneFile, IsDeterministic) { EXPECT_EQ(*encode_scene(sample()), *encode_scene(sample())); }
 
 TEST(SceneFile, KeepsMembersThatItDoesNotKnow) {
   const ZipMembers others{{"notes.txt", Bytes(5, std::byte{'x'})}};
@@ -245,7 +244,7 @@ TEST(SceneFile, KeepsMembersThatItDoesNotKnow) {
   EXPECT_EQ(decode_scene(*encode_scene(first->scene, first->others))->others, others);
 }
 
-TEST(SceneFile, OfANewerMajorVersionIsRefusedAndOfANewerMinorIsRead) {
+TEST(SceneFile, RefusesANewerMajorVersionAndReadsANewerMinorOne) {
   const auto newer = decode_scene(with_description("\"major\": 1", "\"major\": 2"));
   ASSERT_FALSE(newer);
   EXPECT_EQ(newer.error().code, ErrorCode::invalid_input);
@@ -255,7 +254,7 @@ TEST(SceneFile, OfANewerMajorVersionIsRefusedAndOfANewerMinorIsRead) {
   EXPECT_EQ(minor->version, "1.7");
 }
 
-TEST(SceneFile, ThatStatesNonsenseIsRefusedWithASentence) {
+TEST(SceneFile, RefusesInvalidDescriptionsWithASentence) {
   const struct {
     const char* from;
     const char* to;
@@ -282,7 +281,7 @@ TEST(SceneFile, ThatStatesNonsenseIsRefusedWithASentence) {
   }
 }
 
-TEST(SceneFile, DamagedAnywhereIsAnErrorOrTheSameScene) {
+TEST(SceneFile, RefusesADamagedFileOrReadsTheSameScene) {
   const auto file = *encode_scene(sample());
   const Raster<float> good = hills(40, 30);
   for (std::size_t length = 0; length < file.size(); length += 7)
@@ -293,7 +292,7 @@ TEST(SceneFile, DamagedAnywhereIsAnErrorOrTheSameScene) {
     changed[i] ^= std::byte{0x55};
     const auto scene = decode_scene(changed);
     refused += scene ? 0 : 1;
-    // Dates and flags of the archive may change without harm; heights are guarded by the archive's checksums.
+    // The archive's dates and flags may change; checksums protect the heights.
     if (scene) {
       EXPECT_EQ(std::get<std::shared_ptr<const models::Relief>>(scene->scene.model)->samples_m(), good) << i;
     }
@@ -301,14 +300,14 @@ TEST(SceneFile, DamagedAnywhereIsAnErrorOrTheSameScene) {
   EXPECT_GT(refused, static_cast<int>(file.size() / 3 / 2));
 }
 
-TEST(SceneFile, ThatIsNoneIsRefused) {
+TEST(SceneFile, RefusesOtherFiles) {
   EXPECT_FALSE(decode_scene({}));
   EXPECT_FALSE(decode_scene(as_bytes("just a text")));
   EXPECT_NE(decode_scene(*zip({{"a", {}}})).error().message.find("without scene.json"), std::string::npos);
   EXPECT_FALSE(read_scene("/no/such/scene.palp"));
 }
 
-TEST(SceneFile, WithoutMaterialsOrWithUnknownLabelsIsNotWritten) {
+TEST(SceneFile, IsNotWrittenWithoutMaterialsOrWithUnknownLabels) {
   models::Scene scene = sample();
   scene.labels(0, 0) = 2;
   EXPECT_FALSE(encode_scene(scene));
@@ -318,7 +317,7 @@ TEST(SceneFile, WithoutMaterialsOrWithUnknownLabelsIsNotWritten) {
   EXPECT_FALSE(encode_scene(scene));
 }
 
-TEST(FloatBlock, KeepsEveryBitPatternAndMakesSmoothRowsSmall) {
+TEST(FloatBlock, KeepsEveryBitPatternAndCompressesSmoothRows) {
   using Limits = std::numeric_limits<float>;
   const std::vector<float> odd{0.0F,
                                -0.0F,

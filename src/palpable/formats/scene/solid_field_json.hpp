@@ -13,7 +13,7 @@
 
 namespace palpable::formats {
 
-/// The box that a solid fills and the primitives that it was sampled from, into its description.
+/// Writes a solid's bounding box and the primitives that it was sampled from into its description.
 template <class Distance>
 void describe_solid(const models::SolidField<Distance>& field, nlohmann::json& description) {
   description["least_m"] = json_of(field.least_m);
@@ -22,8 +22,8 @@ void describe_solid(const models::SolidField<Distance>& field, nlohmann::json& d
     description["primitives"].push_back(json_of(shape));
 }
 
-/// The model of a solid's distance, however it is kept: with the box that it fills and the primitives that
-/// its description states. May throw nlohmann::json::exception, as model_codec.hpp says.
+/// The model of a solid from its distance field (adaptive or dense) and the bounding box and primitives in
+/// its description. May throw nlohmann::json::exception (see model_codec.hpp).
 template <class Distance>
 Result<models::Model> model_from(Distance distance, const nlohmann::json& description) {
   auto field = models::field_of(std::move(distance), vec3_from(description.at("least_m")),

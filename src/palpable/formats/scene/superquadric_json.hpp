@@ -15,7 +15,7 @@
 namespace palpable::formats {
 
 /// {type: "superquadric", size_m: [a1, a2, a3], exponents: [e1, e2], rotation: [qw, qx, qy, qz], position_m,
-/// taper: [kx, ky], bend, bend_angle_rad}: as a scene's description and `info` write it.
+/// taper: [kx, ky], bend, bend_angle_rad}: the form in a scene's description and in `info`.
 nlohmann::json json_of(const models::Superquadric& shape);
 
 /// Taper, bend and rotation may be left out. May throw nlohmann::json::exception for another shape. Errors:

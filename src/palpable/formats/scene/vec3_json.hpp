@@ -10,7 +10,7 @@
 
 namespace palpable::formats {
 
-/// [x, y, z]; what is not that throws nlohmann::json::exception.
+/// [x, y, z]; other values throw nlohmann::json::exception.
 inline nlohmann::json json_of(Vec3 v) { return {v.x, v.y, v.z}; }
 inline Vec3 vec3_from(const nlohmann::json& j) {
   const auto v = j.get<std::array<double, 3>>();

@@ -15,7 +15,7 @@
 namespace palpable::formats {
 namespace {
 
-/// A place on the grid's edge, in samples, and the edge's number: the same on both cells that share it.
+/// A crossing of a grid edge, in samples, and the edge's number, which both adjacent cells share.
 struct Crossing {
   double x;
   double y;
@@ -23,7 +23,7 @@ struct Crossing {
 };
 using Line = std::vector<Crossing>;
 
-/// Finds where one level crosses the grid (marching squares) and joins the pieces into lines.
+/// Finds the crossings of one level with the grid (marching squares) and joins the segments to lines.
 class LevelTracer {
  public:
   LevelTracer(const Raster<float>& heights, double level) : z_(heights), level_(level) {}
@@ -64,7 +64,7 @@ class LevelTracer {
         sides.push_back(side);
     if (sides.size() == 2) add(x, y, sides[0], sides[1]);
     if (sides.size() != 4) return;
-    // A saddle: the middle decides which corners belong together.
+    // A saddle: the mean height decides which corners are connected.
     const bool middle = above(x, y) + above(x + 1, y) + above(x + 1, y + 1) + above(x, y + 1) > 0;
     const int turn = middle == high[0] ? 0 : 3;
     add(x, y, turn, (turn + 1) % 4);
@@ -77,7 +77,7 @@ class LevelTracer {
     for (const Crossing& end : pieces_.back()) at_edge_[end.edge].push_back(k);
   }
 
-  /// The piece on the other side of an edge, or none.
+  /// The segment on the other side of an edge, if any.
   bool next_piece(std::uint64_t edge, std::size_t& next) const {
     for (const std::size_t k : at_edge_.at(edge))
       if (!used_[k]) return next = k, true;
@@ -118,7 +118,7 @@ double length_of(const Line& line) {
   return sum;
 }
 
-/// A height, and how much wider than usual its lines are.
+/// A height, and the width factor of its lines.
 struct Level {
   double height_m;
   double width;

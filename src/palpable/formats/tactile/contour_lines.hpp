@@ -13,13 +13,13 @@ namespace palpable::formats {
 struct ContourLineOptions {
   /// Height from one line to the next. > 0.
   double interval_m = 0.002;
-  /// Heights above a flat ground: a first line at this height, half as wide again, is the objects' outline,
-  /// and the others lie at multiples of the interval. Nothing: the lines lie at (k + 1/2) intervals above the
-  /// lowest place, and every fifth is half as wide again. > 0.
+  /// For objects on a flat ground: the first line is at this height and 1.5 times as wide; it is the objects'
+  /// outline. The others are at multiples of the interval. Not given: lines are at (k + 1/2) intervals above
+  /// the lowest height, and every fifth is 1.5 times as wide. > 0.
   std::optional<double> outline_m;
-  /// Black lines of this width rise on swell paper. 0.05 … 10 mm.
+  /// Width of the black lines, which rise on swell paper. 0.05 … 10 mm.
   double line_width_m = 0.0008;
-  /// Shorter lines are left out: a finger does not find them. 0 … 0.1 m.
+  /// Shorter lines are left out, since a finger does not find them. 0 … 0.1 m.
   double least_length_m = 0.0;
 };
 

@@ -18,7 +18,7 @@ Raster<float> cone() {
   return z;
 }
 
-TEST(EncodeContourLines, DrawsClosedRingsRoundACone) {
+TEST(EncodeContourLines, DrawsClosedRingsAroundACone) {
   ContourLineOptions options;
   options.interval_m = 0.002;
   const auto svg = encode_contour_lines(cone(), 0.001, options);
@@ -56,7 +56,7 @@ TEST(EncodeContourLines, BeginWithAnOutlineAboveTheGround) {
   EXPECT_NE(svg->find("stroke-width=\"1.200\""), std::string::npos);
 }
 
-TEST(EncodeContourLines, LeaveOutShortOnes) {
+TEST(EncodeContourLines, LeaveOutShortLines) {
   ContourLineOptions options;
   options.outline_m = 0.0005;
   // The line at 8 mm is a ring of 4 mm radius, 25 mm long.

@@ -21,7 +21,7 @@ constexpr std::string_view kBrailleAscii =
     R"( A1B'K2L@CIF/MSP"E3H9O6R^DJG>NTQ,*5<-U8V.%[$+X!&;:4\0Z7(_?W]#Y)=)";
 static_assert(kBrailleAscii.size() == 64);
 
-/// Where the dots of a page lie, and which are raised.
+/// The dots of a page, and which of them are raised.
 class Page {
  public:
   explicit Page(const BrailleOptions& options)
@@ -31,7 +31,7 @@ class Page {
   double width_m() const { return (options_.columns - 1) * options_.cell_m + options_.dot_m; }
   double height_m() const { return (options_.rows - 1) * options_.line_m + 2.0 * options_.dot_m; }
 
-  /// Raises the dot nearest to a place on the paper: from the first dot to the right, and down.
+  /// Raises the dot nearest to a position on the paper, measured from the first dot.
   void raise(double right_m, double down_m) {
     const auto [column, dot_column] = nearest(right_m, options_.cell_m, 2, options_.columns);
     const auto [row, dot_row] = nearest(down_m, options_.line_m, 3, options_.rows);
@@ -55,7 +55,7 @@ class Page {
   }
 
  private:
-  /// The cell and the dot in it nearest to a place on an axis.
+  /// The cell, and the dot in it, nearest to a position on an axis.
   std::pair<int, int> nearest(double at_m, double pitch_m, int dots, int cells) const {
     std::pair<int, int> best{0, 0};
     double least = 1e9;
@@ -75,7 +75,7 @@ class Page {
 
 bool within(double value, double least, double most) { return value >= least && value <= most; }
 
-/// Calls `visit` for places along the line that are at most `step_m` apart.
+/// Calls `visit` for points along the line, at most `step_m` apart.
 template <class Visit>
 void walk(const Polyline& line, double step_m, const Visit& visit) {
   const std::size_t pieces = line.points.size() - (line.closed ? 0 : 1);

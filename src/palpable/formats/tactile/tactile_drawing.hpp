@@ -11,7 +11,7 @@
 namespace palpable::formats {
 
 struct SwellPaperOptions {
-  /// Width of a printed line; 0.5 to 1.5 mm rise well on swell paper. 0.05 … 10 mm.
+  /// Width of a printed line, 0.05 … 10 mm. Lines of 0.5 to 1.5 mm rise well on swell paper.
   double line_width_m = 0.0012;
   /// Width of the printed drawing; 0 = true size. 0, or 10 … 1000 mm.
   double width_m = 0.0;
@@ -26,16 +26,15 @@ struct BrailleOptions {
   /// Cells of a page. 10 … 100; 5 … 100.
   int columns = 40;
   int rows = 25;
-  /// Distance of dots in a cell, and of cells along and across the lines of text (Marburg Medium). 1 … 20 mm
-  /// each.
+  /// Distances of dots in a cell, of cells in a line, and of lines (Marburg Medium). 1 … 20 mm each.
   double dot_m = 0.0025;
   double cell_m = 0.006;
   double line_m = 0.010;
 };
 
-/// The lines as dots of six-dot braille, one page, in North American braille ASCII (.brf): as large as the
-/// page allows, proportions kept, each point of a line marked by the dot that is nearest on paper. Lines end
-/// with CR LF, the page with a form feed. Errors: usage for options out of range.
+/// The lines as dots of six-dot braille on one page, in North American braille ASCII (.brf). The drawing is
+/// as large as the page allows, with its proportions kept, and each point of a line raises the nearest dot.
+/// Text lines end with CR LF, the page with a form feed. Errors: usage for options out of range.
 Result<std::string> encode_braille(std::span<const Polyline> lines, double width_m, double height_m,
                                    const BrailleOptions& options);
 

@@ -10,7 +10,7 @@
 namespace palpable::formats {
 namespace {
 
-/// A frame as wide and high as a drawing of 238.5 x 245 mm, which is the braille page's own size.
+/// A frame of the braille page's own size, 238.5 x 245 mm.
 constexpr double kWide_m = 39 * 0.006 + 0.0025, kHigh_m = 24 * 0.010 + 0.005;
 Polyline frame() {
   const double x = 0.5 * kWide_m, y = 0.5 * kHigh_m;
@@ -39,8 +39,8 @@ TEST(Braille, DrawsAFrameWithTheOutermostDotsOfThePage) {
   EXPECT_EQ(rows[25], "\f");
 }
 
-TEST(Braille, KeepsProportionsOnThePaperNotInCells) {
-  // A square of the drawing is as wide as high on paper: 40 cells are 236.5 mm, 25 lines 245 mm.
+TEST(Braille, KeepsProportionsInMillimetres) {
+  // A square stays a square on paper: 40 cells are 236.5 mm, 25 lines 245 mm.
   const Polyline square{{{-0.05, 0.05, 0}, {0.05, 0.05, 0}, {0.05, -0.05, 0}, {-0.05, -0.05, 0}}, true};
   const auto brf = encode_braille(std::vector<Polyline>{square}, 0.1, 0.1, {});
   ASSERT_TRUE(brf);
@@ -56,7 +56,7 @@ TEST(Braille, StaysOnItsPage) {
   EXPECT_FALSE(encode_braille({}, 0.1, 0.1, {5, 20}));
 }
 
-TEST(SwellPaper, HasTheDrawingsSizeAndClosesClosedLines) {
+TEST(SwellPaper, HasTheDrawingsSizeAndClosedLines) {
   const std::vector<Polyline> lines{{{{-0.05, 0.025, 0}, {0.05, -0.025, 0}}, false}, frame()};
   const auto svg = encode_swell_paper(lines, 0.1, 0.05, {});
   ASSERT_TRUE(svg);

@@ -16,11 +16,11 @@
 
 namespace palpable::formats {
 
-/// How much of a field an OpenVDB file holds.
+/// Which part of a field is written to an OpenVDB file.
 enum class VdbBand : std::uint8_t {
-  /// Three voxels to each side of the surface.
+  /// Three voxels on each side of the surface.
   narrow,
-  /// And the whole inside.
+  /// The narrow band and the whole inside.
   full
 };
 
@@ -30,9 +30,10 @@ struct VdbOptions {
   VdbBand band = VdbBand::narrow;
 };
 
-/// A field as an OpenVDB level set named "surface", in metres, half floats, packed by Blosc. Long work: all
-/// threads, polls cancel. Errors: usage for a voxel that makes over 4096 along a side; failed for over 2 GiB
-/// of voxels, naming what they would take, and what OpenVDB reports; interrupted.
+/// A field as an OpenVDB level set named "surface", in metres, as half floats compressed by Blosc.
+/// Long-running: uses all threads and polls for cancellation. Errors: usage for more than 4096 voxels along a
+/// side; failed for more than 2 GiB of voxels (with the size needed) and for OpenVDB's own errors;
+/// interrupted.
 Result<std::vector<std::byte>> encode_vdb(const models::DistanceField& field, const VdbOptions& options,
                                           const Work& work);
 Result<std::vector<std::byte>> encode_vdb(const models::DenseField& field, const VdbOptions& options,
@@ -41,10 +42,11 @@ Result<std::vector<std::byte>> encode_vdb(const models::DenseField& field, const
 /// Whether these are the first bytes of an OpenVDB file.
 bool is_vdb(std::span<const std::byte> file);
 
-/// The first level set of an OpenVDB file (else its first grid of unknown class) among its grids of floats,
-/// whole or half, unpacked or packed by zlib or Blosc. Read by our own code, since OpenVDB's trusts its
-/// files. Errors: invalid_input for what is damaged, cut off, older than format 222 (2013), without such a
-/// grid, of over a million blocks, with numbers that are not finite, or not on a regular grid.
+/// The first level set of an OpenVDB file (else its first grid of unknown class) among its grids of floats or
+/// half floats, uncompressed or compressed by zlib or Blosc. Read by our own code, since OpenVDB's reader
+/// does not validate its input. Errors: invalid_input for files that are damaged, truncated, older than
+/// format 222 (2013), without such a grid, of over a million blocks, with values that are not finite, or not
+/// on a regular grid.
 Result<LevelSet> decode_vdb(std::span<const std::byte> file);
 
 /// The same from a file of at most 1 GiB; errors name it.

@@ -17,19 +17,18 @@ namespace palpable::formats {
 namespace {
 
 constexpr std::string_view kMagic(" BDV\0\0\0\0", 8);
-/// Format 222 is of 2013; 224, of 2017, is the newest that is known.
+/// Format 222 is from 2013; 224, from 2017, is the newest known one.
 constexpr std::uint32_t kOldest = 222, kNewest = 224;
 
 std::string_view read_text(ByteReader& reader) { return as_text(reader.bytes(reader.u32())); }
 
-/// A grid's metadata of which only its class matters: "level set", "fog volume", "staggered", "unknown" or
-/// none.
+/// Reads a grid's metadata and returns its class: "level set", "fog volume", "staggered", "unknown" or none.
 std::string_view read_class(ByteReader& reader) {
   std::string_view kind;
   const std::uint32_t count = reader.u32();
   for (std::uint32_t i = 0; i < count && reader.ok(); ++i) {
     const std::string_view name = read_text(reader);
-    read_text(reader);  // Its type.
+    read_text(reader);  // The entry's type.
     const std::string_view value = read_text(reader);
     if (name == "class") kind = value;
   }
@@ -57,7 +56,7 @@ Result<Header> read_header(ByteReader& reader) {
   return header;
 }
 
-/// Where a grid lies, and what it says of itself before its tree.
+/// A grid's position in the file, and its header.
 struct Grid {
   std::string_view type, kind;
   VdbCoding coding;
@@ -70,7 +69,7 @@ Vec3 read_vec3(ByteReader& reader) {
   return {x, y, z};
 }
 
-/// How grid places stand in space; false for a map that is not linear.
+/// Reads the transform from grid indices to space; false if it is not linear.
 bool read_places(ByteReader& reader, LevelSet& set) {
   const std::string_view map = read_text(reader);
   Vec3 scale{1.0, 1.0, 1.0};
@@ -99,7 +98,7 @@ bool read_places(ByteReader& reader, LevelSet& set) {
   return true;
 }
 
-/// The grid that begins here; nullopt where it cannot be a level set of ours, with the reason.
+/// The grid that begins here; nullopt with `reason` if it cannot be read as a level set.
 std::optional<Grid> read_grid(ByteReader& reader, std::string_view type, std::string& reason) {
   Grid grid;
   grid.type = type;
@@ -136,7 +135,7 @@ Result<Grid> find_grid(ByteReader& reader, const Header& header) {
     const std::uint64_t end = reader.u64();
     if (header.offsets && (begin > end || end > reader.position() + reader.left())) break;
     if (header.offsets) reader.seek(static_cast<std::size_t>(begin));
-    // The tree of a grid that shares another's stands there.
+    // An instance grid has its tree elsewhere.
     auto grid = shared ? std::nullopt : read_grid(reader, type, reason);
     if (grid && reader.ok() && (!found || (found->kind != "level set" && grid->kind == "level set")))
       found = grid;

@@ -44,13 +44,13 @@ void expect_half_space(const LevelSet& set, double inside_m) {
                     block.corner[2] + 1.0 * (i % 8)};
       const Vec3 p = set.origin_m + at.x * set.steps_m[0] + at.y * set.steps_m[1] + at.z * set.steps_m[2];
       const double expected = std::clamp(field.sample(p).distance_m, -inside_m, width_m);
-      // Halves keep 11 bits.
+      // Half floats have 11 significant bits.
       ASSERT_NEAR(static_cast<double>(block.values[static_cast<std::size_t>(i)]), expected,
                   1e-7 + std::abs(expected) / 2048.0);
     }
 }
 
-TEST(Vdb, AFieldsNarrowBandComesBackFromWhatOpenVdbWrites) {
+TEST(Vdb, ReadsANarrowBandThatOpenVdbWrote) {
   const auto set = decode_vdb(encoded(VdbBand::narrow));
   ASSERT_TRUE(set) << set.error().sentence();
   EXPECT_GT(set->blocks.size(), 50U);
@@ -59,7 +59,7 @@ TEST(Vdb, AFieldsNarrowBandComesBackFromWhatOpenVdbWrites) {
   expect_half_space(*set, 0.0015);
 }
 
-TEST(Vdb, TheWholeInsideComesBackToo) {
+TEST(Vdb, ReadsTheWholeInsideThatOpenVdbWrote) {
   const auto narrow = decode_vdb(encoded(VdbBand::narrow)), full = decode_vdb(encoded(VdbBand::full));
   ASSERT_TRUE(narrow && full);
   EXPECT_GT(full->blocks.size(), narrow->blocks.size() + 50);
@@ -72,7 +72,7 @@ TEST(Vdb, RefusesTooManyVoxels) {
   EXPECT_EQ(bytes.error().code, ErrorCode::usage);
 }
 
-TEST(Vdb, CutOffAnywhereItIsRefused) {
+TEST(Vdb, RefusesAFileTruncatedAnywhere) {
   const auto bytes = encoded(VdbBand::narrow);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 40) {
     const auto set = decode_vdb(std::span(bytes).first(size));
@@ -81,13 +81,13 @@ TEST(Vdb, CutOffAnywhereItIsRefused) {
   }
 }
 
-TEST(Vdb, DamagedItIsReadOrRefusedButNeverLeadsAstray) {
+TEST(Vdb, ReadsOrRefusesADamagedFileWithoutACrash) {
   const auto bytes = encoded(VdbBand::narrow);
   std::mt19937 random(5);
   int refused = 0;
   for (int i = 0; i < 400; ++i) {
     auto damaged = bytes;
-    // The first kilobyte says how large everything is.
+    // The first kilobyte holds all sizes.
     const std::size_t at = random() % (i % 2 == 0 ? 1024U : static_cast<unsigned>(bytes.size()));
     damaged[at] = std::byte{static_cast<std::uint8_t>(random())};
     const auto set = decode_vdb(damaged);
@@ -105,7 +105,7 @@ std::filesystem::path example(const char* name) {
   return std::filesystem::path(PALPABLE_VDB_EXAMPLES) / name;
 }
 
-/// Balls of radius 4 voxels of 1 around (10, 0, 0), written by OpenVDB's Python module.
+/// A ball of radius 4 around (10, 0, 0) with voxels of side 1, written by OpenVDB's Python module.
 void expect_ball(const char* name) {
   const auto set = read_vdb(example(name));
   ASSERT_TRUE(set) << set.error().sentence();
@@ -119,18 +119,18 @@ void expect_ball(const char* name) {
       ASSERT_NEAR(static_cast<double>(block.values[static_cast<std::size_t>(i)]), expected, 0.02);
       if (expected < 0.0) ++inside;
     }
-  // So many whole places lie nearer than 4.
+  // The number of integer points nearer than 4.
   EXPECT_EQ(inside, 251);
 }
 
-TEST(Vdb, ReadsEveryPacking) {
+TEST(Vdb, ReadsEveryCompression) {
   for (const char* name : {"ball_blosc.vdb", "ball_half.vdb", "ball_zip.vdb", "ball_plain.vdb"}) {
     SCOPED_TRACE(name);
     expect_ball(name);
   }
 }
 
-TEST(Vdb, TakesTheLevelSetAmongOtherGridsAndRefusesAFog) {
+TEST(Vdb, FindsTheLevelSetAmongOtherGridsAndRefusesAFogVolume) {
   expect_ball("fog_and_ball.vdb");
   const auto fog = read_vdb(example("fog.vdb"));
   ASSERT_FALSE(fog);

@@ -48,7 +48,7 @@ class Mask {
   std::span<const std::byte> bytes_;
 };
 
-/// What packed bytes unpack to, if that is exactly `size` bytes.
+/// Decompresses bytes; nullopt unless the result has exactly `size` bytes.
 std::optional<std::vector<std::byte>> unpacked(std::span<const std::byte> packed, std::size_t size,
                                                std::uint32_t compression) {
   std::vector<std::byte> bytes(size);
@@ -68,16 +68,16 @@ std::optional<std::vector<std::byte>> unpacked(std::span<const std::byte> packed
   return bytes;
 }
 
-/// Reads a tree. After the first thing that is wrong, ok() stays false and nothing more is read.
+/// Reads a tree. After the first error ok() stays false and nothing more is read.
 class TreeReader {
  public:
   TreeReader(ByteReader& reader, const VdbCoding& coding) : reader_(reader), coding_(coding) {}
 
   LevelSet read() {
-    reader_.u32();  // How many buffers each leaf has: 1 since long before format 222.
+    reader_.u32();  // Number of buffers per leaf: always 1 in these formats.
     set_.background = reader_.f32();
     const std::uint32_t tiles = reader_.u32(), children = reader_.u32();
-    // The solid's surface does not pass a tile; what lies behind it is told by the blocks.
+    // The surface does not cross a tile, so the blocks suffice.
     constexpr std::size_t kTileBytes = 3 * 4 + 4 + 1, kNodeBytes = 3 * 4 + 2 * 4096;
     if (tiles > reader_.left() / kTileBytes || children > reader_.left() / kNodeBytes) return fail();
     reader_.skip(tiles * kTileBytes);
@@ -101,14 +101,15 @@ class TreeReader {
     Corner corner{};
     for (int& c : corner) {
       c = static_cast<std::int32_t>(reader_.u32());
-      // Far beyond any file's grid; a block's coordinates stay whole numbers below that.
+      // Far beyond any real grid; block coordinates stay in the range of int below that.
       constexpr int kFarthest = 1 << 28;
       if (c % 4096 != 0 || c < -kFarthest || c > kFarthest) sound_ = false;
     }
     return corner;
   }
 
-  /// The children of a node with 2^log2_side of them along each side; they are blocks below nodes of 16.
+  /// Reads the children of a node with 2^log2_side of them along each side; below nodes of 16 they are
+  /// blocks.
   void topology(Corner corner, unsigned log2_side) {
     const std::size_t count = std::size_t{1} << (3 * log2_side);
     const Mask children(reader_, count), active(reader_, count);
@@ -125,7 +126,7 @@ class TreeReader {
         topology(child, 4);
         continue;
       }
-      reader_.skip(512 / 8);  // Which values are active, told again beside them.
+      reader_.skip(512 / 8);  // The mask of active values, which is repeated with the values.
       if (set_.blocks.size() == kMostBlocks) {
         sound_ = false;
         return;
@@ -146,7 +147,7 @@ class TreeReader {
     }
   }
 
-  /// A node's numbers as they are kept: all, or those of active places and at most two for the others.
+  /// A node's stored values: all, or those at active places and at most two for the others.
   struct Kept {
     bool all = true;
     float inactive = 0.0F, other = 0.0F;
@@ -154,7 +155,7 @@ class TreeReader {
     std::vector<float> values;
   };
 
-  /// What stands before the numbers themselves, and how many there are.
+  /// Reads the header before the values, and their number.
   Kept read_head(std::size_t count, const Mask& active, std::size_t& kept) {
     Kept n;
     const unsigned kind = reader_.u8();
@@ -162,7 +163,7 @@ class TreeReader {
     if (kind > kAll) sound_ = false;
     n.other = set_.background;
     n.inactive = kind == 0 ? set_.background : -set_.background;
-    // Whole, also where the others are halves.
+    // Always full floats.
     if (kind == 2 || kind == 4 || kind == 5) n.inactive = reader_.f32();
     if (kind == 5) n.other = reader_.f32();
     if (kind >= 3 && kind <= 5) n.selection = Mask(reader_, count);
@@ -184,10 +185,9 @@ class TreeReader {
     return n;
   }
 
-  /// No halves are not packed; no floats are.
   bool nothing_follows(std::size_t kept) const { return kept == 0 && coding_.numbers == Numbers::half; }
 
-  /// A node's own values, of its tiles, are not needed.
+  /// Skips the values of a node's tiles, which are not needed.
   void skip_numbers(std::size_t count, const Mask& active) {
     std::size_t kept = 0;
     read_head(count, active, kept);
@@ -200,7 +200,7 @@ class TreeReader {
     reader_.skip(packed_size(kept * each));
   }
 
-  /// The bytes that follow the count before them: negative or 0 where they are not packed.
+  /// The number of bytes that follow; a stored size that is negative or 0 means uncompressed.
   std::size_t packed_size(std::size_t size) {
     const auto stated = static_cast<std::int64_t>(reader_.u64());
     packed_ = stated > 0;

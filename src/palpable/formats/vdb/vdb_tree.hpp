@@ -10,16 +10,16 @@
 
 namespace palpable::formats {
 
-/// How a grid's numbers lie in an OpenVDB file.
+/// The encoding of a grid's values in an OpenVDB file.
 struct VdbCoding {
   /// OpenVDB's flags: 1 zlib, 2 only active values, 4 Blosc.
   std::uint32_t compression = 0;
-  /// Floats are kept as halves.
+  /// Full or half floats.
   enum class Numbers : std::uint8_t { whole, half } numbers = Numbers::whole;
 };
 
-/// Reads a tree of floats with nodes of 32, 16 and 8 (OpenVDB's usual one), from its count of buffers on,
-/// into blocks and background. Errors: invalid_input, as decode_vdb().
+/// Reads a tree of floats with nodes of 32, 16 and 8 (OpenVDB's standard tree) from its buffer count on, into
+/// blocks and background. Errors: invalid_input, as decode_vdb().
 Result<LevelSet> read_vdb_tree(ByteReader& reader, const VdbCoding& coding);
 
 }  // namespace palpable::formats

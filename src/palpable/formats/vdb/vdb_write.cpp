@@ -22,7 +22,7 @@ using Tree = openvdb::tree::Tree4<float, 5, 4, 3>::Type;
 using Grid = openvdb::Grid<Tree>;
 using Leaf = Tree::LeafNodeType;
 
-/// OpenVDB writes whole files under their own name only; ours are written beside and renamed.
+/// Serialises to memory, since OpenVDB writes files only in place; ours are written atomically.
 class MemoryArchive : public openvdb::io::Archive {
  public:
   std::string bytes(const Grid::ConstPtr& grid) const {
@@ -33,7 +33,7 @@ class MemoryArchive : public openvdb::io::Archive {
   }
 };
 
-/// Blocks of 8 voxels a side, counted from the field's least corner.
+/// Blocks of 8 x 8 x 8 voxels, counted from the field's least corner.
 struct Blocks {
   std::array<int, 3> count{};
   double voxel_m = 0.0;
@@ -50,7 +50,7 @@ struct Blocks {
 
 constexpr double kHalfWidth_voxels = 3.0;
 
-/// Which blocks the band reaches.
+/// The blocks that intersect the band.
 template <models::DistanceSurface Distance>
 std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, VdbBand band, const Work& work) {
   std::vector<std::uint8_t> wanted(static_cast<std::size_t>(blocks.total()));
@@ -59,7 +59,7 @@ std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, Vdb
       const Vec3 middle{3.5, 3.5, 3.5};
       const double distance_m =
           field.sample(blocks.place(blocks.corner(i)) + blocks.voxel_m * middle).distance_m;
-      // Half a block's diagonal, and a little for the field's own error.
+      // Half of a block's diagonal, and a margin for the field's error.
       const double reach_m = (norm(middle) + kHalfWidth_voxels + 1.0) * blocks.voxel_m;
       const bool near = band == VdbBand::full ? distance_m < reach_m : std::abs(distance_m) < reach_m;
       wanted[static_cast<std::size_t>(i)] = near ? 1 : 0;
@@ -71,7 +71,7 @@ std::vector<int> blocks_in_band(const Distance& field, const Blocks& blocks, Vdb
   return list;
 }
 
-/// A block's values; null where none of them is in the band.
+/// A block's values; null if none of them is in the band.
 template <models::DistanceSurface Distance>
 std::unique_ptr<Leaf> leaf_of(const Distance& field, const Blocks& blocks, int block, VdbBand band) {
   const auto width_m = static_cast<float>(kHalfWidth_voxels * blocks.voxel_m);
@@ -109,7 +109,7 @@ Result<Grid::Ptr> grid_of(const Distance& field, const Blocks& blocks, VdbBand b
   const auto grid = Grid::create(static_cast<float>(kHalfWidth_voxels * blocks.voxel_m));
   for (auto& leaf : leaves)
     if (leaf) grid->tree().addLeaf(leaf.release());
-  // The inside beyond the band is told by the sign of tiles.
+  // Tiles with a negative sign represent the inside beyond the band.
   constexpr bool kThreaded = false;
   openvdb::tools::signedFloodFill(grid->tree(), kThreaded);
   const auto transform = openvdb::math::Transform::createLinearTransform(blocks.voxel_m);

@@ -18,7 +18,7 @@ struct Tap {
   float weight;
 };
 
-/// The window n(r) of eq. 7, its weights summing to 1.
+/// The window n(r) of eq. 7, normalised to sum 1.
 std::vector<Tap> window(double radius_px) {
   const int r = static_cast<int>(std::ceil(radius_px));
   std::vector<Tap> taps;
@@ -35,7 +35,7 @@ std::vector<Tap> window(double radius_px) {
   return taps;
 }
 
-/// Adds the taps' share of every pixel of a row; pixels beyond the border are nothing.
+/// Filters one row with the taps; pixels beyond the border are zero.
 void average_row(const Raster<BoundaryPixel>& edges, int y, const std::vector<Tap>& taps,
                  std::span<BoundaryPixel> out) {
   const int w = edges.width();

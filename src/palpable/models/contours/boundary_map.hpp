@@ -12,7 +12,7 @@
 
 namespace palpable::models {
 
-/// The boundary at one place: a unit tangent without sign (scene axes; zero where nothing is near) and its
+/// The boundary at one place: an undirected unit tangent (scene axes; zero if no boundary is near) and its
 /// strength 0 … 1.
 struct BoundarySample {
   double tangent_x = 0.0;
@@ -20,7 +20,8 @@ struct BoundarySample {
   double strength = 0.0;
 };
 
-/// What `tracing` needs: tangent and strength of the boundary near a place. Never allocates, locks or throws.
+/// The interface that the law `tracing` needs: tangent and strength of the boundary near a place. Never
+/// allocates, locks or throws.
 template <class M>
 concept BoundaryField = requires(const M& m, double x_m, double y_m) {
   { m.sample(x_m, y_m) } -> std::same_as<BoundarySample>;
@@ -28,34 +29,34 @@ concept BoundaryField = requires(const M& m, double x_m, double y_m) {
 };
 
 /// One pixel of a boundary map: strength times cosine and sine of twice the tangent's angle (scene axes, y
-/// up), so that opposite directions are the same value and interpolate without a sign.
+/// up), so that opposite directions have the same value and can be interpolated.
 struct BoundaryPixel {
   float c2 = 0.0F;
   float s2 = 0.0F;
   bool operator==(const BoundaryPixel&) const = default;
 };
 
-/// Where a boundary map's edges came from, for `palpable info`.
+/// Statistics of a boundary map's edges, for `palpable info`.
 struct BoundaryOrigin {
   /// Strength from which a pixel counts as boundary, and the share of pixels that do.
   double threshold = 0.0;
   double boundary_fraction = 0.0;
 };
 
-/// A picture's boundaries (graphic-haptic display 2006), over a rectangle centred on the scene's origin in
-/// the plane z = 0: the edge vectors e, and their neighbourhood average b (eq. 7) that is felt. Pixel (i, j)
-/// stands where Relief's sample (i, j) does. b is continuous between pixels (bilinear in the doubled angle),
-/// zero outside. Immutable; any thread.
+/// A picture's boundaries (graphic-haptic display 2006) over a rectangle centred on the scene's origin in the
+/// plane z = 0: the edge vectors e, and their neighbourhood average b (eq. 7), which the law uses. Pixel (i,
+/// j) has the position of Relief's sample (i, j). b is continuous between pixels (bilinear in the doubled
+/// angle) and zero outside. Immutable; any thread.
 class BoundaryMap {
  public:
-  /// b = sum n(r) e / sum n(r), n falling linearly from 1 at r = 0 to 0 at r = radius_px (m of the paper, 1
-  /// ... 32 px), over doubled angles: the two sides of a thin line add up where vectors would cancel. Errors:
-  /// under 2 x 2 or over 64 M pixels, a value not finite or longer than 1, pixel_m not in (0, 1], radius out
-  /// of range.
+  /// b = sum n(r) e / sum n(r); n falls linearly from 1 at r = 0 to 0 at r = radius_px (m of the paper, 1 ...
+  /// 32 px). The average uses doubled angles, so that the two sides of a thin line add up instead of
+  /// cancelling. Errors: fewer than 2 x 2 or more than 64 M pixels, a value not finite or longer than 1,
+  /// pixel_m not in (0, 1], radius out of range.
   static Result<BoundaryMap> from_edges(Raster<BoundaryPixel> edges, double pixel_m, double radius_px,
                                         const BoundaryOrigin& origin, const Work& work);
 
-  /// b at any finite place. Tick path.
+  /// b at any finite position. Tick path.
   BoundarySample sample(double x_m, double y_m) const noexcept;
 
   const Raster<BoundaryPixel>& edges() const { return edges_; }

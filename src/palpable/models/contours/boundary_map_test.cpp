@@ -18,7 +18,7 @@ BoundaryPixel along(double angle, double strength) {
           static_cast<float>(strength * std::sin(2 * angle))};
 }
 
-TEST(BoundaryMap, GivesTheTangentOfEveryAngleUpToItsSign) {
+TEST(BoundaryMap, ReturnsTheTangentOfEveryAngleUpToItsSign) {
   for (int k = 0; k < 36; ++k) {
     const double angle = k * std::numbers::pi / 36.0;
     const auto map =
@@ -46,7 +46,7 @@ TEST(BoundaryMap, IsContinuousAcrossPixels) {
 }
 
 TEST(BoundaryMap, AveragesTheTwoSidesOfAThinLineIntoOne) {
-  // Gradients of opposite sign have the same doubled angle: both columns say "downwards".
+  // Gradients of opposite sign have the same doubled angle: both columns point downwards.
   Raster<BoundaryPixel> edges(9, 9);
   for (int y = 0; y < 9; ++y) edges(3, y) = edges(5, y) = along(std::numbers::pi / 2, 1.0);
   const auto map = BoundaryMap::from_edges(edges, 0.001, 3.0, {}, Work{});
@@ -56,21 +56,21 @@ TEST(BoundaryMap, AveragesTheTwoSidesOfAThinLineIntoOne) {
   EXPECT_NEAR(std::abs(between.tangent_y), 1.0, 1e-6);
 }
 
-TEST(BoundaryMap, LeavesAnEvenFieldAsItIs) {
+TEST(BoundaryMap, KeepsAConstantField) {
   const auto map =
       BoundaryMap::from_edges(Raster<BoundaryPixel>(21, 21, along(0.7, 0.6)), 0.001, 5.0, {}, Work{});
   ASSERT_TRUE(map);
   EXPECT_NEAR(map->sample(0.0, 0.0).strength, 0.6, 1e-5);
 }
 
-TEST(BoundaryMap, IsNothingOutside) {
+TEST(BoundaryMap, IsZeroOutside) {
   const auto map =
       BoundaryMap::from_edges(Raster<BoundaryPixel>(4, 4, along(1.0, 1.0)), 0.001, 1.0, {}, Work{});
   EXPECT_EQ(map->sample(0.01, 0.0).strength, 0.0);
   EXPECT_EQ(map->sample(0.0, -0.01).strength, 0.0);
 }
 
-TEST(BoundaryMap, RefusesStrengthsThatAreNone) {
+TEST(BoundaryMap, RefusesInvalidStrengths) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(BoundaryMap::from_edges(Raster<BoundaryPixel>(4, 4, {nan, 0.0F}), 0.001, 1.0, {}, Work{}));
   EXPECT_FALSE(BoundaryMap::from_edges(Raster<BoundaryPixel>(4, 4, {2.0F, 0.0F}), 0.001, 1.0, {}, Work{}));

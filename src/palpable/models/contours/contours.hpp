@@ -9,8 +9,8 @@
 
 namespace palpable::models {
 
-/// A picture whose contours can be followed: its boundaries as a field (law `tracing`), and the same lines as
-/// grooves in a plate of the same size (laws `groove` and `rolling`). Immutable.
+/// A picture's contours as a touchable model: its boundary map (law `tracing`), and the same lines as grooves
+/// in a plate of the same size (laws `groove` and `rolling`). Immutable.
 struct Contours {
   BoundaryMap boundaries;
   /// Never null.

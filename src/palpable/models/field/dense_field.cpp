@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostAlongAnAxis = 1 << 20;
 constexpr double kMostPlaces = 2147483648.0;
 
-bool is_sound(const Lattice& lattice) {
+bool is_valid(const Lattice& lattice) {
   double places = 1.0;
   for (const int count : lattice.counts) {
     if (count < 2 || count > kMostAlongAnAxis) return false;
@@ -22,7 +22,7 @@ bool is_sound(const Lattice& lattice) {
          lattice.spacing_m >= 1e-6 && lattice.spacing_m <= 1.0;
 }
 
-/// The cell that holds a place along one axis, and where in it.
+/// The cell that contains a coordinate along one axis, and the fraction within it.
 std::pair<int, double> cell_of(double cells, int count) noexcept {
   const int cell = std::clamp(static_cast<int>(cells), 0, count - 2);
   return {cell, cells - cell};
@@ -32,7 +32,7 @@ std::pair<int, double> cell_of(double cells, int count) noexcept {
 
 Result<DenseField> DenseField::from(const Lattice& lattice, DenseContent content, std::vector<float> values,
                                     const FieldErrors& errors) {
-  if (!is_sound(lattice)) return invalid_input("states a dense field whose lattice makes no sense");
+  if (!is_valid(lattice)) return invalid_input("states a dense field whose lattice makes no sense");
   if (values.size() != floats_of(content) * lattice.places())
     return invalid_input("holds a dense field of another size than it states");
   const auto finite = [](float v) { return std::abs(v) < 1e6F; };

@@ -12,13 +12,13 @@
 
 namespace palpable::models {
 
-/// Places in a box, the same distance apart along x, y and z.
+/// A regular grid of points with the same spacing along x, y and z.
 struct Lattice {
-  /// Of the place (0, 0, 0).
+  /// Position of the point (0, 0, 0).
   Vec3 origin_m;
   /// 1e-6 ... 1 m.
   double spacing_m = 0.0;
-  /// Along x, y and z, each 2 ... 2^20; at most 2^31 in all.
+  /// Number of points along x, y and z, each 2 ... 2^20; at most 2^31 in all.
   std::array<int, 3> counts{};
 
   std::size_t places() const noexcept {
@@ -37,34 +37,34 @@ struct Lattice {
   Vec3 size_m() const noexcept { return spacing_m * Vec3{counts[0] - 1.0, counts[1] - 1.0, counts[2] - 1.0}; }
 };
 
-/// What stands at a lattice's place.
+/// What is stored at each lattice point.
 enum class DenseContent {
-  /// The signed distance: 4 bytes. The gradient is the exact derivative of its trilinear interpolation.
+  /// The signed distance: 4 bytes. The gradient is the exact derivative of the trilinear interpolation.
   distance,
-  /// Distance and direction of the force, four floats: 16 bytes, as Moustakas et al. 2007 store D and F. Both
-  /// are interpolated, the gradient is the interpolated F.
+  /// Distance and force direction, four floats (16 bytes), like D and F in Moustakas et al. 2007. Both are
+  /// interpolated; the gradient is the interpolated F.
   distance_and_force
 };
 
-/// Floats at each place.
+/// Floats per lattice point.
 constexpr std::size_t floats_of(DenseContent content) noexcept {
   return content == DenseContent::distance ? 1U : 4U;
 }
 
-/// A distance field at every place of a lattice, trilinear in between: what the adaptive DistanceField is
-/// compared with, and what Moustakas et al. 2007 began with. Its distance is continuous. With distances alone
-/// the gradient jumps at every face between cells, which the hand feels; with a force of its own it is
-/// continuous, and not the derivative of the distance: going round a loop makes energy. Immutable; any
-/// thread.
+/// A dense distance field: values at all points of a lattice with trilinear interpolation, as in Moustakas et
+/// al. 2007. It serves for comparison with the adaptive DistanceField. Its distance is continuous. With
+/// distances alone, the gradient jumps at the faces between cells, which can be felt. With stored forces the
+/// gradient is continuous but not the derivative of the distance, so closed paths can generate energy.
+/// Immutable; any thread.
 class DenseField {
  public:
-  /// floats_of(content) values for each place of the lattice. Errors: invalid_input for a lattice out of its
-  /// range, another number of values, or one that is not finite.
+  /// `values`: floats_of(content) for each lattice point. Errors: invalid_input for a lattice out of range,
+  /// another number of values, or a value that is not finite.
   static Result<DenseField> from(const Lattice& lattice, DenseContent content, std::vector<float> values,
                                  const FieldErrors& errors);
 
-  /// At any finite place. Outside the lattice: the distance at its nearest place plus the way there. Tick
-  /// path.
+  /// At any finite position. Outside the lattice: the distance at the nearest point of its box plus the
+  /// distance to that point. Tick path.
   FieldSample sample(Vec3 place_m) const noexcept;
 
   bool contains(Vec3 place_m) const noexcept;
@@ -73,10 +73,10 @@ class DenseField {
   const std::vector<float>& values() const noexcept { return values_; }
   const FieldErrors& errors() const noexcept { return errors_; }
   double cell_m() const noexcept { return lattice_.spacing_m; }
-  /// Of the box of places, as DistanceField has them.
+  /// The lattice's box, as in DistanceField.
   Vec3 origin_m() const noexcept { return lattice_.origin_m; }
   Vec3 size_m() const noexcept { return lattice_.size_m(); }
-  /// What was measured of it, by who made it and has not given it away yet.
+  /// Sets the measured errors; for the builder, before the field is shared.
   void tell(const FieldErrors& errors) noexcept { errors_ = errors; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this) + sizeof(float) * values_.size(); }
 

@@ -14,7 +14,7 @@ namespace {
 
 const Lattice kLattice{{-0.01, 0.002, -0.004}, 0.001, {12, 9, 7}};
 
-/// A function that trilinear interpolation keeps exactly.
+/// A function that trilinear interpolation reproduces exactly.
 double trilinear(Vec3 p) {
   return 0.003 + 0.4 * p.x - 0.7 * p.y + 0.6 * p.z + 20.0 * p.x * p.y - 3000.0 * p.x * p.y * p.z;
 }
@@ -66,7 +66,7 @@ TEST(DenseField, InterpolatesTheForceThatIsStoredBesideTheDistance) {
   EXPECT_NEAR(norm(s.gradient - p), 0.0, 1e-9);
 }
 
-TEST(DenseField, AddsTheWayToItselfOutside) {
+TEST(DenseField, AddsTheDistanceToItsBoxOutside) {
   const DenseField field = field_with(DenseContent::distance);
   const Vec3 corner = kLattice.origin_m + kLattice.size_m();
   EXPECT_TRUE(field.contains(corner));
@@ -76,7 +76,7 @@ TEST(DenseField, AddsTheWayToItselfOutside) {
   EXPECT_EQ(s.gradient, (Vec3{0.0, 1.0, 0.0}));
 }
 
-TEST(DenseField, RefusesWhatDoesNotFitTogether) {
+TEST(DenseField, RefusesInconsistentInput) {
   const auto values = values_of(kLattice, DenseContent::distance);
   EXPECT_FALSE(DenseField::from(kLattice, DenseContent::distance_and_force, values, {}));
   Lattice flat = kLattice;

@@ -26,11 +26,11 @@ bool grid_is_valid(const FieldGrid& grid) {
   return true;
 }
 
-/// Whether the words that begin there are a leaf, all of it in place and finite.
+/// Whether the words from `at` on are a complete leaf with finite values.
 bool leaf_is_valid(const std::vector<std::uint32_t>& words, std::size_t at) {
   if (at >= words.size()) return false;
   const LeafHead head{words[at]};
-  // Whatever its other bits say is a finite number.
+  // All values of the other bits are finite numbers.
   if (head.compact()) return (head.bits & 0x7FU) == 4U && at + head.words() <= words.size();
   if (head.pieces() > 3 || head.bits >> 7U != 0 || at + head.words() > words.size()) return false;
   const std::uint32_t* next = &words[at] + 1;
@@ -48,14 +48,15 @@ bool leaf_is_valid(const std::vector<std::uint32_t>& words, std::size_t at) {
   return true;
 }
 
-/// Every entry leads to a valid leaf or, deeper, to a node of its own; counts the leaves.
+/// Checks that every entry refers to a valid leaf or to its own node one level deeper; returns the number of
+/// leaves.
 Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree) {
   const Error damaged = invalid_input("holds a field whose cells are damaged");
   const std::size_t roots = static_cast<std::size_t>(grid.roots[0]) *
                             static_cast<std::size_t>(grid.roots[1]) * static_cast<std::size_t>(grid.roots[2]);
   if (tree.roots.size() != roots || tree.nodes.size() % 8 != 0) return damaged;
   const std::size_t nodes = tree.nodes.size() / 8;
-  // The level of the entry that leads to a node; nodes come in an order in which parents are first.
+  // The level of the entry that refers to each node; parents come before their children.
   std::vector<std::int8_t> level(nodes, std::int8_t{-1});
   std::size_t leaves = 0;
   const auto check = [&](std::uint32_t entry, int entry_level, std::size_t after) {
@@ -77,8 +78,8 @@ Result<std::size_t> checked_leaves(const FieldGrid& grid, const FieldTree& tree)
   return leaves;
 }
 
-/// The share of the window on the upper side of a face that stands `beyond` finest cells above the place
-/// (-0.5 ... 0.5 is under the window), and how it changes per cell.
+/// The share of the window above a face, and its derivative per cell. The window reaches 0.5 finest cells to
+/// each side.
 struct Share {
   double upper = 0.0;
   double slope = 0.0;
@@ -89,7 +90,7 @@ Share share_above(double place_over_face) {
   return {t < 0.0 ? 0.5 * rest * rest : 1.0 - 0.5 * rest * rest, 2.0 * rest};
 }
 
-/// Starts to load a leaf's words; a compact leaf may lie across two cache lines.
+/// Prefetches a leaf's words; a compact leaf may span two cache lines.
 void prefetch(const std::uint32_t* words) {
   __builtin_prefetch(words);
   __builtin_prefetch(words + LeafHead::kCompactWords - 1);
@@ -105,9 +106,8 @@ std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
 /// Two finest cells along each axis.
 using CellPairs = std::array<std::array<int, 2>, 3>;
 
-/// The leaves of the eight finest cells, from an entry `from` at `level` that holds all of them; above the
-/// roots' level, from the roots. Level by level, so that the eight loads of a level do not wait for each
-/// other.
+/// The leaves of eight finest cells, found from an entry `from` at `level` that contains all of them, or from
+/// the roots. Descends level by level, so that the eight loads of a level overlap.
 std::array<DistanceField::Leaf, 8> leaves_of(const FieldGrid& grid, const FieldTree& tree,
                                              const CellPairs& cell, int level, std::uint32_t from) {
   const auto along = [&](std::size_t axis, unsigned octant) { return cell[axis][octant >> axis & 1U]; };
@@ -132,7 +132,7 @@ std::array<DistanceField::Leaf, 8> leaves_of(const FieldGrid& grid, const FieldT
       const bool is_leaf = (entry & FieldTree::kLeaf) != 0;
       const int child =
           (along(0, k) >> level & 1) | (along(1, k) >> level & 1) << 1 | (along(2, k) >> level & 1) << 2;
-      // Without a branch: for a leaf any node is read, and not used.
+      // Branch-free: for a leaf some node is read but not used.
       const std::uint32_t next =
           tree.nodes[is_leaf ? 0 : 8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
       entries[k] = is_leaf ? entry : next;
@@ -241,7 +241,7 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
 }
 
 FieldSample DistanceField::mixed(Vec3 cells, const Leaf& /*home*/, Descent& way) const noexcept {
-  // On each axis one face of the finest grid is nearest: the window reaches over it or ends at the next two.
+  // On each axis the window crosses at most the nearest face of the finest grid.
   struct Side {
     int cell;
     double share, slope;
@@ -257,7 +257,7 @@ FieldSample DistanceField::mixed(Vec3 cells, const Leaf& /*home*/, Descent& way)
   const CellPairs pairs{{{sides[0][0].cell, sides[0][1].cell},
                          {sides[1][0].cell, sides[1][1].cell},
                          {sides[2][0].cell, sides[2][1].cell}}};
-  // The way to the leaf in the middle leads to the entry from which the ways to all eight part.
+  // The path to the middle leaf contains the last entry common to the paths to all eight.
   unsigned differing = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const int c : pairs[axis]) differing |= static_cast<unsigned>(c ^ way.cell[axis]);
@@ -265,8 +265,8 @@ FieldSample DistanceField::mixed(Vec3 cells, const Leaf& /*home*/, Descent& way)
   const std::uint32_t from = level > grid_.levels ? 0 : way.entries[static_cast<std::size_t>(level)];
   const std::array<Leaf, 8> leaves = leaves_of(grid_, tree_, pairs, level, from);
   for (const Leaf& leaf : leaves) prefetch(&tree_.words[leaf.words]);
-  // The different leaves under the window, and the share that each has of it. Planes do not depend on their
-  // leaf: along an edge, all leaves round it hold the same words, and one evaluation is enough.
+  // The distinct leaves under the window with their shares. Planes do not depend on the leaf's position, so
+  // leaves with the same words are evaluated once.
   struct Part {
     const Leaf* leaf;
     double share, along_x, along_y, along_z;

@@ -13,7 +13,7 @@
 
 namespace palpable::models {
 
-/// The box of cells that a field is sampled in. All of the field's places are counted in its finest cells.
+/// The box of cells of a field. Positions in the field are measured in its finest cells.
 struct FieldGrid {
   /// The corner with the least coordinates.
   Vec3 origin_m;
@@ -28,33 +28,32 @@ struct FieldGrid {
   Vec3 size_m() const noexcept { return {cell_m * cells(0), cell_m * cells(1), cell_m * cells(2)}; }
 };
 
-/// What a field is made of, without pointers: as it lies in memory, and nearly so in its file.
+/// A field's octree without pointers, in nearly the same form as in its file.
 struct FieldTree {
-  /// An entry is a leaf (kLeaf set: where its words begin) or a node (the number of its eight entries).
+  /// An entry is a leaf (kLeaf set, the rest is the index of its words) or a node (the index of its eight
+  /// entries).
   static constexpr std::uint32_t kLeaf = 0x80000000U;
   /// One entry per root cell, x fastest, then y, then z.
   std::vector<std::uint32_t> roots;
-  /// Eight entries per node: x in bit 0 of the place, y in bit 1, z in bit 2. A node's children come after
-  /// it.
+  /// Eight entries per node, indexed by x in bit 0, y in bit 1, z in bit 2. A node's children come after it.
   std::vector<std::uint32_t> nodes;
-  /// Leaves' contents (field_leaf.hpp); leaves that hold the same share it.
+  /// The contents of leaves (field_leaf.hpp); equal contents are shared.
   std::vector<std::uint32_t> words;
 };
 
-/// An adaptively sampled distance field (Frisken et al. 2000, as Moustakas et al. 2007 keep theirs). An
-/// octree's leaf holds exact planes, edges and corners, or quadratic polynomials, each with its own error
-/// bound; no two leaves need to agree. What is felt is their mean under a small moving window: a product of
-/// tents that reach half a finest cell to each side. The windows' shares are piecewise quadratic and sum to
-/// 1, so distance and gradient are continuous everywhere whatever the leaves hold, and in the middle of a
-/// leaf the mean is the leaf itself. The gradient is the exact derivative of the distance. Immutable; any
-/// thread.
+/// An adaptively sampled distance field (Frisken et al. 2000, used by Moustakas et al. 2007). A leaf of the
+/// octree holds exact planes, edges and corners, or quadratic polynomials, within an error bound;
+/// neighbouring leaves need not agree. A query averages the leaves under a small moving window: a product of
+/// tent functions that reach half a finest cell to each side. The leaves' weights are piecewise quadratic and
+/// sum to 1. So distance and gradient are continuous for any leaves, and away from faces the average is the
+/// leaf itself. The gradient is the exact derivative of the distance. Immutable; any thread.
 class DistanceField {
  public:
-  /// Checks everything that a query relies on. Errors: invalid_input.
+  /// Validates everything that queries rely on. Errors: invalid_input.
   static Result<DistanceField> from_tree(const FieldGrid& grid, FieldTree tree, const FieldErrors& errors);
 
-  /// At any finite place. Outside the grid: the distance at the nearest place of the grid plus the way there,
-  /// continuous, for a hand that comes from afar. Tick path.
+  /// At any finite position. Outside the grid: the distance at the nearest point of its box plus the distance
+  /// to that point, which is continuous. Tick path.
   FieldSample sample(Vec3 place_m) const noexcept;
 
   bool contains(Vec3 place_m) const noexcept;
@@ -62,33 +61,32 @@ class DistanceField {
   const FieldTree& tree() const noexcept { return tree_; }
   const FieldErrors& errors() const noexcept { return errors_; }
   double cell_m() const noexcept { return grid_.cell_m; }
-  /// Of the grid's box.
+  /// The grid's box.
   Vec3 origin_m() const noexcept { return grid_.origin_m; }
   Vec3 size_m() const noexcept { return grid_.size_m(); }
   std::size_t leaves() const noexcept { return leaves_; }
   std::size_t memory_bytes() const noexcept;
 
-  /// A leaf's place in finest cells and its side.
+  /// A leaf's corner and side in finest cells, and the index of its words.
   struct Leaf {
     std::array<int, 3> corner;
     int side;
     std::uint32_t words;
   };
-  /// The leaf that holds a finest cell inside the grid. Tick path.
+  /// The leaf that contains a finest cell of the grid. Tick path.
   Leaf leaf_of(int x, int y, int z) const noexcept;
 
-  /// Half the width in which a kink between two pieces is rounded, in finest cells.
+  /// Half of the width within which a kink between two pieces is rounded, in finest cells.
   static constexpr double kRounding = 0.5;
 
  private:
   DistanceField() = default;
   FieldSample leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept;
-  /// The way down to a finest cell: the entry at each level, as far as the last one.
+  /// The path down to a finest cell: the entry at each level.
   struct Descent;
-  /// The leaf that holds a finest cell, from where the last way parted from this one: above, the entries are
-  /// the same.
+  /// The leaf that contains a finest cell; reuses the entries that its path shares with the previous one.
   Leaf down_to(int x, int y, int z, Descent& way) const noexcept;
-  /// Where the window reaches out of the leaf `home`, to which `way` led.
+  /// The sample where the window reaches beyond the leaf `home`, whose path is `way`.
   FieldSample mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept;
 
   FieldGrid grid_;

@@ -16,8 +16,9 @@ namespace {
 
 std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-/// Two root cells of eight finest cells, the left one cut; every leaf a plane of its own that fits nothing.
-FieldTree quarrelling_tree() {
+/// Two root cells of eight finest cells, the left one subdivided; every leaf is a plane that disagrees with
+/// its neighbours.
+FieldTree inconsistent_tree() {
   std::mt19937 random(7);
   std::uniform_real_distribution<float> uniform(-1.0F, 1.0F);
   FieldTree tree;
@@ -36,7 +37,7 @@ FieldTree quarrelling_tree() {
 
 FieldGrid small_grid() { return {{-0.01, 0.0, 0.002}, 0.001, 3, {2, 1, 1}}; }
 
-TEST(FieldLeaf, FacesBackToBackHaveNoEdge) {
+TEST(FieldLeaf, OppositeFacesHaveNoEdge) {
   for (const float cosine : {0.0F, 1e-8F}) {
     double da = 0.0, db = 0.0;
     EXPECT_DOUBLE_EQ(convex_meeting(3e-3, 1e-3, {cosine, 1.0F}, 1e-4, da, db), 3e-3);
@@ -45,7 +46,7 @@ TEST(FieldLeaf, FacesBackToBackHaveNoEdge) {
   }
 }
 
-TEST(FieldLeaf, ACompactQuadraticComesBackFromItsWords) {
+TEST(FieldLeaf, ACompactQuadraticIsDecodedFromItsWords) {
   CompactQuadratic q;
   q.middle = -8388608;
   q.numbers = {-2048, 2047, 1, -512, 511, -1, 300, -300, 0};
@@ -65,7 +66,7 @@ TEST(FieldLeaf, ACompactQuadraticComesBackFromItsWords) {
   }
 }
 
-TEST(FieldLeaf, ACompactQuadraticIsTheSamePieceInFewerWords) {
+TEST(FieldLeaf, ACompactQuadraticEqualsItsCurvedPiece) {
   std::mt19937 random(4);
   const auto number = [&](int most) {
     return static_cast<int>(random() % (2U * static_cast<unsigned>(most))) - most;
@@ -75,7 +76,7 @@ TEST(FieldLeaf, ACompactQuadraticIsTheSamePieceInFewerWords) {
     CompactQuadratic q;
     q.middle = number(4000);
     for (std::size_t k = 0; k < 9; ++k) q.numbers[k] = number(k < 3 ? 1024 : 256);
-    // The same numbers in the steps of a curved piece.
+    // The same values in the steps of a curved piece.
     std::array<std::uint32_t, 7> curved{4U,
                                         word(static_cast<float>(q.middle * CompactQuadratic::kMiddleStep))};
     for (std::size_t k = 0; k < 9; ++k) {
@@ -91,8 +92,8 @@ TEST(FieldLeaf, ACompactQuadraticIsTheSamePieceInFewerWords) {
   }
 }
 
-TEST(DistanceField, IsContinuousWithItsGradientWhateverItsLeavesHold) {
-  const auto field = DistanceField::from_tree(small_grid(), quarrelling_tree(), {});
+TEST(DistanceField, IsContinuousWithItsGradientForAnyLeaves) {
+  const auto field = DistanceField::from_tree(small_grid(), inconsistent_tree(), {});
   ASSERT_TRUE(field) << field.error().sentence();
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform(0.04, 0.96);
@@ -109,13 +110,13 @@ TEST(DistanceField, IsContinuousWithItsGradientWhateverItsLeavesHold) {
     const FieldSample a = field->sample(p - d), b = field->sample(p + d);
     steepest = std::max(steepest, norm(a.gradient));
     EXPECT_NEAR(b.distance_m - a.distance_m, dot(a.gradient + b.gradient, d), 1e-12);
-    // Leaves that differ by 20 mm within a cell of 1 mm bend the field by some 1e5 per metre.
+    // Leaves that differ by 20 mm within a cell of 1 mm give second derivatives of about 1e5 per metre.
     EXPECT_LT(norm(b.gradient - a.gradient), 1e6 * kStep_m);
   }
-  EXPECT_GT(steepest, 2.0) << "the leaves do not differ, so this shows nothing";
+  EXPECT_GT(steepest, 2.0) << "the leaves must differ for this test";
 }
 
-TEST(DistanceField, IsItsLeafAwayFromFaces) {
+TEST(DistanceField, EqualsItsLeafAwayFromFaces) {
   FieldTree tree;
   tree.words = {0U, word(0.0F), word(0.6F), word(0.8F), word(-0.002F)};
   tree.roots = {FieldTree::kLeaf, FieldTree::kLeaf};
@@ -126,7 +127,7 @@ TEST(DistanceField, IsItsLeafAwayFromFaces) {
   EXPECT_NEAR(s.gradient.y, 0.6, 1e-7);
 }
 
-TEST(DistanceField, GrowsByTheWayOutsideItsGrid) {
+TEST(DistanceField, AddsTheDistanceToItsBoxOutside) {
   FieldTree tree;
   tree.words = {0U, word(0.0F), word(0.0F), word(1.0F), word(0.0F)};
   tree.roots = {FieldTree::kLeaf, FieldTree::kLeaf};
@@ -136,26 +137,26 @@ TEST(DistanceField, GrowsByTheWayOutsideItsGrid) {
   EXPECT_FALSE(field->contains({0.0, 0.004, 1.01}));
 }
 
-TEST(DistanceField, RefusesTreesThatLeadAstray) {
-  const FieldTree sound = quarrelling_tree();
-  FieldTree loop = sound;
+TEST(DistanceField, RefusesTreesWithInvalidIndices) {
+  const FieldTree valid = inconsistent_tree();
+  FieldTree loop = valid;
   loop.nodes[11] = 0;
   EXPECT_FALSE(DistanceField::from_tree(small_grid(), loop, {}));
-  FieldTree beyond = sound;
+  FieldTree beyond = valid;
   beyond.roots[1] = FieldTree::kLeaf | 100000U;
   EXPECT_FALSE(DistanceField::from_tree(small_grid(), beyond, {}));
-  FieldTree infinite = sound;
+  FieldTree infinite = valid;
   infinite.words[1] = word(INFINITY);
   EXPECT_FALSE(DistanceField::from_tree(small_grid(), infinite, {}));
-  FieldTree few = sound;
+  FieldTree few = valid;
   few.roots.pop_back();
   EXPECT_FALSE(DistanceField::from_tree(small_grid(), few, {}));
   FieldGrid flat = small_grid();
   flat.roots[2] = 0;
-  EXPECT_FALSE(DistanceField::from_tree(flat, sound, {}));
+  EXPECT_FALSE(DistanceField::from_tree(flat, valid, {}));
 }
 
-TEST(FieldLeaf, MeetsInAnExactEdge) {
+TEST(FieldLeaf, JoinsPlanesInAnExactEdge) {
   // A right-angled convex edge: inside the nearer face, outside the faces or the edge itself.
   const HalfAngle right{static_cast<float>(std::sqrt(0.5)), static_cast<float>(std::sqrt(0.5))};
   double da = 0.0, db = 0.0;
@@ -164,7 +165,7 @@ TEST(FieldLeaf, MeetsInAnExactEdge) {
   EXPECT_NEAR(db, 0.8, 1e-5);
   EXPECT_NEAR(convex_meeting(0.003, -0.004, right, 1e-4, da, db), 0.003, 1e-9);
   EXPECT_NEAR(convex_meeting(-0.003, -0.004, right, 1e-4, da, db), -0.003, 1e-9);
-  // In the sheet between them, rounded by half of the rounding's width at most.
+  // On the bisector between them, rounded by at most half of the rounding's width.
   EXPECT_NEAR(convex_meeting(-0.003, -0.003, right, 1e-4, da, db), -0.003 + 0.5e-4 * std::sqrt(0.5), 1e-9);
 }
 

@@ -14,8 +14,8 @@ struct FieldSample {
   Vec3 gradient;
 };
 
-/// What a law needs to feel a solid: distance, and a gradient, continuous where the law is to be smooth.
-/// Never allocates, locks or throws.
+/// The interface that laws need of a solid: distance and gradient. The force is smooth where they are
+/// continuous. Never allocates, locks or throws.
 template <class M>
 concept DistanceSurface = requires(const M& m, Vec3 place_m) {
   { m.sample(place_m) } -> std::same_as<FieldSample>;

@@ -11,10 +11,10 @@
 namespace palpable::models {
 namespace {
 
-/// Between a height outside and one inside, where the distance changes its sign.
+/// The height of the zero crossing between a height outside and one inside, by bisection.
 template <DistanceSurface Distance>
 double crossing_m(const Distance& field, double x_m, double y_m, double outside_m, double inside_m) {
-  // Ten halvings of at most a quarter of a cell: a four-thousandth of it.
+  // Ten halvings of at most a quarter of a cell: accurate to 1/4000 of a cell.
   constexpr int kHalvings = 10;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle_m = 0.5 * (outside_m + inside_m);
@@ -23,8 +23,8 @@ double crossing_m(const Distance& field, double x_m, double y_m, double outside_
   return 0.5 * (outside_m + inside_m);
 }
 
-/// Whether a vertical line there passes through the grid. Beside the grid no distance may be trusted as a
-/// step: it is only an upper bound there.
+/// Whether a vertical line at this position passes through the grid. Beside the grid the distance is only an
+/// upper bound and no safe step.
 template <DistanceSurface Distance>
 bool passes_through(const Distance& field, double x_m, double y_m) {
   const Vec3 size = field.size_m();
@@ -32,8 +32,8 @@ bool passes_through(const Distance& field, double x_m, double y_m) {
   return x >= 0.0 && y >= 0.0 && x <= size.x && y <= size.y;
 }
 
-/// Sphere tracing: down from the top of the grid in steps of the distance, since no surface is nearer. The
-/// top itself may lie a rounding error outside the grid, where sample() is as exact as inside.
+/// Sphere tracing downwards from the top of the grid. The top may be outside the grid by a rounding error,
+/// where sample() is as exact as inside.
 template <DistanceSurface Distance>
 double height_m(const Distance& field, double x_m, double y_m, double lowest_m) {
   if (!passes_through(field, x_m, y_m)) return lowest_m;

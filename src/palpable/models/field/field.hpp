@@ -12,16 +12,16 @@
 
 namespace palpable::models {
 
-/// A solid as it is touched: its distance field, and its heights seen from above (+z), for devices that move
-/// in a plane and for pictures. Immutable.
+/// A solid as a touchable model: its distance field, and a height map of its view from above (+z) for planar
+/// devices and for pictures. Immutable.
 template <DistanceSurface Distance>
 struct SolidField {
   Distance distance;
   /// The box of the solid itself, inside the field's grid.
   Vec3 least_m;
   Vec3 most_m;
-  /// Never null. Centred on the scene's origin, as every relief; places where nothing stands have the
-  /// height of the solid's lowest point.
+  /// Never null. Centred on the scene's origin like every relief; places without the solid have the height of
+  /// its lowest point.
   std::shared_ptr<const Relief> from_above;
   /// The superquadrics that it was sampled from; empty for other solids.
   std::vector<Superquadric> primitives;
@@ -29,12 +29,13 @@ struct SolidField {
   std::size_t memory_bytes() const { return distance.memory_bytes() + from_above->memory_bytes(); }
 };
 
-/// Adaptively sampled: what a field is unless it is said.
+/// The default: an adaptively sampled field.
 using Field = SolidField<DistanceField>;
-/// Kept at every place of a lattice, for comparison.
+/// A dense field, for comparison.
 using FieldOnLattice = SolidField<DenseField>;
 
-/// Looks down on the field. Errors: invalid_input for a box that is empty or not finite.
+/// Makes the model and computes its view from above. Errors: invalid_input for a box that is empty or not
+/// finite.
 Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m);
 Result<FieldOnLattice> field_of(DenseField distance, Vec3 least_m, Vec3 most_m);
 

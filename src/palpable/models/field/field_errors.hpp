@@ -4,9 +4,9 @@
 
 namespace palpable::models {
 
-/// What the builder promised and what it measured, kept with the field.
+/// The builder's error bound and its measured errors, stored with the field.
 struct FieldErrors {
-  /// The bound near the surface where the distance is smooth; 0 where none is promised.
+  /// The bound near the surface where the distance is smooth; 0 if there is none.
   double bound_m = 0.0;
   /// At random places near the surface: 99th percentile and greatest.
   double p99_m = 0.0;

@@ -14,24 +14,24 @@
 
 namespace palpable::models {
 
-// What a leaf of a distance field holds: one to three smooth pieces, and how they meet. A piece is a plane
-// (exact for flat faces) or a quadratic polynomial; two pieces meet in an exact edge, convex or concave, or
-// in a medial sheet; three in a corner. Stored as 32-bit words: a head, the meetings, the pieces. Most leaves
-// of a scanned mesh are small and hold one quadratic: these have a compact form of four words.
+// The content of a leaf of a distance field: one to three smooth pieces and how they meet. A piece is a plane
+// (exact for flat faces) or a quadratic polynomial. Two pieces meet in an exact edge, convex or concave, or
+// in a medial sheet; three meet in a corner. Stored as 32-bit words: a head, the meetings, the pieces. Most
+// leaves of a scanned mesh are small and hold one quadratic; these have a compact form of four words.
 
 /// How two pieces a and b meet. The solid is where both are negative (convex), or where one is (concave).
 enum class Meeting : std::uint8_t { convex, concave };
 
-/// The cosine between the gradients of two pieces, as both halves of the angle.
+/// Cosine and sine of half the angle between the gradients of two pieces.
 struct HalfAngle {
   float cosine = 1.0F;
   float sine = 0.0F;
 };
 
-/// Distance to the intersection of two half-spaces with distances a and b (gradients at twice `half`):
-/// exactly max(a, b) over the faces, and the distance to the edge in the fan between them. The kink in the
-/// middle, where the nearest face changes, is rounded within `round_m` on both sides, by at most round_m / 2;
-/// beyond it nothing changes. Continuous with its gradient everywhere. `da`, `db`: derivatives by a and b.
+/// Distance to the intersection of two half-spaces with distances a and b; `half` is half the angle between
+/// their gradients. It is max(a, b) over the faces, and the distance to the edge in the wedge between their
+/// normals. The kink where the nearest face changes is rounded within `round_m` on both sides, by at most
+/// round_m / 2. Continuous with its gradient everywhere. `da`, `db`: derivatives by a and b.
 inline double convex_meeting(double a, double b, HalfAngle half, double round_m, double& da,
                              double& db) noexcept {
   const auto cosine = static_cast<double>(half.cosine);
@@ -48,7 +48,7 @@ inline double convex_meeting(double a, double b, HalfAngle half, double round_m,
   double by_mean = 1.0;
   double by_across = sine * dv;
   double distance = mean + v * sine;
-  // Faces back to back have no edge, and no fan over it.
+  // Opposite faces have no edge.
   constexpr double kLeastCosine = 1e-6;
   if (mean > 0.0 && cosine > kLeastCosine && v * cosine * cosine < mean * sine) {
     const double u = mean / cosine;
@@ -72,14 +72,14 @@ inline FieldSample joined(const FieldSample& a, const FieldSample& b, Meeting me
   return {distance, da * a.gradient + db * b.gradient};
 }
 
-/// The head of a leaf: pieces - 1 (2 bits), for each piece whether it is curved (3 bits), the two meetings
-/// (2 bits; set = concave), whether the leaf is in the compact form (1 bit), of which the other 24 bits are a
-/// part (CompactQuadratic).
+/// The head of a leaf: pieces - 1 (2 bits), for each piece whether it is curved (3 bits), the two meetings (2
+/// bits; set = concave), and whether the leaf is compact (1 bit). The other 24 bits belong to the compact
+/// form (CompactQuadratic).
 struct LeafHead {
   std::uint32_t bits = 0;
   int pieces() const noexcept { return static_cast<int>(bits & 3U) + 1; }
   bool curved(int piece) const noexcept { return (bits >> (2 + piece) & 1U) != 0; }
-  /// Whether all pieces are planes: then the leaf says the same wherever it stands.
+  /// Whether all pieces are planes: then the leaf does not depend on its position.
   bool flat() const noexcept { return (bits & 0x1CU) == 0; }
   Meeting meeting(int which) const noexcept {
     return (bits >> (5 + which) & 1U) != 0 ? Meeting::concave : Meeting::convex;
@@ -97,19 +97,19 @@ struct LeafHead {
   static constexpr std::size_t kCompactWords = 4;
   /// One step of a curved piece's 16-bit numbers.
   static constexpr double kStep = 1.0 / 16384.0;
-  /// A small leaf needs fewer of them than a large one: its numbers are multiples of this many steps.
-  /// `level`: its side is 2^level finest cells.
+  /// Small leaves need less resolution: their values are multiples of this many steps. `level`: the side is
+  /// 2^level finest cells.
   static constexpr int multiple(int level) noexcept {
     return level <= 2 ? 8 : level == 3 ? 4 : level == 4 ? 2 : 1;
   }
-  /// A curved piece's value in the middle is a multiple of a finest cell's side over this.
+  /// A curved piece's value in the middle is a multiple of the finest cell's side divided by this.
   static constexpr double kValuesPerCell = 2048.0;
 };
 
-/// One quadratic in four words, head included, for leaves up to four finest cells long: their errors are
-/// bounded far above these steps. half (c + l·u + u·Qu) as in a curved piece.
+/// One quadratic in four words, head included, for leaves up to four finest cells long, whose error bound is
+/// far above these steps. The value is half (c + l·u + u·Qu), as in a curved piece.
 struct CompactQuadratic {
-  /// Leaves of a side up to 2^kMostLevel finest cells.
+  /// Largest leaf: a side of 2^kMostLevel finest cells.
   static constexpr int kMostLevel = 2;
   /// Steps of c, of l and of Q, and the bits of each.
   static constexpr double kMiddleStep = 1.0 / 512.0, kSlopeStep = 1.0 / 1024.0, kBendStep = 1.0 / 256.0;
@@ -164,7 +164,7 @@ inline std::int32_t signed_bits(std::uint32_t word, unsigned from, unsigned bits
 
 }  // namespace detail
 
-/// Both ways between a compact leaf's words and its numbers, which fit().
+/// Encodes and decodes a compact leaf, for which fits() holds.
 inline std::array<std::uint32_t, LeafHead::kCompactWords> words_of(const CompactQuadratic& q) noexcept {
   const auto field = [](std::int32_t value, unsigned from, unsigned bits) {
     return (static_cast<std::uint32_t>(value) & ((1U << bits) - 1U)) << from;
@@ -203,7 +203,7 @@ inline FieldSample compact_at(const std::uint32_t* words, Vec3 u, double half_m)
           {lx + 2.0 * q.x, ly + 2.0 * q.y, lz + 2.0 * q.z}};
 }
 
-/// Which way a piece rises, in its leaf's middle.
+/// A piece's gradient in its leaf's middle.
 inline Vec3 rise_of(const std::uint32_t* piece, bool curved) noexcept {
   if (!curved) return {detail::f64(piece[0]), detail::f64(piece[1]), detail::f64(piece[2])};
   return detail::curved_at(piece, {}, 1.0).gradient;
@@ -216,8 +216,8 @@ inline HalfAngle half_angle_between(Vec3 a, Vec3 b) noexcept {
           static_cast<float>(std::sqrt(0.5 * (1.0 - cosine)))};
 }
 
-/// Sets a leaf's meetings from its pieces, which they follow from: between the first two, and between both of
-/// these and the third.
+/// Computes a leaf's half angles from its pieces: between the first two, and between the sum of these and the
+/// third.
 inline void set_half_angles(std::uint32_t* words) noexcept {
   const LeafHead head{words[0]};
   if (head.compact()) return;
@@ -235,7 +235,7 @@ inline void set_half_angles(std::uint32_t* words) noexcept {
   }
 }
 
-/// Calls visit(i, sample) with what piece i of a leaf says by itself. `x`: from the field's origin; `u`: from
+/// Calls visit(i, sample) with the value of each piece i of a leaf. `x`: from the field's origin; `u`: from
 /// the leaf's centre in halves of its side, half_m. Tick path.
 template <class Visit>
 void visit_pieces(const std::uint32_t* words, Vec3 x, Vec3 u, double half_m, const Visit& visit) noexcept {

@@ -11,7 +11,7 @@
 namespace palpable::models {
 namespace {
 
-TEST(Field, SeenFromAboveASlopeHasNoSteps) {
+TEST(Field, HasNoStepsOnASlopeSeenFromAbove) {
   const Lattice lattice{{-0.02, -0.02, -0.02}, 0.001, {41, 41, 41}};
   const Vec3 normal = unit(Vec3{0.2, -0.1, 1.0});
   std::vector<float> values;

@@ -8,7 +8,8 @@
 namespace palpable::models {
 namespace {
 
-// (u^p + v^p)^(1/p) by its larger term: exponents up to 20 would overflow or vanish otherwise.
+// (u^p + v^p)^(1/p), computed relative to the larger term: exponents up to 20 would otherwise overflow or
+// underflow.
 struct Norm {
   double value = 0.0;
   double by_u = 0.0;
@@ -42,7 +43,7 @@ Vec3 bend(const Superquadric& shape, Vec3 p) noexcept {
   const double r = c * p.x + s * p.y;
   const double angle = k * p.z;
   const double half = p.z * sinc(0.5 * angle);
-  // R - r = (1/k - r)(1 - cos(kz)), written so that k may go to 0.
+  // R - r = (1/k - r)(1 - cos(kz)), written so that k may be 0.
   const double towards = (1.0 - k * r) * 0.5 * k * half * half;
   return {p.x + c * towards, p.y + s * towards, (1.0 - k * r) * p.z * sinc(angle)};
 }
@@ -57,7 +58,7 @@ Vec3 unbend(const Superquadric& shape, Vec3 p) noexcept {
   // r = (1 - radius) / k, again without dividing by k.
   const double r = (2.0 * big - k * (big * big + p.z * p.z)) / (1.0 + radius);
   const double angle = std::atan2(k * p.z, away);
-  // Below 1e-9 of a turn the arc is its chord.
+  // Below 1e-9 of a turn the arc equals its chord.
   const double z = std::abs(angle) > 1e-9 ? angle / k : p.z / std::max(away, 1e-9);
   return {p.x - c * (big - r), p.y - s * (big - r), z};
 }

@@ -39,18 +39,19 @@ constexpr double kGreatestExponent = 1.9;
 /// Whether the numbers are finite and in their ranges. Errors: invalid_input.
 Result<void> check_superquadric(const Superquadric& shape);
 
-/// How many times the undeformed body must grow to reach `p` (in its own frame, before taper and bend): below
-/// 1 inside, 1 on the surface. It is F^(e1/2) in a form that neither overflows nor meets a negative base, and
-/// homogeneous of degree 1.
+/// The factor by which the undeformed body must be scaled to reach `p` (in its own frame, before taper and
+/// bend): below 1 inside, 1 on the surface. It equals F^(e1/2), computed without overflow or negative bases,
+/// and is homogeneous of degree 1.
 double gauge(const Superquadric& shape, Vec3 p) noexcept;
-/// The same with its gradient by `p`; zero at the centre.
+/// The same with its gradient; zero at the centre.
 double gauge(const Superquadric& shape, Vec3 p, Vec3& gradient_per_m) noexcept;
 
-/// The papers' inside-outside function F^e1 = gauge^2 at a point of the scene, deformation undone: above 1
-/// outside, below 1 inside.
+/// The papers' inside-outside function F^e1 = gauge^2 of the undeformed shape at a point of the scene: above
+/// 1 outside, below 1 inside.
 double inside_outside(const Superquadric& shape, Point<SceneFrame> p) noexcept;
 
-/// Taper and bend of a point in the shape's frame, and back. The taper's factor is held beyond the ends.
+/// Applies taper and bend to a point in the shape's frame, and the inverse. The taper's factor is clamped
+/// beyond the ends.
 Vec3 deform(const Superquadric& shape, Vec3 p) noexcept;
 Vec3 undeform(const Superquadric& shape, Vec3 p) noexcept;
 /// A point with the columns of deform()'s Jacobian there.
@@ -63,7 +64,7 @@ DeformedPoint deform_with_jacobian(const Superquadric& shape, Vec3 p) noexcept;
 /// The undeformed surface's point on the ray from the centre through `p`, which is not the centre.
 Vec3 on_surface(const Superquadric& shape, Vec3 p) noexcept;
 
-/// The farthest that a point of the body lies from the origin of its frame, before it is bent.
+/// Greatest distance of a point of the body from the origin of its frame, before bending.
 double reach_m(const Superquadric& shape) noexcept;
 
 /// Rotations as unit quaternions w, x, y, z with w >= 0, and as row-major matrices.

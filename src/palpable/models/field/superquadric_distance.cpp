@@ -16,9 +16,9 @@ constexpr double kHalfPi = 1.57079632679489662;
 constexpr double kLeastAngle = 1e-9;
 constexpr int kMostSteps = 60;
 
-/// One of the surface's two angles. cos^e and sin^e, with their derivatives by phi. With tan^m(eta) =
-/// tan(phi), m = min(e, 2 - e), point and normal both move at a bounded pace with phi for every exponent from
-/// 0.1 to 1.9, which they do not with eta itself.
+/// One of the surface's two angles: cos^e and sin^e with their derivatives by phi. With tan^m(eta) =
+/// tan(phi), m = min(e, 2 - e), the derivatives of point and normal by phi are bounded for every exponent
+/// from 0.1 to 1.9; those by eta are not.
 struct Curve {
   double c, s;                // cos^e(eta), sin^e(eta)
   double dc, ds;              // by phi
@@ -79,7 +79,7 @@ Objective objective_at(const Superquadric& shape, Vec3 x, double phi, double psi
   return o;
 }
 
-/// Newton's step, downhill whatever the Hessian: its eigenvalues are taken by their size.
+/// Newton's step with the absolute eigenvalues of the Hessian, so that it is always a descent direction.
 std::array<double, 2> newton_step(std::array<double, 2> g, std::array<double, 3> h) noexcept {
   const double mean = 0.5 * (h[0] + h[2]);
   const double half = std::hypot(0.5 * (h[0] - h[2]), h[1]);
@@ -96,7 +96,7 @@ std::array<double, 2> newton_step(std::array<double, 2> g, std::array<double, 3>
 
 double held(double angle) noexcept { return std::clamp(angle, kLeastAngle, kHalfPi - kLeastAngle); }
 
-/// Where the bound stops the way down, that angle rests.
+/// Keeps an angle fixed that is at its bound.
 void rest_at_bounds(std::array<double, 2> at, Objective& o) noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
     const bool low = at[i] <= kLeastAngle && o.gradient[i] > 0.0;
@@ -108,7 +108,7 @@ void rest_at_bounds(std::array<double, 2> at, Objective& o) noexcept {
   }
 }
 
-/// A local minimum of the distance in the octant, from a start.
+/// A local minimum of the distance in the octant, from a starting point.
 Objective descend(const Superquadric& shape, Vec3 x, std::array<double, 2> at) noexcept {
   constexpr double kLongestStep = 0.5;
   constexpr double kShortestStep = 1e-13;
@@ -151,7 +151,7 @@ std::array<double, 2> angles_of(const Superquadric& shape, Vec3 p) noexcept {
   return {angle(w, around, shape.e1), u == 0.0 && v == 0.0 ? 0.5 * kHalfPi : angle(v, u, shape.e2)};
 }
 
-/// Where a ray from inside, along an axis, meets the surface.
+/// The intersection of a ray from inside, along an axis, with the surface.
 Vec3 hit_along(const Superquadric& shape, Vec3 p, std::size_t axis) noexcept {
   const Vec3 a = shape.size_m;
   const double ez = 2.0 / shape.e1;
@@ -172,7 +172,7 @@ Local nearest_straight(const Superquadric& shape, Vec3 p) noexcept {
   const Vec3 x{std::abs(p.x), std::abs(p.y), std::abs(p.z)};
   const bool inside = gauge(shape, x) < 1.0;
   Objective best = descend(shape, x, angles_of(shape, x));
-  // Inside a convex body every face may have a nearest point of its own.
+  // Inside a convex body each face may have its own local minimum.
   if (inside)
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const Objective other = descend(shape, x, angles_of(shape, hit_along(shape, x, axis)));
@@ -185,8 +185,8 @@ Local nearest_straight(const Superquadric& shape, Vec3 p) noexcept {
           inside ? -distance : distance};
 }
 
-/// Moves over the surface by a step in the tangent plane and back along the ray from the centre, both before
-/// the deformation.
+/// Moves on the undeformed surface: a step in the tangent plane, then projection along the ray from the
+/// centre.
 struct Walk {
   const Superquadric& shape;
   Vec3 x;
@@ -235,7 +235,7 @@ void descend(Walk& walk, double reach) noexcept {
                                         (gy[1] - g[1]) / h};
     const auto step = newton_step(g, hessian);
     const double length = std::hypot(step[0], step[1]);
-    // The distance is off by the square of what is left.
+    // The distance's error is quadratic in the remaining step.
     if (length < kSettled * reach) return;
     bool moved = false;
     for (double share = std::min(1.0, 0.3 * reach / length); share * length > kSettled * reach;
@@ -259,7 +259,7 @@ Result<SuperquadricDistance> SuperquadricDistance::from(const Superquadric& shap
 
 namespace {
 
-/// A place of the undeformed surface on one side of the box around it, u and v from -1 to 1.
+/// The point of the undeformed surface for a point on one side of its bounding box, u and v from -1 to 1.
 Vec3 place_on_side(const Superquadric& shape, std::size_t side, double u, double v) noexcept {
   const double sign = side % 2 == 0 ? -1.0 : 1.0;
   const Vec3 a = shape.size_m;
@@ -274,7 +274,7 @@ constexpr int kSamplesOnSide = 12;
 SuperquadricDistance::SuperquadricDistance(const Superquadric& shape)
     : shape_(shape), shape_from_scene_(shape.scene_from_shape.inverse()), reach_m_(models::reach_m(shape)) {
   if (!shape_.deformed()) return;
-  // The whole of a bent shape turns about a centre that may be near.
+  // A bent shape is curved about a centre that may be near.
   reach_m_ = 0.0;
   for (std::size_t side = 0; side < 6; ++side) {
     const std::size_t first = seeds_.size();
@@ -284,7 +284,7 @@ SuperquadricDistance::SuperquadricDistance(const Superquadric& shape)
                                             2.0 * (j + 0.5) / kSamplesOnSide - 1.0);
         seeds_.push_back({straight, deform(shape_, straight)});
       }
-    // Places between the seeds, the rims of the sides among them.
+    // Points between the seeds, including the edges of the sides.
     constexpr int kFiner = 2 * kSamplesOnSide;
     for (int i = 0; i <= kFiner; ++i)
       for (int j = 0; j <= kFiner; ++j) {
@@ -322,7 +322,7 @@ SuperquadricDistance::Local SuperquadricDistance::nearest_deformed(Vec3 x) const
   std::sort(sides.begin(), sides.end());
   Local best;
   for (const auto& [seed_m, seed] : sides) {
-    // No place of that side can be nearer.
+    // No point of that side can be nearer.
     if (seed_m - gaps_m_[seed / kPart] >= best.distance_m) continue;
     Walk walk{shape_, x, {}, {}, {}, 0.0};
     walk.settle(seeds_[seed].straight);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostDivisions = 700;
 
-/// The grid's points on the box of half axes 1, with numbers shared along its edges.
+/// Grid points on the box of half axes 1, with indices shared along its edges.
 class BoxGrid {
  public:
   explicit BoxGrid(std::array<int, 3> divisions) : n_(divisions) {}
@@ -35,7 +35,7 @@ class BoxGrid {
                      static_cast<std::uint64_t>(c[2]);
     const auto [found, added] = numbers_.try_emplace(key, static_cast<std::uint32_t>(points_.size()));
     if (added) {
-      // The tangent spreads the grid more evenly over round shapes, and keeps a box's edges.
+      // The tangent spaces the grid more evenly on round shapes and keeps a box's edges.
       const auto spread = [&](std::size_t i) {
         return std::tan(0.25 * 3.14159265358979 * (2.0 * c[i] / n_[i] - 1.0));
       };
@@ -81,7 +81,7 @@ BoxGrid::Quads box_grid(const Superquadric& shape, double spacing_m) {
 
 Vec3 scaled(Vec3 a, Vec3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 
-/// Accepts points one after another that keep `spacing` from all before them.
+/// Accepts points at least `spacing` away from all accepted ones (Poisson-disc sampling).
 class Spread {
  public:
   explicit Spread(double spacing_m) : spacing_(spacing_m) {}
@@ -115,7 +115,7 @@ Vec3 surface_normal(const Superquadric& shape, Vec3 p) noexcept {
   Vec3 normal;
   gauge(shape, p, normal);
   if (shape.deformed()) {
-    // Normals go with the cofactors of the Jacobian.
+    // Normals are transformed by the cofactors of the Jacobian.
     const DeformedPoint d = deform_with_jacobian(shape, p);
     normal = normal.x * cross(d.by_y, d.by_z) + normal.y * cross(d.by_z, d.by_x) +
              normal.z * cross(d.by_x, d.by_y);
@@ -133,7 +133,7 @@ Mesh mesh_of(const Superquadric& shape, double spacing_m) {
   }
   mesh.triangles.reserve(2 * grid.quads.size());
   for (const auto& q : grid.quads) {
-    // Along the shorter diagonal: better triangles at edges.
+    // Split along the shorter diagonal: better triangles at edges.
     const auto length = [&](std::size_t a, std::size_t b) {
       return squared_norm(mesh.vertices_m[q[a]] - mesh.vertices_m[q[b]]);
     };
@@ -149,7 +149,7 @@ Mesh mesh_of(const Superquadric& shape, double spacing_m) {
 }
 
 std::vector<SurfaceSample> even_samples(const Superquadric& shape, double spacing_m) {
-  // Candidates four times as dense: what they leave uncovered adds to the spacing.
+  // Candidates four times as dense, since their gaps add to the spacing.
   const BoxGrid::Quads grid = box_grid(shape, 0.25 * spacing_m);
   Spread spread(spacing_m);
   std::vector<SurfaceSample> samples;

@@ -9,23 +9,23 @@
 
 namespace palpable::models {
 
-/// A place of a surface with its outward unit normal.
+/// A surface point with its outward unit normal.
 struct SurfaceSample {
   Point<SceneFrame> place;
   Vector<SceneFrame> normal;
 };
 
-/// The outward unit normal of the deformed surface at the undeformed surface's point `p`, in the shape's
+/// The outward unit normal of the deformed surface for the undeformed surface's point `p`, in the shape's
 /// frame.
 Vec3 surface_normal(const Superquadric& shape, Vec3 p) noexcept;
 
 /// A closed mesh of the deformed surface in the scene's frame: a box's grid of quads of about `spacing_m`,
-/// drawn onto the surface from its centre. No more than a few million triangles are made: the spacing is
-/// raised where there would be more.
+/// projected onto the surface from its centre. The spacing is increased to keep the mesh below a few million
+/// triangles.
 Mesh mesh_of(const Superquadric& shape, double spacing_m);
 
-/// Points of the surface spread evenly: no two nearer than `spacing_m`, and no place of the surface farther
-/// than about 1.3 times that from one of them. The same shape and spacing give the same points.
+/// Evenly distributed surface points: no two are nearer than `spacing_m`, and no point of the surface is
+/// farther than about 1.3 times that from one of them. Deterministic.
 std::vector<SurfaceSample> even_samples(const Superquadric& shape, double spacing_m);
 
 }  // namespace palpable::models

@@ -46,7 +46,7 @@ class Draw {
   std::mt19937 random_;
 };
 
-/// The nearest vertex of a fine mesh: an upper bound of the distance, near to it.
+/// The distance to the nearest vertex of a fine mesh: a close upper bound.
 double brute_force_m(const Mesh& mesh, Vec3 p) {
   double best = 1e300;
   for (const Vec3 v : mesh.vertices_m) best = std::min(best, squared_norm(v - p));
@@ -72,7 +72,7 @@ TEST(Superquadric, StaysFiniteAtTheExponentsLimits) {
     }
 }
 
-TEST(Superquadric, KnowsTheGradientOfItsGauge) {
+TEST(Superquadric, ComputesTheGradientOfItsGauge) {
   Draw draw(3);
   for (int k = 0; k < 200; ++k) {
     const Superquadric s = shape_of({1.0, 0.7, 1.4}, draw.in(0.1, 1.9), draw.in(0.1, 1.9));
@@ -85,7 +85,7 @@ TEST(Superquadric, KnowsTheGradientOfItsGauge) {
   }
 }
 
-TEST(Superquadric, UndoesItsOwnDeformation) {
+TEST(Superquadric, InvertsItsDeformation) {
   Draw draw(4);
   for (int k = 0; k < 500; ++k) {
     Superquadric s = shape_of({0.5, 0.4, 1.0}, 0.5, 0.5);
@@ -104,7 +104,7 @@ TEST(Superquadric, UndoesItsOwnDeformation) {
   }
 }
 
-TEST(Superquadric, TurnsQuaternionsIntoRotationsAndBack) {
+TEST(Superquadric, ConvertsQuaternionsToRotationsAndBack) {
   Draw draw(5);
   for (int k = 0; k < 100; ++k) {
     const auto r = draw.pose().rotation;
@@ -113,7 +113,7 @@ TEST(Superquadric, TurnsQuaternionsIntoRotationsAndBack) {
   }
 }
 
-TEST(Superquadric, RefusesWhatIsNoShape) {
+TEST(Superquadric, RefusesInvalidParameters) {
   EXPECT_FALSE(check_superquadric(shape_of({0.0, 1.0, 1.0}, 1.0, 1.0)));
   EXPECT_FALSE(check_superquadric(shape_of({1.0, 1.0, 1.0}, 0.05, 1.0)));
   EXPECT_FALSE(check_superquadric(shape_of({1.0, 1.0, 1.0}, 1.0, std::nan(""))));
@@ -122,7 +122,7 @@ TEST(Superquadric, RefusesWhatIsNoShape) {
   EXPECT_FALSE(check_superquadric(bent));
 }
 
-TEST(SuperquadricDistance, IsASpheres) {
+TEST(SuperquadricDistance, IsExactForASphere) {
   Superquadric s = shape_of({0.5, 0.5, 0.5}, 1.0, 1.0);
   Draw draw(6);
   s.scene_from_shape = draw.pose();
@@ -136,7 +136,7 @@ TEST(SuperquadricDistance, IsASpheres) {
   }
 }
 
-TEST(SuperquadricDistance, MeetsABruteForceSearchForEveryExponent) {
+TEST(SuperquadricDistance, AgreesWithABruteForceSearchForEveryExponent) {
   Draw draw(7);
   for (const double e1 : {0.1, 0.5, 1.0, 1.2, 1.9})
     for (const double e2 : {0.1, 0.5, 1.0, 1.2, 1.9}) {
@@ -158,7 +158,7 @@ TEST(SuperquadricDistance, MeetsABruteForceSearchForEveryExponent) {
     }
 }
 
-TEST(SuperquadricDistance, GrowsAtUnitPaceAlongItsNormal) {
+TEST(SuperquadricDistance, HasUnitSlopeAlongItsNormal) {
   Draw draw(8);
   for (int k = 0; k < 300; ++k) {
     const Superquadric s = shape_of({1.0, 0.8, 0.5}, draw.in(0.1, 1.9), draw.in(0.1, 1.9));
@@ -191,7 +191,7 @@ TEST(SuperquadricDistance, FollowsTaperAndBend) {
   }
 }
 
-TEST(SuperquadricSamples, CloseTheSurface) {
+TEST(SuperquadricSamples, FormAClosedMesh) {
   Superquadric s = shape_of({0.4, 0.3, 1.0}, 0.3, 0.7);
   s.taper_x = 0.5;
   s.bend_per_m = 0.8;
@@ -203,7 +203,7 @@ TEST(SuperquadricSamples, CloseTheSurface) {
   EXPECT_GT(six_volumes, 0.0);
 }
 
-TEST(SuperquadricSamples, AreEven) {
+TEST(SuperquadricSamples, AreEvenlySpaced) {
   const Superquadric s = shape_of({1.5, 0.3, 0.5}, 0.2, 0.6);
   const auto samples = even_samples(s, 0.1);
   const Mesh fine = mesh_of(s, 0.03);

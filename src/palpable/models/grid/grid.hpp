@@ -9,8 +9,8 @@
 
 namespace palpable::models {
 
-/// A volume as it is touched: its occupied points, and the relief that they were filled under, for devices
-/// that move in a plane and for pictures. Immutable.
+/// A volume as a touchable model: its occupied points, and the relief under which they were filled, for
+/// planar devices and for pictures. Immutable.
 struct Grid {
   OccupancyGrid occupancy;
   /// Never null.

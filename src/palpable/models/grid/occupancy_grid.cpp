@@ -32,14 +32,14 @@ const std::array<Vec3, 256>& normal_table() {
   return table;
 }
 
-/// Exact squared distance of every point to the nearest one that is free, in spacings, with that point, one
-/// axis after another (Felzenszwalb & Huttenlocher 2012). Beyond the lattice all is free.
+/// Exact squared Euclidean distance transform in spacings, with the nearest free point, one axis at a time
+/// (Felzenszwalb & Huttenlocher 2012). Points beyond the lattice are free.
 struct NearestFree {
   std::vector<float> squared;
   std::vector<std::array<std::int16_t, 3>> offset;
 };
 
-/// Lower envelope of parabolas along one line of `n` points, with a free one at -1 and at n.
+/// Lower envelope of parabolas along one line of `n` points, with free points at -1 and at n.
 void along_line(std::vector<double>& f, std::vector<int>& from, std::vector<int>& roots,
                 std::vector<double>& bounds) {
   const int n = static_cast<int>(f.size());
@@ -115,7 +115,7 @@ NearestFree nearest_free(const Occupancy& o, const Work& work) {
   return out;
 }
 
-/// Mean of the table's normals in the eight cells around a point.
+/// Mean of the table normals of the eight cells around a point.
 Vec3 normal_around(const Occupancy& o, int x, int y, int z) {
   const auto on = [&](int i, int j, int k) -> unsigned {
     const bool within = i >= 0 && j >= 0 && k >= 0 && i < o.counts[0] && j < o.counts[1] && k < o.counts[2];
@@ -134,7 +134,7 @@ Vec3 normal_around(const Occupancy& o, int x, int y, int z) {
   return unit(sum);
 }
 
-/// Whether a block, or the points next to it, hold anything.
+/// Whether a block or its neighbouring points contain an occupied point.
 bool anything_near(const Occupancy& o, std::array<int, 3> block, int side) {
   std::array<int, 3> low{};
   std::array<int, 3> high{};
@@ -201,7 +201,7 @@ Result<OccupancyGrid> OccupancyGrid::from(const Occupancy& o, const Work& work) 
           const int z = bz * kBlock + k / kBlock / kBlock;
           if (x >= o.counts[0] || y >= o.counts[1] || z >= o.counts[2]) continue;
           const std::size_t i = o.index(x, y, z);
-          // With no free point among the 26 around it, only the nearest one farther off tells where out is.
+          // With no free neighbour among 26, the nearest free point gives the outward direction.
           const bool deep = free.squared[i] > 3.5F;
           Vec3 normal = deep ? Vec3{} : normal_around(o, x, y, z);
           if (o.occupied[i] != 0) {
@@ -241,7 +241,7 @@ bool OccupancyGrid::occupied(int x, int y, int z) const noexcept {
 GridSample OccupancyGrid::sample(Vec3 place_m) const noexcept {
   const double outside = -0.5 * spacing_m_;
   const Vec3 q = (place_m - origin_m_) / spacing_m_;
-  // Also false for what is not a number; one point beyond the lattice still meets its border.
+  // Also false for NaN; one point beyond the lattice still interpolates its border.
   const bool near =
       q.x > -1.0 && q.y > -1.0 && q.z > -1.0 && q.x < counts_[0] && q.y < counts_[1] && q.z < counts_[2];
   if (!near) return {outside, {}};

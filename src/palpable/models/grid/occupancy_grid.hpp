@@ -16,7 +16,7 @@ namespace palpable::models {
 /// Which points of a lattice lie inside a solid, x fastest, then y, then z: one byte each, 0 or 1.
 struct Occupancy {
   std::array<int, 3> counts{};
-  /// Place of the point (0, 0, 0).
+  /// Position of the point (0, 0, 0).
   Vec3 origin_m;
   double spacing_m = 0.0;
   std::vector<std::uint8_t> occupied;
@@ -29,32 +29,32 @@ struct Occupancy {
   std::size_t points() const { return occupied.size(); }
 };
 
-/// Most points of one grid: what is made while building takes 24 bytes a point.
+/// Most points of one grid; building takes 24 bytes per point.
 constexpr std::size_t kMaxGridPoints = std::size_t{1} << 25U;
 
-/// How deep a place lies, and where out is.
+/// Depth below the surface, and outward normal.
 struct GridSample {
-  /// Above 0 inside, and held at half a spacing below 0 outside.
+  /// Above 0 inside; at least minus half a spacing outside.
   double depth_m = 0.0;
-  /// Outward, unit; 0 where no occupied point is near.
+  /// Outward unit normal; 0 if no occupied point is near.
   Vec3 normal;
 };
 
-/// What Park & Howard 2012, section 5, feel: a sparse lattice of occupied points filled from a depth map.
-/// Near the surface the normal comes from a table over the eight neighbours' occupancy, deep inside from the
-/// nearest free point; both are kept at the lattice's points and interpolated between them. Blocks of 8 x 8 x
-/// 8 points are kept only where something is occupied or next to it. Coarser than a distance field, and not
-/// conservative: its normal is not its depth's gradient. Immutable; any thread.
+/// The model of Park & Howard 2012, section 5: a sparse lattice of occupied points filled from a depth map.
+/// Near the surface the normal comes from a table over the occupancy of eight neighbours, deep inside from
+/// the nearest free point. Depth and normal are stored at lattice points and interpolated. Blocks of 8 x 8 x
+/// 8 points are stored only near occupied points. It is coarser than a distance field and not conservative:
+/// its normal is not the gradient of its depth. Immutable; any thread.
 class OccupancyGrid {
  public:
   /// Points beyond the lattice count as free. Errors: invalid_input for counts that do not fit `occupied` or
   /// are below 2, more than kMaxGridPoints, a spacing not in 1e-6 ... 1 m, or no point occupied; interrupted.
   static Result<OccupancyGrid> from(const Occupancy& occupancy, const Work& work);
 
-  /// At any finite place. Tick path.
+  /// At any finite position. Tick path.
   GridSample sample(Vec3 place_m) const noexcept;
   bool occupied(int x, int y, int z) const noexcept;
-  /// The lattice again, as it was given.
+  /// The original lattice.
   Occupancy occupancy() const;
 
   std::array<int, 3> counts() const noexcept { return counts_; }
@@ -89,8 +89,8 @@ class OccupancyGrid {
   std::vector<std::array<Cell, 512>> cells_;
 };
 
-/// The outward unit normal of the surface between eight neighbours; bit x + 2 y + 4 z of `mask` says whether
-/// that corner is occupied. 0 where the corners balance (none, all, or a symmetric pattern).
+/// The outward unit normal of the surface between eight neighbours; bit x + 2 y + 4 z of `mask` is set if
+/// that corner is occupied. 0 for symmetric patterns, such as none or all.
 Vec3 neighbour_normal(unsigned mask) noexcept;
 
 }  // namespace palpable::models

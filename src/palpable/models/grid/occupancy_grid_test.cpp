@@ -10,7 +10,7 @@
 namespace palpable::models {
 namespace {
 
-/// A ball of 10 mm round the origin, a point every millimetre.
+/// A ball of radius 10 mm around the origin, points at 1 mm spacing.
 Occupancy ball() {
   Occupancy o;
   o.counts = {25, 25, 25};
@@ -29,7 +29,7 @@ OccupancyGrid grid_of(const Occupancy& o) {
   return *std::move(made);
 }
 
-TEST(OccupancyGrid, TellsDepthAndOutwardWithinItsSpacing) {
+TEST(OccupancyGrid, MeasuresDepthAndNormalWithinItsSpacing) {
   const OccupancyGrid grid = grid_of(ball());
   for (int k = 0; k < 200; ++k) {
     const double a = 0.7 * k, b = std::acos(1.0 - 2.0 * (k + 0.5) / 200);
@@ -54,7 +54,7 @@ TEST(OccupancyGrid, IsContinuous) {
   }
 }
 
-TEST(OccupancyGrid, KnowsEveryPatternOfNeighbours) {
+TEST(OccupancyGrid, HasANormalForEveryPatternOfNeighbours) {
   EXPECT_EQ(neighbour_normal(0), Vec3{});
   EXPECT_EQ(neighbour_normal(255), Vec3{});
   // The four lower corners occupied: up.
@@ -66,7 +66,7 @@ TEST(OccupancyGrid, KnowsEveryPatternOfNeighbours) {
     EXPECT_NEAR(norm(neighbour_normal(mask) + neighbour_normal(255 - mask)), 0.0, 1e-15);
 }
 
-TEST(OccupancyGrid, GivesItsOccupancyBack) {
+TEST(OccupancyGrid, ReturnsItsOccupancy) {
   const Occupancy o = ball();
   const OccupancyGrid grid = grid_of(o);
   EXPECT_EQ(grid.occupancy().occupied, o.occupied);
@@ -74,7 +74,7 @@ TEST(OccupancyGrid, GivesItsOccupancyBack) {
   EXPECT_FALSE(grid.occupied(-1, 0, 0));
 }
 
-TEST(OccupancyGrid, KeepsOnlyBlocksThatHoldSomething) {
+TEST(OccupancyGrid, StoresOnlyBlocksNearOccupiedPoints) {
   Occupancy o;
   o.counts = {100, 100, 50};
   o.spacing_m = 0.0005;
@@ -85,7 +85,7 @@ TEST(OccupancyGrid, KeepsOnlyBlocksThatHoldSomething) {
   EXPECT_LT(grid_of(o).memory_bytes(), 1'200'000U);
 }
 
-TEST(OccupancyGrid, RefusesWhatIsNoGrid) {
+TEST(OccupancyGrid, RefusesInvalidGrids) {
   Occupancy o = ball();
   o.occupied.pop_back();
   EXPECT_FALSE(OccupancyGrid::from(o, Work{}));

@@ -8,11 +8,11 @@
 
 namespace palpable::models {
 
-/// The coefficient of dynamic friction is this share of the static one where only the static one is given.
+/// Ratio of dynamic to static friction if only the static coefficient is given.
 inline constexpr double kDynamicOfStatic = 5.0 / 6.0;
 
-/// How a surface answers a touch. Neutral defaults suit a simulated or mid-range device; a device's own
-/// limits lower them.
+/// Haptic properties of a surface. The neutral defaults suit a simulated or mid-range device; a device's own
+/// limits reduce them.
 struct Material {
   std::string name = "default";
   double stiffness_N_per_m = 500.0;

@@ -8,12 +8,12 @@
 
 namespace palpable::models {
 
-/// Every number of it finite, none negative, and its texture sound: what a file, a page or a command may
-/// give.
-inline bool is_sound(const Material& m) {
+/// Whether every value is finite and not negative, and the texture is valid: the check for input from files,
+/// pages and commands.
+inline bool is_valid(const Material& m) {
   for (const double value : {m.stiffness_N_per_m, m.damping_Ns_per_m, m.static_friction, m.dynamic_friction})
     if (!(std::isfinite(value) && value >= 0.0)) return false;
-  return is_sound(m.texture);
+  return is_valid(m.texture);
 }
 
 }  // namespace palpable::models

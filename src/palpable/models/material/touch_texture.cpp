@@ -24,12 +24,12 @@ constexpr std::array kNames{Name{TouchTexture::Kind::none, "none"}, Name{TouchTe
                             Name{TouchTexture::Kind::picture, "picture"}};
 
 constexpr int kTileSide = kTextureSide;
-/// Forms to the square's side: 16 samples to each, which a cubic B-spline flattens by a fortieth.
+/// Periods per side of the square: 16 samples each, which a cubic B-spline attenuates by 1/40.
 constexpr int kForms = 4;
 constexpr int kStride = kTileSide + 3;
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Waves in every direction whose lengths are near the pitch: no form of it stands out.
+/// Waves in all directions with lengths near the pitch: an isotropic noise.
 class Grain {
  public:
   Grain() {
@@ -58,7 +58,7 @@ class Grain {
 
 int forms_of(TouchTexture::Kind kind) { return kind == TouchTexture::Kind::picture ? kPictureForms : kForms; }
 
-/// From -1 to 1 over the square of side 1.
+/// The pattern over the unit square, -1 to 1.
 std::vector<double> pattern_of(TouchTexture::Kind kind) {
   const Grain grain;
   std::vector<double> values;
@@ -79,11 +79,11 @@ std::vector<double> pattern_of(TouchTexture::Kind kind) {
   return values;
 }
 
-/// The control value before a place (in samples, within a thousand million), modulo the square's side, and
-/// how far beyond it the place lies, 0 ... 1.
+/// The control value before a position (in samples, up to 1e9), modulo the square's side, and the fraction
+/// beyond it, 0 ... 1.
 struct Wrapped {
   explicit Wrapped(double place) noexcept {
-    // A whole number of squares further on, where places are positive: rounding down is then one conversion.
+    // Shifted by whole squares to positive values, where truncation rounds down.
     constexpr double kFarOn = 0x1p31;
     static_assert((std::int64_t{1} << 31) % kTileSide == 0 && (kTileSide & (kTileSide - 1)) == 0);
     const double positive = place + kFarOn;
@@ -107,7 +107,7 @@ std::optional<TouchTexture::Kind> texture_kind_from(std::string_view name) {
   return found != kNames.end() ? std::optional(found->kind) : std::nullopt;
 }
 
-bool is_sound(const TouchTexture& t) {
+bool is_valid(const TouchTexture& t) {
   const bool has_tile =
       t.tile.size() == std::size_t{kTileSide} * kTileSide &&
       std::all_of(t.tile.begin(), t.tile.end(), [](float v) { return v >= -1.001F && v <= 1.001F; });
@@ -121,7 +121,7 @@ TexturePattern::TexturePattern(const TouchTexture& texture)
       cos_(std::cos(texture.angle_rad)),
       sin_(std::sin(texture.angle_rad)),
       samples_per_m_(static_cast<double>(kTileSide) / forms_of(texture.kind) / texture.pitch_m) {
-  PALPABLE_CHECK(is_sound(texture) && texture.kind != TouchTexture::Kind::none);
+  PALPABLE_CHECK(is_valid(texture) && texture.kind != TouchTexture::Kind::none);
   const bool is_picture = texture.kind == TouchTexture::Kind::picture;
   const auto pattern =
       is_picture ? std::vector<double>(texture.tile.begin(), texture.tile.end()) : pattern_of(texture.kind);
@@ -138,11 +138,11 @@ TexturePattern::TexturePattern(const TouchTexture& texture)
 HeightSample TexturePattern::sample(double x_m, double y_m) const noexcept {
   const Wrapped u((cos_ * x_m + sin_ * y_m) * samples_per_m_);
   const Wrapped v((cos_ * y_m - sin_ * x_m) * samples_per_m_);
-  const SplineLook look =
-      SplineBlock({values_.data() + v.index * kStride + u.index, kStride, u.beyond, v.beyond}).look();
-  const double du = look.right * samples_per_m_;
-  const double dv = look.down * samples_per_m_;
-  return {look.z, cos_ * du - sin_ * dv, sin_ * du + cos_ * dv};
+  const SplineValue value =
+      SplineBlock({values_.data() + v.index * kStride + u.index, kStride, u.beyond, v.beyond}).evaluate();
+  const double du = value.right * samples_per_m_;
+  const double dv = value.down * samples_per_m_;
+  return {value.z, cos_ * du - sin_ * dv, sin_ * du + cos_ * dv};
 }
 
 }  // namespace palpable::models

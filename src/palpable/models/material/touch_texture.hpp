@@ -11,33 +11,33 @@
 
 namespace palpable::models {
 
-/// Control values along a texture's side; and the finest forms of a picture along it.
+/// Control values along a texture's side, and the finest periods of a picture along it.
 inline constexpr int kTextureSide = 64;
 inline constexpr int kPictureForms = 12;
 
-/// Fine forms on a surface, too fine for its model: felt, not seen.
+/// A fine texture on a surface, too fine for the model: it is felt, not seen.
 struct TouchTexture {
   enum class Kind : std::uint8_t {
     none,
-    /// Irregular, the same in all directions.
+    /// Irregular and isotropic.
     grain,
     /// Straight and parallel; at angle_rad = 0 they run along y.
     ridges,
     /// Rows of round bumps.
     bumps,
-    /// As its `tile` says.
+    /// Given by `tile`.
     picture
   };
   Kind kind = Kind::none;
-  /// From one form to the next, 0.1 ... 20 mm.
+  /// Period, 0.1 ... 20 mm.
   double pitch_m = 0.002;
-  /// From the middle to the top, 0 ... 1 mm.
+  /// Amplitude, from the mean to the top, 0 ... 1 mm.
   double height_m = 30e-6;
-  /// Turned to the left by this.
+  /// Rotation counter-clockwise.
   double angle_rad = 0.0;
-  /// Of a picture: the square that repeats itself, kTextureSide x kTextureSide control values −1 … 1 of a
-  /// uniform cubic B-spline, rows from the top, in which no form is finer than kPictureForms to the side. Its
-  /// side is kPictureForms · pitch_m.
+  /// For Kind::picture: the periodic square, kTextureSide x kTextureSide control values −1 … 1 of a uniform
+  /// cubic B-spline, rows from the top. It has at most kPictureForms periods per side; its side is
+  /// kPictureForms · pitch_m.
   std::vector<float> tile = {};
 
   bool operator==(const TouchTexture&) const = default;
@@ -46,23 +46,22 @@ struct TouchTexture {
 std::string_view name_of(TouchTexture::Kind kind);
 std::optional<TouchTexture::Kind> texture_kind_from(std::string_view name);
 
-/// Every number finite and in its range, and a tile where it is a picture.
-bool is_sound(const TouchTexture& texture);
+/// Whether every value is finite and in range, and a picture has a tile.
+bool is_valid(const TouchTexture& texture);
 
-/// A texture for the tick: one square that repeats itself for ever, as a uniform cubic B-spline of 64 x 64
-/// control values. Immutable; any thread.
+/// A texture for the tick: a periodic uniform cubic B-spline with 64 x 64 control values. Immutable; any
+/// thread.
 class TexturePattern {
  public:
-  /// `texture` must be sound and not none.
+  /// `texture` must be valid and not Kind::none.
   explicit TexturePattern(const TouchTexture& texture);
 
-  /// Height above the surface's own (about 0 in the mean) and its gradient, at any place within 1 km. Tick
-  /// path.
+  /// Height relative to the surface (mean about 0) and its gradient, at any position within 1 km. Tick path.
   HeightSample sample(double x_m, double y_m) const noexcept;
   double pitch_m() const noexcept { return pitch_m_; }
 
  private:
-  /// The square, with the columns and rows again that a look at its border reads.
+  /// The square, padded with the repeated columns and rows that a query at its border reads.
   std::vector<float> values_;
   double pitch_m_;
   double cos_;

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = TouchTexture::Kind;
 
-TEST(TexturePattern, HasItsHeightAndGivesTheExactSlope) {
+TEST(TexturePattern, HasItsAmplitudeAndTheExactSlope) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-0.05, 0.05);
   for (const Kind kind : {Kind::grain, Kind::ridges, Kind::bumps}) {
@@ -33,7 +33,7 @@ TEST(TexturePattern, HasItsHeightAndGivesTheExactSlope) {
   }
 }
 
-TEST(TexturePattern, RepeatsRidgesAtTheirPitchAndTurnsThem) {
+TEST(TexturePattern, RepeatsRidgesAtTheirPitchAndAngle) {
   const TexturePattern straight({Kind::ridges, 0.002, 1e-4, 0.0});
   const TexturePattern turned({Kind::ridges, 0.002, 1e-4, M_PI / 2});
   for (double x = -0.01; x < 0.01; x += 0.00037) {
@@ -44,14 +44,14 @@ TEST(TexturePattern, RepeatsRidgesAtTheirPitchAndTurnsThem) {
   EXPECT_NEAR(straight.sample(0.001, 0.0).z_m, -1e-4, 4e-6);
 }
 
-TEST(TouchTexture, KnowsItsKindsByNameAndWhatIsOutOfRange) {
+TEST(TouchTexture, HasNamedKindsAndCheckedRanges) {
   for (const Kind kind : {Kind::none, Kind::grain, Kind::ridges, Kind::bumps})
     EXPECT_EQ(texture_kind_from(name_of(kind)), kind);
   EXPECT_FALSE(texture_kind_from("velvet"));
-  EXPECT_TRUE(is_sound(TouchTexture{}));
-  EXPECT_FALSE(is_sound(TouchTexture{Kind::grain, 1e-5, 1e-5, 0.0}));
-  EXPECT_FALSE(is_sound(TouchTexture{Kind::grain, 0.001, 0.1, 0.0}));
-  EXPECT_FALSE(is_sound(TouchTexture{Kind::grain, 0.001, 1e-5, NAN}));
+  EXPECT_TRUE(is_valid(TouchTexture{}));
+  EXPECT_FALSE(is_valid(TouchTexture{Kind::grain, 1e-5, 1e-5, 0.0}));
+  EXPECT_FALSE(is_valid(TouchTexture{Kind::grain, 0.001, 0.1, 0.0}));
+  EXPECT_FALSE(is_valid(TouchTexture{Kind::grain, 0.001, 1e-5, NAN}));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace palpable::models {
 namespace {
 
-/// The block that holds a place; outside, the border's: there the surface continues it.
+/// The block that contains a position; outside, the nearest border block, since the surface continues it.
 int block_at(double place_px, double per_px, int count) noexcept {
   const double block = place_px * per_px;
   return block > 0.0 ? (block < count - 1 ? static_cast<int>(block) : count - 1) : 0;
@@ -18,8 +18,8 @@ SurfaceBounds larger(SurfaceBounds a, SurfaceBounds b) noexcept {
   return {std::max(a.highest, b.highest), std::max(a.steepest, b.steepest)};
 }
 
-/// Of the surface between the control values from x0 to x1 and y0 to y1. Its slope along an axis is a mean of
-/// their differences along it.
+/// Bounds of the surface between the control values x0 to x1 and y0 to y1. Its slope along an axis is a mean
+/// of their differences.
 SurfaceBounds bounds_of(const Raster<float>& values, int x0, int x1, int y0, int y1) {
   float highest = values(x0, y0);
   float across = 0.0F;
@@ -43,7 +43,7 @@ HeightBounds::HeightBounds(const Raster<float>& control_values) {
                   8);
   for (int j = 0; j < finest.height; ++j)
     for (int i = 0; i < finest.width; ++i) {
-      // The cells of a block reach for one control value before it and two behind.
+      // The cells of a block depend on one control value before it and two after it.
       const int x = kBlock_px * i;
       const int y = kBlock_px * j;
       blocks_.push_back(bounds_of(control_values, std::max(0, x - 1), std::min(w - 1, x + kBlock_px + 1),
@@ -72,7 +72,7 @@ void HeightBounds::add_coarser_levels(Level level) {
 }
 
 SurfaceBounds HeightBounds::over(double x0_px, double y0_px, double x1_px, double y1_px) const noexcept {
-  // The finest level of which the rectangle meets four blocks at most.
+  // The finest level at which the rectangle meets at most four blocks.
   const double side_px = std::max(x1_px - x0_px, y1_px - y0_px);
   double per_px = 1.0 / kBlock_px;
   std::size_t k = 0;

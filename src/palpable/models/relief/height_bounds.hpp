@@ -14,7 +14,7 @@
 
 namespace palpable::models {
 
-/// What no place of a rectangle exceeds: the height, and the slope |grad z|.
+/// Upper bounds over a rectangle: of the height, and of the slope |grad z|.
 struct SurfaceBounds {
   float highest = 0.0F;
   float steepest = 0.0F;
@@ -28,8 +28,8 @@ class HeightBounds {
   /// The spline's control values, at least one.
   explicit HeightBounds(const Raster<float>& control_values);
 
-  /// Of all places with x0 <= x <= x1 and y0 <= y <= y1, in pixels, sample centres at integers, any finite
-  /// values; the slope in height per pixel. Reads four blocks at most. Tick path.
+  /// The bounds over x0 <= x <= x1, y0 <= y <= y1 in pixels (sample centres at integers, any finite values);
+  /// the slope in height per pixel. Reads at most four blocks. Tick path.
   SurfaceBounds over(double x0_px, double y0_px, double x1_px, double y1_px) const noexcept;
 
   std::size_t memory_bytes() const noexcept { return blocks_.size() * sizeof(SurfaceBounds); }
@@ -48,15 +48,15 @@ class HeightBounds {
   std::vector<Level> levels_;
 };
 
-/// What a law needs besides to judge a long way over such a surface at once: bounds over rectangles, heights
-/// in metres. Never allocates, locks or throws.
+/// A height field with bounds over rectangles (metres), by which a law checks a long path at once. Never
+/// allocates, locks or throws.
 template <class M>
 concept BoundedHeightField = CurvedHeightField<M> && requires(const M& m, double x_m, double y_m) {
   { m.bounds_over(x_m, y_m, x_m, y_m) } -> std::same_as<SurfaceBounds>;
   requires noexcept(m.bounds_over(x_m, y_m, x_m, y_m));
 };
 
-/// A relief with the bounds of its surface, which take a sixth of its memory. Immutable; any thread.
+/// A relief with bounds of its surface, which take a sixth of its memory. Immutable; any thread.
 class BoundedRelief {
  public:
   explicit BoundedRelief(std::shared_ptr<const Relief> relief)
@@ -73,7 +73,7 @@ class BoundedRelief {
   [[gnu::always_inline]] void prefetch(double x_m, double y_m) const noexcept { relief_->prefetch(x_m, y_m); }
   double steepest_slope() const noexcept { return relief_->steepest_slope(); }
   double pixel_m() const noexcept { return relief_->pixel_m(); }
-  /// Of the rectangle between two opposite corners, any finite. Tick path.
+  /// The bounds over the rectangle between two opposite corners, any finite values. Tick path.
   SurfaceBounds bounds_over(double x0_m, double y0_m, double x1_m, double y1_m) const noexcept {
     const double left = middle_x_px_ + std::min(x0_m, x1_m) * pixels_per_m_;
     const double right = middle_x_px_ + std::max(x0_m, x1_m) * pixels_per_m_;

@@ -20,7 +20,7 @@ Raster<float> noise(int width, int height, unsigned seed) {
   return z;
 }
 
-TEST(HeightBounds, ExceedHeightAndSlopeOfTheSurfaceOverAnyRectangle) {
+TEST(HeightBounds, BoundHeightAndSlopeOverAnyRectangle) {
   std::mt19937 random(3);
   for (const auto& [width, height] :
        {std::pair{2, 2}, std::pair{5, 3}, std::pair{64, 64}, std::pair{131, 77}}) {
@@ -43,7 +43,7 @@ TEST(HeightBounds, ExceedHeightAndSlopeOfTheSurfaceOverAnyRectangle) {
   }
 }
 
-TEST(HeightBounds, AreNearTheSurfaceOverSmallRectangles) {
+TEST(HeightBounds, AreTightOverSmallRectangles) {
   Raster<float> step(400, 100);
   for (int y = 0; y < 100; ++y)
     for (int x = 200; x < 400; ++x) step(x, y) = 1.0F;

@@ -10,18 +10,19 @@
 
 namespace palpable::models {
 
-/// A step over the ground, in metres.
+/// A horizontal step, in metres.
 struct GroundStep {
   double dx = 0.0;
   double dy = 0.0;
 };
 
-/// From a place of a height field with the derivatives `s`, Newton's step towards the place nearest to a
-/// point that stands at `d` from it, times `part` (0 ... 1] and at most `longest_m` long. Where the distance
-/// bends the wrong way (a point far below a ridge), `longest_m` along its descent. Tick path.
+/// Newton's step towards the surface point nearest to a given point. `s`: the height field's derivatives at
+/// the current surface point; `d`: the vector from there to the given point. The step is scaled by `part` in
+/// (0, 1] and at most `longest_m` long. If the Hessian is not positive definite (a point far below a ridge),
+/// it is a descent step of that length. Tick path.
 inline GroundStep step_towards_nearest(Vec3 d, const CurvedSample& s, double part,
                                        double longest_m) noexcept {
-  // Half the squared distance as a function of the ground's place: minus its gradient, and its second
+  // Half the squared distance as a function of the horizontal position: its negative gradient and its second
   // derivatives.
   const double down_x = d.x + d.z * s.dzdx;
   const double down_y = d.y + d.z * s.dzdy;
@@ -41,7 +42,8 @@ inline GroundStep step_towards_nearest(Vec3 d, const CurvedSample& s, double par
   const double determinant = bends_rightly ? bent_determinant : kLeast * level_determinant;
   const double x = yy * down_x - xy * down_y;
   const double y = xx * down_y - xy * down_x;
-  // Divided before `part` is known, and its length taken only where it is too long: a tick waits for this.
+  // The division does not wait for `part`, and the length is computed only for a long step: this is on the
+  // tick's critical path.
   double along = part * (1.0 / determinant);
   const double whole2 = x * x + y * y;
   if (along * along * whole2 > longest_m * longest_m) along = longest_m / std::sqrt(whole2);

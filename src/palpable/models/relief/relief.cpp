@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t kMostSamples = std::size_t{64} * 1024 * 1024;
 
-/// A cell of the grid and the place in it, 0 <= fraction < 1. Two pixels beyond the border all control values
-/// are the border's own, so the place may be held there. The comparisons are written so that NaN is held too.
+/// A cell of the grid and the position in it, 0 <= fraction < 1. From two pixels beyond the border on, all
+/// control values are the border's, so the position is clamped there. The comparisons also clamp NaN.
 struct Cell {
   int index;
   double fraction;
@@ -51,7 +51,7 @@ Result<Relief> Relief::from_samples(Raster<float> height_m, double pixel_m) {
       step_y = std::max(step_y, std::abs(double{below[x]} - double{row[x]}));
     }
   }
-  // Each derivative of the spline is a weighted mean of the control values' differences.
+  // Each derivative of the spline is a weighted mean of differences of the control values.
   relief.steepest_slope_ = std::hypot(step_x, step_y) / pixel_m;
   relief.pixel_m_ = pixel_m;
   relief.pixels_per_m_ = 1.0 / pixel_m;

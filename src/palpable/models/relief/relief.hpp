@@ -13,7 +13,7 @@
 
 namespace palpable::models {
 
-/// Height above the base and its exact gradient, at one place of a height field.
+/// Height above the base and its exact gradient at one position of a height field.
 struct HeightSample {
   double z_m = 0.0;
   double dzdx = 0.0;
@@ -30,17 +30,16 @@ struct CurvedSample {
   double dzdyy_per_m = 0.0;
 };
 
-/// What a law needs to feel a surface z(x, y): height and slope, both continuous. Never allocates, locks or
-/// throws.
+/// The interface that laws need of a surface z(x, y): height and slope, both continuous. Never allocates,
+/// locks or throws.
 template <class M>
 concept HeightField = requires(const M& m, double x_m, double y_m) {
   { m.sample(x_m, y_m) } -> std::same_as<HeightSample>;
   requires noexcept(m.sample(x_m, y_m));
 };
 
-/// What a law needs to follow such a surface closely: curvature, a bound of the slope, the step within which
-/// the surface hides nothing (its pixel), and a hint that a place will be looked at soon. Never allocates,
-/// locks or throws.
+/// The additional interface for following a surface closely: curvature, a bound of the slope, the resolution
+/// (its pixel), and a prefetch for a later query. Never allocates, locks or throws.
 template <class M>
 concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, double y_m) {
   { m.curved_sample(x_m, y_m) } -> std::same_as<CurvedSample>;
@@ -52,9 +51,9 @@ concept CurvedHeightField = HeightField<M> && requires(const M& m, double x_m, d
 
 /// A height field z(x, y) over a rectangle centred on the scene's origin: a uniform cubic B-spline whose
 /// control values are the samples (approximating: the surface stays within the extremes of its 4 x 4
-/// samples), so height, slope and curvature are continuous. Sample (i, j), j counted downwards, stands at x =
-/// (i - (w-1)/2) pixel_m, y = -(j - (h-1)/2) pixel_m. Outside the rectangle the border continues level
-/// outwards (slope falls to zero continuously). Immutable; any thread.
+/// samples), so height, slope and curvature are continuous. Sample (i, j), j counted downwards, is at x = (i
+/// - (w-1)/2) pixel_m, y = -(j - (h-1)/2) pixel_m. Outside the rectangle the border continues outwards at
+/// constant height; the slope falls to zero continuously. Immutable; any thread.
 class Relief {
  public:
   /// Errors: fewer than 2 x 2 samples, more than 64 M samples, a sample that is not finite, pixel_m not in
@@ -64,18 +63,17 @@ class Relief {
   /// Height and exact gradient at (x_m, y_m), any finite value. Tick path.
   HeightSample sample(double x_m, double y_m) const noexcept;
 
-  /// The same with the exact second derivatives; costs little more. Tick path.
+  /// The same with the exact second derivatives, at little more cost. Tick path.
   CurvedSample curved_sample(double x_m, double y_m) const noexcept;
 
-  /// Lets the processor fetch what a look at a place will read, and goes on at once.
-  /// Tick path.
+  /// Prefetches the samples for a later query at this position, without waiting. Tick path.
   void prefetch(double x_m, double y_m) const noexcept;
 
   const Raster<float>& samples_m() const { return height_m_; }
   double pixel_m() const noexcept { return pixel_m_; }
-  /// A bound that no slope |grad z| of the surface exceeds: from the samples' greatest differences.
+  /// An upper bound of the slope |grad z|, from the samples' greatest differences.
   double steepest_slope() const noexcept { return steepest_slope_; }
-  /// Size between the outermost samples' outer edges: width * pixel_m, height * pixel_m.
+  /// Size including the outer half pixels: width * pixel_m, height * pixel_m.
   double width_m() const { return pixel_m_ * height_m_.width(); }
   double depth_m() const { return pixel_m_ * height_m_.height(); }
   double lowest_m() const { return lowest_m_; }
@@ -90,7 +88,7 @@ class Relief {
   Raster<float> height_m_;
   double pixel_m_ = 0.0;
   double pixels_per_m_ = 0.0;
-  /// Where the scene's origin stands in pixels, and where the cells end whose 4 x 4 samples all exist.
+  /// The scene's origin in pixels, and the end of the cells whose 4 x 4 samples all exist.
   double middle_x_px_ = 0.0;
   double middle_y_px_ = 0.0;
   double inside_x_px_ = 0.0;
@@ -100,12 +98,11 @@ class Relief {
   double highest_m_ = 0.0;
 };
 
-// In the header so that a tick's chain of looks is one piece of code: a call and its result in memory would
-// cost a third of a look.
+// Inline, since a call with its result in memory would cost a third of a query.
 inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16>& copy) const noexcept {
   const double x_px = middle_x_px_ + x_m * pixels_per_m_;
   const double y_px = middle_y_px_ - y_m * pixels_per_m_;
-  // Written so that NaN goes to the border, where it is held.
+  // Written so that NaN goes to the border case, where it is clamped.
   if (!(x_px >= 1.0 && x_px < inside_x_px_ && y_px >= 1.0 && y_px < inside_y_px_))
     return border_place(x_px, y_px, copy);
   const int i = static_cast<int>(x_px);
@@ -115,7 +112,7 @@ inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16
           stride, x_px - i, y_px - j};
 }
 
-// Inlined by force: this compiler takes a function that only prefetches for one without effect, and drops it.
+// Forced inline: g++ removes calls of a function that only prefetches, since it has no visible effect.
 [[gnu::always_inline]] inline void Relief::prefetch(double x_m, double y_m) const noexcept {
   const double x_px = middle_x_px_ + x_m * pixels_per_m_;
   const double y_px = middle_y_px_ - y_m * pixels_per_m_;
@@ -132,20 +129,20 @@ inline SplinePlace Relief::place_at(double x_m, double y_m, std::array<float, 16
 
 inline HeightSample Relief::sample(double x_m, double y_m) const noexcept {
   std::array<float, 16> copy;
-  const SplineLook look = SplineBlock(place_at(x_m, y_m, copy)).look();
-  return {look.z, look.right * pixels_per_m_, -look.down * pixels_per_m_};
+  const SplineValue value = SplineBlock(place_at(x_m, y_m, copy)).evaluate();
+  return {value.z, value.right * pixels_per_m_, -value.down * pixels_per_m_};
 }
 
 inline CurvedSample Relief::curved_sample(double x_m, double y_m) const noexcept {
   std::array<float, 16> copy;
-  const SplineLook look = SplineBlock(place_at(x_m, y_m, copy)).curved_look();
+  const SplineValue value = SplineBlock(place_at(x_m, y_m, copy)).evaluate_with_curvature();
   const double s = pixels_per_m_;
-  return {look.z,
-          look.right * s,
-          -look.down * s,
-          look.right_right * (s * s),
-          -look.right_down * (s * s),
-          look.down_down * (s * s)};
+  return {value.z,
+          value.right * s,
+          -value.down * s,
+          value.right_right * (s * s),
+          -value.right_down * (s * s),
+          value.down_down * (s * s)};
 }
 
 }  // namespace palpable::models

@@ -11,7 +11,7 @@
 namespace palpable::models {
 namespace {
 
-/// A place to start Newton's method from, and the squared distance of the surface there.
+/// A starting point for Newton's method, and the squared distance of the surface there.
 struct Start {
   double x_m;
   double y_m;
@@ -20,7 +20,7 @@ struct Start {
 
 Vec3 surface_at(const CurvedSample& s, double x_m, double y_m) { return {x_m, y_m, s.z_m}; }
 
-/// Newton's method from one start; ends where a step is below a tenth of a nanometre.
+/// Newton's method from one starting point, until a step is below 0.1 nm.
 Vec3 descend(const Relief& relief, Vec3 p, double x_m, double y_m) {
   constexpr int kMostSteps = 80;
   constexpr double kEnough_m = 1e-10;
@@ -43,8 +43,8 @@ Vec3 descend(const Relief& relief, Vec3 p, double x_m, double y_m) {
   return surface_at(s, x_m, y_m);
 }
 
-/// The surface at the samples' places within `reach_m`: those nearer to p than their eight neighbours,
-/// nearest first.
+/// Surface points at samples within `reach_m` that are nearer to p than their eight neighbours, nearest
+/// first.
 std::vector<Start> local_minima(const Relief& relief, Vec3 p, double reach_m) {
   const Raster<float>& z = relief.samples_m();
   const double pixel = relief.pixel_m();
@@ -86,12 +86,12 @@ std::optional<ClosestPoint> closest_point(const Relief& relief, Point<SceneFrame
   const Vec3 p = point.v;
   if (!is_finite(p) || std::abs(p.x) > 0.5 * relief.width_m() || std::abs(p.y) > 0.5 * relief.depth_m())
     return std::nullopt;
-  // Straight below or above is a bound; nothing nearer lies farther away over the ground than that.
+  // The vertical distance is an upper bound, which also bounds the horizontal distance.
   const double height_m = relief.sample(p.x, p.y).z_m;
   Vec3 best = descend(relief, p, p.x, p.y);
   const double reach_m = norm(p - best);
-  // A sample stands off the spline by less than its pixel times the slope: farther ones cannot lead to a
-  // nearer place.
+  // A sample differs from the spline by less than its pixel times the slope; farther samples cannot lead to a
+  // nearer point.
   const double slack_m = relief.pixel_m() * (1.5 + relief.steepest_slope());
   if (reach_m > 0.0)
     for (const Start& start : local_minima(relief, p, reach_m)) {

@@ -9,18 +9,18 @@
 
 namespace palpable::models {
 
-/// The nearest place of a surface.
+/// The nearest point of a surface.
 struct ClosestPoint {
   Point<SceneFrame> surface;
-  /// Euclidean, in metres, negative under the surface.
+  /// Euclidean distance in metres, negative under the surface.
   double distance_m = 0.0;
   /// The surface's outward unit normal there.
   Vector<SceneFrame> normal;
 };
 
-/// The point of the relief's surface nearest to `p`, by a search over the samples that could hold it and
-/// Newton's method on the spline: accurate to 1e-9 m. Not for the tick: up to some 10 us and more for points
-/// far away. nullopt where `p` is not finite or stands outside the relief's rectangle (seen from above).
+/// The point of the relief's surface nearest to `p`, by a search over candidate samples and Newton's method
+/// on the spline: accurate to 1e-9 m. Not for the tick: it takes about 10 us, more for distant points.
+/// nullopt if `p` is not finite or is outside the relief's rectangle (seen from above).
 std::optional<ClosestPoint> closest_point(const Relief& relief, Point<SceneFrame> p);
 
 }  // namespace palpable::models

@@ -36,7 +36,7 @@ TEST(ClosestPoint, IsExactOnAPlane) {
   }
 }
 
-TEST(ClosestPoint, FindsNothingFartherThanADenseSearch) {
+TEST(ClosestPoint, IsNoFartherThanADenseSearch) {
   const Relief relief = rough(3);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> x(-0.014, 0.014);
@@ -54,11 +54,11 @@ TEST(ClosestPoint, FindsNothingFartherThanADenseSearch) {
     ASSERT_GE(std::abs(found->distance_m), dense - 0.00012);
     ASSERT_EQ(found->distance_m < 0, p.z < relief.sample(p.x, p.y).z_m);
     const Vec3 away = p - found->surface.v;
-    ASSERT_NEAR(norm(cross(away, found->normal.v)), 0.0, 2e-6) << "the way there is along the normal";
+    ASSERT_NEAR(norm(cross(away, found->normal.v)), 0.0, 2e-6) << "the offset is along the normal";
   }
 }
 
-TEST(ClosestPoint, SaysNothingOutsideTheRectangle) {
+TEST(ClosestPoint, IsEmptyOutsideTheRectangle) {
   const Relief relief = rough(5);
   EXPECT_FALSE(closest_point(relief, {{0.016, 0, 0}}));
   EXPECT_FALSE(closest_point(relief, {{0, -0.013, 0}}));

@@ -17,15 +17,16 @@ struct Neighbour {
   int dy;
 };
 
-// The half of the sixteen directions (king's and knight's moves) that a pass downwards has already visited.
+// The half of the sixteen directions (king's and knight's moves of chess) that a downward pass has already
+// visited.
 constexpr std::array<Neighbour, 8> kVisited{
     {{-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {-2, -1}, {2, -1}, {-1, -2}, {1, -2}}};
 
-// Steps along sixteen directions bound the differences over four neighbours east, west, north and south only
-// to an octagon round the slope's circle: 1/cos(22.5 deg) of a step's slope at its corners.
+// Limits along sixteen directions bound the gradient only to an octagon around the slope's circle: 1/cos(22.5
+// deg) times the limit at its corners.
 constexpr double kBetweenDirections = 1.0824;
 
-/// Lowers `low` to the greatest function below it that rises by at most `step` a pixel: two passes of a
+/// Lowers `low` to the greatest function below it that rises by at most `step` per pixel: two passes of a
 /// grey-weighted distance transform (Borgefors 1986).
 void lower_to_slope(Raster<float>& low, double step) {
   const int w = low.width();
@@ -60,14 +61,14 @@ void negate(Raster<float>& values) {
   for (float& v : values.values()) v = -v;
 }
 
-/// Raises `high` to the lowest function above it that rises by at most `step` a pixel.
+/// Raises `high` to the lowest function above it that rises by at most `step` per pixel.
 void raise_to_slope(Raster<float>& high, double step) {
   negate(high);
   lower_to_slope(high, step);
   negate(high);
 }
 
-/// Half-way between the two: within `step` a pixel, though a step comes out at half the slope on either side.
+/// The mean of both functions: within `step` per pixel, but a step gets half the slope on either side.
 Raster<float> between_slopes(const Raster<float>& heights, double step) {
   Raster<float> lower = heights;
   Raster<float> mean = heights;
@@ -91,10 +92,10 @@ void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope)
   }
   lower_to_slope(high, step);
   raise_to_slope(low, step);
-  // Where the heights stood above the middle, `low` is the middle itself, and the other way round.
+  // Where the heights were above the middle, `low` is the middle itself, and vice versa.
   for (std::size_t i = 0; i < middle.count(); ++i)
     height_m.data()[i] = height_m.data()[i] > middle.data()[i] ? high.data()[i] : low.data()[i];
-  // The two meet within the slope but for a pixel's corner here and there.
+  // Both parts join within the limit, except at single pixel corners.
   height_m = between_slopes(height_m, step);
 }
 

@@ -7,17 +7,15 @@
 
 namespace palpable::models {
 
-/// Brings a grid of heights (metres, all finite) to slopes of at most `steepest_slope`. A step becomes a ramp
-/// of that slope, centred on the step: the high side is cut and the low side filled, each as little as the
-/// slope allows, from the level half-way between (the mean of McShane's and Whitney's extensions, 1934). What
-/// is not too steep, nor near what is, stays as it is. The cubic B-spline over the result keeps the limit
-/// too. steepest_slope > 0.
+/// Limits the slope of a grid of heights (metres, all finite) to `steepest_slope` > 0. A step becomes a ramp
+/// of that slope, centred on the step: the high side is cut and the low side filled, each as little as
+/// possible, starting from the mean level (the mean of McShane's and Whitney's extensions, 1934). Heights
+/// away from steep places do not change. The cubic B-spline over the result also keeps the limit.
 void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope);
 
-/// The surface on which the centre of a ball stays that rolls over the heights: the exact Minkowski sum with
-/// the ball on the grid, max over |d| <= r of z(p + d) + sqrt(r^2 - |d|^2); heights beyond the border
-/// continue level. A radius of 0 gives the heights themselves. radius_m <= 0.02; the work grows with the
-/// radius in pixels squared.
+/// The surface of the centre of a ball that rolls over the heights: the exact Minkowski sum with the ball on
+/// the grid, max over |d| <= r of z(p + d) + sqrt(r^2 - |d|^2). Heights beyond the border continue level. A
+/// radius of 0 returns the heights. radius_m <= 0.02; the cost is quadratic in the radius in pixels.
 Raster<float> dilate_by_ball(const Raster<float>& height_m, double pixel_m, double radius_m,
                              const Work& work);
 

@@ -43,7 +43,7 @@ Raster<float> discs_and_noise(unsigned seed) {
   return z;
 }
 
-TEST(LimitSlope, KeepsEverySplineWithinTheLimit) {
+TEST(LimitSlope, KeepsTheSplineWithinTheLimit) {
   for (unsigned seed = 1; seed < 6; ++seed)
     for (const double limit : {0.5, 3.0}) {
       Raster<float> z = discs_and_noise(seed);
@@ -53,7 +53,7 @@ TEST(LimitSlope, KeepsEverySplineWithinTheLimit) {
     }
 }
 
-TEST(LimitSlope, LeavesGentleGroundAlone) {
+TEST(LimitSlope, KeepsGentleSlopes) {
   Raster<float> z(50, 40);
   for (int j = 0; j < 40; ++j)
     for (int i = 0; i < 50; ++i) z(i, j) = static_cast<float>(0.001 * std::sin(0.1 * i) * std::cos(0.08 * j));
@@ -80,7 +80,7 @@ TEST(DilateByBall, RaisesLevelGroundByTheRadius) {
   for (const float z : raised.values()) EXPECT_NEAR(z, 0.005, 1e-7);
 }
 
-TEST(DilateByBall, MakesABallOfASpikeAndLeavesAPointAlone) {
+TEST(DilateByBall, TurnsASpikeIntoABallAndKeepsHeightsAtRadiusZero) {
   Raster<float> z(41, 41, -1.0F);
   z(20, 20) = 0.002F;
   EXPECT_EQ(dilate_by_ball(z, kPixel_m, 0.0, {}), z);
@@ -95,8 +95,8 @@ TEST(DilateByBall, RollsOverAPlaneAtTheRightDistance) {
   for (int j = 0; j < 60; ++j)
     for (int i = 0; i < 100; ++i) z(i, j) = static_cast<float>(0.75 * i * kPixel_m);
   const auto raised = dilate_by_ball(z, kPixel_m, 0.002, {});
-  // The plane of slope 3/4 is moved along its normal: up by r * 5/4. Between the samples the ball finds up to
-  // pixel^2 / (8 r) less.
+  // The plane of slope 3/4 moves along its normal: up by r * 5/4. Between samples the ball is lower by up to
+  // pixel^2 / (8 r).
   EXPECT_NEAR(raised(50, 30) - z(50, 30), 0.002 * 1.25, 5e-6);
 }
 

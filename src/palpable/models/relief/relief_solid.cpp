@@ -9,7 +9,7 @@
 namespace palpable::models {
 namespace {
 
-/// Where the vertices of one axis stand: the samples, and the two outer edges half a pixel beyond.
+/// Vertex coordinates along one axis: the samples, and the two outer edges half a pixel beyond.
 std::vector<double> places(int samples, double pixel_m) {
   std::vector<double> at;
   at.push_back(-0.5 * samples * pixel_m);

@@ -8,13 +8,13 @@
 namespace palpable::models {
 
 struct SolidOptions {
-  /// Below the relief's own base, z = 0.
+  /// Thickness below the relief's base, z = 0.
   double base_plate_m = 0.002;
 };
 
-/// The relief as a closed body for printing and showing: its surface (a vertex at every sample, at the
-/// spline's height), straight sides, and a level bottom at z = -base_plate_m. Its outer size is exactly the
-/// relief's. Each vertex knows its place in the relief's picture.
+/// The relief as a closed body for printing and display: its surface (a vertex at every sample, at the
+/// spline's height), vertical sides, and a flat bottom at z = -base_plate_m. Its outer size is exactly the
+/// relief's. Vertices have texture coordinates in the relief's picture.
 Mesh solid_of(const Relief& relief, const SolidOptions& options = {});
 
 }  // namespace palpable::models

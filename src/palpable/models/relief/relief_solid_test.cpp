@@ -18,7 +18,7 @@ Relief waves(int width, int height) {
   return *Relief::from_samples(std::move(z), 0.0005);
 }
 
-TEST(SolidOf, IsWatertightOfTheRightSizeAndVolume) {
+TEST(SolidOf, IsWatertightWithTheRightSizeAndVolume) {
   for (const auto& [w, h] : {std::pair{2, 2}, {40, 30}, {7, 3}}) {
     const Relief relief = waves(w, h);
     const Mesh solid = solid_of(relief);
@@ -38,12 +38,12 @@ TEST(SolidOf, IsWatertightOfTheRightSizeAndVolume) {
       six_volumes += dot(solid.vertices_m[t[0]], cross(solid.vertices_m[t[1]], solid.vertices_m[t[2]]));
     double mean = 0.0;
     for (const Vec3 v : solid.vertices_m) mean = std::max(mean, v.z);
-    EXPECT_GT(six_volumes, 0.0) << "its faces look outwards";
+    EXPECT_GT(six_volumes, 0.0) << "its faces are oriented outwards";
     EXPECT_LT(six_volumes / 6.0, relief.width_m() * relief.depth_m() * (mean + 0.002));
   }
 }
 
-TEST(IsWatertight, SeesAHoleAndATurnedFace) {
+TEST(IsWatertight, DetectsAHoleAndAReversedFace) {
   Mesh solid = solid_of(waves(5, 4));
   Mesh holed = solid;
   holed.triangles.pop_back();

@@ -36,7 +36,7 @@ TEST(Relief, ReproducesAPlaneExactly) {
   EXPECT_NEAR(s.dzdy, -0.5, 1e-5);
 }
 
-TEST(Relief, NeverLeavesTheExtremesOfItsFourByFourSamples) {
+TEST(Relief, StaysWithinTheExtremesOfItsFourByFourSamples) {
   const Raster<float> samples = random_samples(23, 17, 1);
   const auto relief = Relief::from_samples(samples, 0.001);
   ASSERT_TRUE(relief);
@@ -61,7 +61,7 @@ TEST(Relief, NeverLeavesTheExtremesOfItsFourByFourSamples) {
   }
 }
 
-TEST(Relief, GivesTheExactDerivativesOfItsOwnHeight) {
+TEST(Relief, HasTheExactDerivativesOfItsHeight) {
   const auto relief = Relief::from_samples(random_samples(23, 17, 3), 0.001);
   ASSERT_TRUE(relief);
   std::mt19937 random(4);
@@ -83,8 +83,8 @@ TEST(Relief, GivesTheExactDerivativesOfItsOwnHeight) {
     const auto above = relief->sample(x, y + e);
     ASSERT_NEAR(s.dzdx, (right.z_m - left.z_m) / (2 * e), 1e-3);
     ASSERT_NEAR(s.dzdy, (above.z_m - below.z_m) / (2 * e), 1e-3);
-    // Of up to 8000 here. The curvature has kinks at the samples' lines: tolerance for a difference that
-    // straddles one.
+    // Curvatures are up to 8000 here, with kinks at the samples' lines; the tolerance allows for a difference
+    // across one.
     ASSERT_NEAR(c.dzdxx_per_m, (right.dzdx - left.dzdx) / (2 * e), 10.0);
     ASSERT_NEAR(c.dzdyy_per_m, (above.dzdy - below.dzdy) / (2 * e), 10.0);
     ASSERT_NEAR(c.dzdxy_per_m, (above.dzdx - below.dzdx) / (2 * e), 10.0);
@@ -92,7 +92,7 @@ TEST(Relief, GivesTheExactDerivativesOfItsOwnHeight) {
   }
 }
 
-TEST(Relief, ContinuesLevelOutsideItsBorderWithoutAKink) {
+TEST(Relief, ContinuesAtConstantHeightOutsideItsBorderWithoutAKink) {
   const auto relief = Relief::from_samples(random_samples(12, 9, 5), 0.001);
   ASSERT_TRUE(relief);
   for (double y = -0.004; y < 0.004; y += 0.0007) {
@@ -117,7 +117,7 @@ TEST(Relief, IsFiniteForEveryInput) {
   }
 }
 
-TEST(Relief, RefusesWhatIsNoHeightField) {
+TEST(Relief, RefusesInvalidSamples) {
   EXPECT_FALSE(Relief::from_samples(Raster<float>(1, 5), 0.001));
   EXPECT_FALSE(Relief::from_samples(Raster<float>(5, 5), 0.0));
   EXPECT_FALSE(Relief::from_samples(Raster<float>(5, 5), std::numeric_limits<double>::quiet_NaN()));
@@ -126,7 +126,7 @@ TEST(Relief, RefusesWhatIsNoHeightField) {
   EXPECT_FALSE(Relief::from_samples(holes, 0.001));
 }
 
-TEST(Relief, KeepsFourBytesASample) {
+TEST(Relief, UsesFourBytesPerSample) {
   const auto relief = Relief::from_samples(Raster<float>(640, 480), 0.0002);
   ASSERT_TRUE(relief);
   EXPECT_LT(relief->memory_bytes(), 640U * 480U * 4U + 1024U);

@@ -8,10 +8,9 @@
 
 namespace palpable::models {
 
-/// A place in a grid of a uniform cubic B-spline's control values: the 4 x 4 values round its cell, row by
-/// row
-/// (`first` is the least row's first), and where in the cell it stands, 0 <= fraction < 1 (to_right and
-/// down).
+/// A position in the grid of control values of a uniform cubic B-spline: the 4 x 4 values around its cell
+/// (`first` is the first of the first row), and the fraction within the cell to the right and down, 0 <=
+/// fraction < 1.
 struct SplinePlace {
   const float* first = nullptr;
   std::size_t stride = 0;
@@ -20,7 +19,7 @@ struct SplinePlace {
 };
 
 /// Height, slopes and second derivatives in the grid's own axes and units of its pixel.
-struct SplineLook {
+struct SplineValue {
   double z = 0.0;
   double right = 0.0;
   double down = 0.0;
@@ -29,10 +28,10 @@ struct SplineLook {
   double down_down = 0.0;
 };
 
-/// The arithmetic of one look, written for the shortest chain of operations: a law waits for each look at the
-/// surface before it knows where the next one is. In the compiler's own vector type: SSE operations on any
-/// x86-64, without a dispatch in the tick. Single precision suffices because only differences within the
-/// block are summed: their rounding is 1e-7 of the block's own differences, not of the heights.
+/// The arithmetic of one surface evaluation, optimised for latency, since a law's next evaluation depends on
+/// the previous one. It uses the compiler's vector type: SSE operations on any x86-64, without a dispatch in
+/// the tick. Single precision suffices because only differences within the block are summed: the rounding
+/// error is 1e-7 of these differences, not of the heights.
 class SplineBlock {
  public:
   explicit SplineBlock(const SplinePlace& place) noexcept
@@ -45,8 +44,8 @@ class SplineBlock {
     }
   }
 
-  /// Height and slopes; the second derivatives stay 0.
-  SplineLook look() const noexcept {
+  /// Height and slopes; the second derivatives are 0.
+  SplineValue evaluate() const noexcept {
     const Float4 values = combined(weights(down_));
     const Float4 across = weights(right_);
     const Float4 s = sums(values * across, values * slope_weights(right_),
@@ -54,7 +53,7 @@ class SplineBlock {
     return {double{base_} + s[0], s[1], s[2], 0.0, 0.0, 0.0};
   }
 
-  SplineLook curved_look() const noexcept {
+  SplineValue evaluate_with_curvature() const noexcept {
     const Float4 values = combined(weights(down_));
     const Float4 slopes = combined(slope_weights(down_));
     const Float4 curvatures = combined(curvature_weights(down_));

@@ -17,11 +17,11 @@
 
 namespace palpable::models {
 
-/// The frame of what went in: pixels of a picture (x right, y down, z = depth or disparity as read) or a
-/// mesh's own metres.
+/// The frame of the input: pixels of a picture (x right, y down, z = depth or disparity as read) or a mesh's
+/// own metres.
 struct InputFrame;
 
-/// What can be touched. Later kinds join here (map).
+/// A touchable model; new kinds are added here.
 using Model =
     std::variant<std::shared_ptr<const Relief>, std::shared_ptr<const Contours>, std::shared_ptr<const Field>,
                  std::shared_ptr<const Grid>, std::shared_ptr<const FieldOnLattice>>;
@@ -29,13 +29,13 @@ using Model =
 /// "relief", "field", … as `palpable info` prints it.
 std::string kind_of(const Model& model);
 
-/// Whether it is a distance field, however it is kept.
+/// Whether it is a distance field, adaptive or dense.
 bool is_field(const Model& model) noexcept;
 
-/// Where a scene came from, kept in its file so that a result can be traced.
+/// Where a scene came from; stored in its file so that a result is traceable.
 struct Provenance {
   std::vector<std::string> inputs;
-  /// The method and options that made it, as one command-line-like text.
+  /// The method and its options, as in a command line.
   std::string method;
   std::string made_by;
 };
@@ -56,21 +56,21 @@ struct Scene {
   Raster<std::uint8_t> labels;
   Transform<SceneFrame, InputFrame> scene_from_input;
   Provenance source;
-  /// What the maker calls the scene, one line, and says about it: spoken and shown before the scene is
-  /// touched. UTF-8; both may be empty.
+  /// The maker's title (one line) and description, which are spoken and shown before the scene is touched.
+  /// UTF-8; both may be empty.
   std::string title;
   std::string description;
 };
 
-/// Index of the material at a place of the scene, seen from above: always one of scene.materials. Outside the
-/// scene the nearest place's. Any thread; never allocates.
+/// Index of the material at a place of the scene, seen from above: always a valid index of scene.materials.
+/// Outside the scene that of the nearest place. Any thread; never allocates.
 std::size_t label_at(const Scene& scene, Point<SceneFrame> place);
 
 /// The surface of a scene: a relief itself, the grooves of contours, or a field or grid seen from above.
 /// Never null.
 const std::shared_ptr<const Relief>& relief_of(const Scene& scene);
 
-/// Width, height and depth in metres of the box that the scene fills.
+/// Width, height and depth in metres of the scene's bounding box.
 Vec3 size_m(const Scene& scene);
 
 /// The middle of that box.

@@ -21,7 +21,7 @@ Scene three_materials() {
   return scene;
 }
 
-TEST(LabelAt, FindsTheRegionUnderAPlaceAndTheNearestOutside) {
+TEST(LabelAt, FindsTheLabelAtAPlaceAndTheNearestOneOutside) {
   const Scene scene = three_materials();
   EXPECT_EQ(label_at(scene, {{-0.005, 0.002, 0.0}}), 0U);
   EXPECT_EQ(label_at(scene, {{0.005, 0.002, 0.0}}), 1U);
@@ -29,7 +29,7 @@ TEST(LabelAt, FindsTheRegionUnderAPlaceAndTheNearestOutside) {
   EXPECT_EQ(label_at(scene, {{1.0, 1.0, 0.0}}), 1U);
 }
 
-TEST(LabelAt, IsAlwaysOneOfTheMaterials) {
+TEST(LabelAt, IsAlwaysAValidIndex) {
   Scene scene = three_materials();
   scene.materials.resize(2);
   EXPECT_EQ(label_at(scene, {{0.005, -0.002, 0.0}}), 1U);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the tests of occupancy grids share: a scene of one.
+// For tests of occupancy grids: a scene with one grid.
 
 #include "palpable/models/scene/scene.hpp"
 
@@ -14,8 +14,8 @@
 
 namespace palpable::models {
 
-/// A grid of one point a millimetre beginning at (-0.01, -0.01, -0.001) m, each point occupied as `occupied`
-/// says of its index along z, with a level relief of that height as its view from above.
+/// A grid with 1 mm spacing from (-0.01, -0.01, -0.001) m on. `occupied` decides by the index along z; the
+/// view from above is a level relief of height `height_m`.
 inline Scene grid_scene(std::array<int, 3> counts, float height_m,
                         const std::function<bool(int z)>& occupied) {
   auto relief = Relief::from_samples(Raster<float>(counts[0] - 1, counts[1] - 1, height_m), 0.001);

@@ -70,7 +70,7 @@ TEST(TextureTile, StandsHighWhereThePictureIsWhiteAndUpIsUp) {
       [](double x, double y) { return std::exp(-50.0 * (std::pow(x - 0.75, 2) + std::pow(y - 0.25, 2))); }));
   ASSERT_TRUE(tile);
   models::TouchTexture texture{models::TouchTexture::Kind::picture, 0.001, 30e-6, 0.0, *tile};
-  ASSERT_TRUE(models::is_sound(texture));
+  ASSERT_TRUE(models::is_valid(texture));
   const models::TexturePattern pattern(texture);
   const double side = models::kPictureForms * 0.001;
   double highest = -1.0, at_x = 0.0, at_y = 0.0;

@@ -181,7 +181,7 @@ Result<void> TouchSession::change_materials(std::vector<models::Material> materi
   if (materials.size() != changed.materials.size())
     return Error{ErrorCode::usage, "there must be one material for each that the scene has", {}};
   for (const auto& material : materials)
-    if (!models::is_sound(material) || material.stiffness_N_per_m <= 0.0)
+    if (!models::is_valid(material) || material.stiffness_N_per_m <= 0.0)
       return Error{ErrorCode::usage, "a value of the material is out of its range", material.name};
   changed.materials = std::move(materials);
   return impl_->change(std::make_shared<const models::Scene>(std::move(changed)), settings,

@@ -15,9 +15,9 @@
 namespace palpable::vision {
 namespace {
 
-/// The n-th root (3 or 5) of a positive normal number, to a relative 3e-7: the bits of a float are nearly its
-/// logarithm, which gives a first guess; then Newton's steps. OpenCV's conversion fills exact tables first,
-/// which takes longer than converting one picture.
+/// The n-th root (3 or 5) of a positive normal number with a relative error of 3e-7. A float's bits
+/// approximate its logarithm, which gives the start for Newton's method. OpenCV's conversion first fills
+/// exact tables, which takes longer than converting one picture.
 template <int kRoot>
 inline __attribute__((always_inline)) float root_of(float v) {
   constexpr float kOne = 0x3F800000p0F;
@@ -31,7 +31,7 @@ inline __attribute__((always_inline)) float root_of(float v) {
   return root;
 }
 
-/// A choice without a branch, so that the loop can be vectorised.
+/// A branch-free selection, so that the loop can be vectorised.
 inline __attribute__((always_inline)) float either(bool first, float one, float other) {
   const float share = first ? 1.0F : 0.0F;
   return share * one + (1.0F - share) * other;
@@ -50,7 +50,7 @@ inline __attribute__((always_inline)) float lightness_of(float t) {
   return either(t <= kDark, t * (24389.0F / 27.0F / 116.0F) + 16.0F / 116.0F, root_of<3>(t + 1e-9F));
 }
 
-/// A row of sRGB becomes L, a and b in place (CIE 15:2004), each divided by 100.
+/// Converts a row of sRGB to L, a and b in place (CIE 15:2004), each divided by 100.
 PALPABLE_VECTORIZE
 void lab_row(float* __restrict first, float* __restrict second, float* __restrict third, int n) {
   for (int x = 0; x < n; ++x) {

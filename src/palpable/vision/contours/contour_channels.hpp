@@ -11,9 +11,9 @@
 
 namespace palpable::vision {
 
-/// The channels that edges are measured in, each with its weight: L, a, b (CIELAB / 100, white D65) of
-/// colour, the values themselves of grey. Pictures of more than 8 bits are stretched between two quantiles
-/// first; transparent pixels lie on white.
+/// The channels in which edges are measured, each with its weight: L, a, b (CIELAB / 100, white D65) for
+/// colour, the values themselves for grey. Pictures of more than 8 bits are first stretched between two
+/// quantiles; transparent pixels are composited on white.
 struct WeightedChannel {
   Raster<float> values;
   float weight = 1.0F;

@@ -10,7 +10,7 @@ namespace palpable::vision {
 namespace {
 
 TEST(EdgeChannels, OfColourAreCielab) {
-  // sRGB, and its L, a, b under D65 (CIE 15:2004), to the digits that the standard's constants give.
+  // sRGB, and its L, a, b under D65 (CIE 15:2004), to the precision of the standard's constants.
   const std::array<std::array<float, 6>, 6> known{{{1.0F, 1.0F, 1.0F, 100.0F, 0.0F, 0.0F},
                                                    {0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F},
                                                    {1.0F, 0.0F, 0.0F, 53.24F, 80.09F, 67.20F},
@@ -28,7 +28,7 @@ TEST(EdgeChannels, OfColourAreCielab) {
           << i << " " << c;
 }
 
-TEST(EdgeChannels, OfTransparentPixelsAreWhitePaper) {
+TEST(EdgeChannels, OfTransparentPixelsAreWhite) {
   const Image image{2, 1, 2, 8, {0.0F, 0.0F, 0.0F, 0.5F}};
   const auto channels = edge_channels(image, {}, {});
   ASSERT_EQ(channels.size(), 1U);

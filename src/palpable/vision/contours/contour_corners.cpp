@@ -22,7 +22,7 @@ struct Piece {
   Place middle{};
   /// Unit, away from the corner.
   Place along{};
-  /// Angle by which the piece turns over its length; its strength; its pixel nearest the corner.
+  /// The angle by which the piece bends over its length; its strength; its pixel nearest to the corner.
   double bend = 0.0;
   float strength = 0.0F;
   Pixel nearest{};
@@ -34,7 +34,7 @@ struct Corner {
   std::array<Piece, 2> pieces;
 };
 
-/// What corners are found in.
+/// The input of corner detection.
 struct Lines {
   const Raster<float>& strength;
   const Raster<float>& tangent_x;
@@ -64,7 +64,7 @@ bool may_turn(const Lines& lines, Pixel p) {
   return c * c + s * s < straight * straight * sum * sum;
 }
 
-/// The sub-pixel maximum of the strength across the line, by a parabola through three places.
+/// The sub-pixel maximum of the strength across the line, by a parabola through three samples.
 Place subpixel(const Lines& lines, Pixel p) {
   const double nx = -static_cast<double>(lines.tangent_y(p.x, p.y)), ny = lines.tangent_x(p.x, p.y);
   const auto at = [&](double side) {
@@ -77,8 +77,8 @@ Place subpixel(const Lines& lines, Pixel p) {
   return {p.x + shift * nx, p.y + shift * ny};
 }
 
-/// Pixels of the line around p that are connected with it (across gaps of a pixel), in pieces as they are
-/// connected beyond near_px. Kept between calls, for its memory.
+/// The pixels of the line that are connected with p (across gaps of one pixel), divided into the pieces that
+/// are connected beyond near_px. Reused between calls for its memory.
 class Surroundings {
  public:
   explicit Surroundings(const CornerOptions& options)
@@ -137,7 +137,7 @@ class Surroundings {
   Pixel origin_{};
 };
 
-/// The bend of a piece: its places across it, fitted by a parabola along it.
+/// The bend of a piece, from a parabola fitted to its points.
 void measure_bend(std::span<const Place> places, Piece& piece) {
   double sum_u = 0.0, sum_uu = 0.0, length = 0.0;
   for (const Place q : places) {
@@ -157,7 +157,7 @@ void measure_bend(std::span<const Place> places, Piece& piece) {
   piece.bend = spread > 0.0 ? 4.0 * length * std::abs(with_v) / spread : 0.0;
 }
 
-/// The straight piece through the pixels, seen from the corner; nothing where they are too few or not
+/// The straight piece through the pixels, directed away from the corner; nullopt if they are too few or not
 /// straight.
 std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels, Pixel corner) {
   const CornerOptions& options = lines.options;
@@ -237,7 +237,7 @@ std::vector<Corner> corners_of(const Lines& lines, const Work& work) {
   });
   std::vector<Corner> out;
   for (const auto& row : rows) out.insert(out.end(), row.begin(), row.end());
-  // The pixels around a corner all find it: the nearest one's estimate is taken.
+  // Several pixels find the same corner: the estimate of the nearest one is used.
   std::stable_sort(out.begin(), out.end(),
                    [](const Corner& a, const Corner& b) { return a.drawn_px < b.drawn_px; });
   return out;

@@ -10,8 +10,8 @@ namespace palpable::vision {
 
 /// Restores corners that blurring has rounded off: where two straight pieces of a line meet at an angle, the
 /// pixels between them are replaced by both pieces' extensions to their intersection, if that is near. Arcs,
-/// junctions and pieces that are not straight stay as they are. `line` is as ridge_lines() finds it on
-/// `strength` and the unit tangents.
+/// junctions and curved pieces do not change. `line` is the result of ridge_lines() for `strength` and the
+/// unit tangents.
 void restore_corners(const Raster<float>& strength, const Raster<float>& tangent_x,
                      const Raster<float>& tangent_y, Raster<float>& line, const CornerOptions& options,
                      const Work& work);

@@ -44,7 +44,7 @@ ContourMap contours_of(const Shape& shape) {
   return std::move(*found);
 }
 
-/// From the place to the nearest pixel of the line.
+/// Distance from a point to the nearest pixel of the line.
 double to_line(const Raster<float>& line, double x, double y) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int v = 0; v < line.height(); ++v)
@@ -53,7 +53,7 @@ double to_line(const Raster<float>& line, double x, double y) {
   return nearest;
 }
 
-TEST(ContourCorners, LieWithinAPixelOfWhereTheyAre) {
+TEST(ContourCorners, AreAccurateToAPixel) {
   for (const int corners : {3, 4, 5, 6, 8})
     for (const double turned : {0.0, 7.0, 22.5, 40.0}) {
       const Polygon polygon{corners, turned, 0.37};
@@ -64,7 +64,7 @@ TEST(ContourCorners, LieWithinAPixelOfWhereTheyAre) {
     }
 }
 
-TEST(ContourCorners, LeaveArcsAsTheyAre) {
+TEST(ContourCorners, KeepArcs) {
   for (const double radius : {6.0, 10.0, 15.0, 25.0, 40.0}) {
     const ContourMap found =
         contours_of([&](double x, double y) { return std::hypot(x - kMiddle, y - kMiddle - 0.2) < radius; });
@@ -85,7 +85,7 @@ TEST(ContourCorners, LeaveArcsAsTheyAre) {
 TEST(ContourCorners, LeaveNoGapBesideThem) {
   const Polygon square{4, 22.5, 0.0};
   const ContourMap found = contours_of([&](double x, double y) { return square.contains(x, y); });
-  // Along each side, place by place, a pixel of the line is near.
+  // Near every point of each side there is a pixel of the line.
   for (int k = 0; k < 4; ++k)
     for (double share = 0.0; share <= 1.0; share += 0.02)
       EXPECT_LE(

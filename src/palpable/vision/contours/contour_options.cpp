@@ -7,11 +7,11 @@
 namespace palpable::vision {
 namespace {
 
-/// Stands for "above 0" in a range.
+/// The lower end of a range that excludes 0.
 constexpr double kLeast = 1e-6;
 
 std::vector<Parameter> parameters_of(ChannelOptions& o) {
-  return {{"chroma_weight", &o.chroma_weight, {0, 10}, "", "weight of colour beside lightness"},
+  return {{"chroma_weight", &o.chroma_weight, {0, 10}, "", "weight of colour relative to lightness"},
           {"low_quantile", &o.low_quantile, {0, 1}, "", "black point of pictures of more than 8 bits"},
           {"high_quantile", &o.high_quantile, {0, 1}, "", "white point of pictures of more than 8 bits"}};
 }
@@ -23,7 +23,7 @@ std::vector<Parameter> parameters_of(StandardContourOptions& o) {
       {"scale_weight_2px", &o.scale_weights[1], {kLeast, 1e3}, "", "weight of scale 2 px"},
       {"scale_weight_4px", &o.scale_weights[2], {kLeast, 1e3}, "", "weight of scale 4 px"},
       {"scale_weight_8px", &o.scale_weights[3], {kLeast, 1e3}, "", "weight of scale 8 px"},
-      {"grain_factor", &o.grain_factor, {0, 10}, "", "how much grain lowers a scale's weight"},
+      {"grain_factor", &o.grain_factor, {0, 10}, "", "factor by which grain lowers a scale's weight"},
       {"least_scale_share", &o.least_scale_share, {kLeast, 1}, "", "least share of a scale's weight"},
       {"tensor_blur_px", &o.tensor_blur_px, {0.5, 32}, "px", "blur of the structure tensor"},
       {"half_contrast", &o.half_contrast, {kLeast, 1}, "", "energy that maps to strength one half"},
@@ -73,12 +73,12 @@ Result<void> check_rising(double low, double high, const char* what) {
 
 std::vector<Parameter> parameters_of(ContourOptions& options) {
   std::vector<Parameter> all{
-      {"least_threshold", &options.least_threshold, {0, 1}, "", "what Otsu's threshold does not fall below"},
+      {"least_threshold", &options.least_threshold, {0, 1}, "", "lower bound of Otsu's threshold"},
       {"lines.followed_share",
        &options.lines.followed_share,
        {0, 1},
        "",
-       "share that lines are followed to"}};
+       "share of the threshold down to which lines are followed"}};
   append_parameters(all, "channels", parameters_of(options.channels));
   append_parameters(all, "standard", parameters_of(options.standard));
   append_parameters(all, "best", parameters_of(options.best));

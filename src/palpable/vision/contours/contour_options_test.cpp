@@ -7,7 +7,7 @@
 namespace palpable::vision {
 namespace {
 
-TEST(ContourOptions, HoldTheirDefaultsAndRefuseEveryNumberOutOfItsRange) {
+TEST(ContourOptions, AcceptTheirDefaultsAndRefuseValuesOutOfRange) {
   EXPECT_TRUE(check({}));
   ContourOptions options;
   for (const Parameter& p : parameters_of(options)) {
@@ -18,7 +18,7 @@ TEST(ContourOptions, HoldTheirDefaultsAndRefuseEveryNumberOutOfItsRange) {
   }
 }
 
-TEST(ContourOptions, RefuseAThresholdAndPairsThatDoNotRise) {
+TEST(ContourOptions, RefuseAnInvalidThresholdAndPairsThatAreNotAscending) {
   ContourOptions options;
   options.threshold = 1.5;
   EXPECT_FALSE(check(options));

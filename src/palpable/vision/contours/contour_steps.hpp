@@ -33,12 +33,12 @@ inline std::pair<float, float> halve_angle(float c, float s) {
 /// paper's section 3.2.
 double otsu_threshold(const Raster<float>& values);
 
-/// The value at (x, y), pixels, between the four around it; beyond the border the outermost pixel's. The
-/// raster has at least 2 x 2.
+/// Bilinear interpolation at (x, y), pixels; beyond the border, the outermost pixel's value. The raster has
+/// at least 2 x 2 pixels.
 float bilinear(const Raster<float>& values, float x, float y);
 
-/// Ridges of `strength` across the tangent, one pixel wide, kept where their line reaches `threshold` and
-/// nowhere falls below the followed share of it (hysteresis), with their corners restored
+/// Ridges of `strength` across the tangent, one pixel wide, by non-maximum suppression and hysteresis: a line
+/// must reach `threshold` and is followed down to the followed share of it. Corners are restored
 /// (contour_corners.hpp).
 Raster<float> ridge_lines(const Raster<float>& strength, const Raster<float>& tangent_x,
                           const Raster<float>& tangent_y, double threshold, const LineOptions& options,

@@ -9,7 +9,7 @@
 namespace palpable::vision {
 namespace {
 
-TEST(HalveAngle, GivesTheUnitDirectionOfTheHalfAngle) {
+TEST(HalveAngle, IsTheUnitDirectionOfTheHalfAngle) {
   for (int degrees = -85; degrees <= 85; degrees += 5) {
     const double a = degrees * 3.14159265358979 / 180.0;
     const auto [x, y] = halve_angle(3.0F * static_cast<float>(std::cos(2.0 * a)),
@@ -37,7 +37,7 @@ struct Line {
   }
 };
 
-TEST(RidgeLines, FollowALineDownToTheShareOfTheThresholdThatIsAsked) {
+TEST(RidgeLines, FollowALineDownToTheShareOfTheThreshold) {
   Line line;
   for (int x = 0; x < 60; ++x) line.strength(x, 10) = x < 30 ? 0.8F : x < 45 ? 0.3F : 0.1F;
   const Raster<float> half = line.ridges(0.5);
@@ -50,7 +50,7 @@ TEST(RidgeLines, FollowALineDownToTheShareOfTheThresholdThatIsAsked) {
   EXPECT_EQ(line.ridges(0.5, strict)(40, 10), 0.0F);
 }
 
-TEST(RidgeLines, LeaveOutALineThatNowhereReachesTheThreshold) {
+TEST(RidgeLines, OmitALineThatNeverReachesTheThreshold) {
   Line line;
   for (int x = 0; x < 60; ++x) line.strength(x, 10) = 0.4F;
   const Raster<float> ridges = line.ridges(0.5);

@@ -55,8 +55,7 @@ Result<ContourMap> find_contours(const Image& image, const ContourOptions& optio
   out.tangent_x = std::move(edges.tangent_x);
   out.tangent_y = std::move(edges.tangent_y);
   out.strength = std::move(edges.strength);
-  if (boundary == 0)
-    out.notes.emplace_back("there is no boundary in this picture: it is of one tone throughout");
+  if (boundary == 0) out.notes.emplace_back("there is no boundary in this picture: it has only one tone");
   return out;
 }
 

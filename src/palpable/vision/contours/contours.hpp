@@ -12,14 +12,13 @@
 namespace palpable::vision {
 
 /// The boundaries of a picture as a density of edge vectors e, in image axes (x right, y down). Directions
-/// have no sign.
+/// are undirected.
 struct ContourMap {
   /// Unit tangent (zero where there is no structure at all) and strength 0 ... 1; 0 below half the threshold.
   Raster<float> tangent_x;
   Raster<float> tangent_y;
   Raster<float> strength;
-  /// One-pixel-wide boundaries: the strength on ridges that belong to a line reaching the threshold; 0
-  /// elsewhere.
+  /// Boundaries one pixel wide: the strength on ridges of lines that reach the threshold; 0 elsewhere.
   Raster<float> line;
   double threshold = 0.0;
   /// Share of pixels at or above the threshold.

@@ -22,7 +22,7 @@ cv::Mat as_mat(const Raster<float>& r) {
   return {r.height(), r.width(), CV_32F, const_cast<float*>(r.data())};
 }
 
-/// The turn that lays a direction along the rows of a square in which the whole picture has room.
+/// The rotation that aligns a direction with the rows of a square that contains the whole picture.
 struct Turn {
   cv::Mat to_square;
   int side = 0;
@@ -63,8 +63,8 @@ void add_difference(const cv::Mat& turned, const cv::Mat& turned_squared, double
   }
 }
 
-/// How strongly an edge along one direction shows at each pixel, 0 ... 1: the product over the boxes'
-/// heights, so that it has to show in the small and in the large.
+/// The response to an edge along one direction at each pixel, 0 ... 1: the product over the boxes' heights,
+/// so that an edge must be present at all sizes.
 cv::Mat response_along(const std::vector<WeightedChannel>& channels, double degrees,
                        const BestContourOptions& options) {
   const cv::Size size(channels[0].values.width(), channels[0].values.height());
@@ -93,8 +93,7 @@ cv::Mat response_along(const std::vector<WeightedChannel>& channels, double degr
   return back;
 }
 
-/// The greatest of a pixel's responses, and its direction (radians) by a parabola through it and its
-/// neighbours.
+/// A pixel's greatest response, and its direction (radians) by a parabola through the neighbouring responses.
 std::pair<float, double> strongest(std::span<const float> responses) {
   const auto directions = static_cast<int>(responses.size());
   const auto k = static_cast<int>(std::max_element(responses.begin(), responses.end()) - responses.begin());
@@ -107,7 +106,7 @@ std::pair<float, double> strongest(std::span<const float> responses) {
   return {here, std::numbers::pi * (double{shift} + k) / directions};
 }
 
-/// Boxes respond everywhere in grain: the strength of a difference that is a boundary at every height.
+/// The least strength of a boundary, since boxes respond everywhere in grain.
 float least_boundary(const BestContourOptions& options) {
   const float response =
       options.boundary_difference / (options.boundary_difference + options.half_difference);

@@ -15,8 +15,8 @@ using Mask = std::array<float, 9>;  // row by row, y downwards
 // Gradient masks. Sobel's responds with 8 to a unit ramp and with 4 to a unit step.
 constexpr Mask kSobelX{-1, 0, 1, -2, 0, 2, -1, 0, 1};
 constexpr Mask kSobelY{-1, -2, -1, 0, 0, 0, 1, 2, 1};
-// Eq. 4 (Climent et al. 1998), right as printed: it is chiral and serves gradients between atan(1/3) and 45
-// degrees (y down).
+// Eq. 4 (Climent et al. 1998), correct as printed: it is chiral and valid for gradients between atan(1/3) and
+// 45 degrees (y down).
 constexpr Mask kClimentX{-123, 25, 74, -254, 0, 254, -74, -25, 123};
 constexpr Mask kClimentY{-74, -254, -123, -25, 0, 25, 123, 254, 74};
 // Its vertical mirror, for the steeper half of the quadrant.
@@ -36,8 +36,8 @@ float response(const Raster<float>& image, int x, int y, const Mask& mask) {
   return sum;
 }
 
-/// The gradient's angle by Sobel, and by Climent's masks where Sobel's is between atan(1/3) and its
-/// complement of a quadrant.
+/// The gradient's angle by Sobel's masks, or by Climent's if Sobel's angle is between atan(1/3) and its
+/// complement within the quadrant.
 double gradient_angle(const Raster<float>& image, int x, int y, float ex, float ey) {
   constexpr double kLow = 18.43494882292201;
   const double sobel = std::atan2(ey, ex);

@@ -39,13 +39,13 @@ TensorMap zero_tensor(int width, int height) {
   return {Raster<float>(width, height), Raster<float>(width, height), Raster<float>(width, height)};
 }
 
-/// Rows of a gradient that a row of energy is made of, and where it is added.
+/// The rows of a gradient that contribute to a row of energy, and the output row.
 struct EnergyRows {
   const float *gx, *gx_up, *gx_down, *gy, *gy_up, *gy_down;
   float *xx, *xy, *yy;
 };
 
-/// Adds odd g g^T + even H H, H by differences of g, for pixels from ... to - 1; their neighbours are
+/// Adds odd g g^T + even H H for pixels from ... to - 1, with H from differences of g. The neighbours are
 /// `left` and `right` pixels away, 0 at the picture's border.
 PALPABLE_VECTORIZE
 void add_energy_row(const EnergyRows& rows, int from, int to, int left, int right, float odd, float even) {
@@ -103,7 +103,7 @@ void add_tensor_row(const float* __restrict gx, const float* __restrict gy, floa
   }
 }
 
-/// Rows of a picture whose gradients are worked on together, while they are in the processor's caches.
+/// Number of rows whose gradients are processed together while they are in the processor's caches.
 constexpr int kStripe = 16;
 
 /// Sums over channels for a stripe's pixels.
@@ -112,7 +112,7 @@ struct StripeEnergy {
   Raster<float> xx, xy, yy;
 };
 
-/// Row `here` of a stripe's gradients with those beside it, of `rows`, and row `to` of its energy.
+/// Row `here` of a stripe's gradients with its neighbour rows, and row `to` of its energy.
 EnergyRows rows_of(const Gradient& g, int here, int rows, int to, StripeEnergy& energy) {
   const int up = std::max(here - 1, 0);
   const int down = std::min(here + 1, rows - 1);
@@ -130,8 +130,8 @@ void add_energy(const EnergyRows& rows, int width, double sigma, float weight, f
   if (width > 1) add_energy_row(rows, width - 1, width, 1, 0, odd, even);
 }
 
-/// The energy's amplitude at one scale (square root of its tensor's larger eigenvalue) and, where asked for,
-/// the sum of its gradients' tensors. `second` is the weight of second derivatives.
+/// The energy's amplitude at one scale (square root of its tensor's larger eigenvalue) and optionally the sum
+/// of the gradients' tensors. `second` is the weight of second derivatives.
 Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sigma, float second,
                         const Work& work, TensorMap* tensors = nullptr) {
   Raster<float> out(channels[0].values.width(), channels[0].values.height());
@@ -164,8 +164,8 @@ Raster<float> energy_at(const std::vector<WeightedChannel>& channels, double sig
   return out;
 }
 
-/// Texture has strength on all sides, a boundary only along itself: subtracts the mean of a ring about twice
-/// the two sizes in radius. Computed at half resolution.
+/// Texture suppression: texture has strength on all sides, a boundary only along itself. Subtracts the mean
+/// over a ring between the two sizes, at half resolution.
 void subtract_texture(Raster<float>& strength, double inner_px, double outer_px) {
   constexpr int kCoarser = 2;
   cv::Mat s = as_mat(strength);
@@ -184,9 +184,8 @@ void subtract_texture(Raster<float>& strength, double inner_px, double outer_px)
   less.copyTo(s);
 }
 
-/// The weight of a scale for this picture, at most 1: where its energy is everywhere (speckle, film grain,
-/// texture), its median is near its highest; where it is at few places (clean contours), the median is near
-/// zero.
+/// The weight of a scale for this picture, at most 1. If its energy is everywhere (speckle, film grain,
+/// texture), its median is near its maximum; if it is sparse (clean contours), the median is near zero.
 float weight_of(const Raster<float>& energy, const StandardContourOptions& options) {
   const std::size_t step = std::max<std::size_t>(1, energy.count() / 20000);
   std::vector<float> sample;
@@ -201,8 +200,8 @@ float weight_of(const Raster<float>& energy, const StandardContourOptions& optio
                      : 1.0F;
 }
 
-/// The weighted geometric mean of the scales' energies, so that a boundary has to show at every scale that
-/// counts.
+/// The weighted geometric mean of the scales' energies, so that a boundary must be present at every scale
+/// with weight.
 Raster<float> mean_of(std::vector<Raster<float>>& energies, const std::vector<float>& shares,
                       const Work& work) {
   Raster<float> out(energies[0].width(), energies[0].height());
@@ -228,9 +227,8 @@ Raster<float> enlarged(Raster<float> small, int width, int height) {
   return out;
 }
 
-/// Logarithm of the difference of each place's two sides over the spread of the picture around it: 0 at an
-/// ideal step, far below in grain and texture, which vary as much everywhere. `energy` is that of scale 2
-/// px of these channels.
+/// Logarithm of the difference between both sides of each pixel, relative to the local standard deviation: 0
+/// at an ideal step, much lower in grain and texture. `energy` is that of scale 2 px of these channels.
 Raster<float> distinctness(const std::vector<WeightedChannel>& channels, const Raster<float>& energy,
                            const StandardContourOptions& options, const Work& work) {
   Raster<float> variance(energy.width(), energy.height());
@@ -253,8 +251,8 @@ Raster<float> distinctness(const std::vector<WeightedChannel>& channels, const R
 }
 
 /// Strength over scales 1, 2, 4 and 8 px (the last two on the picture halved once and twice) and, into
-/// `direction`, the gradients' tensor of scale 2. The smaller the finest scale's weight, the more it counts
-/// that the sides are distinct at 8, 16 and 32 px.
+/// `direction`, the gradients' tensor of scale 2. The smaller the finest scale's weight, the more the
+/// distinctness of the sides at 8, 16 and 32 px counts.
 Raster<float> strength_of(std::vector<WeightedChannel> channels, const StandardContourOptions& options,
                           TensorMap& direction, float& fine_trust, const Work& work) {
   const int w = channels[0].values.width();
@@ -294,7 +292,7 @@ EdgeResponse standard_edges(const Image& image, const ContourOptions& options, c
   EdgeResponse out{Raster<float>(image.width, image.height), Raster<float>(image.width, image.height), {}};
   out.strength = strength_of(std::move(channels), standard, t, out.fine_trust, work);
   subtract_texture(out.strength, standard.texture_inner_px, standard.texture_outer_px);
-  // The two sides of a thin line agree in the averaged tensor, where their gradients would cancel.
+  // In the averaged tensor both sides of a thin line agree; averaged gradients would cancel.
   for (Raster<float>* part : {&t.xx, &t.xy, &t.yy})
     *part = gaussian_blur(*part, standard.tensor_blur_px, work);
   each_pixel(work, out.strength.count(), [&](std::size_t i) {

@@ -18,8 +18,8 @@
 namespace palpable::vision {
 namespace {
 
-/// Share of the unit pixel at signed distance t from a straight edge whose normal has the components a >= b
-/// >= 0: the exact area.
+/// Exact area of a unit pixel beyond a straight edge at signed distance t, whose normal has the components a
+/// >= b >= 0.
 double area_beyond(double t, double a, double b) {
   if (b < 1e-9) return std::clamp(t / a + 0.5, 0.0, 1.0);
   const auto half_square = [](double v) { return v > 0.0 ? 0.5 * v * v : 0.0; };
@@ -148,7 +148,7 @@ TEST(Contours, MakeOneLineOfAThinLine) {
   }
 }
 
-TEST(Contours, OfThePaperAnswerCentredEdgesAsMeasured) {
+TEST(Contours, OfThePaperHaveTheMeasuredErrorsOnCentredEdges) {
   // methods.md 6: Sobel with Climent's masks in both octants, centred ideal steps: max 0.49, mean 0.14
   // degrees. Read at the pixels through whose centre the edge passes, one per angle.
   double worst = 0.0;
@@ -171,7 +171,7 @@ TEST(Contours, OfThePaperAnswerCentredEdgesAsMeasured) {
   EXPECT_NEAR(sum / n, 0.14, 0.05);
 }
 
-/// A dark disc in multiplicative speckle whose spread is its mean's half, grains of 2 px.
+/// A dark disc in multiplicative speckle with a standard deviation of half its mean and grains of 2 px.
 Image speckled_disc() {
   std::mt19937 random(5);
   std::gamma_distribution<float> speckle(4.0F, 0.25F);
@@ -186,7 +186,7 @@ Image speckled_disc() {
   return image;
 }
 
-TEST(Contours, OfTheBestQualitySeeADiscThroughSpeckle) {
+TEST(Contours, OfMethodBestFindADiscInSpeckle) {
   ContourOptions options;
   options.method = ContourMethod::best;
   const auto c = find_contours(speckled_disc(), options, Work{});
@@ -200,7 +200,7 @@ TEST(Contours, OfTheBestQualitySeeADiscThroughSpeckle) {
   EXPECT_LT(far, near / 2);
 }
 
-TEST(Contours, OfTheBestQualityAreTheStandardOnesInAClearPicture) {
+TEST(Contours, OfMethodBestEqualTheStandardOnesInAClearPicture) {
   const Image image = step(64, 30.0, 0.0);
   ContourOptions options;
   options.method = ContourMethod::best;
@@ -210,7 +210,7 @@ TEST(Contours, OfTheBestQualityAreTheStandardOnesInAClearPicture) {
   EXPECT_NEAR(best->strength(31, 31), found(image).strength(31, 31), 1e-3);
 }
 
-TEST(Contours, HaveNoneInAPictureOfOneTone) {
+TEST(Contours, AreAbsentInAPictureOfOneTone) {
   const ContourMap c = found(drawn(32, [](double, double) { return true; }));
   EXPECT_EQ(c.boundary_fraction, 0.0);
   ASSERT_EQ(c.notes.size(), 1U);
@@ -218,7 +218,7 @@ TEST(Contours, HaveNoneInAPictureOfOneTone) {
       std::all_of(c.strength.values().begin(), c.strength.values().end(), [](float s) { return s == 0.0F; }));
 }
 
-TEST(Contours, SeeEdgesThatAreOnlyInTheColour) {
+TEST(Contours, FindEdgesThatAreOnlyInTheColour) {
   Image image{64, 64, 3, 8, {}};
   for (int i = 0; i < 64 * 64; ++i) {
     const bool right = i % 64 >= 32;  // equal luma: 0.299 r + 0.587 g + 0.114 b
@@ -229,7 +229,7 @@ TEST(Contours, SeeEdgesThatAreOnlyInTheColour) {
   EXPECT_GT(std::max(c.line(31, 30), c.line(32, 30)), 0.2F);
 }
 
-TEST(Contours, ShowDeepRangesAsTheyShowShallowOnes) {
+TEST(Contours, AreTheSameForAPictureInPartOfADeepRange) {
   // 12 bits in a 16-bit file: a sixteenth of the range.
   Image deep = step(64, 30.0, 0.0);
   const ContourMap wide = found(deep);
@@ -248,7 +248,7 @@ TEST(Contours, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(find_contours(image, {}, one)->strength, find_contours(image, {}, three)->strength);
 }
 
-TEST(Contours, RefuseWhatCannotBeFollowed) {
+TEST(Contours, RefuseTooSmallPicturesAndInvalidSamples) {
   EXPECT_EQ(find_contours(drawn(4, [](double, double) { return true; }), {}, Work{}).error().code,
             ErrorCode::invalid_input);
   Image holed = step(16, 0.0, 0.0);
@@ -269,7 +269,7 @@ TEST(ReducedPicture, KeepsProportionsAndMeans) {
   EXPECT_EQ(small->height, 100);
   EXPECT_NEAR(small->pixel(50, 70)[0], 100.5F / 399.0F, 1e-5F);
   EXPECT_NEAR(small->pixel(50, 70)[1], 0.25F, 1e-6F);
-  EXPECT_FALSE(reduced(ramp, 80000)) << "it is small enough as it is";
+  EXPECT_FALSE(reduced(ramp, 80000)) << "it is small enough";
 }
 
 TEST(OtsuThreshold, SplitsTwoLevels) {

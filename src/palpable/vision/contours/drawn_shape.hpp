@@ -9,7 +9,7 @@
 // For tests only.
 namespace palpable::vision {
 
-/// Whether a place (pixels) lies inside.
+/// Whether a point (pixels) is inside.
 using Shape = std::function<bool(double x, double y)>;
 
 /// Grey, 0.2 outside the shape and 0.8 inside, each pixel the mean of sub x sub samples of its square.

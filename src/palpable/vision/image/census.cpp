@@ -10,7 +10,7 @@
 namespace palpable::vision {
 namespace {
 
-/// The bits of one row of the window, nine for each pixel: short lanes, so that many fit a vector.
+/// The bits of one row of the window, nine per pixel, in short lanes so that many fit in a vector.
 using RowBits = std::vector<std::uint16_t>;
 
 PALPABLE_VECTORIZE void add_darker(const std::uint8_t* __restrict other,
@@ -42,7 +42,7 @@ std::vector<Parameter> parameters_of(CensusOptions& o) {
            {1, 255},
            "levels",
            "Pixels of the window that differ by less are compared"},
-          {"fewest_similar", &o.fewest_similar, {1, 63}, "px", "Where fewer are similar, all are compared"}};
+          {"fewest_similar", &o.fewest_similar, {1, 63}, "px", "If fewer are similar, all are compared"}};
 }
 
 Raster<std::uint64_t> similar_pixels_9x7(const ColourPlanes& picture, const CensusOptions& options,
@@ -57,7 +57,7 @@ Raster<std::uint64_t> similar_pixels_9x7(const ColourPlanes& picture, const Cens
     for (int y = begin; y < end; ++y) {
       for (int v = -kCensusHalfY; v <= kCensusHalfY; ++v) {
         for (int u = -kCensusHalfX; u <= kCensusHalfX; ++u) {
-          // Beyond the border all pixels are compared, as the census repeats the border.
+          // Beyond the border all pixels are compared, since the census repeats the border.
           std::fill(difference.begin(), difference.end(), std::uint8_t{0});
           const int first = std::max(0, -u);
           if (y + v >= 0 && y + v < out.height())

@@ -18,7 +18,7 @@ Raster<std::uint8_t> one_spot(int x, int y, std::uint8_t level) {
 
 ColourPlanes planes(const Raster<std::uint8_t>& grey) { return {grey, grey, grey}; }
 
-TEST(Census, HasABitForEachPixelOfTheWindowThatIsDarkerThanItsCentre) {
+TEST(Census, HasABitForEachPixelDarkerThanTheCentre) {
   const Raster<std::uint64_t> dark = census_9x7(one_spot(10, 8, 50), {});
   for (int y = 5; y <= 11; ++y)
     for (int x = 6; x <= 14; ++x) {
@@ -29,7 +29,7 @@ TEST(Census, HasABitForEachPixelOfTheWindowThatIsDarkerThanItsCentre) {
   EXPECT_EQ(std::popcount(census_9x7(one_spot(10, 8, 200), {})(10, 8)), kCensusPixels - 1);
 }
 
-TEST(Census, IsTheSameWhateverTheExposure) {
+TEST(Census, IsIndependentOfTheExposure) {
   Raster<std::uint8_t> grey(20, 16), brighter = grey;
   for (std::size_t i = 0; i < grey.count(); ++i) {
     grey.values()[i] = static_cast<std::uint8_t>(i * 37 % 100);
@@ -38,7 +38,7 @@ TEST(Census, IsTheSameWhateverTheExposure) {
   EXPECT_EQ(census_9x7(grey, {}), census_9x7(brighter, {}));
 }
 
-TEST(SimilarPixels, LeaveOutThoseOfAnotherColour) {
+TEST(SimilarPixels, ExcludePixelsOfAnotherColour) {
   const Raster<std::uint64_t> mask = similar_pixels_9x7(planes(one_spot(10, 8, 116)), {}, {});
   EXPECT_EQ(std::popcount(mask(8, 8)), kCensusPixels - 1);
   EXPECT_EQ(std::popcount(mask(3, 8)), kCensusPixels);
@@ -46,17 +46,17 @@ TEST(SimilarPixels, LeaveOutThoseOfAnotherColour) {
   EXPECT_EQ(std::popcount(similar(8, 8)), kCensusPixels);
 }
 
-TEST(SimilarPixels, AreAllWhereHardlyAnyIs) {
+TEST(SimilarPixels, AreAllPixelsIfTooFewAreSimilar) {
   const Raster<std::uint64_t> mask = similar_pixels_9x7(planes(one_spot(10, 8, 200)), {}, {});
   EXPECT_EQ(std::popcount(mask(10, 8)), kCensusPixels);
 }
 
-TEST(CensusScale, MakesADistanceOverSomeBitsOneOverAll) {
+TEST(CensusScale, ScalesADistanceOverSomeBitsToAllBits) {
   EXPECT_EQ(census_scale((std::uint64_t{1} << 21U) - 1U), 3 * kCensusScaleUnit);
   EXPECT_EQ(census_scale((std::uint64_t{1} << 63U) - 1U), kCensusScaleUnit);
 }
 
-TEST(Texture, IsContrastAboveFourLevelsOnTheMean) {
+TEST(Texture, IsAMeanContrastAboveFourLevels) {
   // 63 pixels that differ from the centre by 4 levels are noise, one more level is texture.
   Raster<std::uint8_t> grey(20, 16, 104);
   grey(10, 8) = 100;

@@ -32,8 +32,8 @@ struct ColourPlanes {
 void colour_differences(const ColourPlanes& picture, int x0, int y0, int x1, int y1, int count,
                         std::uint8_t* differences);
 
-/// The raster seen in a mirror: left and right exchanged. A stereo pair matched from its right picture is the
-/// mirrored pair matched from its left one.
+/// The raster mirrored horizontally. Matching a stereo pair with its right picture as reference equals
+/// matching the mirrored pair with its left one.
 template <class T>
 Raster<T> mirrored(const Raster<T>& raster) {
   Raster<T> out(raster.width(), raster.height());

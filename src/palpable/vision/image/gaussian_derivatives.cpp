@@ -13,14 +13,14 @@ namespace {
 
 int reach(double sigma_px) { return static_cast<int>(std::ceil(4.5 * sigma_px)); }
 
-/// Sixteen pixels of a row, wherever it begins.
+/// Sixteen pixels of a row, unaligned.
 constexpr int kLanes = 16;
 using Lanes = float __attribute__((vector_size(sizeof(float) * kLanes)));
 inline __attribute__((always_inline)) void get(const float* from, Lanes& to) {
   std::memcpy(&to, from, sizeof to);
 }
 
-/// The rows (or the places along one row) 0 … reach before and behind that which is convolved.
+/// The rows (or positions in a row) 0 … reach before and after the convolved one.
 struct Neighbours {
   explicit Neighbours(std::size_t count) : behind(count), ahead(count) {}
   std::vector<const float*> behind;
@@ -51,7 +51,7 @@ void convolve(const float* const* behind, const float* const* ahead, const float
   }
 }
 
-/// Both at once: smooth with even taps, derived with odd ones.
+/// Both at once: smoothed with even taps, differentiated with odd ones.
 PALPABLE_VECTORIZE
 void convolve_both(const float* const* behind, const float* const* ahead, const float* even, const float* odd,
                    int reach_px, int n, float* smooth, float* derived) {
@@ -89,7 +89,7 @@ void rows_around(const Raster<float>& image, int y, Neighbours& out) {
   }
 }
 
-/// A row with room for level values on both sides, and its places before and behind each.
+/// A row padded with repeated values at both ends, and pointers to its shifted copies.
 class PaddedRow {
  public:
   PaddedRow(int n, int reach_px)

@@ -16,18 +16,18 @@ struct Gradient {
 };
 
 /// Half of a symmetric sampled Gaussian, taps 0 ... ceil(4.5 sigma), normalised so that the whole sums to 1.
-/// At 4.5 sigma the cut costs less than 0.01 degrees of an edge's direction; at 3.5 sigma it costs 0.3.
+/// Truncation at 4.5 sigma changes an edge's direction by less than 0.01 degrees; at 3.5 sigma by 0.3.
 std::vector<float> half_gaussian(double sigma_px);
 
 /// Half of the antisymmetric sampled Gaussian derivative, scaled so that a unit ramp answers exactly 1.
 std::vector<float> half_gaussian_derivative(double sigma_px);
 
 /// Convolution with the Gaussian's derivatives of scale sigma_px (0.5 ... 32): rows first ... last - 1 of the
-/// image's, into rows 0 ... of `out`, which is as wide and has room. A few rows at a time stay in the
-/// processor's caches until they are used. The border is continued level. Any thread.
+/// image, written to rows 0 ... of `out`, which has the same width and enough rows. A few rows at a time stay
+/// in the processor's caches. Border pixels are repeated. Any thread.
 void gaussian_gradient(const Raster<float>& image, double sigma_px, int first, int last, Gradient& out);
 
-/// Convolution with the Gaussian of scale sigma_px. The border is continued level. Rows in parallel.
+/// Convolution with the Gaussian of scale sigma_px. Border pixels are repeated. Rows in parallel.
 Raster<float> gaussian_blur(const Raster<float>& image, double sigma_px, const Work& work);
 
 }  // namespace palpable::vision

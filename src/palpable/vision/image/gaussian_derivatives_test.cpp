@@ -10,7 +10,7 @@
 namespace palpable::vision {
 namespace {
 
-TEST(HalfGaussian, SumsToOneAndFallsAsTheGaussianDoes) {
+TEST(HalfGaussian, SumsToOneAndFollowsTheGaussian) {
   for (const double sigma : {0.5, 1.0, 3.0}) {
     const std::vector<float> taps = half_gaussian(sigma);
     const float sum = 2.0F * std::accumulate(taps.begin() + 1, taps.end(), 0.0F) + taps[0];
@@ -32,7 +32,7 @@ TEST(GaussianGradient, OfARampIsItsSlope) {
     }
 }
 
-TEST(GaussianBlur, OfAPointIsTheGaussian) {
+TEST(GaussianBlur, OfAPointIsAGaussian) {
   Raster<float> point(41, 41);
   point(20, 20) = 1.0F;
   const Raster<float> blurred = gaussian_blur(point, 2.0, {});
@@ -41,7 +41,7 @@ TEST(GaussianBlur, OfAPointIsTheGaussian) {
   EXPECT_NEAR(static_cast<double>(blurred(23, 18)) / peak, std::exp(-0.5 * (9.0 + 4.0) / 4.0), 1e-4);
 }
 
-TEST(GaussianBlur, KeepsALevelPictureUpToItsBorder) {
+TEST(GaussianBlur, KeepsAConstantPictureUpToItsBorder) {
   const Raster<float> blurred = gaussian_blur(Raster<float>(20, 10, 3.0F), 2.0, {});
   for (const float v : blurred.values()) EXPECT_NEAR(v, 3.0F, 1e-5F);
 }

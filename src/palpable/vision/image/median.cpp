@@ -15,7 +15,7 @@ namespace {
   a = less;
 }
 
-/// A sorting network cut down to the median (Paeth 1990), so that a row runs in vectors.
+/// A sorting network reduced to the median (Paeth 1990), so that a row can be vectorised.
 PALPABLE_VECTORIZE void median_row(const float* __restrict above, const float* __restrict here,
                                    const float* __restrict below, int width, float* __restrict out) {
   for (int x = 1; x < width - 1; ++x) {

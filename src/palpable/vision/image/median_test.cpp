@@ -10,7 +10,7 @@
 namespace palpable::vision {
 namespace {
 
-TEST(Median, IsTheMiddleOfNineAndLeavesTheBorder) {
+TEST(Median, IsTheMiddleOfNineAndKeepsTheBorder) {
   Raster<float> values(17, 9);
   for (std::size_t i = 0; i < values.count(); ++i) values.values()[i] = static_cast<float>(i * 7919 % 101);
   const Raster<float> medians = median_3x3(values, {});

@@ -11,7 +11,7 @@
 // Inside vision's sources only: our pictures as OpenCV's.
 namespace palpable::vision {
 
-/// A view of the picture's samples; valid as long as the picture.
+/// A view of the picture's samples, valid during the picture's lifetime.
 inline cv::Mat view_of(const Image& image) {
   return {image.height, image.width, CV_32FC(image.channels), const_cast<float*>(image.samples.data())};
 }

@@ -10,7 +10,7 @@
 namespace palpable::vision {
 
 /// The picture with at most `most_pixels` pixels and the same proportions, each the mean of the pixels that
-/// it covers; nothing where it is small enough. most_pixels > 0.
+/// it covers; nullopt if it is small enough. most_pixels > 0.
 std::optional<Image> reduced(const Image& image, std::size_t most_pixels);
 
 }  // namespace palpable::vision

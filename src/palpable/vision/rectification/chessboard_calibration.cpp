@@ -18,7 +18,7 @@ namespace {
 
 using Corners = std::vector<cv::Point2f>;
 
-/// The board's inner corners to a fraction of a pixel; empty where the whole board is not seen.
+/// The board's inner corners with sub-pixel accuracy; empty unless the whole board is visible.
 Corners find_corners(const Image& image, const ChessboardOptions& options) {
   const cv::Mat grey = grey8_of(image);
   Corners corners;
@@ -41,7 +41,7 @@ Error too_few(const ChessboardOptions& options, std::size_t found, std::size_t g
                   options.columns, options.rows, found, given, what, options.least_boards));
 }
 
-/// The same flat board, once for each time it was seen.
+/// The same flat board, once per picture.
 std::vector<std::vector<cv::Point3f>> boards_of(const ChessboardOptions& options, std::size_t count) {
   std::vector<cv::Point3f> board;
   for (int r = 0; r < options.rows; ++r)

@@ -27,21 +27,21 @@ std::vector<Parameter> parameters_of(ChessboardOptions& options);
 
 struct ChessboardCalibration {
   LensPair cameras;
-  /// RMS distance of the corners from where the calibration puts them, in pixels, over both cameras.
+  /// RMS reprojection error of the corners in pixels, over both cameras.
   double reprojection_px = 0.0;
-  /// Pairs in which both boards were found.
+  /// Pairs in which both pictures show the whole board.
   int pairs_used = 0;
 };
 
 /// Calibrates a stereo camera from pictures of a chessboard (Zhang 2000, by OpenCV). Errors: usage for
-/// options out of range; invalid_input where too few pairs show the whole board or the sizes differ;
+/// options out of range; invalid_input if too few pairs show the whole board or the sizes differ;
 /// interrupted.
 Result<ChessboardCalibration> calibrate_from_chessboards(const std::vector<StereoPair>& pairs,
                                                          const ChessboardOptions& options, const Work& work);
 
 struct CameraCalibration {
   LensCamera camera;
-  /// As of ChessboardCalibration, of one camera.
+  /// RMS reprojection error in pixels.
   double reprojection_px = 0.0;
   int pictures_used = 0;
 };

@@ -39,20 +39,20 @@ Image board(double about_x, double about_y, double eye_m) {
 constexpr std::array<std::array<double, 2>, 5> kTilts{
     {{0.4, 0.0}, {-0.4, 0.1}, {0.1, 0.45}, {0.0, -0.45}, {0.3, 0.3}}};
 
-TEST(Chessboards, TellTheCameraThatSawThem) {
+TEST(Chessboards, CalibrateACamera) {
   std::vector<Image> pictures;
   for (const auto& tilt : kTilts) pictures.push_back(board(tilt[0], tilt[1], 0.0));
   const auto found = calibrate_camera(pictures, {}, {});
   ASSERT_TRUE(found) << found.error().sentence();
   EXPECT_EQ(found->pictures_used, 5);
-  // Nine samples a pixel place an edge to a third of a pixel.
+  // Nine samples per pixel locate an edge to a third of a pixel.
   EXPECT_LT(found->reprojection_px, 0.2);
   EXPECT_NEAR(found->camera.matrix[0], kFocal_px, 3.0);
   EXPECT_NEAR(found->camera.matrix[2], kCx, 2.0);
   EXPECT_NEAR(found->camera.matrix[5], kCy, 2.0);
 }
 
-TEST(Chessboards, TellThePoseOfTwoCameras) {
+TEST(Chessboards, CalibrateThePoseOfTwoCameras) {
   std::vector<StereoPair> pairs;
   for (const auto& tilt : kTilts)
     pairs.push_back({board(tilt[0], tilt[1], 0.0), board(tilt[0], tilt[1], 0.06), {}});
@@ -64,7 +64,7 @@ TEST(Chessboards, TellThePoseOfTwoCameras) {
   EXPECT_NEAR(found->cameras.rotation[0], 1.0, 1e-4);
 }
 
-TEST(Chessboards, MustBeSeenOftenEnough) {
+TEST(Chessboards, MustBeVisibleInEnoughPictures) {
   const std::vector<Image> two{board(0.4, 0.0, 0.0), board(-0.4, 0.1, 0.0)};
   EXPECT_FALSE(calibrate_camera(two, {}, {}));
   EXPECT_FALSE(calibrate_camera(two, {1, 6}, {}));

@@ -15,7 +15,7 @@
 namespace palpable::vision {
 namespace {
 
-/// Of each left descriptor the right one that is nearest by far (Lowe's ratio), or -1.
+/// For each left descriptor the nearest right one if it passes Lowe's ratio test, else -1.
 std::vector<int> nearest(const cv::Mat& from, const cv::Mat& to, float ratio) {
   std::vector<std::vector<cv::DMatch>> pairs;
   cv::BFMatcher(cv::NORM_L2).knnMatch(from, to, pairs, 2);
@@ -26,13 +26,13 @@ std::vector<int> nearest(const cv::Mat& from, const cv::Mat& to, float ratio) {
   return out;
 }
 
-/// Features of very large pictures cost seconds and are no more accurate in the scene.
+/// In very large pictures features cost seconds and are no more accurate in the scene.
 int shrink_factor(int width, int height, int longest_px) {
   return (std::max(width, height) + longest_px - 1) / longest_px;
 }
 
-/// The luma as 8 bits; a picture that uses few levels, as a very dark one does, is stretched: the detector's
-/// contrast threshold is fixed.
+/// The luma as 8 bits. A picture that uses few levels, such as a very dark one, is stretched, since the
+/// detector's contrast threshold is fixed.
 cv::Mat shrunk_grey8(const Image& image, int factor, const FeatureMatchOptions& options) {
   const auto few = static_cast<float>(options.few_levels), most_gain = static_cast<float>(options.most_gain);
   const Quantiles levels = luma_quantiles(image);
@@ -48,7 +48,7 @@ cv::Mat shrunk_grey8(const Image& image, int factor, const FeatureMatchOptions& 
   return grey;
 }
 
-/// Pixel centres stand at integers: the picture's corner is at -0.5.
+/// Pixel centres are at integers, so the picture's corner is at -0.5.
 cv::Point2d in_full(const cv::Point2f& p, int factor) {
   return {(static_cast<double>(p.x) + 0.5) * factor - 0.5, (static_cast<double>(p.y) + 0.5) * factor - 0.5};
 }

@@ -13,7 +13,7 @@ namespace palpable::vision {
 using Matrix3 = std::array<double, 9>;
 inline constexpr Matrix3 kIdentity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-/// A place in a picture, px; pixel centres at integers.
+/// A point in a picture, px; pixel centres at integers.
 struct PicturePoint {
   double x = 0.0;
   double y = 0.0;
@@ -33,10 +33,10 @@ struct LensPair {
   Vec3 translation_m;
 };
 
-/// Horizontal field of view that is assumed of an unknown camera: a phone's.
+/// Assumed horizontal field of view of an unknown camera: that of a phone.
 inline constexpr double kUsualFieldOfView_deg = 65.0;
 
-/// A camera without distortion and with the usual field of view, for a picture of this size.
+/// A camera without distortion and with the assumed field of view, for a picture of this size.
 LensCamera usual_camera(int width, int height);
 
 }  // namespace palpable::vision

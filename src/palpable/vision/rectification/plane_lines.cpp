@@ -14,7 +14,7 @@
 namespace palpable::vision {
 namespace {
 
-/// A straight edge of the picture about its middle.
+/// A straight edge, relative to the picture's middle.
 struct Edge {
   cv::Vec2d middle;
   cv::Vec2d direction;
@@ -39,7 +39,7 @@ std::vector<Edge> edges_of(const Image& picture, double shortest_share) {
   return edges;
 }
 
-/// Whether the edge's extension passes the vanishing point within an angle, as seen from its middle.
+/// Whether the edge's extension passes the vanishing point within an angle, measured at the edge's middle.
 bool leads_to(const Edge& edge, const cv::Vec3d& point, double sine) {
   const cv::Vec2d to(point[0] - point[2] * edge.middle[0], point[1] - point[2] * edge.middle[1]);
   return std::abs(edge.direction[0] * to[1] - edge.direction[1] * to[0]) < sine * cv::norm(to);
@@ -52,7 +52,7 @@ double support_of(const cv::Vec3d& point, const std::vector<Edge>& edges, double
   return sum;
 }
 
-/// The place nearest to all lines of the edges that lead to `point`, weighted by their lengths.
+/// The point nearest to the lines of all edges that support `point`, weighted by their lengths.
 cv::Vec3d refined(cv::Vec3d point, const std::vector<Edge>& edges, double sine) {
   for (int i = 0; i < 3; ++i) {
     cv::Matx33d sum = cv::Matx33d::zeros();
@@ -66,14 +66,14 @@ cv::Vec3d refined(cv::Vec3d point, const std::vector<Edge>& edges, double sine) 
   return point;
 }
 
-/// The direction of a point as seen from the picture's centre.
+/// The direction from the picture's centre to a point.
 cv::Vec2d direction_of(const cv::Vec3d& point) {
   const double length = std::hypot(point[0], point[1]);
   return length > 0.0 ? cv::Vec2d(point[0] / length, point[1] / length) : cv::Vec2d(0, 0);
 }
 
-/// The vanishing point that most edges lead to, outside the picture and, where another is given, in clearly
-/// another direction.
+/// The vanishing point with most support, outside the picture and, if another is given, in a clearly
+/// different direction.
 std::optional<cv::Vec3d> most_led_to(const std::vector<Edge>& edges, const cv::Vec3d* other,
                                      const PlaneLineOptions& options, std::uint64_t seed) {
   std::mt19937_64 random(seed);

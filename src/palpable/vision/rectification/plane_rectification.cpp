@@ -17,10 +17,11 @@ namespace {
 
 using Line = cv::Vec3d;
 using HomogeneousPoint = cv::Vec3d;
-/// A direction on the affine picture, which is the plane but for one linear map.
+/// A direction in the affine picture, which equals the plane up to a linear map.
 using Direction = cv::Vec2d;
 
-/// The picture's middle becomes 0 and its half diagonal 1: products of coordinates stay well conditioned.
+/// Normalises the picture's middle to 0 and its half diagonal to 1, for well-conditioned products of
+/// coordinates.
 cv::Matx33d normalising(const Image& picture) {
   const double s = 2.0 / std::hypot(picture.width, picture.height);
   return {s, 0, -s * 0.5 * (picture.width - 1), 0, s, -s * 0.5 * (picture.height - 1), 0, 0, 1};
@@ -48,7 +49,7 @@ struct Geometry {
   HomogeneousPoint along;
 };
 
-/// H1 of the paper: the vanishing line goes to infinity.
+/// H1 of the paper: maps the vanishing line to infinity.
 cv::Matx33d affine_from_picture(const Line& vanishing) {
   const Line l = vanishing * (vanishing[2] < 0.0 ? -1.0 : 1.0);
   return {1, 0, 0, 0, 1, 0, l[0] / l[2], l[1] / l[2], 1};
@@ -80,15 +81,15 @@ std::optional<cv::Matx22d> circular_points_conic(const std::vector<std::array<Di
   return conic;
 }
 
-/// H2⁻¹: the lower Cholesky factor A of S; its inverse takes the affine picture to the plane.
+/// H2⁻¹: the lower Cholesky factor A of S; its inverse maps the affine picture to the plane.
 cv::Matx33d plane_from_affine(const cv::Matx22d& s) {
   const double a = std::sqrt(s(0, 0)), b = s(0, 1) / a, c = std::sqrt(s(1, 1) - b * b);
   const cv::Matx33d forward(a, 0, 0, b, c, 0, 0, 0, 1);
   return forward.inv();
 }
 
-/// The focal length (in half diagonals) that makes two vanishing points' directions orthogonal, for a camera
-/// whose axis meets the middle; nullopt where it is not determined or no camera's.
+/// The focal length (in half diagonals) that makes the directions of two vanishing points orthogonal, with
+/// the principal point in the middle; nullopt if it is undetermined or implausible.
 std::optional<double> focal_of(const HomogeneousPoint& v1, const HomogeneousPoint& v2,
                                const PlaneRectificationOptions& options) {
   const double shortest = options.shortest_focal, longest = options.longest_focal;
@@ -98,8 +99,8 @@ std::optional<double> focal_of(const HomogeneousPoint& v1, const HomogeneousPoin
   return std::sqrt(squared);
 }
 
-/// Two independent orthogonal pairs of directions of the plane that a camera of this focal length sees vanish
-/// in `vanishing`: the plane's own axes, and those turned by 45 degrees.
+/// Two independent orthogonal pairs of directions of the plane with vanishing line `vanishing`, for a camera
+/// of this focal length: the plane's axes, and these rotated by 45 degrees.
 std::vector<std::array<HomogeneousPoint, 2>> pairs_by_camera(const Line& vanishing, double focal) {
   const cv::Matx33d camera(focal, 0, 0, 0, focal, 0, 0, 0, 1);
   const cv::Vec3d normal = cv::normalize(cv::Vec3d(camera.t() * vanishing));
@@ -113,7 +114,7 @@ double usual_focal(const Image& picture) {
          std::hypot(picture.width, picture.height);
 }
 
-/// Completes the orthogonal pairs by the camera where they are too few.
+/// Adds orthogonal pairs from the camera model if there are too few.
 void complete(Geometry& geometry, const HomogeneousPoint& across, const Image& picture,
               const PlaneRectificationOptions& options, std::vector<std::string>& notes) {
   if (geometry.orthogonal.size() >= 2) return;
@@ -126,7 +127,7 @@ void complete(Geometry& geometry, const HomogeneousPoint& across, const Image& p
   geometry.orthogonal = pairs_by_camera(geometry.vanishing, focal.value_or(usual_focal(picture)));
 }
 
-/// The plane from the normalised picture, `along` being level and running to the right, not mirrored.
+/// The plane from the normalised picture, with `along` horizontal and to the right, not mirrored.
 std::optional<cv::Matx33d> plane_from(const Geometry& geometry) {
   if (std::abs(geometry.vanishing[2]) < 1e-3) return std::nullopt;
   const cv::Matx33d affine = affine_from_picture(geometry.vanishing);
@@ -137,7 +138,7 @@ std::optional<cv::Matx33d> plane_from(const Geometry& geometry) {
   if (!conic) return std::nullopt;
   const cv::Matx33d plane = plane_from_affine(*conic) * affine;
   Direction level = direction_of(geometry.along, plane);
-  // The direction nearest to the picture's own right stays the right.
+  // The direction nearest to the picture's right becomes the right.
   if (level[0] < 0.0) level = -level;
   if (std::abs(level[1]) > std::abs(level[0]))
     level = level[1] < 0.0 ? Direction(-level[1], level[0]) : Direction(level[1], -level[0]);
@@ -161,7 +162,7 @@ struct Box {
   }
 };
 
-/// Where the picture's own pixels come to lie, without those near the horizon, which would fill it all.
+/// The bounding box of the picture's mapped pixels, without those near the horizon, which would dominate it.
 Box box_of(const cv::Matx33d& h, const Image& picture, double least_nearness) {
   constexpr int kSteps = 64;
   Box box;
@@ -174,7 +175,7 @@ Box box_of(const cv::Matx33d& h, const Image& picture, double least_nearness) {
   return box;
 }
 
-/// The plane drawn into a picture: as many pixels as the input has where both show it largest, within limits.
+/// Renders the rectified plane, within limits at the input's highest resolution.
 RectifiedPlane drawn(const Image& picture, const cv::Matx33d& plane_from_pixel, const Box& box,
                      const PlaneRectificationOptions& options) {
   const double longer = std::max(picture.width, picture.height);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kWidth = 640, kHeight = 480;
 constexpr double kFocal = 560.0;
 
-/// Where a camera that looks down on a table, and a little aside, sees the table's place (metres).
+/// The projection of a point on a table (metres) by a camera that looks down on it at an angle.
 PicturePoint seen(double x, double y) {
   const double pitch = 0.6, yaw = 0.25;
   const double u = std::cos(yaw) * x - std::sin(yaw) * y, v = std::sin(yaw) * x + std::cos(yaw) * y;
@@ -28,7 +28,7 @@ PicturePoint mapped(const std::array<double, 9>& h, const PicturePoint& p) {
   return {(h[0] * p.x + h[1] * p.y + h[2]) / w, (h[3] * p.x + h[4] * p.y + h[5]) / w};
 }
 
-/// Places of the table after rectification, as distances that must be in the table's proportions.
+/// Checks that distances on the rectified table have the table's proportions.
 void expect_metric(const RectifiedPlane& plane, double tolerance) {
   const auto distance = [&](double x1, double y1, double x2, double y2) {
     const PicturePoint a = mapped(plane.picture_from_input, seen(x1, y1)),
@@ -50,14 +50,14 @@ PlaneLines table_lines() {
   return lines;
 }
 
-TEST(RectifyPlane, GivesProportionsBackFromTwoOrthogonalPairs) {
+TEST(RectifyPlane, RestoresProportionsFromTwoOrthogonalPairs) {
   PlaneLines lines = table_lines();
   lines.orthogonal = {{line(0, 0, 0.3, 0), line(0, 0, 0, 0.3)},
                       {line(0, 0, 0.3, 0.3), line(0, 0, 0.3, -0.3)}};
   const auto plane = rectify_plane(grey_picture(), lines);
   ASSERT_TRUE(plane) << plane.error().sentence();
   expect_metric(*plane, 1e-6);
-  // The lines along come out level, and nothing is mirrored.
+  // The `along` lines become horizontal, and nothing is mirrored.
   const PicturePoint a = mapped(plane->picture_from_input, seen(-0.4, 0.1)),
                      b = mapped(plane->picture_from_input, seen(0.4, 0.1)),
                      above = mapped(plane->picture_from_input, seen(-0.4, 0.3));
@@ -66,25 +66,25 @@ TEST(RectifyPlane, GivesProportionsBackFromTwoOrthogonalPairs) {
   EXPECT_LT(above.y, a.y);
 }
 
-TEST(RectifyPlane, GivesProportionsBackFromThePerspectiveAlone) {
+TEST(RectifyPlane, RestoresProportionsFromThePerspectiveAlone) {
   const auto plane = rectify_plane(grey_picture(), table_lines());
   ASSERT_TRUE(plane) << plane.error().sentence();
   EXPECT_TRUE(plane->notes.empty());
   expect_metric(*plane, 1e-6);
 }
 
-TEST(RectifyPlane, RefusesLinesThatFixNoPlane) {
+TEST(RectifyPlane, RefusesLinesThatDetermineNoPlane) {
   PlaneLines lines = table_lines();
   lines.across = lines.along;
   EXPECT_FALSE(rectify_plane(grey_picture(), lines));
-  // The same right angle said twice.
+  // The same right angle twice.
   lines = table_lines();
   lines.orthogonal = {{line(0, 0, 0.3, 0), line(0, 0, 0, 0.3)},
                       {line(0, 0.1, 0.3, 0.1), line(0.1, 0, 0.1, 0.3)}};
   EXPECT_FALSE(rectify_plane(grey_picture(), lines));
 }
 
-TEST(RectifyRectangle, CutsARectangleOutInItsProportions) {
+TEST(RectifyRectangle, CropsARectangleInItsProportions) {
   PlaneRectangle rectangle{{seen(-0.45, 0.3), seen(0.45, 0.3), seen(0.45, -0.3), seen(-0.45, -0.3)}, {}};
   for (const bool stated : {false, true}) {
     if (stated) rectangle.aspect = 1.5;
@@ -97,12 +97,12 @@ TEST(RectifyRectangle, CutsARectangleOutInItsProportions) {
   EXPECT_FALSE(rectify_rectangle(grey_picture(), rectangle));
 }
 
-/// The table covered with a grid of streets, seen by the camera.
+/// The camera's picture of a table with a grid of streets.
 Image photographed_map() {
   Image picture = grey_picture();
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      // The table's place behind a pixel, by the inverse of seen().
+      // The point of the table at a pixel: the inverse of seen().
       const double pitch = 0.6, yaw = 0.25, i = (x - 0.5 * (kWidth - 1)) / kFocal,
                    j = (y - 0.5 * (kHeight - 1)) / kFocal;
       const double v = -2.0 * j / (std::cos(pitch) + j * std::sin(pitch)),
@@ -117,7 +117,7 @@ Image photographed_map() {
   return picture;
 }
 
-TEST(FindPlaneLines, StraightensAPhotographedMapByItself) {
+TEST(FindPlaneLines, FindsTheLinesOfAPhotographedMap) {
   const Image picture = photographed_map();
   const auto lines = find_plane_lines(picture, Work{});
   ASSERT_TRUE(lines) << lines.error().sentence();
@@ -126,7 +126,7 @@ TEST(FindPlaneLines, StraightensAPhotographedMapByItself) {
   expect_metric(*plane, 0.03);
 }
 
-TEST(FindPlaneLines, SaysThatAPlainPictureHasNone) { EXPECT_FALSE(find_plane_lines(grey_picture(), Work{})); }
+TEST(FindPlaneLines, RefusesAPlainPicture) { EXPECT_FALSE(find_plane_lines(grey_picture(), Work{})); }
 
 }  // namespace
 }  // namespace palpable::vision

@@ -93,7 +93,7 @@ RectifyingTransform transform_of(const Unknowns& at, const SharedCamera& camera)
           camera.cx, camera.cy};
 }
 
-/// Vertical distance of a match's two places once rectified.
+/// Vertical distance of a match's two points after rectification.
 double rise_px(const RectifyingTransform& by, const FeatureMatch& m) {
   return rectified_point(by, by.left, {m.left_x, m.left_y}).y -
          rectified_point(by, by.right, {m.right_x, m.right_y}).y;
@@ -103,8 +103,8 @@ bool same_place(const FeatureMatch& a, const FeatureMatch& b) {
   return a.left_x == b.left_x && a.left_y == b.left_y;
 }
 
-/// Calls `visit` once for every place of the left picture: with that of its matches whose rise is least, and
-/// the rise, in pixels.
+/// Calls `visit` once for every point of the left picture, with its match of least vertical distance and that
+/// distance in pixels.
 template <class Visit>
 void visit_places(const std::vector<FeatureMatch>& matches, const RectifyingTransform& by,
                   const Visit& visit) {
@@ -123,10 +123,10 @@ void visit_places(const std::vector<FeatureMatch>& matches, const RectifyingTran
 }
 
 /// The models, simplest first: the right picture is shifted vertically and rotated in its plane; both cameras
-/// are rotated; their lenses are distorted too.
+/// are rotated; in addition both lenses are distorted.
 enum class Model { in_plane, rotations, distorted };
 
-/// What an estimate starts from.
+/// The input of an estimate.
 struct Problem {
   const std::vector<FeatureMatch>& matches;
   SharedCamera camera;
@@ -135,8 +135,8 @@ struct Problem {
   const RotationSearchOptions& options;
 };
 
-/// For small rotations and a small distortion y_left - y_right is linear in them: the row of their factors,
-/// in the order of Unknowns; the focal length has none.
+/// The row of the linear system for one match, in the order of Unknowns: for small rotations and distortion
+/// y_left - y_right is linear in them. The focal length has no linear term.
 Unknowns factors_of(const FeatureMatch& m, const SharedCamera& camera) {
   const double f = camera.focal_px, xl = m.left_x - camera.cx, yl = m.left_y - camera.cy,
                xr = m.right_x - camera.cx, yr = m.right_y - camera.cy,
@@ -163,7 +163,7 @@ Unknowns linear_solution(std::span<const FeatureMatch> matches, const Problem& p
   return normal.solve(right, cv::DECOMP_CHOLESKY);
 }
 
-/// The cost of a transform: squared rises, each place's at most the tolerance's (MSAC).
+/// The cost of a transform: truncated squares of the vertical distances (MSAC).
 double truncated_squares(const std::vector<FeatureMatch>& matches, const RectifyingTransform& by,
                          double tolerance_px) {
   double sum = 0.0;
@@ -178,8 +178,8 @@ struct Start {
   double cost;
 };
 
-/// Where the search starts: of random samples of matches those whose solutions explain the others best, best
-/// first. Half of the samples are of three matches, which rotate the right camera alone.
+/// Starting points of the search: the best solutions from random samples of matches, best first. Half of the
+/// samples have three matches, which rotate the right camera alone.
 std::vector<Start> starts_of(const Problem& problem, std::uint64_t seed) {
   const auto starts = static_cast<std::size_t>(problem.options.refined_starts);
   // The first estimate allows for distortion and for rotations that are not small.
@@ -200,7 +200,7 @@ std::vector<Start> starts_of(const Problem& problem, std::uint64_t seed) {
     best.insert(place, {at, cost});
     if (best.size() > starts) best.pop_back();
   };
-  // They may be rectified already.
+  // The pair may be rectified already.
   consider(Unknowns::all(0.0));
   // A match for each of the model's unknowns.
   const std::size_t large = problem.model == Model::distorted ? 6 : 5;
@@ -263,7 +263,7 @@ RectifyingRotations estimate(Problem problem, std::uint64_t seed) {
   return out;
 }
 
-/// Whether a simpler model is as good: nearly as many matches agree, nearly as well.
+/// Whether a simpler model is as good: nearly as many inliers with nearly the same residual.
 bool as_good(const RectifyingRotations& simple, const RectifyingRotations& rich, double tolerance_px,
              const RotationSearchOptions& options) {
   const double simple_px = vertical_rms_px(rectified_matches(simple.inliers, simple.transform)),
@@ -295,7 +295,7 @@ PicturePoint source_point(const RectifyingTransform& by, const Matrix3& inverse_
   const PicturePoint u = mapped(inverse_homography, place.x, place.y);
   const double x = u.x - by.cx, y = u.y - by.cy, squared = x * x + y * y;
   if (by.distortion == 0.0 || squared == 0.0) return u;
-  // r = (1 - √(1 - 4 k u²)) / (2 k u) solves u = r / (1 + k r²); past the root there is no such place.
+  // r = (1 - √(1 - 4 k u²)) / (2 k u) solves u = r / (1 + k r²); beyond the root there is no solution.
   const double root = std::sqrt(std::max(0.0, 1.0 - 4.0 * by.distortion * squared));
   const double scale = 2.0 / (1.0 + root);
   return {by.cx + scale * x, by.cy + scale * y};
@@ -309,7 +309,7 @@ RectifyingRotations find_rectifying_rotations(const std::vector<FeatureMatch>& m
     return estimate({matches, camera, model, tolerance_px, options}, seed);
   };
   RectifyingRotations rotations = by_model(Model::rotations);
-  // A known camera has no distortion left, and its rotations are wanted in full.
+  // A known camera is undistorted already, and its rotations are estimated without a simpler model.
   if (camera.known) return rotations;
   if (static_cast<int>(rotations.inliers.size()) >= options.least_for_distortion) {
     RectifyingRotations distorted = by_model(Model::distorted);

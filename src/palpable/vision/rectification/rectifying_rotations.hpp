@@ -12,7 +12,7 @@
 // matches.
 namespace palpable::vision {
 
-/// The intrinsics that both pictures are taken to share.
+/// The assumed common intrinsics of both pictures.
 struct SharedCamera {
   double focal_px = 0.0;
   double cx = 0.0;
@@ -22,7 +22,7 @@ struct SharedCamera {
   bool known = false;
 };
 
-/// An unknown camera: the picture's centre, and a focal length that is only where the search starts.
+/// An unknown camera: the principal point in the picture's centre, and an initial value for the focal length.
 SharedCamera unknown_camera(int width, int height);
 
 /// Maps both pictures to common rows.
@@ -36,33 +36,33 @@ struct RectifyingTransform {
   double cy = 0.0;
 };
 
-/// The place in the rectified picture; and the place of the picture that comes to lie at a rectified one.
+/// Maps a point to the rectified picture, and back.
 PicturePoint rectified_point(const RectifyingTransform& by, const Matrix3& homography, PicturePoint place);
 PicturePoint source_point(const RectifyingTransform& by, const Matrix3& inverse_homography,
                           PicturePoint place);
 
 struct RectifyingRotations {
   RectifyingTransform transform;
-  /// The matches that agree with it, as they were.
+  /// The inlier matches, in the original pictures.
   std::vector<FeatureMatch> inliers;
 };
 
-/// Rotates both cameras so that matches share rows (Fusiello & Irsara 2011: the left one about y and z, the
-/// right one about x, y and z, one focal length where it is unknown), the left one as little as possible. The
-/// rotations parametrise a fundamental matrix, estimated by random samples of matches and refined over all
-/// within `tolerance_px`. No solution: `inliers` is empty. Deterministic for a seed.
+/// Rotates both cameras so that matches share rows, the left camera as little as possible (Fusiello & Irsara
+/// 2011: the left one about y and z, the right one about x, y and z, and one focal length if it is unknown).
+/// The rotations parametrise a fundamental matrix, which is estimated by RANSAC and refined over all matches
+/// within `tolerance_px`. Without a solution `inliers` is empty. Deterministic for a seed.
 RectifyingRotations find_rectifying_rotations(const std::vector<FeatureMatch>& matches,
                                               const SharedCamera& camera, double tolerance_px,
                                               std::uint64_t seed, const RotationSearchOptions& options = {});
 
-/// The simplest model, and only roughly: the right picture shifted vertically and rotated in its plane, so
-/// that most matches come within a few pixels of common rows.
+/// A rough estimate with the simplest model: the right picture is shifted vertically and rotated in its
+/// plane, so that most matches are within a few pixels of common rows.
 RectifyingRotations find_rough_rotations(const std::vector<FeatureMatch>& matches, const SharedCamera& camera,
                                          double tolerance_px, std::uint64_t seed,
                                          const RotationSearchOptions& options = {});
 
-/// Those that share rows once rectified, within `tolerance_px`. Consecutive matches of one place of the left
-/// picture are alternatives: the one nearest to its row counts.
+/// The matches that share rows within `tolerance_px` after rectification. Consecutive matches of one left
+/// point are alternatives: the one nearest to its row counts.
 std::vector<FeatureMatch> inliers_of(const std::vector<FeatureMatch>& matches, const RectifyingTransform& by,
                                      double tolerance_px);
 
@@ -74,8 +74,8 @@ std::vector<FeatureMatch> best_alternatives(const std::vector<FeatureMatch>& mat
 std::vector<FeatureMatch> rectified_matches(const std::vector<FeatureMatch>& matches,
                                             const RectifyingTransform& by);
 
-/// RMS distance, in pixels, of the matches from where the best rotation of the right camera alone would put
-/// them: the rest is parallax. NaN without matches.
+/// RMS parallax in pixels: what the best rotation of the right camera alone does not explain. NaN without
+/// matches.
 double parallax_rms_px(const std::vector<FeatureMatch>& matches, const SharedCamera& camera);
 
 }  // namespace palpable::vision

@@ -9,7 +9,8 @@
 namespace palpable::vision {
 namespace {
 
-/// The match of a point, `raised` above its row in the right picture, of a camera turned in its plane.
+/// The match of a point in a pair whose right camera is rotated in its plane; in the right picture it is
+/// `raised_px` above its row.
 FeatureMatch seen_turned(double x, double y, double disparity_px, double raised_px) {
   constexpr double kTurn = 0.03;
   const double u = x - disparity_px - 319.5, v = y - raised_px - 239.5;
@@ -17,9 +18,9 @@ FeatureMatch seen_turned(double x, double y, double disparity_px, double raised_
           239.5 + std::sin(kTurn) * u + std::cos(kTurn) * v};
 }
 
-TEST(RectifyingRotations, TakeOfAlternativesTheOneThatFitsTheOthers) {
-  // A board of 12 x 10 squares whose rows rise by a pixel in 20: each corner looks like its neighbours too.
-  // What lies around it is distinct.
+TEST(RectifyingRotations, SelectTheAlternativeThatFitsTheOtherMatches) {
+  // A board of 12 x 10 squares whose rows rise by a pixel in 20: each corner also resembles its neighbours.
+  // The surroundings are distinct.
   constexpr double kSquare_px = 30.0, kRise = 0.05, kBoard_px = 60.0;
   std::vector<FeatureMatch> matches, truth;
   for (int i = 0; i < 40; ++i)

@@ -47,7 +47,7 @@ Matrix3 inverse(const Matrix3& m) {
   return out;
 }
 
-/// The picture as `homography` rectifies it, its rows moved by the vertical offsets where there are any.
+/// The picture rectified by `homography`, with rows moved by the vertical offsets if given.
 Image warped(const Image& image, const RectifyingTransform& by, const Matrix3& homography,
              const VerticalOffsets* offsets = nullptr) {
   const Matrix3 back = inverse(homography);
@@ -63,8 +63,7 @@ Image warped(const Image& image, const RectifyingTransform& by, const Matrix3& h
   return image_from(out, image);
 }
 
-/// The picture as a camera of matrix `seen_as`, rotated by `rotation`, without distortion, would have seen
-/// it.
+/// The picture of an ideal camera with the matrix `seen_as`, rotated by `rotation`, without distortion.
 Image undistorted(const Image& image, const LensCamera& camera, const cv::Matx33d& rotation,
                   const cv::Matx33d& seen_as) {
   cv::Mat map_x;
@@ -90,12 +89,12 @@ RectifiedPair unchanged(const StereoPair& pair, const std::vector<FeatureMatch>&
   return out;
 }
 
-/// How a pair is rectified: its cameras are rotated; or, where no rotation explains the matches, the right
-/// picture's rows are moved vertically.
+/// A way to rectify a pair: rotations of its cameras or, if no rotation explains the matches, vertical
+/// offsets of the right picture's rows.
 struct RectificationCandidate {
   RectifyingRotations rotations;
   std::optional<VerticalOffsets> offsets;
-  /// The greatest of the offsets.
+  /// The greatest offset.
   double greatest_px = 0.0;
 
   /// The inliers in the rectified pictures.
@@ -112,11 +111,11 @@ struct RectificationCandidate {
 struct RectificationEstimate {
   std::vector<FeatureMatch> matches;
   RectificationCandidate candidate;
-  /// Share of the corners tracked last that lay on common rows already.
+  /// Share of the corners tracked last that were on common rows already.
   double share = 0.0;
 };
 
-/// The rotations, unless vertical offsets explain far more: then the left picture stays as it is.
+/// The rotations, unless vertical offsets explain much more; then the left picture does not change.
 RectificationCandidate candidate_of(const std::vector<FeatureMatch>& matches, RectifyingRotations rotations,
                                     const Image& picture, const Options& options) {
   const double tolerance_px = feature_tolerance_px(picture.width, picture.height, options.features);
@@ -157,8 +156,8 @@ double share_on_rows(const std::vector<FeatureMatch>& matches, double tolerance_
          static_cast<double>(std::max<std::size_t>(1, best_alternatives(matches, none).size()));
 }
 
-/// Once features have made the pictures about rectified, corners are tracked between them: features alone are
-/// few, and none lie where a pattern repeats itself.
+/// After a first rectification by features, corners are tracked between the pictures, since features are few
+/// and absent in repeated patterns.
 Result<RectificationEstimate> estimate_from(const StereoPair& pair, const SharedCamera& camera,
                                             const std::vector<FeatureMatch>& features,
                                             RectifyingRotations first, const Options& options,
@@ -183,9 +182,9 @@ Result<RectificationEstimate> estimate_from(const StereoPair& pair, const Shared
   return out;
 }
 
-/// Where features are few, rotations that some of them agree on by chance mislead the tracking of corners.
-/// Where most corners are off their rows, it starts once more from a rough estimate, and the candidate with
-/// more inliers is taken.
+/// With few features, some may agree on wrong rotations by chance, which misleads the tracking of corners. If
+/// most corners are off their rows, estimation restarts from a rough estimate, and the candidate with more
+/// inliers is used.
 Result<RectificationEstimate> estimate(const StereoPair& pair, const SharedCamera& camera,
                                        const std::vector<FeatureMatch>& features, RectifyingRotations first,
                                        const Options& options, const Work& work) {
@@ -199,14 +198,14 @@ Result<RectificationEstimate> estimate(const StereoPair& pair, const SharedCamer
   return again->candidate.rotations.inliers.size() > out->candidate.rotations.inliers.size() ? again : out;
 }
 
-/// Rectifies the pair unless that leaves too great a residual; `out` is the pair as it came.
+/// Rectifies the pair unless the residual is too large; `out` initially holds the input pair.
 void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Options& options) {
   const RectificationCandidate& candidate = estimate.candidate;
   const double residual_px = candidate.residual_px();
   if (!(residual_px <= options.most_residual_px && residual_px <= out.residual_before_px)) {
     out.notes.push_back(
-        fmt::format("The pictures could not be rectified: matched points lie {:.1f} pixels (RMS) above or "
-                    "below each other, and {:.1f} at best.",
+        fmt::format("The pictures could not be rectified: matched points differ vertically by {:.1f} pixels "
+                    "(RMS), and by {:.1f} at best.",
                     out.residual_before_px, residual_px));
     return;
   }
@@ -217,8 +216,8 @@ void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Op
   out.changed = true;
   if (out.residual_before_px <= options.rectified_px) return;
   out.notes.push_back(
-      fmt::format("The pictures were rectified: matched points lay {:.1f} pixels (RMS) above or below each "
-                  "other, now {:.2f} over {} of {} points.",
+      fmt::format("The pictures were rectified: matched points differed vertically by {:.1f} pixels (RMS), "
+                  "now by {:.2f} over {} of {} points.",
                   out.residual_before_px, out.residual_px, out.features, estimate.matches.size()));
   if (candidate.offsets)
     out.notes.push_back(
@@ -228,7 +227,7 @@ void rectify(RectifiedPair& out, const RectificationEstimate& estimate, const Op
                     candidate.greatest_px));
 }
 
-/// What is left after a calibration's rectification, over the matches that agree on any rotation.
+/// Measures the residual after a calibrated rectification, over the matches that agree on any rotation.
 void measure_rectified(RectifiedPair& out, const Options& options) {
   const Image& picture = out.pair.left;
   const auto rotations = find_rectifying_rotations(
@@ -243,7 +242,7 @@ Result<void> check_side_by_side(const Vec3& translation_m) {
   if (std::abs(translation_m.y) > std::abs(translation_m.x))
     return invalid_input(
         "the calibration puts one camera above the other; turn the pictures and calibrate by 90 degrees");
-  // p_right = R p_left + T: a camera to the right sees everything moved to the left.
+  // p_right = R p_left + T: for a camera on the right, T.x is negative.
   if (translation_m.x >= 0.0)
     return invalid_input(
         "the calibration puts the second camera to the left of the first; exchange the pictures and the "
@@ -282,8 +281,8 @@ Result<RectifiedPair> rectify_calibrated(const StereoPair& pair, const LensPair&
     out.changed = true;
     if (out.residual_px > options.most_residual_px)
       out.notes.push_back(
-          fmt::format("After rectification matched points still lie {:.1f} pixels (RMS) above or below each "
-                      "other: the calibration does not belong to these pictures.",
+          fmt::format("After rectification matched points still differ vertically by {:.1f} pixels (RMS): "
+                      "the calibration does not belong to these pictures.",
                       out.residual_px));
     return out;
   } catch (const cv::Exception& e) {

@@ -12,14 +12,14 @@
 
 namespace palpable::vision {
 
-/// A pair whose matching points lie on common rows.
+/// A pair whose corresponding points lie on common rows.
 struct RectifiedPair {
   StereoPair pair;
   /// RMS of y_left - y_right of matched features, in pixels, before and after; NaN without features, and
   /// before a rectification of distorted pictures.
   double residual_before_px = 0.0;
   double residual_px = 0.0;
-  /// Matches that agree, features and tracked corners.
+  /// Number of inlier matches: features and tracked corners.
   int features = 0;
   /// False: the pair was rectified already and is returned as it came.
   bool changed = false;
@@ -27,30 +27,31 @@ struct RectifiedPair {
 };
 
 /// Undistorts and rectifies a calibrated pair (Bouguet's method); the result carries its rig. Errors:
-/// invalid_input for pictures of different sizes, and for cameras of which the right one is not mainly to the
-/// right of the left one; usage for options out of range.
+/// invalid_input for pictures of different sizes, and if the right camera is not mainly to the right of the
+/// left one; usage for options out of range.
 Result<RectifiedPair> rectify_calibrated(const StereoPair& pair, const LensPair& cameras,
                                          const StereoRectificationOptions& options = {});
 
-/// Rectifies a pair of unknown cameras: features are matched, corners tracked once these have made the pair
-/// about rectified, and both pictures are warped by rotations and a focal length (little distortion; Fusiello
-/// & Irsara 2011), the left one, which is the reference, as little as possible. Where no rotation explains
-/// the matches but a smooth vertical offset of the right picture's rows does (a rolling shutter), these are
-/// moved instead and the left picture stays. A pair that is rectified already is left alone. Too few features
-/// or too great a residual: the pair is returned unchanged, with a note. Errors: invalid_input for sizes that
-/// differ; usage for options out of range; interrupted.
+/// Rectifies a pair of unknown cameras. Features are matched; after a first rectification by them, corners
+/// are tracked. Both pictures are warped by rotations and a focal length (little distortion; Fusiello &
+/// Irsara 2011), the left one, which is the reference, as little as possible. If no rotation explains the
+/// matches but a smooth vertical offset of the right picture's rows does (a rolling shutter), these rows are
+/// moved and the left picture does not change. A pair that is rectified already is not changed. With too few
+/// features or too large a residual, the pair is returned unchanged with a note. Errors: invalid_input for
+/// sizes that differ; usage for options out of range; interrupted.
 Result<RectifiedPair> rectify_uncalibrated(const StereoPair& pair, const Work& work,
                                            const StereoRectificationOptions& options = {});
 
-/// One camera that took the left picture, then, moved sideways by `moved_m` metres and turned a little by
-/// accident, the right one. Both are undistorted and rotated as the matched features demand; the result
-/// carries a rig whose baseline is `moved_m`: depth in metres. Where a rotation alone explains the features,
-/// the camera hardly moved, and a note says so with the figure. Errors: as rectify_uncalibrated().
+/// Rectifies two pictures from one camera, which moved sideways by `moved_m` metres from the left picture to
+/// the right one and may have turned a little. Both are undistorted and rotated according to the matched
+/// features. The result's rig has the baseline `moved_m`, so depth is in metres. If a rotation alone explains
+/// the features, the camera hardly moved, which a note reports with the figure. Errors: as
+/// rectify_uncalibrated().
 Result<RectifiedPair> rectify_moved_camera(const StereoPair& pair, const LensCamera& camera, double moved_m,
                                            const Work& work, const StereoRectificationOptions& options = {});
 
-/// The pair as two cameras without distortion would have seen it; each keeps its matrix. Errors:
-/// invalid_input for sizes that differ.
+/// The pair without lens distortion; each camera keeps its matrix. Errors: invalid_input for sizes that
+/// differ.
 Result<StereoPair> undistorted(const StereoPair& pair, const LensCamera& left, const LensCamera& right);
 
 }  // namespace palpable::vision

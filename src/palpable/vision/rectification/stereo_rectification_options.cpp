@@ -11,9 +11,9 @@ std::vector<Parameter> parameters_of(FeatureMatchOptions& o) {
   return {{"longest_px", &o.longest_px, {200, 10000}, "px", "longest copy in which features are detected"},
           {"most_features", &o.most_features, {50, 100000}, "", "most features of a picture"},
           {"ratio", &o.ratio, {0.1, 1}, "", "Lowe's ratio"},
-          {"few_levels", &o.few_levels, {0, 1}, "", "share of the range below which it is stretched"},
+          {"few_levels", &o.few_levels, {0, 1}, "", "share of the range below which a picture is stretched"},
           {"most_gain", &o.most_gain, {1, 64}, "", "greatest stretch"},
-          {"tolerance_px", &o.tolerance_px, {0.1, 20}, "px", "how far off its row a match may lie"}};
+          {"tolerance_px", &o.tolerance_px, {0.1, 20}, "px", "greatest distance of a match from its row"}};
 }
 
 std::vector<Parameter> parameters_of(CornerTrackingOptions& o) {
@@ -86,7 +86,7 @@ std::vector<Parameter> parameters_of(VerticalOffsetOptions& o) {
 
 std::vector<Parameter> parameters_of(StereoRectificationOptions& o) {
   std::vector<Parameter> all{
-      {"rectified_px", &o.rectified_px, {0, 10}, "px", "residual of a pair that is left as it is"},
+      {"rectified_px", &o.rectified_px, {0, 10}, "px", "residual of a pair that counts as rectified"},
       {"rectified_matches_share", &o.rectified_matches_share, {0.1, 1}, "", "matches of such a pair"},
       {"most_residual_px", &o.most_residual_px, {0.1, 100}, "px", "greatest residual of a rectified pair"},
       {"least_matches", &o.least_matches, {8, 1000}, "", "least matches that agree"},

@@ -24,12 +24,12 @@ struct FeatureMatchOptions {
   /// contrast threshold is fixed. 0 … 1; 1 … 64.
   double few_levels = 0.4;
   double most_gain = 8.0;
-  /// How far off its row a match may lie, px of the copy. 0.1 … 20.
+  /// Greatest distance of a match from its row, px of the copy. 0.1 … 20.
   double tolerance_px = 1.5;
 };
 
-/// How corners are tracked from one roughly rectified picture to the other, to add matches where a pattern
-/// repeats itself.
+/// How corners are tracked from one roughly rectified picture to the other, to add matches in repeated
+/// patterns.
 struct CornerTrackingOptions {
   /// Corners are tracked in copies at most this long, px. 100 … 10000.
   int longest_px = 800;
@@ -51,23 +51,23 @@ struct CornerTrackingOptions {
   double margin_far_share = 0.25;
   double margin_near_share = 0.12;
   double margin_px = 4.0;
-  /// Repeated patterns: places of similar appearance on about the same row are tracked too. Half the template
-  /// and half the band of rows, px (2 … 50); most places (0 … 20); reach, share of the width (0 … 1); least
-  /// correlation, and least share of the best one (0 … 1).
+  /// Repeated patterns: points of similar appearance on about the same row are tracked too. Half the template
+  /// and half the band of rows, px (2 … 50); most alternatives (0 … 20); reach, share of the width (0 … 1);
+  /// least correlation, and least share of the best one (0 … 1).
   int template_half_px = 9;
   int band_half_px = 4;
   int most_alternatives = 4;
   double reach_share = 0.2;
   double least_correlation = 0.75;
   double least_of_best = 0.85;
-  /// A track counts where tracking back ends this close to its start, and it ends this close to its
-  /// prediction; alternatives lie this far apart. 0.01 … 100 px each.
+  /// A track counts if tracking back ends within round_trip_px of its start and it ends within most_drift_px
+  /// of its prediction; alternatives are at least apart_px apart. 0.01 … 100 px each.
   double round_trip_px = 0.3;
   double most_drift_px = 12.0;
   double apart_px = 8.0;
 };
 
-/// How the rotations are estimated that share scanlines (rectifying_rotations.hpp).
+/// Estimation of the rectifying rotations (rectifying_rotations.hpp).
 struct RotationSearchOptions {
   /// Random samples of matches, and how many of the best are refined. 10 … 100000; 1 … 100.
   int trials = 1000;
@@ -76,7 +76,7 @@ struct RotationSearchOptions {
   int scored_matches = 400;
   /// Samples whose rotations are greater are rejected, radians. 0.01 … 1.5.
   double most_rotation = 0.35;
-  /// Fewer matches that agree are no solution. 8 … 1000.
+  /// Least number of inliers of a solution. 8 … 1000.
   int least_matches = 8;
   /// Inlier tolerances of the refinement rounds, times the feature tolerance. Each 1 … 10.
   std::array<double, 4> round_tolerances{2.5, 1.5, 1.0, 1.0};
@@ -85,9 +85,8 @@ struct RotationSearchOptions {
   /// stronger for the left picture, which is the reference, and about the vertical axis, which moves objects
   /// out of the picture. Each 0.001 … 1e6.
   std::array<double, 7> prior_px{100.0, 30.0, 3.0, 30.0, 3.0, 3.0, 3.0};
-  /// A simpler model is taken where at least this share of the matches agrees with it (0 … 1) and its
-  /// residual is at most this much of the richer one's (1 … 10), or below this share of the tolerance (0 …
-  /// 1).
+  /// A simpler model is used if it has at least this share of the inliers (0 … 1), and its residual is at
+  /// most this multiple of the richer one's (1 … 10) or below this share of the tolerance (0 … 1).
   double simple_matches_share = 0.95;
   double simple_residual_ratio = 1.05;
   double simple_residual_share = 0.2;
@@ -110,9 +109,9 @@ struct VerticalOffsetOptions {
   double first_scale_px = 6.0;
   double last_scale_px = 0.5;
   double scale_factor = 0.8;
-  /// The surface is used where it holds this many times as many matches as the rotations, or as many with
-  /// this share of the residual where that is above the good one; and only for offsets above the least. 1 …
-  /// 10; 0 … 1; 0 … 10 px; 0 … 100 px.
+  /// The surface is used if it has more_matches times as many inliers as the rotations, or as many with
+  /// less_residual times their residual while that is above good_residual_px; and only for offsets above
+  /// least_offset_px. 1 … 10; 0 … 1; 0 … 10 px; 0 … 100 px.
   double more_matches = 1.08;
   double less_residual = 0.85;
   double good_residual_px = 0.3;
@@ -120,21 +119,21 @@ struct VerticalOffsetOptions {
 };
 
 struct StereoRectificationOptions {
-  /// A pair whose matches lie at most this far (RMS) off common rows is left as it is, if a rotation would
-  /// not make this share more of them agree. 0 … 10 px; 0.1 … 1.
+  /// A pair counts as rectified, and is not changed, if its matches are at most rectified_px (RMS) off common
+  /// rows and at least rectified_matches_share as many as a rotation's inliers. 0 … 10 px; 0.1 … 1.
   double rectified_px = 0.5;
   double rectified_matches_share = 0.9;
-  /// A pair is returned unchanged where more than this (RMS) is left, or fewer matches agree. 0.1 … 100 px;
-  /// 8 … 1000.
+  /// A pair is returned unchanged if the residual (RMS) would be larger, or there are fewer inliers. 0.1 …
+  /// 100 px; 8 … 1000.
   double most_residual_px = 2.0;
   int least_matches = 20;
   /// Rounds of corner tracking and estimation, ended early where rectified_matches_share of the corners lie
   /// on common rows. 1 … 10.
   int rounds = 2;
-  /// Where at most this share of the corners lies on common rows, estimation starts once more from a rough
-  /// estimate. 0 … 1.
+  /// If at most this share of the corners is on common rows, estimation restarts from a rough estimate. 0 …
+  /// 1.
   double restart_share = 0.6;
-  /// Less parallax (RMS) than this is reported: the camera hardly moved. 0 … 100 px.
+  /// If the parallax (RMS) is less than this, a note says that the camera hardly moved. 0 … 100 px.
   double least_parallax_px = 1.0;
   FeatureMatchOptions features;
   CornerTrackingOptions tracking;

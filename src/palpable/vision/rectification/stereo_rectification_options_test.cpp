@@ -25,7 +25,7 @@ void expect_described() {
   }
 }
 
-TEST(RectificationOptions, AreDescribedAndHoldTheirDefaults) {
+TEST(RectificationOptions, AreDescribedAndAcceptTheirDefaults) {
   expect_described<StereoRectificationOptions>();
   expect_described<PlaneRectificationOptions>();
   expect_described<PlaneLineOptions>();

@@ -12,7 +12,7 @@
 namespace palpable::vision {
 namespace {
 
-/// A pair whose right picture is turned about its centre, as by a tilted camera.
+/// A pair whose right picture is rotated about its centre, as by a tilted camera.
 StereoPair turned_pair(double degrees) {
   SyntheticScene scene;
   scene.width = 320;
@@ -45,7 +45,7 @@ StereoPair turned_pair(double degrees) {
   return pair;
 }
 
-TEST(StereoRectification, BringsARotatedPairToCommonRows) {
+TEST(StereoRectification, AlignsTheRowsOfARotatedPair) {
   for (const double degrees : {-5.0, 3.0}) {
     const auto rectified = rectify_uncalibrated(turned_pair(degrees), {});
     ASSERT_TRUE(rectified) << rectified.error().sentence();
@@ -59,7 +59,7 @@ TEST(StereoRectification, BringsARotatedPairToCommonRows) {
   }
 }
 
-TEST(StereoRectification, LeavesARectifiedPairAlone) {
+TEST(StereoRectification, DoesNotChangeARectifiedPair) {
   const StereoPair pair = turned_pair(0.0);
   const auto rectified = rectify_uncalibrated(pair, {});
   ASSERT_TRUE(rectified);
@@ -67,7 +67,7 @@ TEST(StereoRectification, LeavesARectifiedPairAlone) {
   EXPECT_TRUE(rectified->pair.right.samples == pair.right.samples);
 }
 
-TEST(StereoRectification, ReturnsAPairWithoutFeaturesBackWithANote) {
+TEST(StereoRectification, ReturnsAPairWithoutFeaturesUnchangedWithANote) {
   StereoPair pair = turned_pair(0.0);
   std::fill(pair.left.samples.begin(), pair.left.samples.end(), 0.5F);
   const auto rectified = rectify_uncalibrated(pair, {});

@@ -52,11 +52,11 @@ double in_full(float place, int factor) { return (static_cast<double>(place) + 0
 struct Rough {
   StereoMatch match;
   int factor = 1;
-  /// By so many of its pixels the right picture was moved to the right.
+  /// Number of its pixels by which the right picture was shifted to the right.
   double shift_px = 0.0;
 
-  /// Where the point of the pictures `times` smaller lies on its row in the right one, where both views
-  /// agree.
+  /// The column of a point's match in the right picture if both views agree; `times` is the ratio of the two
+  /// reduced sizes.
   std::optional<float> right_x(cv::Point2f p, int times) const {
     const double scale = static_cast<double>(times) / factor;
     const int x = static_cast<int>((static_cast<double>(p.x) + 0.5) * scale),
@@ -67,8 +67,8 @@ struct Rough {
   }
 };
 
-/// Searched well beyond the known matches, the outermost few of which may be wrong: nearer objects may have
-/// none.
+/// The range extends well beyond the known matches, since the outermost may be wrong and near objects may
+/// have none.
 Result<Rough> rough_disparity(const StereoPair& pair, const std::vector<FeatureMatch>& known,
                               const CornerTrackingOptions& options, const Work& work) {
   Rough out;
@@ -96,8 +96,8 @@ Result<Rough> rough_disparity(const StereoPair& pair, const std::vector<FeatureM
   return out;
 }
 
-/// Other places of similar appearance on about the same row of the right picture, as in a pattern that
-/// repeats itself: best first.
+/// Other points of similar appearance on about the same row of the right picture, as in repeated patterns;
+/// best first.
 std::vector<cv::Point2f> alternatives_of(const cv::Mat& left, const cv::Mat& right, cv::Point2f here,
                                          cv::Point2f about, const CornerTrackingOptions& options) {
   const int half_px = options.template_half_px, rows_px = options.band_half_px;

@@ -10,11 +10,11 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// Corners of the left picture tracked into the right one of a pair that is rectified but for some pixels: a
-/// dense disparity predicts where they are, which resolves repeated patterns by their surroundings, as single
-/// features cannot; then Lucas & Kanade's tracker finds the place in both directions, and only round trips
-/// that return count. `known` are matches that agree: they bound the disparities. Pixels of the pictures
-/// given. Errors: interrupted.
+/// Tracks corners from the left picture to the right one of a pair that is rectified up to some pixels. A
+/// dense disparity map predicts their positions; unlike single features, it resolves repeated patterns by
+/// their surroundings. Then Lucas & Kanade's tracker runs in both directions, and only consistent round trips
+/// count. `known` are inlier matches, which bound the disparities. Coordinates are in pixels of the given
+/// pictures. Errors: interrupted.
 Result<std::vector<FeatureMatch>> tracked_matches(const StereoPair& nearly_rectified,
                                                   const std::vector<FeatureMatch>& known, const Work& work,
                                                   const CornerTrackingOptions& options = {});

@@ -31,11 +31,11 @@ TEST(TrackedMatches, AddCornersWithTheSurfacesDisparity) {
                  : 0U;
   }
   EXPECT_GT(right, 100U);
-  // Alternatives of a corner stand beside it; few are taken.
+  // Alternatives of a corner follow it in the list; only few are added.
   EXPECT_GT(static_cast<double>(right), 0.8 * static_cast<double>(matches->size()));
 }
 
-TEST(TrackedMatches, AreNoneWithoutAKnownMatch) {
+TEST(TrackedMatches, AreEmptyWithoutAKnownMatch) {
   const auto matches = tracked_matches(render({}), {}, {});
   ASSERT_TRUE(matches);
   EXPECT_TRUE(matches->empty());

@@ -11,8 +11,8 @@
 namespace palpable::vision {
 namespace {
 
-/// The four control values at a place on an axis, and their weights: a uniform cubic B-spline over [0, 1]
-/// with `count` control values.
+/// The first of the four control values at a coordinate, and their weights, for a uniform cubic B-spline over
+/// [0, 1] with `count` control values.
 struct Basis {
   int first = 0;
   std::array<double, 4> weights{};
@@ -70,7 +70,7 @@ std::optional<VerticalOffsets> VerticalOffsets::through(const std::vector<Featur
   for (const FeatureMatch& m : matches) offsets.push_back(m.right_y - m.left_y);
   const double middle = median(offsets);
   for (double& v : offsets) v = std::abs(v - middle);
-  // A B-spline's weights add up to 1: equal control values are a level surface.
+  // A B-spline's weights sum to 1, so equal control values give a constant surface.
   rows.control_.assign(static_cast<std::size_t>(controls), middle);
   for (double scale_px = std::max(options.first_scale_px, 3.0 * median(offsets));
        scale_px > options.last_scale_px; scale_px *= options.scale_factor) {

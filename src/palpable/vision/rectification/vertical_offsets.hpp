@@ -10,18 +10,19 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// The vertical offset of the right picture's rows from the left one's, varying smoothly over the picture, as
-/// a rolling shutter, a loose scan or a tape makes it: what no rotation of the cameras explains.
+/// A smoothly varying vertical offset between the rows of both pictures that no rotation of the cameras
+/// explains, as from a rolling shutter, a loose scan or a video tape.
 class VerticalOffsets {
  public:
-  /// A smooth surface through the matches' offsets: a uniform cubic B-spline, fitted with robust weights that
-  /// narrow from round to round. nullopt for too few matches.
+  /// Fits a smooth surface to the matches' offsets: a uniform cubic B-spline, by iteratively reweighted least
+  /// squares with a decreasing scale. nullopt for too few matches.
   static std::optional<VerticalOffsets> through(const std::vector<FeatureMatch>& matches, int width,
                                                 int height, const VerticalOffsetOptions& options = {});
 
-  /// What lies on row y of the left picture, at column x of the right one, lies so many rows lower there.
+  /// The offset at row y of the left picture and column x of the right one: how many rows lower the right
+  /// picture shows the point.
   double offset_px(double x, double y) const;
-  /// The match with its right place moved by the surface, to the left picture's row.
+  /// The match with its right point corrected by the offset.
   FeatureMatch corrected(const FeatureMatch& match) const;
 
  private:
@@ -33,15 +34,15 @@ class VerticalOffsets {
   std::vector<double> control_;
 };
 
-/// How well such surfaces explain matches that they were not fitted to (two-fold cross-validation): a surface
-/// of so many numbers could fit anything.
+/// The two-fold cross-validation of such surfaces, since their many parameters could overfit.
 struct VerticalOffsetScore {
-  /// Matches within the tolerance once corrected, and RMS of what is left over them.
+  /// Matches within the tolerance after correction, and their RMS residual.
   std::size_t inliers = 0;
   double residual_px = 0.0;
   /// The greatest offset at any of them, from their median.
   double greatest_px = 0.0;
-  /// Better than another model with so many inliers and such a residual by enough to justify its parameters.
+  /// Whether it is better than another model with these inliers and this residual by enough to justify its
+  /// parameters.
   bool is_better_than(std::size_t other_inliers, double other_px, const VerticalOffsetOptions& options) const;
 };
 VerticalOffsetScore cross_validate_offsets(const std::vector<FeatureMatch>& matches, int width, int height,

@@ -12,10 +12,10 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 480;
 
-/// A wave over the rows, as a rolling shutter on a moving hand makes it.
+/// A wave over the rows, as from a rolling shutter in a moving hand.
 double offset_of(double y) { return 2.0 + 3.0 * std::sin(y / 60.0); }
 
-/// Matches with that offset and noise; one in `wrong_each` lies anywhere.
+/// Matches with that offset and noise; one in `wrong_each` is an outlier.
 std::vector<FeatureMatch> rolling_matches(int wrong_each) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> x(0, kWidth), y(0, kHeight), anywhere(-40.0, 40.0);
@@ -29,7 +29,7 @@ std::vector<FeatureMatch> rolling_matches(int wrong_each) {
   return matches;
 }
 
-TEST(VerticalOffsets, FollowAWaveOverTheRowsInSpiteOfWrongMatches) {
+TEST(VerticalOffsets, FollowAWaveOverTheRowsDespiteOutliers) {
   const auto offsets = VerticalOffsets::through(rolling_matches(6), kWidth, kHeight);
   ASSERT_TRUE(offsets);
   double squares = 0.0;

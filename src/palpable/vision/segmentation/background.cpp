@@ -22,7 +22,7 @@ struct Split {
   double range_px = 0.0;
 };
 
-/// Otsu's threshold: between the two classes of disparities whose means differ most for their shares.
+/// Otsu's threshold: maximises the variance between two classes of disparities.
 Split otsu(const Raster<float>& disparity_px) {
   constexpr int kBins = 256;
   std::vector<float> known;
@@ -67,8 +67,8 @@ Raster<std::int32_t> depth_inside(const Raster<std::uint8_t>& marked) {
   return out;
 }
 
-/// The medial axes of the marked pixels: the distance to the nearest unmarked one is greatest along the row
-/// or along the column.
+/// Whether a pixel is on the medial axis: its distance to the nearest unmarked pixel is a maximum along the
+/// row or the column.
 bool is_seed(const Raster<std::int32_t>& depth, int x, int y) {
   const int here = depth(x, y);
   if (here < 2) return false;
@@ -96,8 +96,8 @@ Counts counts_of(const Regions& regions, const Raster<float>& disparity_px,
   return out;
 }
 
-/// How many of the largest candidates are background: the fewest that hold a greater share of the candidates'
-/// area than the share of all regions that is left over.
+/// How many of the largest candidates are background: the smallest number whose share of the candidates' area
+/// exceeds the share of regions that remain.
 std::size_t number_to_remove(const std::vector<double>& sizes_descending, int regions) {
   const double total = std::accumulate(sizes_descending.begin(), sizes_descending.end(), 0.0);
   double sum = 0.0;
@@ -126,7 +126,7 @@ std::vector<std::uint8_t> removed_regions(const Regions& regions, const Counts& 
   return removed;
 }
 
-/// The paper's way, over known disparities.
+/// The paper's method, over known disparities.
 std::optional<Background> background_regions(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                              const Work& work, const BackgroundMaskOptions& options) {
   const Split split = otsu(disparity_px);
@@ -140,8 +140,8 @@ std::optional<Background> background_regions(const Raster<Rgb8>& left, const Ras
   const Regions regions = merge_regions(left, options.region_complexity);
   if (work.cancelled()) return std::nullopt;
   const auto removed = removed_regions(regions, counts_of(regions, disparity_px, marked), options);
-  // A region has one colour and may be several surfaces: what clearly moves in a removed one is no
-  // background, and what hardly moves in a kept one is.
+  // A region of one colour may contain several surfaces, so pixels that are clearly near in a removed region
+  // are kept, and clearly far ones in a kept region are removed.
   const double clearly_px = split.threshold_px + options.clear_share * split.range_px;
   out.mask = Raster<std::uint8_t>(left.width(), left.height());
   for (std::size_t i = 0; i < out.mask.count(); ++i) {
@@ -153,7 +153,7 @@ std::optional<Background> background_regions(const Raster<Rgb8>& left, const Ras
   return out;
 }
 
-/// A plane that holds enough of the known disparities and has next to nothing behind it.
+/// A plane that contains enough of the known disparities and has almost nothing behind it.
 std::optional<Background> background_plane(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                            const Work& work, const BackgroundMaskOptions& options) {
   const auto plane = find_back_plane(disparity_px, work, options.plane);
@@ -189,7 +189,11 @@ std::vector<Parameter> parameters_of(BackgroundMaskOptions& o) {
       {"region_complexity", &o.region_complexity, {1, 1024}, "", "complexity of the colour regions"},
       {"least_range_px", &o.least_range_px, {0, 100}, "px", "least range of disparities"},
       {"object_share", &o.object_share, {0, 1}, "", "share of near pixels in an object's region"},
-      {"clear_share", &o.clear_share, {0, 1}, "", "how far beyond the threshold a pixel is an object"},
+      {"clear_share",
+       &o.clear_share,
+       {0, 1},
+       "",
+       "distance from the threshold from which a pixel is an object"},
       {"least_share", &o.least_share, {0, 0.5}, "", "least share of the picture that is background"}};
   append_parameters(all, "plane", parameters_of(o.plane));
   append_parameters(all, "mask", parameters_of(o.mask));

@@ -14,22 +14,22 @@
 namespace palpable::vision {
 
 struct BackgroundMaskOptions {
-  /// An object on the ground is nearer than it by this much, pixels of disparity, and by so many standard
-  /// deviations of the ground. 0 … 20 px; 0 … 20.
+  /// An object is nearer than the ground by at least this disparity, and by at least this many of the
+  /// ground's standard deviations. 0 … 20 px; 0 … 20.
   double least_height_px = 0.5;
   double height_sigmas = 3.0;
   /// Pixels of one surface differ by at most this much from their neighbours. 0.05 … 20 px.
   double step_px = 1.0;
   /// Regions of an object smaller than this share of the picture are noise. 0 … 0.1.
   double least_object_share = 0.0005;
-  /// A plane is the background where this share of the known pixels lies on it, and at most this share behind
+  /// A plane is the background if this share of the known pixels lies on it, and at most this share behind
   /// it. 0 … 1 each.
   double least_plane_share = 0.3;
   double most_behind_share = 0.02;
   /// The fit of that plane, which may lie in any direction, and which pixels are on it.
   GroundPlaneOptions plane;
   GroundMaskOptions mask;
-  /// Where no plane is the background: complexity of the colour regions (merge_regions, 1 … 1024); the least
+  /// If no plane is the background: complexity of the colour regions (merge_regions, 1 … 1024); the least
   /// range of disparities (0 … 100 px); share of a region nearer than the threshold that makes it an object
   /// (0 … 1); and, in a region that is background, share of the range beyond the threshold from which a pixel
   /// is not (0 … 1).
@@ -37,12 +37,12 @@ struct BackgroundMaskOptions {
   double least_range_px = 2.0;
   double object_share = 0.5;
   double clear_share = 0.1;
-  /// Less than this share of the picture is no background, nor is all but this share. 0 … 0.5.
+  /// The background covers at least this share of the picture, and leaves at least this share. 0 … 0.5.
   double least_share = 0.01;
 };
 std::vector<Parameter> parameters_of(BackgroundMaskOptions& options);
 
-/// What is behind the objects of a picture (Park & Howard 2012, 4.2, is the last of three ways).
+/// The background of a picture's objects (Park & Howard 2012, 4.2, is the last of three methods).
 struct Background {
   /// How it was found: as a plane with nothing behind it, or by a threshold of disparity and colour regions.
   enum class By { plane, regions };
@@ -50,29 +50,27 @@ struct Background {
   /// 255 where the background is seen, 0 elsewhere; as large as the picture.
   Raster<std::uint8_t> mask;
   double share = 0.0;
-  /// By regions: pixels that move less than this between the pictures are no seeds of an object.
+  /// For By::regions: pixels of smaller disparity are no seeds of an object.
   double threshold_px = 0.0;
 };
 
-/// Objects on the ground: connected surfaces in front of the ground's plane that the ground surrounds, on
-/// both sides along the row or along the column, so that they hide it. A wall at the ground's end hides none.
-/// 255 / 0; as large as the picture.
+/// Objects on the ground, 255 / 0, as large as the picture: connected surfaces in front of the ground's plane
+/// with ground on both sides along the row or the column. So a wall at the ground's end is none.
 Raster<std::uint8_t> objects_on_ground(const Ground& ground, const Raster<float>& disparity_px,
                                        const BackgroundMaskOptions& options = {});
 
-/// Finds the background. The ground, where there is one, is none of it, and neither is any object on it. Of
-/// the rest it is the best supported plane of any direction that has nothing behind it (a wall, or a table
-/// seen from straight above): whatever is in front of it is an object, however low. Where no plane holds
-/// enough, the paper's way: pixels that move more than a threshold (Otsu) are thinned to their medial axes;
-/// regions of like colour that hold such seeds are objects; of the others the largest are background, their
-/// number following from how many regions there are and how much of the picture they take; the rest is
-/// decided by its own disparity. nullopt where there is no background: nothing is behind the objects, or near
-/// and far are not separate. `left` and `disparity_px` have the same size; polls work.cancel (nullopt then).
+/// Finds the background, which excludes the ground and the objects on it. It is the best supported plane of
+/// any orientation with nothing behind it (a wall, or a table seen from directly above); everything in front
+/// of it is an object. If no plane has enough support, the paper's method is used. Pixels with a disparity
+/// above Otsu's threshold are thinned to their medial axes. Colour regions with such seeds are objects. Of
+/// the others the largest are background; their number follows from the number and the sizes of the regions.
+/// The rest is decided by its own disparity. nullopt if nothing is behind the objects, or near and far cannot
+/// be separated. `left` and `disparity_px` have the same size; polls work.cancel (nullopt then).
 std::optional<Background> find_background(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                           const Ground* ground, const Work& work,
                                           const BackgroundMaskOptions& options = {});
 
-/// The map with what is marked (not 0) in `lower` at the level of the farthest object that is left.
+/// The map with the marked pixels (not 0) of `lower` at the level of the farthest remaining object.
 DisparityMap lowered(const DisparityMap& disparity, const Raster<std::uint8_t>& lower);
 
 }  // namespace palpable::vision

@@ -96,7 +96,7 @@ Scene objects_on_table(std::uint32_t seed, View view) {
   return scene;
 }
 
-/// Of the background's pixels those that were found, and of the objects' those that were taken for it.
+/// The share of background pixels that were found, and of object pixels that were marked by mistake.
 Shares background_shares(const Raster<std::uint8_t>& mask, Raster<Seen> seen) {
   for (Seen& s : seen.values()) s = s == Seen::nothing ? Seen::ground : s == Seen::ground ? Seen::nothing : s;
   return shares_of(mask, seen);
@@ -113,7 +113,7 @@ TEST(FindBackground, SeparatesObjectsFromTheWallBehindThem) {
   }
 }
 
-TEST(FindBackground, GivesUnknownPixelsToTheRegionTheyLieIn) {
+TEST(FindBackground, AssignsUnknownPixelsToTheirRegion) {
   Scene scene = cups(8.0);
   for (int y = 100; y < 110; ++y)
     for (int x = 0; x < 240; ++x) scene.disparity_px(x, y) = std::numeric_limits<float>::quiet_NaN();
@@ -124,14 +124,14 @@ TEST(FindBackground, GivesUnknownPixelsToTheRegionTheyLieIn) {
   EXPECT_LT(shares.object_lost, 0.02);
 }
 
-TEST(FindBackground, FindsNoneWhereNothingStandsOut) {
+TEST(FindBackground, FindsNoneIfNothingIsNearer) {
   Scene scene = cups(0.0);
   EXPECT_FALSE(find_background(scene.picture, scene.disparity_px, nullptr, Work{}));
   for (float& d : scene.disparity_px.values()) d = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(find_background(scene.picture, scene.disparity_px, nullptr, Work{}));
 }
 
-TEST(FindBackground, KeepsObjectsOfEveryHeightThatStandOnTheGroundBeforeAWall) {
+TEST(FindBackground, KeepsObjectsOfEveryHeightOnTheGroundBeforeAWall) {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     const Scene scene = objects_on_table(seed, View::table_before_wall);
     const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
@@ -144,7 +144,7 @@ TEST(FindBackground, KeepsObjectsOfEveryHeightThatStandOnTheGroundBeforeAWall) {
   }
 }
 
-TEST(FindBackground, FindsNoneWhereEverythingStandsOnTheGround) {
+TEST(FindBackground, FindsNoneIfEverythingIsOnTheGround) {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     const Scene scene = objects_on_table(seed, View::table_only);
     const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
@@ -154,7 +154,7 @@ TEST(FindBackground, FindsNoneWhereEverythingStandsOnTheGround) {
   }
 }
 
-TEST(FindBackground, TakesATableSeenFromAboveAndLeavesItsLowestObjects) {
+TEST(FindBackground, FindsATableSeenFromAboveAndKeepsItsLowestObjects) {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     const Scene scene = objects_on_table(seed, View::from_above);
     const auto background = find_background(scene.picture, scene.disparity_px, nullptr, Work{});

@@ -75,7 +75,8 @@ void join_alike(const Raster<Rgb8>& colour, int same_levels, Pieces& pieces) {
   }
 }
 
-/// Once over the picture: each pixel of a small piece joins its piece to the neighbour of nearest colour.
+/// One pass over the picture: each pixel of a small segment joins it to the neighbour of the most similar
+/// colour.
 void join_small(const Raster<Rgb8>& colour, int least_pixels, Pieces& pieces) {
   const auto width = static_cast<std::size_t>(colour.width());
   for (int y = 0; y < colour.height(); ++y) {

@@ -9,9 +9,9 @@
 
 namespace palpable::vision {
 
-/// A picture cut into connected pieces of one colour.
+/// A picture divided into connected segments of one colour.
 struct ColourSegments {
-  /// The piece of each pixel, 0 … count - 1.
+  /// The segment of each pixel, 0 … count - 1.
   Raster<int> of_pixel;
   int count = 0;
 };
@@ -23,12 +23,12 @@ struct SegmentOptions {
   /// Neighbours whose shifted colours differ by less than this, in the channel that differs most, belong
   /// together.
   int same_levels = 2;
-  /// Smaller pieces join the neighbour whose colour is nearest.
+  /// Smaller segments join the neighbour of the most similar colour.
   int least_pixels = 12;
 };
 
-/// Mean shift in position and colour (Comaniciu & Meer 2002), then connected components. Errors: failed,
-/// where the picture is too large for the filter's memory.
+/// Mean shift in position and colour (Comaniciu & Meer 2002), then connected components. Errors: failed, if
+/// the picture is too large for the filter's memory.
 Result<ColourSegments> segment_by_colour(const Raster<Rgb8>& picture, const SegmentOptions& options);
 
 }  // namespace palpable::vision

@@ -4,7 +4,7 @@
 
 namespace palpable::vision {
 
-/// A plane of the world as a stereo camera sees it: disparity = a x + b y + c, pixels.
+/// The image of a plane in disparity space: disparity = a x + b y + c, pixels.
 struct DisparityPlane {
   double a = 0.0;
   double b = 0.0;

@@ -17,7 +17,7 @@
 namespace palpable::vision {
 namespace {
 
-/// What the other picture shows at each of its columns: the nearest disparity that lands there.
+/// The disparity map of the other view: at each of its columns the largest disparity that maps there.
 Raster<float> nearest_there(const Raster<float>& disparity_px) {
   Raster<float> out(disparity_px.width(), disparity_px.height(), -std::numeric_limits<float>::infinity());
   for (int y = 0; y < out.height(); ++y) {
@@ -31,7 +31,7 @@ Raster<float> nearest_there(const Raster<float>& disparity_px) {
   return out;
 }
 
-/// Whether the other camera does not see this pixel, if it lies at this disparity.
+/// Whether this pixel is occluded in the other view if it has this disparity.
 bool hidden(const Raster<float>& nearest, int x, int y, double disparity, double by_px) {
   const auto there = static_cast<int>(std::lround(x - disparity));
   return there < 0 || (there < nearest.width() && nearest(there, y) > disparity + by_px);
@@ -61,10 +61,10 @@ cv::Mat shrunk_by(const cv::Mat& mask, const cv::Mat& square) {
   return out;
 }
 
-/// Matching windows carry the disparity of one side over to the other; so beside the ground's border the
-/// picture decides, except for parts that are thinner than the strip. So it does where disparity is a guess:
-/// where the other camera sees neither the measured point nor the ground in its place, no farther away than
-/// the ground is seen elsewhere.
+/// Matching windows extend one side's disparity to the other (edge fattening), so in a strip along the
+/// ground's border colour decides, except for parts thinner than the strip. Colour also decides where
+/// disparity is a guess: where the other camera sees neither the measured point nor the ground in its place,
+/// and the ground is no farther away than elsewhere.
 Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& disparity_px,
                          const DisparityPlane& plane, const GroundMaskOptions& options) {
   const int border_px = options.border_px;
@@ -97,7 +97,7 @@ Raster<Side> sides_known(const Raster<std::uint8_t>& mask, const Raster<float>& 
   return side;
 }
 
-/// The mask with its borders where the picture has them.
+/// The mask with its borders aligned to those of the picture.
 Raster<std::uint8_t> along_edges(const Raster<Rgb8>& left, const Raster<std::uint8_t>& mask,
                                  const Raster<float>& disparity_px, const DisparityPlane& plane,
                                  const GroundOptions& options, const Work& work) {

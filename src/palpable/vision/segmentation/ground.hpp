@@ -18,7 +18,7 @@ namespace palpable::vision {
 /// The plane that objects stand on (Park & Howard 2012, 4.1).
 struct Ground {
   DisparityPlane plane;
-  /// 255 where the ground is seen, 0 elsewhere; as large as the picture.
+  /// 255 on visible ground, 0 elsewhere; as large as the picture.
   Raster<std::uint8_t> mask;
   /// Share of the picture, 0 … 1.
   double share = 0.0;
@@ -26,15 +26,15 @@ struct Ground {
   double rms_px = 0.0;
 };
 
-/// How disparity was obtained. Matching carries it over edges and guesses what one camera does not see; a
-/// depth sensor or renderer does neither.
+/// How disparity was obtained. Matching extends it over edges and guesses it in occlusions; a depth sensor or
+/// renderer does neither.
 enum class DisparityOrigin { matched, measured };
 
-/// Finds the ground: a robust plane fit in disparity among planes that rise towards the bottom of the
-/// picture, then the picture's regions (merge_regions) decide which pixels belong to it, and at its borders
-/// their colours where disparity was matched. nullopt where no such plane holds enough of the picture. `left`
-/// and `disparity_px` have the same size, and the options are in their ranges. Deterministic for a seed;
-/// polls work.cancel (gives nullopt then).
+/// Finds the ground: a robust fit of a disparity plane that rises towards the bottom of the picture. Then
+/// colour regions (merge_regions) decide which pixels belong to it, and colour decides at its borders if
+/// disparity was matched. nullopt if no such plane covers enough of the picture. `left` and `disparity_px`
+/// have the same size, and the options are in their ranges. Deterministic for a seed; polls work.cancel
+/// (gives nullopt then).
 std::optional<Ground> find_ground(const Raster<Rgb8>& left, const Raster<float>& disparity_px,
                                   const Work& work, DisparityOrigin origin = DisparityOrigin::matched,
                                   const GroundOptions& options = {});
@@ -45,10 +45,11 @@ Vector<CameraFrame> normal_of(const DisparityPlane& plane, const StereoRig& rig)
 /// How the ground of a disparity map is treated.
 enum class GroundTreatment {
   keep,
-  /// The ground becomes the level base plate: disparities are measured from its plane, the ground's own are
-  /// 0.
+  /// The ground becomes the flat base plate: disparities are measured from its plane, and those of the ground
+  /// are 0.
   flatten,
-  /// The ground and what seems to lie under it are lowered to the level of the farthest object that is left.
+  /// The ground and everything that seems to be under it are lowered to the level of the farthest remaining
+  /// object.
   remove
 };
 

@@ -41,12 +41,13 @@ std::vector<Parameter> parameters_of(GroundMaskOptions& o) {
 }
 
 std::vector<Parameter> parameters_of(ColourDecisionOptions& o) {
-  return {{"reach_px", &o.reach_px, {1, 200}, "px", "reach of the comparison"},
-          {"step_px", &o.step_px, {1, 16}, "px", "step of the comparison"},
-          {"least_pixels", &o.least_pixels, {1, 10000}, "", "least decided pixels"},
-          {"colour_scale", &o.colour_scale, {1e-3, 255}, "levels", "scale of colour differences"},
-          {"prior_ratio", &o.prior_ratio, {1, 1000}, "", "how much likelier the other side must be"},
-          {"least_density", &o.least_density, {1e-6, 1}, "", "likeness of a colour that a side has not"}};
+  return {
+      {"reach_px", &o.reach_px, {1, 200}, "px", "reach of the comparison"},
+      {"step_px", &o.step_px, {1, 16}, "px", "step of the comparison"},
+      {"least_pixels", &o.least_pixels, {1, 10000}, "", "least decided pixels"},
+      {"colour_scale", &o.colour_scale, {1e-3, 255}, "levels", "scale of colour differences"},
+      {"prior_ratio", &o.prior_ratio, {1, 1000}, "", "least likelihood ratio of the other side"},
+      {"least_density", &o.least_density, {1e-6, 1}, "", "likelihood of a colour that a side does not have"}};
 }
 
 std::vector<Parameter> parameters_of(GroundOptions& o) {

@@ -12,7 +12,8 @@ namespace palpable::vision {
 
 /// The robust fit of the plane.
 struct GroundPlaneOptions {
-  /// Known pixels of a regular grid: about so many are used to find planes, and to refine them. 100 … 1e6.
+  /// Approximate number of known pixels, on a regular grid, for finding planes and for refining them. 100 …
+  /// 1e6.
   double searched_samples = 6000.0;
   double fitted_samples = 60000.0;
   /// Random triples of samples; the second and third lie within this share of the picture's longer side of
@@ -28,7 +29,7 @@ struct GroundPlaneOptions {
   double least_rise_px = 2.0;
   double least_rise_share = 0.12;
   double most_roll = 0.6;
-  /// A pixel that lies under a plane counts against it by this much of an inlier. 0 … 10.
+  /// A pixel under a plane counts as minus this many inliers. 0 … 10.
   double under_penalty = 0.5;
   /// Tukey's biweight: iterations, its constant, limits of the standard deviation, and the farthest pixel
   /// that the deviation is estimated from. 1 … 100; 1 … 20; > 0 … 10 px each.
@@ -37,8 +38,8 @@ struct GroundPlaneOptions {
   double least_sigma_px = 0.02;
   double most_sigma_px = 0.35;
   double near_px = 1.5;
-  /// A ground holds this share of the known pixels, and its pixels rise by this much and by so many standard
-  /// deviations: noise tilts level planes and walls. 0 … 1; 0 … 100 px; 0 … 100.
+  /// A ground contains at least this share of the known pixels, and its disparity rises by at least this much
+  /// and this many standard deviations, since noise tilts level planes and walls. 0 … 1; 0 … 100 px; 0 … 100.
   double least_share = 0.05;
   double least_held_rise_px = 1.0;
   double least_held_rise_sigmas = 6.0;
@@ -48,25 +49,25 @@ std::vector<Parameter> parameters_of(GroundPlaneOptions& options);
 
 /// Pixels near a border between two surfaces, decided by colour (side_by_colour.hpp).
 struct ColourDecisionOptions {
-  /// Decided pixels that are compared: within the reach to each side, every n-th; fewer than the least decide
-  /// nothing. 1 … 200 px; 1 … 16 px; 1 … 10000.
+  /// Decided pixels that are compared: within the reach to each side, every n-th; with fewer than the least
+  /// nothing is decided. 1 … 200 px; 1 … 16 px; 1 … 10000.
   int reach_px = 24;
   int step_px = 2;
   int least_pixels = 24;
-  /// A difference of so many levels of 255 has 1/e of the likeness. > 0 … 255.
+  /// Colour difference at which the likelihood falls to 1/e; levels of 255. > 0 … 255.
   float colour_scale = 8.0F;
-  /// How many times likelier the other side must be to change a pixel's assumed side. 1 … 1000.
+  /// Least likelihood ratio that changes a pixel's assumed side. 1 … 1000.
   float prior_ratio = 5.0F;
-  /// Likeness of a colour that a side does not have. > 0 … 1.
+  /// Likelihood of a colour that a side does not have. > 0 … 1.
   float least_density = 0.01F;
 };
 std::vector<Parameter> parameters_of(ColourDecisionOptions& options);
 
-/// Which pixels belong to a plane that was found.
+/// Assignment of pixels to a fitted plane.
 struct GroundMaskOptions {
   /// Complexity of the colour regions (merge_regions). 1 … 1024.
   double region_complexity = 32.0;
-  /// Tolerance: so many standard deviations, and at least this much. 0.1 … 20; 0 … 10 px.
+  /// Tolerance in standard deviations, and its least value. 0.1 … 20; 0 … 10 px.
   double sigmas = 2.0;
   double least_tolerance_px = 0.12;
   /// A neighbourhood (pixels to each side) is measured over pixels this many tolerances, and at least this
@@ -77,15 +78,15 @@ struct GroundMaskOptions {
   /// A surface that rises from the plane by more than this share of the plane's own slope per row is an
   /// object's foot. 0 … 2.
   double most_rise_share = 0.5;
-  /// A region of which this share lies on the plane takes in pixels that are at most so far off. 0 … 1;
-  /// 0 … 20 px.
+  /// A region of which at least mostly_share lies on the plane includes its pixels up to far_px off the
+  /// plane. 0 … 1; 0 … 20 px.
   double mostly_share = 0.8;
   double far_px = 1.0;
   /// Half the window of the majority filter. 0 … 20 px.
   int majority_px = 2;
   /// Width of the strip at borders in which colour decides, for disparity that was matched. 1 … 100 px.
   int border_px = 8;
-  /// A pixel is hidden from the other camera where it sees something nearer by this much. 0 … 20 px.
+  /// A pixel is occluded if the other camera sees a surface nearer by this much. 0 … 20 px.
   double hidden_px = 1.0;
   /// The ground's far end, without this share of its pixels. 0 … 0.5.
   double far_end_share = 0.01;

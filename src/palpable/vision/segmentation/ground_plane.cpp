@@ -36,15 +36,15 @@ std::optional<DisparityPlane> plane_through(const Sample& p, const Sample& q, co
   return DisparityPlane{a, b, p.d - a * p.x - b * p.y};
 }
 
-/// The map that a ground must fit into.
+/// Size and disparity range of the map.
 struct Extent {
   PlaneDirection direction;
   int width, height;
-  /// The range of all disparities but few.
+  /// The range of disparities without outliers.
   double range_px;
 };
 
-/// A ground comes nearer towards the bottom of the picture, and the camera's roll is moderate.
+/// A ground gets nearer towards the bottom of the picture, and the camera's roll is moderate.
 bool could_be_ground(const DisparityPlane& plane, const Extent& extent, const GroundPlaneOptions& options) {
   if (extent.direction == PlaneDirection::any) return true;
   const double rise_px = plane.b * extent.height;
@@ -52,7 +52,7 @@ bool could_be_ground(const DisparityPlane& plane, const Extent& extent, const Gr
          std::abs(plane.a) < options.most_roll * plane.b;
 }
 
-/// Inliers count up to 1 each. Nothing lies under a ground: samples below the plane count against it.
+/// Inliers count up to 1 each. Samples below the plane count against it, since nothing is under a ground.
 double support_of(const DisparityPlane& plane, std::span<const Sample> samples,
                   const GroundPlaneOptions& options) {
   double support = 0.0;
@@ -76,7 +76,7 @@ struct Candidate {
   double support = 0.0;
 };
 
-/// Whether two planes are nowhere further apart than this where they are needed.
+/// Whether two planes differ nowhere in the picture by more than this.
 bool alike(const DisparityPlane& p, const DisparityPlane& q, int width, int height, double most_px) {
   const DisparityPlane apart{p.a - q.a, p.b - q.b, p.c - q.c};
   const int bottom = height - 1;
@@ -84,12 +84,12 @@ bool alike(const DisparityPlane& p, const DisparityPlane& q, int width, int heig
                    std::abs(apart.at(0.5 * width, 0.5 * height))}) < most_px;
 }
 
-/// The best supported planes through three samples each, all different, the best one first.
+/// The best supported distinct planes through three samples each, best first.
 std::vector<DisparityPlane> best_supported(std::span<const Sample> samples, const Extent& extent,
                                            const GroundPlaneOptions& options, const Work& work) {
   const auto kept = static_cast<std::size_t>(options.refined_planes);
   std::mt19937_64 random(work.seed);
-  // Three points from anywhere seldom share a plane: the second and third are taken near the first.
+  // Three distant points rarely share a plane, so the second and third are near the first.
   const double reach = options.reach_share * std::max(extent.width, extent.height);
   const auto pick = [&] { return samples[random() % samples.size()]; };
   const auto pick_near = [&](const Sample& p) {
@@ -166,7 +166,7 @@ std::optional<GroundPlane> refined(DisparityPlane plane, std::span<const Sample>
   return GroundPlane{plane, sigma};
 }
 
-/// Whether enough lies on the plane, over such a rise that it is no level plane or wall tilted by noise.
+/// Whether the plane has enough inliers, with a rise larger than noise gives a level plane or a wall.
 bool holds(const GroundPlane& ground, std::span<const Sample> samples, PlaneDirection direction,
            const GroundPlaneOptions& options) {
   std::vector<double> on;
@@ -190,7 +190,7 @@ std::optional<GroundPlane> find_plane(const Raster<float>& disparity_px, PlaneDi
   double most = 0.0;
   for (const DisparityPlane& candidate : best_supported(few, extent, options, work)) {
     const auto fit = refined(candidate, many, options);
-    // A plane across the steps of a wall tilts back when it is fitted, and is rejected.
+    // A plane across the steps of a wall loses its tilt when it is fitted, and is rejected.
     if (!fit || !could_be_ground(fit->plane, extent, options) || !holds(*fit, few, direction, options))
       continue;
     const double support = support_of(fit->plane, few, options);

@@ -18,17 +18,17 @@ struct GroundPlane {
   double sigma_px = 0.0;
 };
 
-/// Which planes are looked for: those that a ground may have, or planes of any direction.
+/// The planes to search: possible grounds, or planes of any orientation.
 enum class PlaneDirection { ground, any };
 
-/// The best supported plane that rises towards the bottom of the picture and holds enough of the known
-/// pixels, over more of a rise than noise explains; it must still do so once it is fitted to all pixels near
-/// it. nullopt where there is none, or Work is cancelled. Deterministic for a seed.
+/// The best supported plane that rises towards the bottom of the picture, with enough of the known pixels and
+/// a larger rise than noise explains, also after fitting it to all pixels near it. nullopt if there is none
+/// or the work is cancelled. Deterministic for a seed.
 std::optional<GroundPlane> find_ground_plane(const Raster<float>& disparity_px, const Work& work,
                                              const GroundPlaneOptions& options = {});
 
-/// The best supported plane of any direction, with little behind it: pixels behind it count against it by
-/// `under_penalty`. It need not rise. Else as find_ground_plane().
+/// The best supported plane of any orientation with little behind it: pixels behind it count against it by
+/// `under_penalty`. Otherwise like find_ground_plane().
 std::optional<GroundPlane> find_back_plane(const Raster<float>& disparity_px, const Work& work,
                                            const GroundPlaneOptions& options = {});
 

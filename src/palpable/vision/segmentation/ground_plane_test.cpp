@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 240;
 
-/// A plane with noise, a third of which is hidden by boxes nearer than it.
+/// A plane with noise; nearer boxes hide a third of it.
 Raster<float> covered(const DisparityPlane& plane, double sigma_px) {
   std::mt19937 random(11);
   std::normal_distribution<double> noise(0.0, sigma_px);
@@ -38,7 +38,7 @@ TEST(FindGroundPlane, RecoversTheRisingPlaneUnderBoxes) {
   EXPECT_NEAR(found->sigma_px, 0.1, 0.03);
 }
 
-TEST(FindGroundPlane, RefusesALevelPlaneWhichOnlyABackPlaneMayBe) {
+TEST(FindGroundPlane, RefusesALevelPlaneThatABackPlaneMayBe) {
   const DisparityPlane truth{0.003, 0.0, 12.0};
   Raster<float> bare(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
@@ -49,7 +49,7 @@ TEST(FindGroundPlane, RefusesALevelPlaneWhichOnlyABackPlaneMayBe) {
   expect_plane(back->plane, truth, 0.1);
 }
 
-TEST(FindBackPlane, IsNoneWhereNothingIsKnown) {
+TEST(FindBackPlane, IsAbsentIfNothingIsKnown) {
   EXPECT_FALSE(
       find_back_plane(Raster<float>(kWidth, kHeight, std::numeric_limits<float>::quiet_NaN()), Work{}));
 }

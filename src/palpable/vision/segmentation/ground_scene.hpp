@@ -13,7 +13,7 @@
 // For tests: scenes whose ground is known.
 namespace palpable::vision {
 
-/// What is seen at a pixel of a scene with known ground.
+/// The class of a pixel in a scene with known ground.
 enum class Seen : std::uint8_t { nothing, ground, object };
 
 struct Shares {
@@ -21,7 +21,7 @@ struct Shares {
   double object_lost = 0.0;
 };
 
-/// Of the ground's pixels those that a mask marks, and of the objects' those that it should not have.
+/// The shares of ground pixels and of object pixels that a mask marks.
 inline Shares shares_of(const Raster<std::uint8_t>& mask, const Raster<Seen>& seen) {
   double ground = 0, found = 0, object = 0, lost = 0;
   for (std::size_t i = 0; i < seen.count(); ++i) {

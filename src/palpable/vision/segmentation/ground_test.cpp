@@ -55,7 +55,7 @@ Scene room(double noise_px, double unknown_share) {
   return scene;
 }
 
-/// 98 % of the floor is found, and no more than a part of the things with it.
+/// At least 98 % of the floor is found, and at most a share of the objects is marked by mistake.
 void expect_found(const Scene& scene, double most_lost) {
   const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
   ASSERT_TRUE(ground);
@@ -64,7 +64,7 @@ void expect_found(const Scene& scene, double most_lost) {
   EXPECT_LT(shares.object_lost, most_lost);
 }
 
-TEST(FindGround, FindsTheFloorOfARoomAndLeavesTheThingsOnIt) {
+TEST(FindGround, FindsTheFloorOfARoomWithoutTheObjectsOnIt) {
   for (const double noise_px : {0.02, 0.15, 0.3}) {
     const Scene scene = room(noise_px, 0.05);
     const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
@@ -85,8 +85,8 @@ TEST(FindGround, FindsNoneBeforeAWall) {
   EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
 }
 
-TEST(FindGround, TakesNoWallThatLiesInStepsForAGround) {
-  // The wall recedes a little downwards, as before a camera that looks down.
+TEST(FindGround, DoesNotMistakeASteppedWallForGround) {
+  // The wall recedes a little downwards, as for a camera that looks down.
   Scene scene = room(0.0, 0.0);
   for (int y = 0; y < 240; ++y)
     for (int x = 0; x < 320; ++x)
@@ -94,7 +94,7 @@ TEST(FindGround, TakesNoWallThatLiesInStepsForAGround) {
   EXPECT_FALSE(find_ground(scene.picture, scene.disparity_px, Work{}));
 }
 
-TEST(FindGround, LeavesThingsOfTheGroundsColour) {
+TEST(FindGround, ExcludesObjectsOfTheGroundsColour) {
   Scene scene = room(0.05, 0.0);
   std::mt19937 random(7);
   std::uniform_int_distribution<int> grain(-12, 12);
@@ -106,7 +106,7 @@ TEST(FindGround, LeavesThingsOfTheGroundsColour) {
   expect_found(scene, 0.05);
 }
 
-TEST(FindGround, KeepsToThePictureWhereTheDisparityOfThingsSpreadsOverTheFloor) {
+TEST(FindGround, FollowsThePicturesEdgesWhereDisparityIsFattened) {
   constexpr int kSpread_px = 6;
   const Scene exact = room(0.05, 0.0);
   Scene scene = exact;
@@ -119,7 +119,7 @@ TEST(FindGround, KeepsToThePictureWhereTheDisparityOfThingsSpreadsOverTheFloor) 
 }
 
 TEST(NormalOf, PointsUpFromALevelFloor) {
-  // A camera 1 m above a level floor that looks level: Z = fy h / (y - cy), so d = B (y - cy) / h.
+  // A camera 1 m above a level floor that looks horizontally: Z = fy h / (y - cy), so d = B (y - cy) / h.
   const StereoRig rig{{500.0, 500.0, 320.0, 240.0, 640, 480}, 0.1, 0.0};
   const Vec3 normal = normal_of({0.0, 0.1, -24.0}, rig).v;
   EXPECT_NEAR(normal.x, 0.0, 1e-12);
@@ -127,7 +127,7 @@ TEST(NormalOf, PointsUpFromALevelFloor) {
   EXPECT_NEAR(normal.z, 0.0, 1e-12);
 }
 
-TEST(TreatGround, FlattensTheGroundAndKeepsWhatStandsOnIt) {
+TEST(TreatGround, FlattensTheGroundAndKeepsTheObjects) {
   const Scene scene = room(0.05, 0.0);
   const auto ground = find_ground(scene.picture, scene.disparity_px, Work{});
   ASSERT_TRUE(ground);
@@ -141,7 +141,7 @@ TEST(TreatGround, FlattensTheGroundAndKeepsWhatStandsOnIt) {
   EXPECT_EQ(kept.disparity_px, scene.disparity_px);
 }
 
-TEST(MergeRegions, SeparatesWhatDiffersAndJoinsWhatOnlyNoiseParts) {
+TEST(MergeRegions, SeparatesDifferentColoursAndJoinsNoisyOnes) {
   const Scene scene = room(0.1, 0.0);
   const Regions regions = merge_regions(scene.picture);
   EXPECT_LT(regions.count(), 40);

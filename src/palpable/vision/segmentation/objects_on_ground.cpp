@@ -42,7 +42,7 @@ struct GroundExtent {
   }
 };
 
-/// The ground's disparity at its far end, without the farthest hundredth of its pixels.
+/// The ground's disparity at its far end, without the farthest 1 % of its pixels.
 double far_end_px(const Ground& ground) {
   std::vector<double> seen;
   for (int y = 0; y < ground.mask.height(); ++y)
@@ -60,7 +60,8 @@ class Surfaces {
   Surfaces(const Ground& ground, const Raster<float>& disparity_px, double nearest_px, double step_px)
       : ground_(ground), disparity_px_(disparity_px), least_px_(nearest_px), step_px_(step_px) {}
 
-  /// Adds what is connected with the seed, nearer than the ground's far end, to `out`; its pixels.
+  /// Adds the component of the seed that is nearer than the ground's far end to `out`, and returns its
+  /// pixels.
   std::vector<std::pair<int, int>> grow(int x, int y, Raster<std::uint8_t>& out) const {
     std::vector<std::pair<int, int>> all{{x, y}};
     out(x, y) = 255;
@@ -107,7 +108,7 @@ Raster<std::uint8_t> objects_on_ground(const Ground& ground, const Raster<float>
       if (static_cast<double>(grown.size()) < least_pixels)
         for (const auto& [a, b] : grown) out(a, b) = 0;
     }
-  // Between the ground and what stands on it, and where nothing is known, nothing lies behind either.
+  // Unknown pixels, and those between the ground and an object, are not behind it either.
   for (int y = 0; y < out.height(); ++y)
     for (int x = 0; x < out.width(); ++x) {
       const double above = disparity_px(x, y) - ground.plane.at(x, y);

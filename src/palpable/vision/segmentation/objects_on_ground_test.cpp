@@ -25,7 +25,7 @@ struct Scene {
   }
 };
 
-TEST(ObjectsOnGround, AreWhatHidesItAndWhatRisesBeyondItsEdge) {
+TEST(ObjectsOnGround, IncludePartsBeyondTheGroundsEdge) {
   const Scene scene;
   const auto objects = objects_on_ground(scene.ground, scene.disparity_px);
   EXPECT_EQ(objects(45, 60), 255);

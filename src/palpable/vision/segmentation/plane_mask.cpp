@@ -31,12 +31,12 @@ std::vector<double> shares_on_plane(const Regions& regions, const Raster<float>&
 struct PlaneFit {
   /// Mean distance, pixels of disparity; infinite where nothing is known.
   double distance_px = std::numeric_limits<double>::infinity();
-  /// Growth of the distance with each row downwards.
+  /// Change of the distance per row downwards.
   double slope = 0.0;
 };
 
-/// Over the neighbours of the same region that lie within `near_px` of the plane: matching noise averages
-/// out, and objects beside the ground do not distort the mean.
+/// Uses the neighbours of the same region within `near_px` of the plane, so that matching noise averages out
+/// and objects do not distort the mean.
 PlaneFit fit_around(int x, int y, const Regions& regions, const Raster<float>& disparity_px,
                     const DisparityPlane& plane, int reach, double near_px) {
   double n = 0.0, sv = 0.0, sr = 0.0, svv = 0.0, svr = 0.0;

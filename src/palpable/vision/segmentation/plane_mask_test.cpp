@@ -7,8 +7,9 @@
 namespace palpable::vision {
 namespace {
 
-TEST(PlaneMask, HoldsThePlaneAndNotTheFootOfABoxThatRisesFromIt) {
-  // A ground that rises by 0.1 px a row, and a box that stands on row 70 and is as near up to row 40.
+TEST(PlaneMask, ExcludesTheFootOfABoxOnThePlane) {
+  // A ground that rises by 0.1 px per row, and a box with its foot at row 70 and constant disparity up to row
+  // 40.
   const DisparityPlane plane{0.0, 0.1, 10.0};
   Raster<float> disparity(100, 90);
   Raster<Rgb8> picture(100, 90, Rgb8{90, 90, 90});

@@ -11,7 +11,7 @@
 namespace palpable::vision {
 namespace {
 
-/// Regions under way: a forest whose roots hold sums of colour.
+/// A union-find forest whose roots hold sums of colour.
 class Forest {
  public:
   Forest(const Raster<Rgb8>& picture, double complexity)
@@ -46,7 +46,7 @@ class Forest {
  private:
   static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
-  /// The paper's b(R)²: how far a region's mean may be off by chance, squared.
+  /// The paper's b(R)²: the squared statistical deviation of a region's mean.
   double deviation(std::size_t root) const {
     constexpr double kLevels = 256.0;
     const double n = size_[root];
@@ -73,7 +73,7 @@ int difference(Rgb8 a, Rgb8 b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// All pairs of neighbours, most alike first: a counting sort over the 256 possible differences.
+/// All pairs of neighbours, most similar first: a counting sort over the 256 possible differences.
 std::vector<std::array<std::int32_t, 2>> neighbours_in_order(const Raster<Rgb8>& picture) {
   std::array<std::vector<std::array<std::int32_t, 2>>, 256> buckets;
   const auto put = [&](int x, int y, int x2, int y2) {

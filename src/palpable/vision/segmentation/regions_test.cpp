@@ -24,7 +24,7 @@ Raster<Rgb8> disc() {
   return picture;
 }
 
-TEST(MergeRegions, MakesTwoOfADiscOnAGround) {
+TEST(MergeRegions, SeparatesADiscFromItsBackground) {
   const Regions regions = merge_regions(disc());
   ASSERT_EQ(regions.count(), 2);
   EXPECT_NE(regions.of_pixel(60, 45), regions.of_pixel(2, 2));
@@ -32,7 +32,7 @@ TEST(MergeRegions, MakesTwoOfADiscOnAGround) {
   EXPECT_NEAR(regions.pixels[static_cast<std::size_t>(regions.of_pixel(60, 45))], 3.14159 * 900, 30);
 }
 
-TEST(MergeRegions, CutARampIntoMoreRegionsForAGreaterComplexity) {
+TEST(MergeRegions, DivideARampIntoMoreRegionsWithLargerComplexity) {
   Raster<Rgb8> ramp(240, 90);
   for (int y = 0; y < 90; ++y)
     for (int x = 0; x < 240; ++x) {

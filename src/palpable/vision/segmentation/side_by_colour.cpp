@@ -18,7 +18,7 @@ int difference(Rgb8 a, Rgb8 b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// The density of a side's colours at a pixel's colour, by kernels.
+/// Kernel density estimate of a side's colours.
 struct ColourDensity {
   float sum = 0.0F;
   int pixels = 0;
@@ -34,7 +34,7 @@ class SideClassifier {
       weight_[i] = std::exp(-static_cast<float>(i) / options.colour_scale);
   }
 
-  /// The pixel's side: inside or outside, or what it was where too few decided pixels are around.
+  /// The pixel's side: inside or outside, or unchanged if there are too few decided pixels nearby.
   Side side_of(Pixel p) const {
     ColourDensity inside;
     ColourDensity outside;

@@ -11,14 +11,13 @@
 
 namespace palpable::vision {
 
-/// On which side of a surface's border a pixel lies; "perhaps" is a prior that colour may overrule.
+/// The side of a surface's border on which a pixel lies; "perhaps" is a prior that colour may overrule.
 enum class Side : std::uint8_t { unknown, inside, outside, perhaps_inside, perhaps_outside };
 
-/// Decides the undecided pixels by comparing their colour with those of the decided pixels around, on either
-/// side: "perhaps" is changed only where the colour clearly belongs to the other side; "unknown" goes where
-/// it fits better. Pixels with too few decided ones around wait until those between are decided; where none
-/// are reached they stay as they are. Both rasters have the same size. The same result for any number of
-/// threads.
+/// Classifies the undecided pixels by comparing their colour with those of decided pixels nearby on both
+/// sides. "perhaps" changes only if the colour clearly belongs to the other side; "unknown" takes the better
+/// side. Pixels with too few decided neighbours wait until those between are decided, and otherwise do not
+/// change. Both rasters have the same size. The result does not depend on the number of threads.
 void decide_by_colour(const Raster<Rgb8>& picture, Raster<Side>& side, const Work& work,
                       const ColourDecisionOptions& options = {});
 

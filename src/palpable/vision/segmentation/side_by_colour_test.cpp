@@ -10,7 +10,7 @@ namespace {
 constexpr Rgb8 kRed{200, 40, 30};
 constexpr Rgb8 kGreen{40, 180, 60};
 
-/// Red up to column 60, green from there on; what was known of it ends before.
+/// Red up to column 60, green from there on; the known pixels end before that.
 struct TwoSides {
   Raster<Rgb8> picture{120, 60};
   Raster<Side> side{120, 60};
@@ -36,7 +36,7 @@ TEST(DecideByColour, PutsTheBorderWhereThePictureHasIt) {
   }
 }
 
-TEST(DecideByColour, ReachesWhatIsFarFromEverythingSure) {
+TEST(DecideByColour, ReachesPixelsFarFromDecidedOnes) {
   TwoSides scene(6, 118, Side::unknown);
   decide_by_colour(scene.picture, scene.side, Work{});
   for (int y = 0; y < 60; ++y) {
@@ -45,7 +45,7 @@ TEST(DecideByColour, ReachesWhatIsFarFromEverythingSure) {
   }
 }
 
-TEST(DecideByColour, LeavesWhatTheColourDoesNotTell) {
+TEST(DecideByColour, KeepsThePriorIfColourDoesNotDecide) {
   for (const Side between : {Side::perhaps_inside, Side::perhaps_outside}) {
     TwoSides scene(50, 75, between);
     for (Rgb8& pixel : scene.picture.values()) pixel = kRed;
@@ -54,7 +54,7 @@ TEST(DecideByColour, LeavesWhatTheColourDoesNotTell) {
   }
 }
 
-TEST(DecideByColour, StaysUnknownWhereNothingIsSure) {
+TEST(DecideByColour, KeepsPixelsUnknownIfNothingIsDecided) {
   TwoSides scene(0, 120, Side::unknown);
   decide_by_colour(scene.picture, scene.side, Work{});
   for (const Side side : scene.side.values()) EXPECT_EQ(side, Side::unknown);

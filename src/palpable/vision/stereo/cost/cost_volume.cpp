@@ -77,7 +77,11 @@ std::vector<Parameter> parameters_of(VolumeOptions& o) {
   std::vector<Parameter> all{
       {"colour_scale", &o.colour_scale, {1, 255}, "levels", "Colour difference that costs 1 - 1/e units"},
       {"census_scale", &o.census_scale, {1, 63}, "bits", "Census distance that costs 1 - 1/e units"},
-      {"out_of_view", &o.out_of_view, {0, 1}, "", "Cost out of view: 0 = the pixel's least, 1 = its mean"}};
+      {"out_of_view",
+       &o.out_of_view,
+       {0, 1},
+       "",
+       "Cost of a match outside the picture: 0 = the pixel's least, 1 = its mean"}};
   append_parameters(all, "census", parameters_of(o.census));
   std::vector<Parameter> cross = parameters_of(o.cross);
   for (Parameter& p : cross)

@@ -11,13 +11,13 @@
 
 namespace palpable::vision {
 
-/// A matching cost for each pixel and disparity, the disparities of a pixel side by side and padded to whole
-/// vectors. Costs are in units of 1/kCostUnit.
+/// A matching cost for each pixel and disparity. The disparities of a pixel are contiguous and padded to
+/// whole vectors. Costs are in units of 1/kCostUnit.
 struct CostVolume {
   int width = 0;
   int height = 0;
   int disparities = 0;
-  /// Values per pixel, a multiple of 32; those from `disparities` on are not meant to be read.
+  /// Values per pixel, a multiple of 32; those from `disparities` on are undefined.
   int stride = 0;
   std::vector<std::uint16_t> cost;
 
@@ -35,16 +35,16 @@ struct CostVolume {
 
 inline constexpr int kCostUnit = 2048;
 
-/// How a volume's costs are made.
+/// Parameters of a cost volume.
 struct VolumeOptions {
-  /// A colour difference of this costs 1 - 1/e units; levels of 255, 1 … 255.
+  /// Colour difference that costs 1 - 1/e units; levels of 255, 1 … 255.
   float colour_scale = 13.0F;
-  /// A census distance of this costs 1 - 1/e units; bits, 1 … 63.
+  /// Census distance that costs 1 - 1/e units; bits, 1 … 63.
   float census_scale = 30.0F;
-  /// Share of the way from the pixel's least (0) to its mean cost (1) that a match out of view costs; 0 … 1.
+  /// Cost of a match outside the other picture, between the pixel's least (0) and mean cost (1); 0 … 1.
   float out_of_view = kOutOfViewCost;
   CensusOptions census = {};
-  /// Costs are averaged over these windows. Small ones: enough against noise, little enough not to flatten
+  /// Costs are averaged over these windows, which are small, so that they reduce noise without flattening
   /// slanted surfaces. An arm has at most kLongestVolumeArm pixels.
   CrossOptions cross = {.row_reach_px = 5,
                         .column_reach_px = 5,
@@ -59,9 +59,8 @@ static_assert((2 * kLongestVolumeArm + 1) * 2 * kCostUnit <= 65535);
 std::vector<Parameter> parameters_of(VolumeOptions& options);
 
 /// AD-Census cost of Mei et al. 2011, eqs 1-3: 1 - exp(-colour difference / colour_scale) + 1 - exp(-Hamming
-/// distance / census_scale), 0…2 units. Where x - d lies outside the other picture, a value between the
-/// pixel's least and its mean cost. The result is written into `out`, whose sizes say how many disparities
-/// are asked for.
+/// distance / census_scale), 0…2 units. If x - d is outside the other picture, the cost is between the
+/// pixel's least and its mean. The size of `out` gives the number of disparities.
 void pixel_costs(const MatchView& reference, const MatchView& other, const VolumeOptions& options,
                  CostVolume& out, const Work& work);
 

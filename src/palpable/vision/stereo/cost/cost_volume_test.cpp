@@ -17,7 +17,7 @@ constexpr int kWidth = kTextureWidth;
 constexpr int kHeight = kTextureHeight;
 constexpr int kShift = kTextureShift;
 
-TEST(PixelCosts, AreThoseOfTheEquation) {
+TEST(PixelCosts, FollowTheEquation) {
   // One pixel with all census bits and 26 levels of colour different: 1 - e^(-26/13) + 1 - e^(-63/30).
   const auto view = [](std::uint8_t level, std::uint64_t census) {
     const Raster<std::uint8_t> plane(1, 1, level);
@@ -33,7 +33,7 @@ TEST(PixelCosts, AreThoseOfTheEquation) {
   EXPECT_EQ(costs.at(0, 0)[0], 0);
 }
 
-TEST(PixelCosts, AreLeastAtTheTrueDisparityAndMostlySoWhereExposuresWereNotLevelled) {
+TEST(PixelCosts, AreLeastAtTheTrueDisparityAndMostlyForDifferentExposures) {
   const MatchView left = moved_texture(0, 1.0);
   for (const auto& [gain, percent] : {std::pair{1.0, 95}, std::pair{0.6, 60}}) {
     CostVolume costs(kWidth, kHeight, 20);
@@ -46,7 +46,7 @@ TEST(PixelCosts, AreLeastAtTheTrueDisparityAndMostlySoWhereExposuresWereNotLevel
   }
 }
 
-TEST(PixelCosts, NeitherFavourNorForbidAMatchOutOfView) {
+TEST(PixelCosts, AreNeutralForAMatchOutsideThePicture) {
   CostVolume costs(kWidth, kHeight, 20);
   pixel_costs(moved_texture(0, 1.0), moved_texture(kShift, 1.0), {}, costs, {});
   const std::uint16_t* cost = costs.at(9, 20);
@@ -58,9 +58,9 @@ TEST(PixelCosts, NeitherFavourNorForbidAMatchOutOfView) {
   }
 }
 
-TEST(PixelCosts, OfAPlainSurfaceDoNotSpeakForTheEdgeBesideIt) {
+TEST(PixelCosts, OfAPlainSurfaceDoNotFavourAnAdjacentEdge) {
   // A bright bar that moves by kShift before a plain wall: at the wall's pixels beside the bar the census
-  // sees the bar move, but none of the bits that count do.
+  // window contains the moving bar, but the bits that count do not.
   const auto bar = [](int shift) {
     Raster<Rgb8> colour(kWidth, kHeight, Rgb8{90, 90, 90});
     Raster<std::uint8_t> luma(kWidth, kHeight, 90);
@@ -79,7 +79,7 @@ TEST(PixelCosts, OfAPlainSurfaceDoNotSpeakForTheEdgeBesideIt) {
   }
 }
 
-TEST(AveragedCosts, OfAUniformPictureAreThoseOfOnePixel) {
+TEST(AveragedCosts, OfAUniformPictureEqualThoseOfOnePixel) {
   const MatchView flat{ColourPlanes{Raster<std::uint8_t>(20, 12, 50), Raster<std::uint8_t>(20, 12, 50),
                                     Raster<std::uint8_t>(20, 12, 50)},
                        Raster<std::uint64_t>(20, 12), Raster<std::uint64_t>(20, 12)};

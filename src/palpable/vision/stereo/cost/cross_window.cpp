@@ -12,7 +12,7 @@
 namespace palpable::vision {
 namespace {
 
-/// Lengthens by one the arms that reach on: where the next pixel is like the centre.
+/// Lengthens arms by one where the next pixel is similar to the centre.
 PALPABLE_VECTORIZE void grow(const std::uint8_t* __restrict difference, int limit, int count,
                              std::uint8_t* __restrict alive, std::uint8_t* __restrict length) {
   const auto most = static_cast<std::uint8_t>(limit);
@@ -48,13 +48,13 @@ void grow_arms(const ColourPlanes& picture, int y, int dx, int dy, const CrossOp
                                                        : options.colour_limit_beyond;
     colour_differences(picture, first, y, first + s * dx, v, last - first, difference.data());
     grow(difference.data(), limit, last - first, alive.data() + first, length.data() + first);
-    // What has no neighbour left ends here.
+    // Arms end at the picture's border.
     std::fill(alive.begin(), alive.begin() + first, std::uint8_t{0});
     std::fill(alive.begin() + last, alive.end(), std::uint8_t{0});
   }
 }
 
-// Sums wrap around in 16 bits; what a window sums to does not, so differences of sums are right.
+// Prefix sums wrap around in 16 bits, but a window's sum does not, so differences of prefix sums are correct.
 
 PALPABLE_VECTORIZE void add_costs(const std::uint16_t* __restrict before, const std::uint8_t* __restrict cost,
                                   int count, std::uint16_t* __restrict out) {
@@ -67,7 +67,7 @@ PALPABLE_VECTORIZE void add_span(const std::uint16_t* __restrict above, const st
   for (int d = 0; d < count; ++d) out[d] = static_cast<std::uint16_t>(above[d] + (to[d] - from[d]));
 }
 
-/// out = (to - from) * kMeanCostUnit / pixels. The reciprocal of small windows would not fit 16 bits: their
+/// out = (to - from) * kMeanCostUnit / pixels. For small windows, whose reciprocal does not fit 16 bits, the
 /// sums are multiplied instead.
 PALPABLE_VECTORIZE void mean_of(const std::uint16_t* __restrict to, const std::uint16_t* __restrict from,
                                 int pixels, int count, std::uint16_t* __restrict out) {
@@ -96,7 +96,7 @@ std::vector<Parameter> parameters_of(CrossOptions& o) {
   return {
       {"row_reach_px", &o.row_reach_px, {0, 40}, "px", "Longest arm of a window along the row"},
       {"column_reach_px", &o.column_reach_px, {0, 40}, "px", "Longest arm of a window along the column"},
-      {"colour_limit", &o.colour_limit, {0, 255}, "levels", "An arm ends where a channel differs by more"},
+      {"colour_limit", &o.colour_limit, {0, 255}, "levels", "An arm ends if a channel differs by more"},
       {"sure_reach_px", &o.sure_reach_px, {0, 40}, "px", "Beyond it colour_limit_beyond holds"},
       {"colour_limit_beyond", &o.colour_limit_beyond, {0, 255}, "levels", "The colour limit of long arms"},
       {"neighbour_limit", &o.neighbour_limit, {0, 255}, "levels", "The colour limit of the next neighbour"}};

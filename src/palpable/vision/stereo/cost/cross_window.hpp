@@ -14,8 +14,8 @@ namespace palpable::vision {
 struct CrossOptions {
   /// The longest arm along the row; px, 0 … 40.
   int row_reach_px = 17;
-  /// The longest arm along the column, shorter: slopes mostly run down a picture, and a window should see one
-  /// disparity; px, 0 … 40.
+  /// The longest arm along the column: shorter, since slopes mostly run down a picture and a window should
+  /// contain one disparity; px, 0 … 40.
   int column_reach_px = 6;
   /// An arm continues while every channel stays within this of the centre; levels of 255, 0 … 255.
   int colour_limit = 25;
@@ -23,35 +23,33 @@ struct CrossOptions {
   int sure_reach_px = 8;
   /// Levels of 255, 0 … 255.
   int colour_limit_beyond = 8;
-  /// The next neighbour belongs within this: 255 makes sure that a window is never one pixel; levels, 0 …
-  /// 255.
+  /// Colour limit for the next neighbour: with 255 a window is never a single pixel; levels, 0 … 255.
   int neighbour_limit = 255;
 };
 std::vector<Parameter> parameters_of(CrossOptions& options);
 
-/// The arms of each pixel's window: how far it reaches left, right, up and down within similar colour.
+/// The arms of each pixel's window: its extent to the left, right, up and down within similar colour.
 struct CrossArms {
   std::uint8_t left = 0, right = 0, up = 0, down = 0;
 };
 Raster<CrossArms> cross_arms(const ColourPlanes& picture, const CrossOptions& options, const Work& work);
 
-/// Mean costs are whole numbers of this fraction of the matching cost.
+/// Mean costs are integers in units of 1/kMeanCostUnit of the matching cost.
 inline constexpr int kMeanCostUnit = 16;
-/// The most pixels of a window, so that its sum fits 16 bits.
+/// Most pixels of a window, so that its sum fits 16 bits.
 inline constexpr int kMostWindowPixels = 65535 / kLargestMatchingCost;
-/// Errors: usage, for arms that could make a larger window than an aggregator takes.
+/// Errors: usage, for arms that could make a window too large for the aggregator.
 Result<void> check_window_size(const CrossOptions& options);
 
 /// Aggregates matching costs over cross-shaped windows (along the row's arms, then along the column's),
-/// streaming down the picture: one scanline's disparity-space image at a time. One object a thread.
+/// streaming down the picture: one scanline's disparity-space image at a time. One object per thread.
 class CrossAggregator {
  public:
-  /// Rows first_row … end will be asked for, in order. Arms must not make windows of more than
-  /// kMostWindowPixels.
+  /// The rows from first_row on are then requested in order. Windows must not exceed kMostWindowPixels.
   CrossAggregator(const MatchingCost& cost, const Raster<CrossArms>& arms, int disparities,
                   int column_reach_px, int first_row);
 
-  /// Values per pixel: the disparities rounded up to whole vectors, the costs beyond them as high as can be.
+  /// Values per pixel: the disparities rounded up to whole vectors; the padding has the maximum cost.
   int stride() const { return stride_; }
   /// The next row's mean cost over its window, out[x * stride() + d], in units of 1/kMeanCostUnit.
   void next_row(std::uint16_t* out);
@@ -65,7 +63,7 @@ class CrossAggregator {
   int disparities_;
   int stride_;
   int reach_;
-  int row_;     // the next to hand out
+  int row_;     // the next to return
   int summed_;  // the next to sum
   int ring_;    // rows kept
   std::vector<std::uint8_t> raw_;
@@ -74,17 +72,17 @@ class CrossAggregator {
   std::vector<std::vector<std::uint32_t>> pixels_;  // ring: window pixels summed down the columns
 };
 
-/// How costs are averaged over small windows: against the noise of single pixels, surfaces being left to a
-/// smoothness term.
+/// Averaging of costs over small windows against the noise of single pixels; a smoothness term handles
+/// surfaces.
 struct AggregationOptions {
   CostOptions cost = {};
   CrossOptions window = {.row_reach_px = 3, .column_reach_px = 3, .sure_reach_px = 1};
-  /// Mean costs are cut off here; units of the matching cost, 1 … 144.
+  /// Truncation of mean costs; units of the matching cost, 1 … 144.
   float limit = 60.0F;
 };
 std::vector<Parameter> parameters_of(AggregationOptions& options);
 
-/// The whole pair's costs over cross-shaped windows, cut off and rounded: [(y * width + x) * disparities +
+/// The whole pair's costs over cross-shaped windows, truncated and rounded: [(y * width + x) * disparities +
 /// d].
 std::vector<std::uint8_t> aggregated_costs(const MatchInput& input, const AggregationOptions& options,
                                            const Work& work);

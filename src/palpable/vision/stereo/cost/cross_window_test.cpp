@@ -34,7 +34,7 @@ TEST(CrossArms, AreStricterBeyondTheSureReach) {
   EXPECT_EQ(arms(5, 0).right, 14);  // one colour up to the edge
 }
 
-TEST(WindowSize, IsRefusedWhereItsSumWouldOverflow) {
+TEST(WindowSize, IsRefusedIfItsSumWouldOverflow) {
   EXPECT_TRUE(check_window_size({}).has_value());
   EXPECT_FALSE(check_window_size({.row_reach_px = 18, .column_reach_px = 6}).has_value());
 }
@@ -68,7 +68,7 @@ TEST(AggregatedCosts, AreTheMeansOverTheWindows) {
   EXPECT_EQ(at(17, 10, 1), 0);
 }
 
-TEST(AggregatedCosts, AreCutOffAtTheLimit) {
+TEST(AggregatedCosts, AreTruncatedAtTheLimit) {
   AggregationOptions options;
   options.cost.census_weight = 0;
   options.cost.colour_limit = 60;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint16_t kLargest = std::numeric_limits<std::uint16_t>::max();
 
-// Places are 16-bit lanes too; the compiler does not find that by itself.
+// Indices are 16-bit lanes too, which the compiler does not find by itself.
 constexpr int kLanes = 32;
 using Lanes = std::uint16_t __attribute__((vector_size(2 * kLanes)));
 

@@ -30,7 +30,7 @@ TEST(LeastCost, OfOneHasNoneElsewhere) {
   EXPECT_GE(least_cost(&cost, 1).elsewhere, 65535);
 }
 
-TEST(KeptLeast, ReplacesOnlyWhatIsDearer) {
+TEST(KeptLeast, ReplacesOnlyHigherCosts) {
   const std::array<std::uint16_t, 3> costs{5, 9, 7};
   std::array<std::uint16_t, 3> least{6, 8, 7}, from{1, 1, 1};
   keep_least(costs.data(), 42, 3, least.data(), from.data());

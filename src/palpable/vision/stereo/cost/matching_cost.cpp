@@ -62,7 +62,7 @@ PALPABLE_VECTORIZE void add_weighted(const std::uint8_t* __restrict colour, cons
   }
 }
 
-/// Sets the costs of the disparities from `known` on, whose matches lie out of view.
+/// Sets the costs of the disparities from `known` on, whose matches are outside the picture.
 void fill_out_of_view(std::uint8_t* cost, int known, int stride, float share) {
   std::uint8_t neutral = 0;
   if (known > 0) {
@@ -78,10 +78,14 @@ void fill_out_of_view(std::uint8_t* cost, int known, int stride, float share) {
 std::vector<Parameter> parameters_of(CostOptions& o) {
   std::vector<Parameter> all{
       {"census_weight", &o.census_weight, {0, 4}, "", "Weight of each census bit that differs"},
-      {"colour_limit", &o.colour_limit, {1, 255}, "levels", "The colour difference is cut off here"},
+      {"colour_limit", &o.colour_limit, {1, 255}, "levels", "Truncation of the colour difference"},
       {"colour_weight", &o.colour_weight, {0, 8}, "", "Weight of each level of the colour difference"},
-      {"halvings", &o.halvings, {0, 4}, "", "The sum of both is halved so often"},
-      {"out_of_view", &o.out_of_view, {0, 1}, "", "Cost out of view: 0 = the pixel's least, 1 = its mean"}};
+      {"halvings", &o.halvings, {0, 4}, "", "How often the sum of both is halved"},
+      {"out_of_view",
+       &o.out_of_view,
+       {0, 1},
+       "",
+       "Cost of a match outside the picture: 0 = the pixel's least, 1 = its mean"}};
   append_parameters(all, "census", parameters_of(o.census));
   return all;
 }

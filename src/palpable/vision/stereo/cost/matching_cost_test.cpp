@@ -32,7 +32,7 @@ TEST(MatchingCosts, AreTheWeightedColourDifferenceOfPlainPictures) {
   EXPECT_EQ(row_of(plain_pair(90), options, 4, 64)[20 * 64 + 5], 60);  // cut off
 }
 
-TEST(MatchingCosts, AreHalvedAsOftenAsAsked) {
+TEST(MatchingCosts, AreHalvedTheGivenNumberOfTimes) {
   const CostOptions options{.colour_limit = 20, .colour_weight = 3, .halvings = 2};
   EXPECT_EQ(row_of(plain_pair(7), options, 4, 64)[20 * 64 + 5], 5);
 }
@@ -42,11 +42,11 @@ TEST(MatchingCosts, CountTheCensusBitsThatDiffer) {
   MatchInput input = plain_pair(0);
   input.right_grey(18, 5) = 50;
   const CostOptions options{.census_weight = 2, .colour_weight = 0};
-  EXPECT_EQ(row_of(input, options, 4, 64)[20 * 64 + 4], 2);  // its match, at 16, sees the pixel
+  EXPECT_EQ(row_of(input, options, 4, 64)[20 * 64 + 4], 2);  // its match, at 16, has the pixel in its window
   EXPECT_EQ(row_of(input, options, 4, 64)[20 * 64 + 7], 0);  // that at 13 does not
 }
 
-TEST(MatchingCosts, LieBetweenLeastAndMeanOutOfView) {
+TEST(MatchingCosts, AreBetweenLeastAndMeanOutsideThePicture) {
   MatchInput input = plain_pair(7);
   input.right(0, 4) = {100, 100, 100};
   const CostOptions options{.census_weight = 0, .colour_limit = 20, .colour_weight = 4, .out_of_view = 0.5F};

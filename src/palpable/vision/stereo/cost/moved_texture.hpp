@@ -14,7 +14,8 @@ inline constexpr int kTextureWidth = 90;
 inline constexpr int kTextureHeight = 40;
 inline constexpr int kTextureShift = 7;
 
-/// A textured picture whose content is moved `shift` pixels to the left, its levels times `gain`.
+/// A textured picture whose content is shifted by `shift` pixels to the left, with its levels multiplied by
+/// `gain`.
 inline MatchView moved_texture(int shift, double gain) {
   Raster<Rgb8> colour(kTextureWidth, kTextureHeight);
   Raster<std::uint8_t> luma(kTextureWidth, kTextureHeight);

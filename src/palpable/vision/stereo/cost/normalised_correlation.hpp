@@ -10,9 +10,9 @@
 
 namespace palpable::vision {
 
-/// A picture made ready for normalised cross-correlation over 3 x 3 windows: each pixel's window mean and the
-/// inverse of its deviation. The border's pixels are repeated. `noise_levels` is the standard deviation of a
-/// pixel's noise, which must not pass for texture; levels of 255, > 0.
+/// A picture prepared for normalised cross-correlation over 3 x 3 windows: each window's mean and inverse
+/// deviation. Border pixels are repeated. `noise_levels` is the standard deviation of pixel noise, which must
+/// not count as texture; levels of 255, > 0.
 class CorrelationPicture {
  public:
   CorrelationPicture(const Raster<std::uint8_t>& grey, float noise_levels)

@@ -15,7 +15,7 @@ Raster<std::uint8_t> pattern(int gain, int offset) {
   return grey;
 }
 
-TEST(NormalisedCorrelation, IsPerfectWhateverTheExposure) {
+TEST(NormalisedCorrelation, IsIndependentOfTheExposure) {
   const CorrelationPicture a(pattern(5, 20), 0.01F), b(pattern(9, 100), 0.01F);
   EXPECT_NEAR(correlation_error(a, b, 4, 4, 4), 0.0F, 1e-4F);
 }
@@ -25,12 +25,12 @@ TEST(NormalisedCorrelation, OfAnInvertedPictureIsOne) {
   EXPECT_NEAR(correlation_error(a, b, 4, 4, 4), 1.0F, 1e-4F);
 }
 
-TEST(NormalisedCorrelation, OfAPlainPictureSaysNothing) {
+TEST(NormalisedCorrelation, OfAPlainPictureIsNeutral) {
   const CorrelationPicture a(pattern(5, 20), 2.0F), b(Raster<std::uint8_t>(9, 9, 90), 2.0F);
   EXPECT_NEAR(correlation_error(a, b, 4, 4, 4), 0.5F, 1e-6F);
 }
 
-TEST(NormalisedCorrelation, DoesNotTakeNoiseForTexture) {
+TEST(NormalisedCorrelation, IsNeutralForNoise) {
   const CorrelationPicture a(pattern(1, 90), 40.0F);
   EXPECT_NEAR(correlation_error(a, a, 4, 4, 4), 0.5F, 0.01F);
 }

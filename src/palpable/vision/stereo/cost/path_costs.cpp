@@ -14,7 +14,8 @@ namespace {
 constexpr int kGuard = 32;
 constexpr std::uint8_t kGuardCost = 255;
 
-/// One pixel of one path. `before` has a guard on each side. Sets `path` to the path costs less their least.
+/// One pixel of one path. `before` has a guard on each side. Sets `path` to the path costs minus their
+/// minimum.
 template <SumState kState>
 [[gnu::always_inline]] inline void advance(const std::uint8_t* __restrict cost,
                                            const std::uint8_t* __restrict before, std::uint8_t large_step,
@@ -26,7 +27,7 @@ template <SumState kState>
     const std::uint8_t lower = before[d - 1];
     const std::uint8_t higher = before[d + 1];
     std::uint8_t beside = lower < higher ? lower : higher;
-    // Cut off first, so that the sum fits.
+    // Truncated first, so that the sum fits.
     beside = beside < large_step ? beside : large_step;
     const auto shifted = static_cast<std::uint8_t>(beside + small_step);
     std::uint8_t best = before[d] < large_step ? before[d] : large_step;
@@ -49,13 +50,13 @@ PALPABLE_VECTORIZE void advance_row(const std::uint8_t* cost, const std::uint8_t
     const int x = direction > 0 ? n : width - 1 - n;
     const std::uint8_t step = n == 0 ? std::uint8_t{0} : steps_from_left[direction > 0 ? x : x + 1];
     const std::ptrdiff_t at = std::ptrdiff_t{x} * stride;
-    advance<SumState::goes_on>(cost + at, before, step, small_step_share, stride, next, sum + at);
+    advance<SumState::continues>(cost + at, before, step, small_step_share, stride, next, sum + at);
     std::swap(before, next);
   }
 }
 
-/// One of the three paths between rows: its costs in the row before, already shifted by its slant, and in
-/// this row.
+/// One of the three paths between rows: its costs in the previous row, already shifted for its direction, and
+/// in this row.
 struct Lane {
   const std::uint8_t* steps;
   const std::uint8_t* before;
@@ -73,10 +74,10 @@ PALPABLE_VECTORIZE void advance_columns(const std::uint8_t* cost, const std::arr
       advance<SumState::begins>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
                                 slanted.here + from, sum + at);
     else
-      advance<SumState::goes_on>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
+      advance<SumState::continues>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
                                  slanted.here + from, sum + at);
     for (const Lane& lane : {straight, other_way})
-      advance<SumState::goes_on>(cost + at, lane.before + from, lane.steps[x], small_step_share, stride,
+      advance<SumState::continues>(cost + at, lane.before + from, lane.steps[x], small_step_share, stride,
                                  lane.here + from, sum + at);
   }
 }
@@ -99,7 +100,7 @@ void RowPaths::add(const std::uint8_t* cost, const std::vector<std::uint8_t>& st
 
 ColumnPaths::ColumnPaths(int width, int stride, int small_step_share)
     : width_(width), stride_(stride), small_step_share_(small_step_share) {
-  // A pixel more on each side, where slanted paths begin: all disparities cost the same there.
+  // One more pixel on each side, where diagonal paths begin: there all disparities cost the same.
   for (Row* row : {&before_, &here_})
     for (auto* path : {&row->from_left, &row->straight, &row->from_right})
       path->assign(at(width + 1), kGuardCost);

@@ -9,15 +9,15 @@
 
 namespace palpable::vision {
 
-/// Semi-global path costs (Hirschmueller 2008, eq. 13) in 8 bits, a row at a time, so that all stays in the
-/// cache and runs in vectors. Costs of a row are cost[x * stride + d], stride a multiple of 32; matching
-/// costs up to kLargestCost and steps up to kLargestStep. A step of one disparity costs a share of a larger
-/// step, in 256ths.
+/// Semi-global path costs (Hirschmueller 2008, eq. 13) in 8 bits, row by row, so that data stay in the cache
+/// and loops are vectorised. Costs of a row are cost[x * stride + d], stride a multiple of 32; matching costs
+/// up to kLargestCost and steps up to kLargestStep. The penalty of a step of one disparity is given in 256ths
+/// of that of a larger step.
 inline constexpr int kLargestCost = 127;
 inline constexpr int kLargestStep = 127;
 
-/// What leads to the pixels of a row from their neighbours before them: what a step of more than one
-/// disparity costs there.
+/// The penalties of steps of more than one disparity between the pixels of a row and their neighbours in the
+/// previous row.
 struct RowSteps {
   std::vector<std::uint8_t> before_left, before, before_right;
   explicit RowSteps(int width)
@@ -25,7 +25,7 @@ struct RowSteps {
 };
 
 /// Whether path costs are the first of a sum or are added to it.
-enum class SumState { begins, goes_on };
+enum class SumState { begins, continues };
 
 /// The two paths along a row: adds their costs to `sum`. steps_from_left[x] leads from x - 1 to x.
 class RowPaths {
@@ -39,12 +39,12 @@ class RowPaths {
   std::array<std::vector<std::uint8_t>, 2> path_;
 };
 
-/// The three paths that lead from row to row, straight and slanted, whichever way the rows are visited.
+/// The three paths from row to row, vertical and diagonal, in either order of rows.
 class ColumnPaths {
  public:
   ColumnPaths(int width, int stride, int small_step_share);
-  /// The row next to the one before; the first one begins the paths. Adds the path costs to `sum`, or, where
-  /// it begins, overwrites it.
+  /// Processes the next row; the first one begins the paths. Adds the path costs to `sum`, or overwrites it
+  /// if it begins.
   void add(const std::uint8_t* cost, const RowSteps& steps, SumState state, std::uint16_t* sum);
 
  private:
@@ -53,7 +53,7 @@ class ColumnPaths {
   int width_;
   int stride_;
   int small_step_share_;
-  /// Path costs less their least, between guards.
+  /// Path costs minus their minimum, between guards.
   struct Row {
     std::vector<std::uint8_t> from_left, straight, from_right;
   };

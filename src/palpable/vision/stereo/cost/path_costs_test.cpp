@@ -16,7 +16,7 @@ constexpr int kWidth = 12;
 constexpr int kStride = 32;
 constexpr int kSmallStepShare = 70;
 
-/// Hirschmueller's eq. 13 along one path, as written, less the least of each pixel.
+/// Hirschmueller's eq. 13 along one path, minus the minimum of each pixel.
 std::vector<int> path_by_definition(const std::vector<std::uint8_t>& cost,
                                     const std::vector<std::uint8_t>& steps, int small_share_of_256) {
   std::vector<int> path(cost.size());
@@ -50,7 +50,7 @@ std::vector<std::uint8_t> some_costs() {
   return cost;
 }
 
-TEST(RowPathCosts, AreTheDefinitionsBothWays) {
+TEST(RowPathCosts, MatchTheDefinitionInBothDirections) {
   const std::vector<std::uint8_t> cost = some_costs();
   std::vector<std::uint8_t> steps(kWidth, 90);
   steps[4] = 12;
@@ -75,7 +75,7 @@ TEST(RowPathCosts, AreTheDefinitionsBothWays) {
           << x << ' ' << d;
 }
 
-TEST(ColumnPathCosts, CarryTheRowBeforeIntoARowWithoutTexture) {
+TEST(ColumnPathCosts, PropagateIntoARowWithoutTexture) {
   std::vector<std::uint8_t> telling(static_cast<std::size_t>(kWidth * kStride), 100);
   for (int x = 0; x < kWidth; ++x) telling[static_cast<std::size_t>(x * kStride + 9)] = 0;
   const std::vector<std::uint8_t> plain(telling.size(), 50);
@@ -86,7 +86,7 @@ TEST(ColumnPathCosts, CarryTheRowBeforeIntoARowWithoutTexture) {
   std::vector<std::uint16_t> second(telling.size());
   ColumnPaths paths(kWidth, kStride, kSmallStepShare);
   paths.add(telling.data(), steps, SumState::begins, first.data());
-  paths.add(plain.data(), steps, SumState::goes_on, second.data());
+  paths.add(plain.data(), steps, SumState::continues, second.data());
   for (int x = 0; x < kWidth; ++x) EXPECT_EQ(least_at(second.data() + x * kStride, kStride), 9) << x;
 }
 
@@ -96,20 +96,20 @@ TEST(ColumnPathCosts, OverwriteASumThatBegins) {
   const RowSteps steps(kWidth);
   std::vector<std::uint16_t> clean(cost.size());
   std::vector<std::uint16_t> used(cost.size(), 1234);
-  ColumnPaths(kWidth, kStride, kSmallStepShare).add(cost.data(), steps, SumState::goes_on, clean.data());
+  ColumnPaths(kWidth, kStride, kSmallStepShare).add(cost.data(), steps, SumState::continues, clean.data());
   ColumnPaths(kWidth, kStride, kSmallStepShare).add(cost.data(), steps, SumState::begins, used.data());
   EXPECT_EQ(used, clean);
 }
 
-TEST(LeastCost, IsTheFirstOfEqualOnesAndKnowsTheNextBestElsewhere) {
+TEST(LeastCost, IsTheFirstOfEqualCostsWithTheBestElsewhere) {
   const std::vector<std::uint16_t> costs{9, 4, 3, 3, 7, 5, 8};
   const LeastCost least = least_cost(costs.data(), static_cast<int>(costs.size()));
   EXPECT_EQ(least.at, 2);
   EXPECT_EQ(least.cost, 3);
-  EXPECT_EQ(least.elsewhere, 5);  // not 3 and 4, which stand beside
+  EXPECT_EQ(least.elsewhere, 5);  // not 3 and 4, which are neighbours
 }
 
-TEST(LeastCost, IsFoundWhereverItStandsInWholeVectorsAndBehindThem) {
+TEST(LeastCost, IsFoundAtEveryIndex) {
   for (const std::size_t count : {std::size_t{32}, std::size_t{64}, std::size_t{75}})
     for (std::size_t at = 0; at < count; ++at) {
       std::vector<std::uint16_t> costs(count, 60000);

@@ -9,8 +9,7 @@
 namespace palpable::vision {
 namespace {
 
-/// The cost before the first and after the last disparity: above every path cost, also with a step's penalty
-/// added.
+/// The guard cost before the first and after the last disparity: above every path cost plus a penalty.
 constexpr std::uint16_t kGuardCost = 40000;
 constexpr int kGuard = 32;
 /// The sum of four path costs, each at most a matching cost and a large step, fits 16 bits.
@@ -21,7 +20,7 @@ struct Penalties {
   std::uint16_t small_plain, large_plain, small_edge, large_edge;
 };
 
-/// The penalties where the reference picture has no edge, and where it has one.
+/// The penalties without and with an edge in the reference picture.
 struct PenaltyTable {
   Penalties plain, edge;
 
@@ -82,7 +81,7 @@ Raster<std::uint8_t> edges(const ColourPlanes& colour, int levels, int dx, int d
   return out;
 }
 
-/// The row's edges from right to left as masks, so that x - d runs forward with d; zeros beyond its end.
+/// The row's edges from right to left as masks, so that the index increases with d; zeros beyond its end.
 void reversed_masks(const Raster<std::uint8_t>& edge, int y, std::vector<std::uint16_t>& out) {
   const auto row = edge.row(y);
   for (std::size_t x = 0; x < row.size(); ++x) out[row.size() - 1 - x] = row[x] != 0 ? 65535 : 0;
@@ -169,12 +168,8 @@ std::vector<Parameter> parameters_of(SgmOptions& o) {
       {"small_step", &o.small_step, {0, kLargestPenalty}, "units", "Penalty for a step of one disparity"},
       {"large_step", &o.large_step, {0, kLargestPenalty}, "units", "Penalty for a larger step"},
       {"edge_levels", &o.edge_levels, {1, 255}, "levels", "Colour difference that is an edge"},
-      {"one_edge_divisor",
-       &o.one_edge_divisor,
-       {1, 100},
-       "",
-       "Divides penalties where one picture has an edge"},
-      {"both_edges_divisor", &o.both_edges_divisor, {1, 100}, "", "Divides penalties where both have one"}};
+      {"one_edge_divisor", &o.one_edge_divisor, {1, 100}, "", "Divides penalties if one picture has an edge"},
+      {"both_edges_divisor", &o.both_edges_divisor, {1, 100}, "", "Divides penalties if both have one"}};
 }
 
 void aggregate_paths(const CostVolume& costs, const ColourPlanes& reference, const ColourPlanes& other,

@@ -15,15 +15,15 @@ struct SgmOptions {
   /// Neighbours that differ by this much, in the channel that differs most, have an edge between them; levels
   /// of 255, 1 … 255.
   int edge_levels = 15;
-  /// The penalties are divided by this where one picture has an edge, and by that where both have; 1 … 100.
+  /// Divisors of the penalties if one picture has an edge, and if both have; 1 … 100.
   int one_edge_divisor = 4;
   int both_edges_divisor = 10;
 };
 std::vector<Parameter> parameters_of(SgmOptions& options);
 
 /// Semi-global aggregation over four paths (left, right, up, down; Hirschmueller 2008, eq. 13). `sums` gets
-/// the sum of the four path costs in units of 1/kCostUnit and must have the volume's sizes. The same result
-/// for any number of threads.
+/// the sum of the four path costs in units of 1/kCostUnit and must have the volume's sizes. The result does
+/// not depend on the number of threads.
 void aggregate_paths(const CostVolume& costs, const ColourPlanes& reference, const ColourPlanes& other,
                      const SgmOptions& options, CostVolume& sums, const Work& work);
 

@@ -16,7 +16,7 @@ constexpr int kWidth = kTextureWidth;
 constexpr int kHeight = kTextureHeight;
 constexpr int kShift = kTextureShift;
 
-TEST(AggregatedPaths, FindHowFarATextureHasMoved) {
+TEST(AggregatedPaths, FindTheShiftOfATexture) {
   const MatchView left = moved_texture(0, 1.0);
   const MatchView right = moved_texture(kShift, 1.0);
   CostVolume costs(kWidth, kHeight, 20);
@@ -40,7 +40,7 @@ CostVolume sums_of(const std::array<std::uint16_t, 3>& first, const std::array<s
   return sums;
 }
 
-TEST(AggregatedPaths, AreTheDefinitionOnTwoPixels) {
+TEST(AggregatedPaths, MatchTheDefinitionOnTwoPixels) {
   // At the second pixel: the path from the left costs C(d) + min(L(d), L(d ± 1) + P1, min L + P2) - min L,
   // and the paths from the right, from above and from below begin there, with C(d) each.
   const SgmOptions options{.small_step = 0.25F, .large_step = 0.75F};

@@ -9,8 +9,8 @@
 
 namespace palpable::vision {
 
-/// Where between d - 1/2 and d + 1/2 the parabola through the costs at d - 1, d and d + 1 has its minimum,
-/// less d; 0 at the ends of the range and where the costs are not convex.
+/// Offset from d to the minimum of the parabola through the costs at d - 1, d and d + 1, within ± 1/2; 0 at
+/// the ends of the range and if the costs are not convex.
 template <class Cost>
 float sub_pixel_offset(const Cost* costs, int d, int count) {
   if (d == 0 || d + 1 >= count) return 0.0F;
@@ -21,9 +21,9 @@ float sub_pixel_offset(const Cost* costs, int d, int count) {
   return std::clamp(0.5F * (below - above) / curvature, -0.5F, 0.5F);
 }
 
-/// The smoothest surface that stays within half a pixel of whole disparities: a membrane, cut where
-/// neighbouring labels differ by more than one. It restores the slopes that whole labels lose, without the
-/// noise that a parabola through a plain surface's costs would bring. `iterations` >= 0 of Jacobi's method.
+/// The smoothest surface within half a pixel of integer disparities: a membrane, cut where neighbouring
+/// labels differ by more than one. It restores slopes without the noise of sub-pixel parabolas on plain
+/// surfaces. `iterations` >= 0 of Jacobi's method.
 Raster<float> membrane_through(const Raster<int>& label_px, int iterations, const Work& work);
 
 }  // namespace palpable::vision

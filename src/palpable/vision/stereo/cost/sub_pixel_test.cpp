@@ -17,14 +17,14 @@ TEST(SubPixelOffset, IsTheMinimumOfTheParabola) {
   EXPECT_NEAR(sub_pixel_offset(costs.data(), 3, 5), -0.5F, 1e-6F);  // at most half a pixel
 }
 
-TEST(SubPixelOffset, IsNothingAtTheEndsAndWhereCostsAreNotConvex) {
+TEST(SubPixelOffset, IsZeroAtTheEndsAndForCostsThatAreNotConvex) {
   const std::array<int, 3> convex{9, 4, 5}, level{5, 5, 5};
   EXPECT_EQ(sub_pixel_offset(convex.data(), 0, 3), 0.0F);
   EXPECT_EQ(sub_pixel_offset(convex.data(), 2, 3), 0.0F);
   EXPECT_EQ(sub_pixel_offset(level.data(), 1, 3), 0.0F);
 }
 
-TEST(Membrane, MakesASlopeOfWholeLabels) {
+TEST(Membrane, TurnsIntegerLabelsIntoASlope) {
   Raster<int> label(80, 12);
   const auto truth = [](int x) { return 3.0F + 0.25F * static_cast<float>(x); };
   for (int y = 0; y < 12; ++y)

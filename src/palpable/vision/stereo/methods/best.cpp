@@ -33,15 +33,14 @@ void start_view(View& view, const MatchView& there, const BestOptions& options, 
   view.map = view.start;
 }
 
-/// The right view's disparities in its own frame; columns that the picture does not show count as infinitely
-/// near.
+/// The right view's disparities in its own frame; infinite in columns outside the picture.
 Raster<float> seen_from_right(const View& right, int first) {
   Raster<float> out = mirrored(right.map.disparity);
   mask_columns_before(first, out);
   return out;
 }
 
-/// Confidence of a pixel: how well its colours agree at the match, and how closely the two views do.
+/// Confidence of a pixel, from its matching cost and the left-right difference.
 Raster<float> confidence(const View& view, const Raster<float>& other, const BestOptions& options,
                          const Work& work) {
   Raster<float> out(other.width(), other.height());
@@ -109,8 +108,8 @@ class BestMatcher {
     report(round, "finding surfaces");
   }
 
-  /// A round in which each view's disparities change the other's costs; in the last rounds, of the left view
-  /// only.
+  /// A round in which each view's disparities change the other's costs; in the last rounds only the left view
+  /// is updated.
   void joint_round(int round) {
     for (View* view : {&left_, &right_})
       remove_false_islands(view->costs, options_.islands, options_.costs, view->map, view->start);
@@ -129,8 +128,7 @@ class BestMatcher {
     report(round, "finding occluded surfaces");
   }
 
-  /// The left view's disparities between whole pixels, hidden and contradicted ones replaced; and its
-  /// confidence.
+  /// The left view's sub-pixel disparities, with occluded and contradicted ones replaced, and its confidence.
   MatchOutput finish() {
     MatchOutput out;
     const Raster<float> seen_right = seen_from_right(right_, input_.right_first);
@@ -179,7 +177,7 @@ std::vector<Parameter> parameters_of(BestOptions& o) {
        {1, 20},
        "",
        "Rounds of the plane search of each view by itself"},
-      {"joint_rounds", &o.joint_rounds, {0, 20}, "", "Rounds of both views with what the other sees"},
+      {"joint_rounds", &o.joint_rounds, {0, 20}, "", "Rounds of both views with occlusions from each other"},
       {"last_rounds", &o.last_rounds, {0, 20}, "", "Last rounds of the left view"},
       {"first_exchange",
        &o.first_exchange,
@@ -187,12 +185,12 @@ std::vector<Parameter> parameters_of(BestOptions& o) {
        "",
        "First round with the other view's planes as candidates"},
       {"region_complexity", &o.region_complexity, {1, 1024}, "", "Q of statistical region merging"},
-      {"furthest_fraction", &o.furthest_fraction, {0, 0.5}, "", "Furthest pixels left out of the seen range"},
+      {"furthest_fraction", &o.furthest_fraction, {0, 0.5}, "", "Farthest pixels left out of the seen range"},
       {"furthest_margin_px",
        &o.furthest_margin_px,
        {0, 100},
        "px",
-       "Hidden surfaces lie at most so far behind it"},
+       "Greatest distance of occluded surfaces behind it"},
       {"half_confidence_cost",
        &o.half_confidence_cost,
        {0.01, 4},
@@ -203,7 +201,7 @@ std::vector<Parameter> parameters_of(BestOptions& o) {
        {0.01, 10},
        "px",
        "Difference of the views at which it is half"},
-      {"least_confidence", &o.least_confidence, {0, 1}, "", "Confidence out of view"}};
+      {"least_confidence", &o.least_confidence, {0, 1}, "", "Confidence outside the other picture"}};
   append_parameters(all, "volume", parameters_of(o.volume));
   append_parameters(all, "sgm", parameters_of(o.sgm));
   append_parameters(all, "proposals", parameters_of(o.proposals));

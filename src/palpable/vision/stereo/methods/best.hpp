@@ -18,23 +18,23 @@ namespace palpable::vision {
 
 /// The parts of the method `best`. docs/stereo.md says on which pictures the defaults were chosen.
 struct BestOptions {
-  /// Rounds of the plane search: of each view by itself, of both with what the other sees, and of the left
-  /// view at last; 1 … 20, 0 … 20, 0 … 20.
+  /// Rounds of the plane search: of each view by itself, of both views with occlusions from each other, and
+  /// finally of the left view; 1 … 20, 0 … 20, 0 … 20.
   int separate_rounds = 3;
   int joint_rounds = 3;
   int last_rounds = 2;
-  /// From this round on each view gets the other's planes as candidates: before, they are mostly noise; 0
-  /// … 60.
+  /// From this round on each view gets the other's planes as candidates; earlier they are mostly noise; 0 …
+  /// 60.
   int first_exchange = 2;
-  /// Q of statistical region merging: finer than elsewhere, since a region should lie on one surface or on
-  /// two; 1 … 1024.
+  /// Q of statistical region merging: larger than elsewhere, since a region should contain one or two
+  /// surfaces; 1 … 1024.
   double region_complexity = 128.0;
-  /// A hidden surface lies at most furthest_margin_px (px, 0 … 100) behind what is seen, without this
-  /// fraction of its furthest pixels; 0 … 0.5.
+  /// An occluded surface lies at most furthest_margin_px (px, 0 … 100) behind the visible pixels, without
+  /// this fraction of the farthest ones; 0 … 0.5.
   double furthest_fraction = 0.005;
   float furthest_margin_px = 1.0F;
-  /// Confidence is half where the match costs this (units, 0.01 … 4), or where the two views' disparities
-  /// differ by this (px, 0.01 … 10); at least least_confidence (0 … 1), which is that of pixels out of view.
+  /// The matching cost (units, 0.01 … 4) and the left-right difference (px, 0.01 … 10) at which confidence is
+  /// one half, and the least confidence (0 … 1), which pixels outside the other picture have.
   float half_confidence_cost = 0.5F;
   float half_confidence_px = 0.5F;
   float least_confidence = 0.1F;
@@ -52,12 +52,12 @@ std::vector<Parameter> parameters_of(BestOptions& options);
 /// Errors: usage, for a parameter out of its range.
 Result<void> check(const BestOptions& options);
 
-/// The method `best`, the default for files. AD-Census costs (Mei et al. 2011) averaged over small crosses
-/// and semi-global matching give both views a start; a semi-global search over slanted planes
-/// (plane_search.hpp) then turns steps into surfaces; in its later rounds each view determines what is hidden
-/// from the other, so that hidden surfaces continue as the planes of the background. Gives a confidence; no
-/// pixel is left unknown. docs/stereo-best.md has figures for each part. Errors: usage (check()),
-/// interrupted. The same bytes for every number of threads.
+/// The method `best`, the default for files. AD-Census costs (Mei et al. 2011) averaged over small crosses,
+/// and semi-global matching, initialise both views. Then a semi-global search over slanted planes
+/// (plane_search.hpp) turns steps into surfaces. In its later rounds each view determines the other's
+/// occlusions, so that occluded surfaces continue as planes of the background. Gives a confidence; no pixel
+/// is left unknown. docs/stereo-best.md has figures for each part. Errors: usage (check()), interrupted. The
+/// result does not depend on the number of threads.
 Result<MatchOutput> match_best(const MatchInput& input, const BestOptions& options, const Work& work);
 
 }  // namespace palpable::vision

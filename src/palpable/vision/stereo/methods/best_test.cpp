@@ -28,12 +28,12 @@ bool is_hidden(const SyntheticScene& scene, int x, int y) {
 TEST(Best, FollowsASlantedSurfaceWithoutTerraces) {
   const SyntheticScene scene = slanted_scene();
   const StereoMatch found = matched(scene, StereoMethod::best);
-  // 0.3 and 0.6 % when written; 16 and 62 % while disparities kept to whole pixels.
+  // 0.3 and 0.6 % when written; 16 and 62 % with integer disparities.
   EXPECT_LE(bad_fraction(scene, found.disparity.disparity_px, 0.25, 4), 0.01);
   EXPECT_LE(bad_fraction(scene, found.disparity.disparity_px, 0.1, 4), 0.02);
 }
 
-TEST(Best, CarriesTheGroundOnBehindTheBox) {
+TEST(Best, ContinuesTheGroundBehindTheBox) {
   const SyntheticScene scene = slanted_scene();
   const StereoMatch found = matched(scene, StereoMethod::best);
   int hidden = 0;
@@ -49,9 +49,9 @@ TEST(Best, CarriesTheGroundOnBehindTheBox) {
   EXPECT_GE(right, hidden * 8 / 10);
 }
 
-TEST(Best, CarriesASlantedSurfaceOnWhereTheOtherCameraSeesNothing) {
+TEST(Best, ContinuesASlantedSurfaceOutsideTheOtherPicture) {
   SyntheticScene scene = slanted_scene();
-  scene.ground_px = 26.0;  // the range begins above 0: the first columns of the right picture show it no more
+  scene.ground_px = 26.0;  // the range begins above 0, so the first columns are outside the right picture
   scene.box_px = 36.0;
   const StereoMatch found = matched(scene, StereoMethod::best);
   int unseen = 0;
@@ -62,11 +62,11 @@ TEST(Best, CarriesASlantedSurfaceOnWhereTheOtherCameraSeesNothing) {
       const double error = found.disparity.disparity_px(x, y) - scene.truth(x, y);
       right += std::abs(error) <= 0.15 ? 1 : 0;
     }
-  // 89 % when written; 35 % with what the search itself leaves there.
+  // 89 % when written; 35 % with the result of the search alone.
   EXPECT_GE(right, unseen * 8 / 10);
 }
 
-TEST(Best, IsSurerOfWhatBothCamerasSeeThanOfWhatIsHidden) {
+TEST(Best, IsLessConfidentInOcclusions) {
   const SyntheticScene scene = slanted_scene();
   const StereoMatch found = matched(scene, StereoMethod::best);
   double seen_sum = 0.0;
@@ -86,7 +86,7 @@ TEST(Best, IsSurerOfWhatBothCamerasSeeThanOfWhatIsHidden) {
   EXPECT_LT(hidden_sum / hidden, 0.5 * seen_sum / seen);
 }
 
-TEST(Best, BearsAStrongDifferenceOfExposure) {
+TEST(Best, ToleratesAStrongDifferenceOfExposure) {
   SyntheticScene scene = slanted_scene();
   const double equal = bad_fraction(scene, matched(scene, StereoMethod::best).disparity.disparity_px, 1.0, 4);
   scene.right_gain = 0.45;
@@ -94,7 +94,7 @@ TEST(Best, BearsAStrongDifferenceOfExposure) {
   EXPECT_LE(dark, equal + 0.015);
 }
 
-TEST(Best, AnswersForATinyPictureAndForOneWithoutTexture) {
+TEST(Best, MatchesTinyPicturesAndPicturesWithoutTexture) {
   for (const auto& [width, height] : {std::pair{8, 8}, std::pair{9, 40}, std::pair{48, 8}}) {
     MatchInput input;
     input.left = input.right = Raster<Rgb8>(width, height, Rgb8{90, 90, 90});

@@ -22,7 +22,7 @@ struct VoteRow {
   const float* trust;
 };
 
-/// Close to exp(-t), from products only, so that rows run in vectors; 0 from 16 on.
+/// An approximation of exp(-t) by products only, so that rows can be vectorised; 0 from 16 on.
 inline float falloff(float t) {
   const float u = 1.0F - t / 16.0F;
   const float u1 = u > 0.0F ? u : 0.0F;
@@ -36,7 +36,7 @@ inline int colour_difference(const VoteRow& p, const VoteRow& q, int x) {
   return std::abs(p.r[x] - q.r[x]) + std::abs(p.g[x] - q.g[x]) + std::abs(p.b[x] - q.b[x]);
 }
 
-/// Adds the votes of the pixels of `other` for the pixels of `centre`, one for one.
+/// Adds the vote of each pixel of `other` for the corresponding pixel of `centre`.
 PALPABLE_VECTORIZE
 void add_votes(const VoteRow& centre, const VoteRow& other, float row_weight, float per_level,
                float support_px, int count, float* __restrict near, float* __restrict total) {
@@ -114,7 +114,7 @@ class ColumnVotes {
     return {at(colour_.r), at(colour_.g), at(colour_.b), at(disparity_px_), at(trust_)};
   }
 
-  /// The least disparity up to which lies half of the votes.
+  /// The weighted median of the votes' disparities.
   float weighted_median(float total) {
     auto first = votes_.begin();
     auto last = votes_.end();
@@ -198,7 +198,7 @@ void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& tru
     for (int y = begin; y < end; ++y) {
       votes.shares(y, shares);
       std::fill(done.begin(), done.end(), std::uint8_t{0});
-      // From each outlier along the scanline, in both directions, to the end of the streak.
+      // Follows the streak from each outlier along the scanline in both directions.
       for (const int direction : {1, -1}) {
         bool in_streak = false;
         for (int k = 0; k < picture.width(); ++k) {

@@ -31,10 +31,10 @@ struct ColumnOptions {
 };
 std::vector<Parameter> parameters_of(ColumnOptions& options);
 
-/// Removes the streaks that matching each scanline by itself leaves, and keeps edges (Shi & Pai 1997,
-/// section 3.3): a disparity in the tail of its column's distribution is replaced by the weighted mean of the
-/// reasonable ones; so are its neighbours along the scanline that share its disparity. `disparity_px`: no
-/// NaN; all rasters have the same size.
+/// Removes the streaks of independent scanline matching and keeps edges (Shi & Pai 1997, section 3.3): a
+/// disparity in the tail of its column's distribution is replaced by the weighted mean of the inliers, and so
+/// are its neighbours along the scanline with the same disparity. `disparity_px`: no NaN; all rasters have
+/// the same size.
 void smooth_columns(const Raster<Rgb8>& picture, const Raster<std::uint8_t>& trusted,
                     const ColumnOptions& options, Raster<float>& disparity_px, const Work& work);
 

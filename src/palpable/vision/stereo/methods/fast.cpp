@@ -29,8 +29,8 @@ PALPABLE_VECTORIZE void smooth(const std::uint8_t* __restrict a, const std::uint
   }
 }
 
-/// The differences of a row's pixels to those of another row that lie `dx` further; the greatest where there
-/// is none.
+/// The differences of a row's pixels to those of another row, shifted by `dx`; the maximum outside the
+/// picture.
 void differences_to(const ColourPlanes& colour, int y, int dx, int other_y, Bytes& out) {
   const int width = colour.width();
   std::fill(out.begin(), out.end(), std::uint8_t{255});
@@ -40,8 +40,8 @@ void differences_to(const ColourPlanes& colour, int y, int dx, int other_y, Byte
                      out.data() + first);
 }
 
-/// Matches one stripe of the picture. All of its rows' costs and sums are kept until the paths from below
-/// have come up.
+/// Matches one stripe of the picture. The costs and sums of all its rows are kept until the upward paths are
+/// done.
 class StripeMatcher {
  public:
   StripeMatcher(const MatchingCost& costs, const FastOptions& options, int disparities, int stride, int begin,
@@ -93,7 +93,7 @@ class StripeMatcher {
     }
     ColumnPaths up(width_, stride_, options_.small_step_share);
     for (int y = last_ - 1; y >= begin_; --y) {
-      up.add(cost_of(y), seen_from_below(y), SumState::goes_on, sum_of(y));
+      up.add(cost_of(y), seen_from_below(y), SumState::continues, sum_of(y));
       if (y < end_) choose(y, left_px.row(y), right_px.row(y));
     }
   }
@@ -162,7 +162,7 @@ class StripeMatcher {
     differences_to(colour_, y, 1, y - 1, difference_);
     to_steps(steps.before_right);
   }
-  /// The steps from the row below to row y: those that lead down there, the other way.
+  /// The steps from the row below to row y: those of the downward paths, reversed.
   RowSteps seen_from_below(int y) {
     if (y + 1 == last_) return RowSteps(width_);
     const RowSteps& down = steps_of(y + 1);
@@ -192,7 +192,7 @@ class StripeMatcher {
   const MatchingCost& costs_;
   const ColourPlanes& colour_;
   int width_, height_, disparities_, stride_;
-  /// The stripe's rows; and with those at which its paths begin.
+  /// The stripe's rows, without and with the lead-in rows.
   int begin_, end_, first_, last_;
   std::size_t row_size_;
   std::array<std::uint8_t, 256> step_{};  // by colour difference

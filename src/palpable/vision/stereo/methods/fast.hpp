@@ -16,7 +16,7 @@ namespace palpable::vision {
 struct FastOptions {
   /// The sum of both terms, halved, is at most 127.
   CostOptions cost = {.census_weight = 1, .colour_limit = 20, .colour_weight = 3, .halvings = 1};
-  /// Costs are averaged with those of neighbours of similar colour, 1, 2, 4 … pixels away: so many passes
+  /// Costs are averaged with those of neighbours of similar colour, 1, 2, 4 … pixels away: number of passes
   /// along the row, and along the column; 0 … 5, 1 … 4.
   int row_passes = 3;
   int column_passes = 2;
@@ -26,17 +26,17 @@ struct FastOptions {
   float large_step = 120.0F;
   /// It falls by e with this colour difference (levels of 255, 1 … 255) …
   float step_colour_levels = 12.0F;
-  /// … to this at the least; 0 … 127.
+  /// … down to this value; 0 … 127.
   float least_large_step = 14.0F;
   /// The penalty of a step of one disparity, in 256ths of the larger one; 0 … 256.
   int small_step_share = 70;
-  /// The picture is matched in an even number of stripes of at most so many rows, the same for every number
+  /// The picture is matched in an even number of stripes of at most this many rows, independent of the number
   /// of threads; 16 … 4096.
   int stripe_rows = 200;
   /// Rows above and below a stripe at which its paths begin; 0 … 200.
   int lead_in_rows = 12;
-  /// 3 x 3 medians at the end: twice, so that specks of a few pixels go and corners stay sharper than under
-  /// one wide median; 0 … 10.
+  /// Number of final 3 x 3 medians: two remove specks of a few pixels and keep corners sharper than one wide
+  /// median; 0 … 10.
   int medians = 2;
 };
 std::vector<Parameter> parameters_of(FastOptions& options);
@@ -44,9 +44,9 @@ std::vector<Parameter> parameters_of(FastOptions& options);
 Result<void> check(const FastOptions& options);
 
 /// The method `fast`, for live use: AD-Census costs averaged over small crosses, semi-global matching over
-/// eight paths, the right view's disparities from the same sums, hidden pixels filled from the background, a
-/// median against specks. Gives a confidence of 0 or 1: whether both views agree; no pixel is left unknown.
-/// Errors: usage (check()), interrupted. The same bytes for every number of threads.
+/// eight paths, the right view's disparities from the same sums, occluded pixels filled from the background,
+/// and a median against specks. Gives a confidence of 0 or 1 (left-right check); no pixel is left unknown.
+/// Errors: usage (check()), interrupted. The result does not depend on the number of threads.
 Result<MatchOutput> match_fast(const MatchInput& input, const FastOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -55,7 +55,7 @@ GridEnergy make_energy(const MatchInput& input, const GraphCutOptions& options, 
   return energy;
 }
 
-/// The cheapest label of each pixel, among those within `reach` of twice the coarse label where there is one.
+/// The label of least cost at each pixel, within `reach` of twice the coarse label if there is one.
 Raster<int> cheapest(const GridEnergy& energy, const Raster<int>& coarse, int reach) {
   Raster<int> label(energy.width, energy.height);
   for (int y = 0; y < energy.height; ++y) {
@@ -73,8 +73,8 @@ Raster<int> cheapest(const GridEnergy& energy, const Raster<int>& coarse, int re
   return label;
 }
 
-/// In each cell: the labels that the coarse solution has near it, doubled, and one to each side; and those
-/// that are the cheapest of several of its pixels.
+/// The candidates of each cell: the doubled labels of the coarse solution near it with their neighbours, and
+/// labels of least cost at several of its pixels.
 Candidates candidates_from(const GridEnergy& energy, const GraphCutOptions& options,
                            const Raster<int>& coarse) {
   constexpr int kCell = Candidates::kCell;
@@ -108,8 +108,7 @@ struct Solution {
   GridEnergy energy;
 };
 
-/// From coarse to fine: the smallest pictures try every label everywhere, the others those that came up
-/// there.
+/// From coarse to fine: the smallest pictures try all labels everywhere, the others only the candidates.
 Solution solve(const MatchInput& input, const GraphCutOptions& options, int level, const Work& work) {
   Solution out{{}, make_energy(input, options, work)};
   const GridEnergy& energy = out.energy;
@@ -130,7 +129,7 @@ Solution solve(const MatchInput& input, const GraphCutOptions& options, int leve
   return out;
 }
 
-/// 0 where a nearer surface covers the pixel in the right picture, or where that picture does not show it.
+/// 0 if a nearer surface occludes the pixel in the right picture, or it is outside that picture.
 Raster<std::uint8_t> seen_by_both(const Raster<int>& label, int right_first) {
   Raster<std::uint8_t> seen(label.width(), label.height());
   std::vector<int> nearest(static_cast<std::size_t>(label.width()));
@@ -156,7 +155,7 @@ std::vector<Parameter> parameters_of(GraphCutOptions& o) {
       {"edge_smoothness", &o.edge_smoothness, {0, 500}, "cost", "Smoothness across the strongest edge"},
       {"edge_levels", &o.edge_levels, {0.1, 255}, "levels", "Colour difference at which it falls by e"},
       {"truncation_px", &o.truncation_px, {1, 100}, "px", "Disparities that differ by more cost no more"},
-      {"few_disparities", &o.few_disparities, {2, 1000}, "", "So few are all tried everywhere"},
+      {"few_disparities", &o.few_disparities, {2, 1000}, "", "Up to this many are all tried everywhere"},
       {"few_pixels",
        &o.few_pixels,
        {8, 10000},

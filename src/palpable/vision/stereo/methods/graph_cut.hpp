@@ -21,13 +21,13 @@ struct GraphCutOptions {
   float smoothness = 32.0F;
   /// The smoothness across the strongest edge; units, 0 … 500.
   float edge_smoothness = 3.0F;
-  /// It falls from one to the other by e with this colour difference, mean of the channels; levels of 255,
-  /// 0.1 … 255.
+  /// It falls from one to the other with this decay constant of the colour difference, mean of the channels;
+  /// levels of 255, 0.1 … 255.
   float edge_levels = 8.0F;
   /// Disparities that differ by more cost no more; px, 1 … 100.
   float truncation_px = 2.0F;
-  /// From coarse to fine: a picture with at most so many disparities, or less than so many pixels on its
-  /// short side, is solved with all labels everywhere; 2 … 1000, 8 … 10000.
+  /// From coarse to fine: a picture with at most few_disparities, or fewer than few_pixels on its short side,
+  /// is solved with all labels everywhere; 2 … 1000, 8 … 10000.
   int few_disparities = 10;
   int few_pixels = 64;
   /// Expansion moves over all labels; 1 … 20.
@@ -35,10 +35,10 @@ struct GraphCutOptions {
   /// Labels tried in a cell of 16 x 16 pixels: those of the coarser solution up to this far around it (px, 0
   /// … 100),
   int candidate_reach_px = 8;
-  /// and those that are the cheapest of at least so many of its pixels, which the coarser picture could not
+  /// and those of least cost at no fewer than this many of its pixels, which the coarser picture could not
   /// resolve; px, 1 … 256.
   int candidate_pixels = 12;
-  /// Iterations of the membrane through whole disparities; 0 … 1000.
+  /// Iterations of the membrane through integer disparities; 0 … 1000.
   int membrane_iterations = 40;
 };
 std::vector<Parameter> parameters_of(GraphCutOptions& options);
@@ -46,7 +46,7 @@ std::vector<Parameter> parameters_of(GraphCutOptions& options);
 Result<void> check(const GraphCutOptions& options);
 
 /// The method `graph-cut`: expansion moves by minimum cuts, from coarse to fine. No pixel is left unknown.
-/// Errors: usage (check()), interrupted. The same bytes for every number of threads.
+/// Errors: usage (check()), interrupted. The result does not depend on the number of threads.
 Result<MatchOutput> match_graph_cut(const MatchInput& input, const GraphCutOptions& options,
                                     const Work& work);
 

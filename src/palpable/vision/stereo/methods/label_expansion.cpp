@@ -13,12 +13,12 @@
 namespace palpable::vision {
 namespace {
 
-// Whole numbers make the cut exact, so that it ends and is the same everywhere.
+// Integers make the cut exact, so that it terminates and is reproducible.
 using Graph = cv::detail::GCGraph<int>;
 constexpr float kFixedPoint = 16.0F;
 constexpr int kStrip = 4 * Candidates::kCell;
 
-/// A pixel's neighbours after it in reading order, and the raster that holds their weight.
+/// A pixel's neighbours after it in raster order, and the rasters of their weights.
 struct Neighbour {
   int dx;
   int dy;
@@ -80,7 +80,7 @@ class StripExpansion {
     return static_cast<int>(kFixedPoint * weight * apart + 0.5F);
   }
 
-  /// A cut that leaves the pixel with the source keeps its label; with the sink, it takes alpha.
+  /// A pixel on the source's side of the cut keeps its label; one on the sink's side takes alpha.
   void add_terms(int i, int alpha, const Raster<int>& label, Graph& graph) const {
     const auto [x, y] = pixels_[static_cast<std::size_t>(i)];
     const int own = label(x, y);
@@ -100,7 +100,7 @@ class StripExpansion {
                    smoothness(weight, alpha, other), keep, take, graph);
         }
       }
-      // Pairs with an earlier pixel that may move were added there.
+      // Pairs with an earlier movable pixel have been added there.
       if (label.contains(x - n.dx, y - n.dy) && (y - n.dy < top_ || node_(x - n.dx, y - n.dy - top_) < 0)) {
         const int other = label(x - n.dx, y - n.dy);
         const float weight = (energy_.*n.weight)(x - n.dx, y - n.dy);

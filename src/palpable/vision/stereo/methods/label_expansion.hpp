@@ -31,7 +31,7 @@ struct GridEnergy {
   double value(const Raster<int>& label) const;
 };
 
-/// Which labels are tried where: cells of kCell x kCell pixels, each with a flag for every label.
+/// Candidate labels: cells of kCell x kCell pixels, each with a flag for every label.
 struct Candidates {
   static constexpr int kCell = 16;
   Candidates(int width, int height, int labels);
@@ -44,10 +44,10 @@ struct Candidates {
   std::vector<std::uint8_t> flags;
 };
 
-/// Lowers the energy by expansion moves (Boykov, Veksler & Zabih 2001), each by a minimum cut: for every
-/// label, the pixels of the cells where it is a candidate may take it. The picture is worked on in strips,
-/// every other one at a time, so that threads never touch the same pixels and the result does not depend on
-/// them; later passes move the strips' borders. `passes` >= 1.
+/// Minimises the energy by expansion moves (Boykov, Veksler & Zabih 2001), each by a minimum cut: for every
+/// label, the pixels of the cells where it is a candidate may take it. The picture is processed in strips,
+/// every other one at a time, so that threads never change the same pixels and the result does not depend on
+/// their number; later passes shift the strips' borders. `passes` >= 1.
 void expand_labels(const GridEnergy& energy, const Candidates& candidates, int passes, Raster<int>& label,
                    const Work& work);
 

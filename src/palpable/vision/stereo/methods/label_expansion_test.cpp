@@ -32,7 +32,7 @@ Candidates everywhere(const GridEnergy& energy) {
 }
 
 TEST(LabelExpansion, FindsTheLeastEnergyOfTwoLabels) {
-  // With two labels one expansion is exact: every labelling of a small grid is tried to compare.
+  // With two labels one expansion is exact; it is compared with all labellings of a small grid.
   const GridEnergy energy = noisy_energy(4, 3, 2, 8.0F);
   double least = 1e30;
   for (unsigned bits = 0; bits < 4096U; ++bits) {
@@ -45,7 +45,7 @@ TEST(LabelExpansion, FindsTheLeastEnergyOfTwoLabels) {
   EXPECT_NEAR(energy.value(label), least, 0.5);  // the cut works in sixteenths
 }
 
-TEST(LabelExpansion, NeverRaisesTheEnergyAndTakesOnlyCandidates) {
+TEST(LabelExpansion, NeverIncreasesTheEnergyAndUsesOnlyCandidates) {
   const GridEnergy energy = noisy_energy(80, 150, 6, 10.0F);
   Candidates some = everywhere(energy);
   some.of(1, 1)[3] = 0;

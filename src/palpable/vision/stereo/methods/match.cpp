@@ -77,7 +77,7 @@ void mirror(MatchInput& input) {
   flip(input.right_grey);
 }
 
-/// Where an exchanged pair's first picture stays the reference: mirrored, it is the left one of its pair.
+/// Matches an exchanged pair with its first picture as the reference: mirrored, it is the left one.
 Result<MatchOutput> match_mirrored(MatchInput& input, const MethodEntry& method, const StereoOptions& options,
                                    const Work& work) {
   mirror(input);

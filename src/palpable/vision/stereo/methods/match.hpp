@@ -16,14 +16,14 @@ namespace palpable::vision {
 /// The name on the command line ("graph-cut"); and back, nullopt for an unknown name.
 std::string_view name_of(StereoMethod method);
 std::optional<StereoMethod> stereo_method_from(std::string_view name);
-/// The methods that this program holds.
+/// All methods.
 std::vector<StereoMethod> available_stereo_methods();
 
 /// One sentence on how the method works.
 std::string_view summary_of(StereoMethod method);
 
 /// Runs one method. Errors: invalid_input for sizes that differ or are too small, usage for options out of
-/// their ranges, interrupted. Long work: reports progress, polls cancel.
+/// their ranges, interrupted. Long-running: reports progress, polls for cancellation.
 Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                           const Work& work);
 

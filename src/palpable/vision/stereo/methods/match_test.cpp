@@ -55,7 +55,7 @@ TEST_P(EveryMethod, FindsABoxBeforeASlantedGround) {
   EXPECT_TRUE(found->notes.empty()) << found->notes.front();
 }
 
-TEST_P(EveryMethod, GivesTheSameBytesForEveryThreadCount) {
+TEST_P(EveryMethod, IsIndependentOfTheNumberOfThreads) {
   const StereoPair pair = render({});
   Work one;
   one.threads = 1;
@@ -67,7 +67,7 @@ TEST_P(EveryMethod, GivesTheSameBytesForEveryThreadCount) {
   EXPECT_TRUE(a->disparity.disparity_px == b->disparity.disparity_px);
 }
 
-TEST_P(EveryMethod, CarriesSurfacesOnWhereTheOtherPictureEnds) {
+TEST_P(EveryMethod, ContinuesSurfacesOutsideTheOtherPicture) {
   SyntheticScene near;
   near.ground_px = 40.0;
   near.box_px = 46.0;
@@ -115,7 +115,7 @@ void darken_rows(Image& image, int rows) {
   for (auto v = image.samples.begin(); v != image.samples.begin() + samples; ++v) *v *= 0.05F;
 }
 
-TEST(PreparedPictures, LoseADarkFrameThatBothHaveAndKeepDarknessThatOneHas) {
+TEST(PreparedPictures, LoseACommonDarkFrameAndKeepDarknessInOnePicture) {
   SyntheticScene scene;
   scene.height = 130;
   StereoPair pair = render(scene);
@@ -131,7 +131,7 @@ TEST(PreparedPictures, LoseADarkFrameThatBothHaveAndKeepDarknessThatOneHas) {
     }
 }
 
-TEST(Stereo, SmoothsAPyramidMoreWithAGreaterSurfaceWeight) {
+TEST(Stereo, SmoothsAPyramidMoreWithALargerSurfaceWeight) {
   const StereoPair pair = render({});
   StereoOptions weak;
   weak.pyramid.surface_weight = 0.05F;
@@ -153,7 +153,7 @@ TEST(Stereo, KeepsAPyramidsDepthWhenItsStepsMoveToEdges) {
   EXPECT_LE(bad_fraction(scene, edges->disparity.disparity_px, 1.0, 4), 0.08);
 }
 
-TEST(Stereo, LevelsPicturesOfDifferentExposure) {
+TEST(Stereo, MatchesPicturesOfDifferentExposure) {
   SyntheticScene scene;
   scene.right_gain = 0.4;
   const auto found = match(render(scene), StereoMethod::scanline, {}, {});
@@ -162,19 +162,19 @@ TEST(Stereo, LevelsPicturesOfDifferentExposure) {
   EXPECT_LE(bad_fraction(scene, found->disparity.disparity_px, 1.0, 4), 0.05);
 }
 
-TEST(Stereo, SaysThatLeftAndRightAreExchangedAndMatchesThemAllTheSame) {
+TEST(Stereo, ReportsAnExchangedPairAndMatchesIt) {
   StereoPair pair = render({});
   std::swap(pair.left, pair.right);
   const auto found = match(pair, StereoMethod::scanline, {}, {});
   ASSERT_TRUE(found);
   EXPECT_TRUE(has_note(*found, "exchanged"));
-  // The first picture stays the reference: the ground's 6 pixels in the corner, the box's 14 where it shows
-  // the box.
+  // The first picture stays the reference: the disparity is the ground's 6 pixels in the corner and the box's
+  // 14 on the box.
   EXPECT_NEAR(static_cast<double>(found->disparity.disparity_px(20, 10)), 6.0, 0.5);
   EXPECT_NEAR(static_cast<double>(found->disparity.disparity_px(70, 50)), 14.0, 0.5);
 }
 
-TEST(Stereo, SaysHowFarOnePictureLiesAboveTheOther) {
+TEST(Stereo, ReportsAVerticalOffset) {
   SyntheticScene scene;
   scene.right_lower_px = 5;
   const auto found = match(render(scene), StereoMethod::scanline, {}, {});
@@ -182,7 +182,7 @@ TEST(Stereo, SaysHowFarOnePictureLiesAboveTheOther) {
   EXPECT_TRUE(has_note(*found, "5 pixels lower"));
 }
 
-TEST(Stereo, SaysThatUnrelatedPicturesDoNotAgree) {
+TEST(Stereo, ReportsUnrelatedPictures) {
   StereoPair pair = render({});
   for (int y = 0; y < pair.right.height; ++y)
     for (int x = 0; x < pair.right.width; ++x)
@@ -193,13 +193,13 @@ TEST(Stereo, SaysThatUnrelatedPicturesDoNotAgree) {
   EXPECT_TRUE(has_note(*found, "little agreement"));
 }
 
-TEST(Stereo, SaysThatBlackPicturesHaveNoTexture) {
+TEST(Stereo, ReportsBlackPicturesWithoutTexture) {
   const auto found = match({flat(64, 48), flat(64, 48), {}}, StereoMethod::scanline, {}, {});
   ASSERT_TRUE(found);
   EXPECT_TRUE(has_note(*found, "hardly any texture"));
 }
 
-TEST(Stereo, FindsTheRangeOfHalfTheWidthAndOfDisparitiesBehindInfinity) {
+TEST(Stereo, FindsLargeAndNegativeDisparities) {
   SyntheticScene near;
   near.ground_px = 70.0;
   near.box_px = 82.0;

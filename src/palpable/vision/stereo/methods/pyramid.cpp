@@ -42,14 +42,14 @@ class CandidateList {
   std::vector<int> list_;
 };
 
-/// One size of the pair, seen from one of its pictures: `sign` is +1 for the left one, whose match lies at x
-/// - d.
+/// One pyramid level of the pair with one picture as reference: `sign` is +1 for the left one, whose match is
+/// at x - d.
 struct View {
   const CorrelationPicture& own;
   const CorrelationPicture& other;
   int sign;
   int disparities;
-  /// The right picture shows something from this column on.
+  /// The right picture has content from this column on.
   int right_first;
   float error(int x, int y, int d) const { return correlation_error(own, other, x, y, x - sign * d); }
   bool visible(int x, int d) const {
@@ -72,7 +72,7 @@ int best_of(const View& view, int x, int y, const std::vector<int>& tried) {
   return best;
 }
 
-/// Tries everything where there is no coarser estimate; else twice the coarser disparities around the pixel.
+/// Tries all disparities without a coarser estimate, else twice the coarser disparities around the pixel.
 Raster<int> first_match(const View& view, const Raster<int>& coarse, const Work& work) {
   const int width = view.own.width();
   const int height = view.own.height();
@@ -119,8 +119,7 @@ Raster<std::uint8_t> constrained(const View& view, const Raster<int>& map, const
       if (d == kUnmatched || !view.visible(x, d)) continue;
       const int back = other(x - view.sign * d, y);
       const bool mutual = back != kUnmatched && std::abs(back - d) <= 1;
-      // Ordering is asked of the left picture alone: there a disparity may exceed its right neighbour's by
-      // one.
+      // Ordering is checked in the left picture alone: a disparity may exceed its right neighbour's by one.
       const bool has_next = view.sign > 0 && x + 1 < map.width() && map(x + 1, y) != kUnmatched;
       const bool in_order = !has_next || d - map(x + 1, y) <= 1;
       out(x, y) = mutual && in_order && is_smooth(map, x, y) ? 1 : 0;
@@ -129,8 +128,7 @@ Raster<std::uint8_t> constrained(const View& view, const Raster<int>& map, const
   return out;
 }
 
-/// Pixels that break a constraint are matched again near the disparities of their neighbours that keep them
-/// all.
+/// Pixels that violate a constraint are matched again near the disparities of consistent neighbours.
 Raster<int> rematched(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept, int reach,
                       const Work& work) {
   Raster<int> out = map;
@@ -150,7 +148,7 @@ Raster<int> rematched(const View& view, const Raster<int>& map, const Raster<std
   return out;
 }
 
-/// Both pictures' maps of one size, with what keeps the constraints; the rest filled from the background.
+/// Both pictures' maps of one level and their consistent pixels; the others are filled from the background.
 struct Maps {
   Raster<int> left;
   Raster<int> right;
@@ -165,7 +163,7 @@ void fill(Raster<int>& map, const Raster<std::uint8_t>& kept) {
   for (std::size_t i = 0; i < map.count(); ++i) map.values()[i] = static_cast<int>(filled.values()[i]);
 }
 
-/// How well a match that keeps the constraints correlates; others have no vote.
+/// Trust: the correlation of consistent matches; others have no vote.
 Raster<float> trust(const View& view, const Raster<int>& map, const Raster<std::uint8_t>& kept, float least,
                     const Work& work) {
   Raster<float> out(map.width(), map.height());
@@ -199,7 +197,7 @@ Maps match_level(const MatchInput& input, const PyramidOptions& options, const W
   const Raster<std::uint8_t> kept_right = constrained(from_right, out.right, out.left);
   fill(out.left, out.kept);
   fill(out.right, kept_right);
-  // Pixels that break a constraint, and noise on plain surfaces, take the disparity of similar pixels around.
+  // Inconsistent pixels, and noise on plain surfaces, take the disparity of similar pixels nearby.
   out.left = weighted_median(colour_planes(input.left), out.left,
                              trust(from_left, out.left, out.kept, options.least_trust, work),
                              input.disparities, options.median, work);
@@ -286,18 +284,14 @@ std::vector<Parameter> parameters_of(PyramidOptions& o) {
        &o.surface_weight,
        {0.001, 100},
        "",
-       "Weight of a smooth surface; the picture has 0 to 1"},
+       "Weight of a smooth surface; the data term has 0 to 1"},
       {"iterations", &o.iterations, {0, 1000}, "", "Rounds of the refinement"},
       {"surface_px",
        &o.surface_px,
        {0.1, 100},
        "px",
        "Neighbours that differ by more are on another surface"},
-      {"edge_reach_px",
-       &o.edge_reach_px,
-       {0, 60},
-       "px",
-       "With features: steps of disparity move at most so far"},
+      {"edge_reach_px", &o.edge_reach_px, {0, 60}, "px", "With features: greatest shift of disparity steps"},
       {"edge_levels", &o.edge_levels, {0, 255}, "levels", "With features: least contrast of an edge"},
       {"coarsest_side_px", &o.coarsest_side_px, {8, 10000}, "px", "Least short side of the coarsest picture"},
       {"coarsest_disparities", &o.coarsest_disparities, {2, 1000}, "", "Its least number of disparities"},
@@ -306,7 +300,7 @@ std::vector<Parameter> parameters_of(PyramidOptions& o) {
        {0, 20},
        "",
        "Rounds in which inconsistent pixels are matched again"},
-      {"rematch_reach_px", &o.rematch_reach_px, {1, 30}, "px", "How far around their candidates come from"},
+      {"rematch_reach_px", &o.rematch_reach_px, {1, 30}, "px", "Reach of their candidates"},
       {"noise_levels", &o.noise_levels, {0.1, 50}, "levels", "Standard deviation of a pixel's noise"},
       {"least_trust", &o.least_trust, {0.001, 1}, "", "Least weight of a consistent match"}};
   append_parameters(all, "median", parameters_of(o.median));

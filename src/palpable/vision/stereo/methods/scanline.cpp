@@ -15,8 +15,8 @@
 namespace palpable::vision {
 namespace {
 
-/// Finds the paths of one scanline after the other, in the left and in the right picture's disparity-space
-/// image. One object a thread.
+/// Finds the paths of consecutive scanlines in the left and the right picture's disparity-space images. One
+/// object per thread.
 class ScanlineMatcher {
  public:
   ScanlineMatcher(const MatchInput& input, const MatchingCost& cost, const Raster<CrossArms>& arms,
@@ -33,7 +33,8 @@ class ScanlineMatcher {
         occluded_(columns_),
         occluded_right_(columns_) {}
 
-  /// The next row's disparities, and whether each is seen by both cameras and confirmed by the right one.
+  /// The next row's disparities, and whether each pixel is visible in both pictures and confirmed by the
+  /// right one.
   void next_row(int y, std::span<float> disparity_px, std::span<std::uint8_t> trusted) {
     aggregator_.next_row(costs_.data());
     path_.find(costs_, input_.left_grey.row(y), disparity_px, occluded_);
@@ -46,8 +47,8 @@ class ScanlineMatcher {
   }
 
  private:
-  /// The right picture's disparity-space image is the left one's, sheared; mirrored, its path obeys the same
-  /// moves.
+  /// The right picture's disparity-space image is the left one's, sheared and mirrored, so that its path has
+  /// the same moves.
   void mirror(int y) {
     const auto grey = input_.right_grey.row(y);
     for (std::size_t m = 0; m < columns_; ++m) {
@@ -100,7 +101,7 @@ ScanlineMap scanline_map(const MatchInput& input, const ScanlineMapOptions& opti
   const MatchingCost cost(input, options.cost, work);
   const Raster<CrossArms> arms = cross_arms(cost.left_colour(), options.window, work);
   ScanlineMap out{Raster<float>(width, height), Raster<std::uint8_t>(width, height)};
-  // Each part begins with the rows above it that its windows reach into: parts must not be too small.
+  // Each part also needs the rows above it within its windows' reach, so parts must not be too small.
   parallel_for(work, height, std::max(1, 4 * options.window.column_reach_px), [&](int begin, int end) {
     ScanlineMatcher matcher(input, cost, arms, options, begin);
     for (int y = begin; y < end && !work.cancelled(); ++y) {

@@ -25,12 +25,12 @@ std::vector<Parameter> parameters_of(ScanlineMapOptions& options);
 /// The paths of all scanlines, before anything is filled or smoothed.
 struct ScanlineMap {
   Raster<float> disparity_px;
-  /// 1 where both cameras see the pixel and the right picture's path agrees.
+  /// 1 if both cameras see the pixel and the right picture's path agrees.
   Raster<std::uint8_t> trusted;
 };
 
-/// The paths alone; other methods begin with them. Incomplete when the work was cancelled. The options are
-/// valid (check_window_size() for the window).
+/// The paths alone, which also initialise other methods. Incomplete if the work was cancelled. The options
+/// are valid (check_window_size() for the window).
 ScanlineMap scanline_map(const MatchInput& input, const ScanlineMapOptions& options, const Work& work);
 
 /// The parts of the method `scanline`.
@@ -42,9 +42,9 @@ std::vector<Parameter> parameters_of(ScanlineOptions& options);
 /// Errors: usage, for a parameter out of its range or a window that is too large.
 Result<void> check(const ScanlineOptions& options);
 
-/// The method `scanline` (Shi & Pai 1997): every scanline's least-cost path, hidden pixels filled from the
-/// background, streaks removed. No pixel is left unknown. Errors: usage (check()), interrupted. The same
-/// bytes for every number of threads.
+/// The method `scanline` (Shi & Pai 1997): each scanline's least-cost path, with occluded pixels filled from
+/// the background and streaks removed. No pixel is left unknown. Errors: usage (check()), interrupted. The
+/// result does not depend on the number of threads.
 Result<MatchOutput> match_scanline(const MatchInput& input, const ScanlineOptions& options, const Work& work);
 
 }  // namespace palpable::vision

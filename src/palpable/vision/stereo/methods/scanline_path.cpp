@@ -16,10 +16,10 @@ namespace {
 
 using Cost = std::uint16_t;
 
-/// Path costs are kept less the least of their column and end here: below overflow with a move and a matching
-/// cost added, and above what a jump of 300 pixels costs.
+/// Limit of path costs, which are stored minus the minimum of their column: no overflow when a move and a
+/// matching cost are added, and above the cost of a jump of 300 pixels.
 constexpr Cost kNever = 64000;
-/// Matching costs are divided by so much beside path costs.
+/// Divisor of matching costs in path costs.
 constexpr int kFiner = 4;
 
 // How a cell was reached, three bits; and two flags.
@@ -31,14 +31,14 @@ enum Move : std::uint8_t {
   end_of_occlusion = 4
 };
 constexpr std::uint8_t kMoveBits = 7;
-constexpr std::uint8_t kJumpFromHigher = 8;    // a jump to here begins above the next disparity
+constexpr std::uint8_t kJumpFromHigher = 8;    // a jump to this cell begins above the next disparity
 constexpr std::uint8_t kOcclusionGoesOn = 16;  // the pixel before was occluded too
 
 [[gnu::always_inline]] inline Cost least_of(Cost a, Cost b) { return a < b ? a : b; }
 [[gnu::always_inline]] inline Cost sum_of(Cost a, Cost b) { return static_cast<Cost>(a + b); }
 
-/// All arrays are padded by one kNever cell at both ends: index d + 1 is disparity d. `base` is taken from
-/// all path costs; returns the least that is left.
+/// All arrays are padded by one kNever cell at both ends: index d + 1 is disparity d. `base` is subtracted
+/// from all path costs; returns the minimum of the result.
 PALPABLE_VECTORIZE Cost advance(const Cost* __restrict match, const Cost* __restrict occlusion,
                                 const Cost* __restrict above, const Cost* __restrict costs, int count,
                                 ScanlinePath::MoveCosts move_costs, Cost base, Cost* __restrict match_next,
@@ -78,7 +78,7 @@ PALPABLE_VECTORIZE void narrow(const Cost* __restrict from, int count, std::uint
   for (int d = 0; d < count; ++d) to[d] = static_cast<std::uint8_t>(from[d]);
 }
 
-/// The least of match[d + 1], match[d + 2] … at each d: by doubling the reach, so that it runs in vectors.
+/// The minimum of match[d + 1], match[d + 2] … at each d, by doubling the reach, so that it is vectorised.
 /// All have 2 * count cells, those from `count` on kNever. Returns which of the two scratch rows holds it.
 PALPABLE_VECTORIZE const Cost* least_above(const Cost* match, int count, Cost* scratch, Cost* other) {
   const Cost* from = match + 1;
@@ -112,7 +112,7 @@ std::vector<Parameter> parameters_of(PathOptions& o) {
            {0.1, 255},
            "levels",
            "Difference in brightness that halves a jump's cost"},
-          {"occluded", &o.occluded, {0, 200}, "cost", "A pixel that only the left camera sees"},
+          {"occluded", &o.occluded, {0, 200}, "cost", "A pixel that is occluded in the right picture"},
           {"control_cost", &o.control_cost, {0, 144}, "cost", "Largest cost of a ground control point"},
           {"control_ratio", &o.control_ratio, {1, 100}, "", "All other disparities cost more by this factor"},
           {"control", &o.control, {0, 200}, "cost", "Leaving a ground control point"}};
@@ -135,7 +135,7 @@ ScanlinePath::ScanlinePath(int width, int disparities, int stride, const PathOpt
 }
 
 void ScanlinePath::find_control_points(const Cost* costs) {
-  // The right picture's columns are stored from right to left, so that x - d runs forward with d.
+  // The right picture's columns are stored from right to left, so that the index increases with d.
   std::fill(right_cost_.begin(), right_cost_.end(), Cost{65535});
   const int control_cost = units(options_.control_cost);
   for (int x = 0; x < width_; ++x) {
@@ -210,7 +210,7 @@ void ScanlinePath::walk_back(const Cost* costs, std::span<float> disparity_px,
         break;
     }
   }
-  // What only the left camera sees lies behind: it takes the disparity of the surface at its left.
+  // Pixels that only the left camera sees are behind: they take the disparity of the surface at their left.
   for (std::size_t x = 1; x < disparity_px.size(); ++x)
     if (occluded[x] != 0) disparity_px[x] = disparity_px[x - 1];
 }

@@ -19,12 +19,12 @@ struct PathOptions {
   float step_up = 80.0F;
   /// A jump between pixels of one brightness; 0 … 200.
   float jump = 40.0F;
-  /// A difference in brightness that halves it; levels of 255, 0.1 … 255.
+  /// Difference in brightness that halves the cost of a jump; levels of 255, 0.1 … 255.
   float edge_levels = 6.0F;
   /// Each pixel that only the left camera sees, in place of a matching cost; 0 … 200.
   float occluded = 68.0F;
-  /// A ground control point's cost is below this (0 … 144), and that of every other disparity higher by this
-  /// factor (1 … 100); then leaving it costs control; 0 … 200.
+  /// A ground control point has a cost below control_cost (0 … 144), and all other disparities cost more by
+  /// the factor control_ratio (1 … 100). Leaving it costs control; 0 … 200.
   float control_cost = 20.0F;
   float control_ratio = 1.4F;
   float control = 20.0F;
@@ -33,11 +33,11 @@ std::vector<Parameter> parameters_of(PathOptions& options);
 
 /// The least-cost path through one scanline's disparity-space image under ordering and occlusion constraints
 /// (Shi & Pai 1997, section 2.1; Intille & Bobick 1994). Moves from column to column: stay or step by one
-/// disparity; jump down (where the right camera sees more: right occlusion); climb the diagonal (pixels that
-/// only the left camera sees: left occlusion). Holds its scratch memory: one object a thread.
+/// disparity; jump down (right occlusion: pixels that only the right camera sees); climb the diagonal (left
+/// occlusion: pixels that only the left camera sees). Owns its scratch memory: one object per thread.
 class ScanlinePath {
  public:
-  /// What the moves to a column cost, in the units of path costs.
+  /// The costs of the moves to a column, in units of path costs.
   struct MoveCosts {
     std::uint16_t step_down, step_up, jump, occluded;
   };
@@ -45,10 +45,9 @@ class ScanlinePath {
   /// `stride`: costs per pixel, a multiple of whole vectors, at least `disparities`.
   ScanlinePath(int width, int disparities, int stride, const PathOptions& options);
 
-  /// `costs`: costs[x * stride + d] in units of 1/kMeanCostUnit, those beyond the disparities as high as can
-  /// be; `grey`: the left picture's row. Fills
-  /// `disparity_px` with sub-pixel disparities; occluded pixels take the disparity of the surface behind, at
-  /// their left. `occluded` gets 1 there.
+  /// `costs`: costs[x * stride + d] in units of 1/kMeanCostUnit, the padding has the maximum cost; `grey`:
+  /// the left picture's row. Fills `disparity_px` with sub-pixel disparities; occluded pixels take the
+  /// disparity of the surface behind, at their left. `occluded` gets 1 there.
   void find(std::span<const std::uint16_t> costs, std::span<const std::uint8_t> grey,
             std::span<float> disparity_px, std::span<std::uint8_t> occluded);
 
@@ -63,7 +62,7 @@ class ScanlinePath {
   PathOptions options_;
   std::array<std::uint16_t, 256> jump_cost_{};  // by contrast
   std::vector<int> control_;                    // the disparity of a column's ground control point, or -1
-  // The left column that fits a right column best, and its cost; from right to left.
+  // The best left column for each right column, and its cost; from right to left.
   std::vector<std::uint16_t> right_best_;
   std::vector<std::uint16_t> right_cost_;
   // Cost of the best path that ends in a match, or in an occlusion, at each disparity of the last and of this

@@ -42,7 +42,7 @@ TEST(ScanlinePath, FollowsASurface) {
   }
 }
 
-TEST(ScanlinePath, MarksTheOcclusionBeforeANearerSurfaceAndGivesItTheBackground) {
+TEST(ScanlinePath, FillsTheOcclusionBesideANearerSurfaceFromTheBackground) {
   // A board at 9 px from column 30 on before a wall at 3 px: six columns of the wall are hidden at its left.
   const Row row([](int x) { return x < 24 ? 3 : x < 30 ? -1 : 9; });
   for (int x = 0; x < kWidth; ++x) {

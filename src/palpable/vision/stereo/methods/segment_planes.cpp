@@ -68,7 +68,7 @@ SegmentPlane fit_plane(const Raster<float>& disparity_px, const std::vector<Pixe
   return plane;
 }
 
-/// The planes without those that hardly differ from one of more support.
+/// Removes planes that hardly differ from one with more support.
 std::vector<SegmentPlane> distinct(std::vector<SegmentPlane> planes, const SegmentPlaneOptions& options) {
   std::stable_sort(planes.begin(), planes.end(),
                    [](const SegmentPlane& a, const SegmentPlane& b) { return a.support > b.support; });
@@ -88,7 +88,7 @@ std::vector<SegmentPlane> distinct(std::vector<SegmentPlane> planes, const Segme
   return out;
 }
 
-/// The segments' pixels, and what borders on what.
+/// The segments' pixels, and their adjacency.
 struct SegmentGraph {
   struct Border {
     std::size_t to;
@@ -98,7 +98,7 @@ struct SegmentGraph {
   PixelLists all;
   PixelLists trusted;
   std::vector<std::vector<Border>> borders;
-  /// All that a segment's borders weigh.
+  /// Sum of the weights of each segment's borders.
   std::vector<double> ties;
 };
 
@@ -142,7 +142,7 @@ SegmentGraph make_graph(const MatchInput& input, const ColourSegments& segments,
   return graph;
 }
 
-/// The matching cost at a disparity between whole ones; beyond the volume's ends twice the limit.
+/// The interpolated matching cost; beyond the volume's ends twice the limit.
 double cost_at(const std::uint8_t* costs, int disparities, double limit, double d) {
   const int last = disparities - 1;
   if (d < -0.5 || d > last + 0.5) return limit * 2.0;
@@ -153,8 +153,7 @@ double cost_at(const std::uint8_t* costs, int disparities, double limit, double 
 }
 
 /// costs[segment * planes + plane]: C(S, P) = sum of c over the segment's pixels times e^(1 - s/n), where s
-/// of its n trusted pixels support the plane. A sum that exceeds the least so far by so much
-/// that the plane can never be chosen is left where it is.
+/// of its n trusted pixels support the plane. A sum stops early once the plane can no longer be chosen.
 std::vector<double> plane_costs(const MatchInput& input, const std::vector<std::uint8_t>& volume,
                                 const SegmentGraph& graph, const Raster<float>& disparity_px,
                                 const std::vector<SegmentPlane>& planes, const SegmentPlaneOptions& options,
@@ -192,8 +191,8 @@ std::vector<double> plane_costs(const MatchInput& input, const std::vector<std::
   return out;
 }
 
-/// One expansion move: the cut among the segments that may take the plane `alpha`. One whose own plane costs
-/// less by more than all its borders weigh keeps it, whatever its neighbours do. Whether any has taken it.
+/// One expansion move: the cut among the segments that may take the plane `alpha`. A segment keeps its plane
+/// if that is cheaper by more than the weight of all its borders. Returns whether any segment has changed.
 bool expand_plane(const SegmentGraph& graph, const std::vector<double>& costs, std::size_t planes,
                   std::size_t alpha, std::vector<std::size_t>& plane_of) {
   std::vector<int> place(plane_of.size(), -1);
@@ -211,7 +210,7 @@ bool expand_plane(const SegmentGraph& graph, const std::vector<double>& costs, s
   cut.addEdges(count, count + 1, 0.0, 0.0);  // OpenCV's graph must have an edge
   for (const std::size_t s : open) {
     const int i = place[s];
-    // With the source, a segment keeps its plane; with the sink, it takes alpha.
+    // On the source's side a segment keeps its plane; on the sink's side it takes alpha.
     cut.addTermWeights(i, costs[s * planes + alpha], costs[s * planes + plane_of[s]]);
     for (const auto [t, weight] : graph.borders[s]) {
       const int j = place[t];
@@ -257,8 +256,8 @@ std::vector<std::size_t> cheapest_planes(const std::vector<double>& costs, std::
   return out;
 }
 
-/// Every plane fitted again to the trusted pixels of all segments that chose it: neighbours that share a
-/// surface settle it together.
+/// Refits every plane to the trusted pixels of all segments assigned to it, so that segments on one surface
+/// share the fit.
 std::vector<SegmentPlane> regrouped(const SegmentGraph& graph, const Raster<float>& disparity_px,
                                     const std::vector<SegmentPlane>& planes,
                                     const std::vector<std::size_t>& plane_of,
@@ -280,7 +279,7 @@ std::vector<SegmentPlane> regrouped(const SegmentGraph& graph, const Raster<floa
 
 std::vector<Parameter> parameters_of(SegmentPlaneOptions& o) {
   std::vector<Parameter> all{
-      {"least_trusted", &o.least_trusted, {3, 100000}, "px", "Fewer trusted pixels offer no plane"},
+      {"least_trusted", &o.least_trusted, {3, 100000}, "px", "Least trusted pixels of a plane"},
       {"support_px", &o.support_px, {0.1, 10}, "px", "A pixel within this supports a plane"},
       {"slope_ridge", &o.slope_ridge, {0, 1e6}, "", "Ridge of the slopes' regression"},
       {"steepest", &o.steepest, {0, 4}, "px/px", "The steepest slope"},
@@ -294,7 +293,7 @@ std::vector<Parameter> parameters_of(SegmentPlaneOptions& o) {
       {"assignments", &o.assignments, {1, 20}, "", "How often planes are assigned"},
       {"refit_pixels", &o.refit_pixels, {3, 1e6}, "px", "Trusted pixels that a plane is fitted again to"},
       {"refit_steps", &o.refit_steps, {0, 20}, "", "Steps of that fit"},
-      {"refit_reach_px", &o.refit_reach_px, {0.1, 100}, "px", "Pixels further away do not count in it"},
+      {"refit_reach_px", &o.refit_reach_px, {0.1, 100}, "px", "Pixels farther away do not count in it"},
       {"segments.radius_px", &o.segments.radius_px, {1, 50}, "px", "The mean shift's window"},
       {"segments.colour_levels",
        &o.segments.colour_levels,
@@ -316,7 +315,7 @@ std::vector<Parameter> parameters_of(SegmentPlaneOptions& o) {
                    &o.fit_reach_px[i],
                    {0.1, 100},
                    "px",
-                   "Pixels further from the plane do not count in this step of a fit"});
+                   "Pixels farther from the plane do not count in this step of a fit"});
   append_parameters(all, "scanlines", parameters_of(o.scanlines));
   append_parameters(all, "data", parameters_of(o.data));
   return all;
@@ -335,7 +334,7 @@ Result<SegmentPlanes> find_segment_planes(const MatchInput& input, const Segment
   for (const auto& pixels : graph.trusted)
     if (pixels.size() >= static_cast<std::size_t>(options.least_trusted))
       planes.push_back(fit_plane(map.disparity_px, pixels, options));
-  if (planes.empty()) planes.push_back({});  // without any trusted pixel all lies at infinity
+  if (planes.empty()) planes.push_back({});  // without any trusted pixel everything is at infinity
   planes = distinct(std::move(planes), options);
 
   std::vector<std::size_t> plane_of;

@@ -34,7 +34,7 @@ struct SegmentPlanes {
   }
 };
 
-/// How segments get their planes.
+/// Parameters of plane fitting and assignment.
 struct SegmentPlaneOptions {
   /// The picture's segments; `radius_px` 1 … 50, `colour_levels` 1 … 100, `same_levels` 1 … 255,
   /// `least_pixels` 1 … 100000.
@@ -43,15 +43,15 @@ struct SegmentPlaneOptions {
   ScanlineMapOptions scanlines = {};
   /// The costs of pixels on planes.
   AggregationOptions data = {};
-  /// A segment with fewer trusted pixels offers no plane; px, 3 … 100000.
+  /// No plane is fitted to a segment with fewer trusted pixels; px, 3 … 100000.
   int least_trusted = 20;
-  /// A robust fit in several steps: pixels further from the plane than this do not count; px, 0.1 … 100.
+  /// A robust fit in several steps: pixels farther from the plane than this do not count; px, 0.1 … 100.
   std::array<double, 6> fit_reach_px = {6.0, 4.0, 3.0, 2.0, 1.5, 1.5};
   /// A pixel within this of a plane supports it; px, 0.1 … 10.
   double support_px = 1.0;
-  /// Ridge regression of the slopes. Neighbouring disparities share most of their windows, and so their
-  /// errors of about half a pixel: some forty pixels of a window determine a slope no better than one, and
-  /// slopes beyond a tenth or two are rare: 40 (0.5 / 0.15)^2; 0 … 1e6.
+  /// Ridge regression of the slopes. Neighbouring disparities share most of their windows and so their errors
+  /// of about 0.5 px: about 40 pixels of a window carry the information of one. Slopes above 0.1 to 0.2 are
+  /// rare. Hence 40 (0.5 / 0.15)^2; 0 … 1e6.
   double slope_ridge = 500.0;
   /// The steepest slope; px of disparity per px, 0 … 4.
   double steepest = 0.7;
@@ -62,16 +62,16 @@ struct SegmentPlaneOptions {
   /// The planes of most support are kept; 1 … 10000.
   int most_planes = 300;
   /// Smoothness for each pixel of a border between segments on different planes; units of the matching cost,
-  /// 0 … 1000. It falls by e with the colour difference border_levels (mean of the channels, levels of 255,
-  /// 0.1 … 255) to the share least_border (0 … 1).
+  /// 0 … 1000. It decays with the colour difference, by e per border_levels (mean of the channels, levels of
+  /// 255, 0.1 … 255), down to the share least_border (0 … 1).
   double border_cost = 36.0;
   double border_levels = 12.0;
   double least_border = 0.2;
   /// Rounds of expansion moves; 1 … 20.
   int expansion_rounds = 3;
-  /// How often planes are assigned to segments and fitted again to all segments that chose them; 1 … 20.
-  /// Planes of fewer trusted pixels than refit_pixels (3 … 1e6) are not fitted again, the others refit_steps
-  /// times (0 … 20) to the pixels within refit_reach_px (0.1 … 100).
+  /// How often planes are assigned to segments and refitted to all their segments; 1 … 20. Planes of fewer
+  /// trusted pixels than refit_pixels (3 … 1e6) are not fitted again, the others refit_steps times (0 … 20)
+  /// to the pixels within refit_reach_px (0.1 … 100).
   int assignments = 2;
   int refit_pixels = 40;
   int refit_steps = 3;
@@ -79,9 +79,9 @@ struct SegmentPlaneOptions {
 };
 std::vector<Parameter> parameters_of(SegmentPlaneOptions& options);
 
-/// Hong & Chen 2004 as Gomez 2012 describes it (chapter 8): mean-shift segments of the left picture, planes
-/// fitted to their disparities, and planes given to segments by graph cuts. Errors: interrupted; failed where
-/// the picture is too large for the filter's memory. The same result for any number of threads.
+/// Hong & Chen 2004 as described by Gomez 2012 (chapter 8): mean-shift segments of the left picture, planes
+/// fitted to their disparities, and planes assigned to segments by graph cuts. Errors: interrupted; failed if
+/// the picture is too large for the filter's memory. The result does not depend on the number of threads.
 Result<SegmentPlanes> find_segment_planes(const MatchInput& input, const SegmentPlaneOptions& options,
                                           const Work& work);
 

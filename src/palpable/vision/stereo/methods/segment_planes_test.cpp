@@ -28,7 +28,7 @@ TEST(SegmentPlanes, LieOnTheSurfacesOfAPair) {
   EXPECT_GT(good, all * 9 / 10);
 }
 
-TEST(SegmentPlanes, OfAPairWithoutTextureAreOne) {
+TEST(SegmentPlanes, AreOneForAPairWithoutTexture) {
   MatchInput input;
   input.left = input.right = Raster<Rgb8>(40, 30, Rgb8{90, 90, 90});
   input.left_grey = input.right_grey = Raster<std::uint8_t>(40, 30, 90);

@@ -28,7 +28,7 @@ MatchInput mirrored_pair(const MatchInput& input) {
           mirrored(input.left_grey), input.disparities,    0};
 }
 
-/// The two views' planes, one view a thread: half of the work runs on one.
+/// The planes of both views, one view per thread.
 Result<void> find_planes(std::array<View, 2>& views, const SegmentPlaneOptions& options, const Work& work) {
   std::array<Result<void>, 2> done;
   Work each = work;
@@ -46,7 +46,7 @@ Result<void> find_planes(std::array<View, 2>& views, const SegmentPlaneOptions& 
   return done[0] ? done[1] : done[0];
 }
 
-/// Each pixel on the plane of its segment.
+/// The plane of each pixel's segment.
 PlaneMap map_of(const SegmentPlanes& surfaces) {
   PlaneMap map(surfaces.segments.of_pixel.width(), surfaces.segments.of_pixel.height());
   for (int y = 0; y < map.disparity.height(); ++y)
@@ -59,7 +59,7 @@ PlaneMap map_of(const SegmentPlanes& surfaces) {
   return map;
 }
 
-/// The planes that the segments around a pixel have, its own first.
+/// Candidate planes: those of the segments around a pixel, its own first.
 void propose_planes(const SegmentPlanes& surfaces, PlaneCandidates& out, const Work& work) {
   constexpr std::array<std::array<int, 2>, PlaneCandidates::kCount> kAround{{{0, 0},
                                                                              {-3, 0},
@@ -93,16 +93,16 @@ void propose_planes(const SegmentPlanes& surfaces, PlaneCandidates& out, const W
   });
 }
 
-/// The other view's disparities in its own frame; columns before `first`, which it does not show, count as
-/// infinitely near.
+/// The other view's disparities in its own frame; infinite in the columns before `first`, which are outside
+/// its picture.
 Raster<float> seen_from_other(const View& other, int first) {
   Raster<float> out = mirrored(other.map.disparity);
   mask_columns_before(first, out);
   return out;
 }
 
-/// Colour segments end where the colour does, surfaces often beside it: each pixel chooses once more among
-/// the planes of the segments around it, knowing what the other picture shows.
+/// The borders of colour segments and surfaces may differ slightly, so each pixel is reassigned among the
+/// planes of nearby segments, with the occlusions from the other view.
 void refine_borders(std::array<View, 2>& views, const SegmentsOptions& options, int right_first,
                     const Work& work) {
   const MatchInput& input = views[0].input;

@@ -18,9 +18,9 @@ namespace palpable::vision {
 /// The parts of the method `segments`.
 struct SegmentsOptions {
   SegmentPlaneOptions planes = {};
-  /// Rounds in which pixels choose among the planes of the segments around; 0 … 20.
+  /// Rounds in which pixels are reassigned among the planes of nearby segments; 0 … 20.
   int border_rounds = 3;
-  /// What it costs a pixel to leave its segment's plane; units of the volume, 0 … 4.
+  /// Cost of leaving the segment's plane; units of the volume, 0 … 4.
   float leave_cost = 0.2F;
   VolumeOptions volume = {};
   PlaneCostOptions costs = {};
@@ -32,9 +32,9 @@ std::vector<Parameter> parameters_of(SegmentsOptions& options);
 /// Errors: usage, for a parameter out of its range or a window that is too large.
 Result<void> check(const SegmentsOptions& options);
 
-/// The method `segments`, Hong & Chen's as Gomez describes it: planes for segments of one colour, chosen by
-/// graph cuts. No pixel is left unknown. Errors: usage (check()), interrupted, failed where the picture is
-/// too large for the segmentation. The same bytes for every number of threads.
+/// The method `segments` (Hong & Chen 2004 as described by Gomez 2012): planes for colour segments, assigned
+/// by graph cuts. No pixel is left unknown. Errors: usage (check()), interrupted, failed if the picture is
+/// too large for the segmentation. The result does not depend on the number of threads.
 Result<MatchOutput> match_segments(const MatchInput& input, const SegmentsOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -33,9 +33,9 @@ struct StereoOptions {
   BestOptions best = {};
 };
 
-/// The parameters of one method, and those that all share (`preparation.…`, `range.…`).
+/// The parameters of one method, and the common ones (`preparation.…`, `range.…`).
 std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method);
-/// Errors: usage, for a parameter of this method, or one that all share, out of its range.
+/// Errors: usage, for a parameter of this method, or a common one, out of its range.
 Result<void> check(const StereoOptions& options, StereoMethod method);
 
 }  // namespace palpable::vision

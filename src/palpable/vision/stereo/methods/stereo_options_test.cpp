@@ -12,7 +12,7 @@
 namespace palpable::vision {
 namespace {
 
-TEST(StereoOptions, OfEveryMethodAreValidByDefaultAndHaveNamesOfTheirOwn) {
+TEST(StereoOptions, OfEveryMethodAreValidByDefaultWithUniqueNames) {
   StereoOptions options;
   for (const StereoMethod method : available_stereo_methods()) {
     EXPECT_TRUE(check(options, method).has_value()) << name_of(method);
@@ -26,7 +26,7 @@ TEST(StereoOptions, OfEveryMethodAreValidByDefaultAndHaveNamesOfTheirOwn) {
   }
 }
 
-TEST(StereoOptions, OutOfTheirRangesAreRefusedByEveryMethodBeforeItRuns) {
+TEST(StereoOptions, OutOfRangeAreRefusedByEveryMethod) {
   const StereoPair pair = render({});
   for (const StereoMethod method : available_stereo_methods()) {
     StereoOptions reference;
@@ -46,7 +46,7 @@ TEST(StereoOptions, OutOfTheirRangesAreRefusedByEveryMethodBeforeItRuns) {
   }
 }
 
-TEST(StereoOptions, ChangeTheResultOfTheirOwnMethodOnly) {
+TEST(StereoOptions, ChangeOnlyTheirOwnMethod) {
   const StereoPair pair = render(slanted_scene());
   StereoOptions changed;
   changed.fast.large_step = 20.0F;

@@ -9,7 +9,7 @@
 namespace palpable::vision {
 namespace {
 
-/// A row of disparities of which those below 0 are not trusted, filled.
+/// Fills a row in which disparities below 0 are untrusted.
 std::vector<float> filled(const std::vector<float>& row) {
   Raster<float> disparity(static_cast<int>(row.size()), 1);
   Raster<std::uint8_t> trusted(disparity.width(), 1);
@@ -29,7 +29,7 @@ TEST(Filling, TakesTheOnlyEndAtTheBorder) {
   EXPECT_EQ(filled({-1, -1, 4, 9, -1}), (std::vector<float>{4, 4, 4, 9, 9}));
 }
 
-TEST(Filling, LeavesARowWithoutATrustedPixel) { EXPECT_EQ(filled({-1, -2}), (std::vector<float>{-1, -2})); }
+TEST(Filling, KeepsARowWithoutATrustedPixel) { EXPECT_EQ(filled({-1, -2}), (std::vector<float>{-1, -2})); }
 
 }  // namespace
 }  // namespace palpable::vision

@@ -25,7 +25,7 @@ Raster<float> right_view() {
 /// Columns 6 … 9 of the left view match 4 … 7 of the right one, where the board is; 0 and 1 match nothing.
 bool seen_by_both(int x) { return x >= 2 && (x < 6 || x > 9); }
 
-TEST(LeftRightCheck, ConfirmsWhatBothCamerasSee) {
+TEST(LeftRightCheck, ConfirmsPixelsThatBothCamerasSee) {
   const Raster<float> confirmed = left_right_check(left_view(), right_view());
   for (int x = 0; x < 24; ++x) EXPECT_EQ(confirmed(x, 0), seen_by_both(x) ? 1.0F : 0.0F) << x;
 }
@@ -47,7 +47,7 @@ TEST(LeftRightCheck, ToleratesOnePixel) {
   EXPECT_EQ(confirmed(21, 0), 0.0F);
 }
 
-TEST(LeftRightCheck, ConfirmsNothingThatTheOtherPictureDoesNotShow) {
+TEST(LeftRightCheck, ConfirmsNothingOutsideTheOtherPicture) {
   Raster<float> right = right_view();
   mask_columns_before(4, right);
   const Raster<float> confirmed = left_right_check(left_view(), right);

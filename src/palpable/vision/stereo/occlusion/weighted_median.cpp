@@ -9,7 +9,7 @@
 namespace palpable::vision {
 namespace {
 
-/// Weights by disparity, kept between pixels so that only what was used is cleared.
+/// Weights by disparity, reused between pixels: only used bins are cleared.
 class WeightHistogram {
  public:
   explicit WeightHistogram(int disparities) : weight_(static_cast<std::size_t>(disparities)) {}

@@ -15,16 +15,16 @@ struct WeightedMedianOptions {
   int reach_px = 14;
   /// Every n-th row and column of the window is used; px, 1 … 8.
   int step_px = 2;
-  /// A neighbour's weight falls by e with so much colour difference; levels of 255, 1 … 255.
+  /// Colour difference at which a neighbour's weight falls by e; levels of 255, 1 … 255.
   float colour_levels = 8.0F;
-  /// A neighbour's weight falls by e with so much distance (city block); px, 1 … 200.
+  /// Distance (city block) at which a neighbour's weight falls by e; px, 1 … 200.
   float distance_px = 12.0F;
 };
 std::vector<Parameter> parameters_of(WeightedMedianOptions& options);
 
 /// The weighted median of the disparities around each pixel; a neighbour's weight is its `trust` (0 = it does
-/// not count) times how near and how similar in colour it is. Plain surfaces are filled from all sides, and
-/// hidden pixels take the disparity of what they look like. Whole disparities 0 … disparities - 1; a pixel
+/// not count) times factors for distance and colour difference. Plain surfaces are filled from all sides, and
+/// occluded pixels take the disparity of similar colours. Integer disparities 0 … disparities - 1; a pixel
 /// without weighted neighbours keeps its disparity. All rasters have the same size.
 Raster<int> weighted_median(const ColourPlanes& picture, const Raster<int>& disparity_px,
                             const Raster<float>& trust, int disparities, const WeightedMedianOptions& options,

@@ -54,7 +54,7 @@ class Island {
     return some;
   }
 
-  /// Its matching cost as it is, and what the pixels that it hides from the other camera cost more for that.
+  /// The island's matching cost, plus the additional cost of the pixels that it would occlude.
   float cost() const {
     float sum = 0.0F;
     for (const Pixel p : pixels_) {
@@ -77,7 +77,7 @@ class Island {
     return sum;
   }
 
-  /// The disparity at `to` of the plane at `plane`.
+  /// The disparity at `to` of the plane of the pixel `plane`.
   float continued(Pixel plane, Pixel to) const {
     return map_.disparity(plane.x, plane.y) +
            map_.slope_x(plane.x, plane.y) * static_cast<float>(to.x - plane.x) +

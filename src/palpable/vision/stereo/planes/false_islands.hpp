@@ -7,9 +7,9 @@
 
 namespace palpable::vision {
 
-/// Which small surfaces are tested, and against what.
+/// Parameters of remove_false_islands().
 struct FalseIslandOptions {
-  /// Neighbours belong to one surface when they differ by less; px, 0.1 … 10.
+  /// Neighbours belong to one surface if they differ by less; px, 0.1 … 10.
   float joined_px = 1.0F;
   /// Surfaces that cover at most this share of the picture are tested; 0 … 1.
   double largest_share = 0.01;
@@ -18,11 +18,12 @@ struct FalseIslandOptions {
 };
 std::vector<Parameter> parameters_of(FalseIslandOptions& options);
 
-/// Repeated patterns give false small surfaces in front of the real one, and both views agree about them. But
-/// a real surface in front hides something from the other camera: the pixels that it would hide must not
-/// match well themselves. Every small surface in front of its surroundings whose pixels cost more, together
-/// with those that it would hide although they match, than on a continued plane of its surroundings is moved
-/// back to that plane; in `start` too. Costs as plane_costs() counts them.
+/// Removes false small surfaces (islands) in front of the real one, which repeated patterns produce
+/// consistently in both views. A real surface in front occludes pixels in the other picture, so these pixels
+/// must not match well. For every small surface in front of its surroundings, the cost of its pixels plus
+/// that of the pixels that it would occlude although they match is compared with the cost on a plane
+/// continued from its surroundings. If the plane is cheaper, the surface is moved to it, in `start` too.
+/// Costs are those of plane_costs().
 void remove_false_islands(const CostVolume& volume, const FalseIslandOptions& options,
                           const PlaneCostOptions& costs, PlaneMap& map, PlaneMap& start);
 

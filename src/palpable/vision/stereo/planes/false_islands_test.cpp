@@ -14,8 +14,7 @@ constexpr float kIsland_px = 12.0F;
 
 bool on_island(int x, int y) { return x >= 60 && x < 70 && y >= 20 && y < 25; }
 
-/// Everything matches at the ground's disparity, but the pixels that `hidden` says; the island at its own
-/// too.
+/// All pixels match at the ground's disparity except those with `hidden`; the island also matches at its own.
 template <class Hidden>
 CostVolume costs(const Hidden& hidden, bool island_on_ground) {
   CostVolume out(kWidth, kHeight, 20);
@@ -36,7 +35,7 @@ PlaneMap map_with_island() {
   return map;
 }
 
-TEST(FalseIslands, ThatWouldHideWhatBothCamerasSeeAreTakenBack) {
+TEST(FalseIslands, ThatWouldOccludeVisiblePixelsAreRemoved) {
   PlaneMap map = map_with_island();
   PlaneMap start = map;
   remove_false_islands(costs([](int, int) { return false; }, true), {}, {}, map, start);
@@ -44,7 +43,7 @@ TEST(FalseIslands, ThatWouldHideWhatBothCamerasSeeAreTakenBack) {
   for (const float d : start.disparity.values()) ASSERT_EQ(d, kGround_px);
 }
 
-TEST(FalseIslands, ThatHideTheGroundBehindThemStay) {
+TEST(FalseIslands, ThatOccludeTheGroundAreKept) {
   PlaneMap map = map_with_island();
   PlaneMap start = map;
   const Raster<float> before = map.disparity;

@@ -13,15 +13,15 @@
 namespace palpable::vision {
 namespace {
 
-/// The measurement at each pixel of the map: by how much the left picture is brighter than the right one at
-/// the match, the right one's gradient of luma there, and whether both views agree, 0 or 1.
+/// The measurement at each pixel: the luma difference (left minus right) at the match, the right picture's
+/// luma gradient there, and whether both views agree, 0 or 1.
 struct Evidence {
   Raster<float> residual, gradient, weight;
   Evidence(int w, int h) : residual(w, h), gradient(w, h), weight(w, h) {}
 };
 
-/// Whether the four pixels from `first` on, which the cubic reads, all see a surface at this disparity. One
-/// of a nearer surface would mix its colour in.
+/// Whether the four pixels from `first` on, which the cubic reads, all have this disparity. A pixel of a
+/// nearer surface would contaminate the value.
 bool all_see(const Raster<float>& other_disparity, int first, int y, float disparity) {
   for (int x = first; x < first + 4; ++x) {
     const float seen = other_disparity(std::clamp(x, 0, other_disparity.width() - 1), y);
@@ -30,7 +30,7 @@ bool all_see(const Raster<float>& other_disparity, int first, int y, float dispa
   return true;
 }
 
-/// Compares the pictures along row y, the right one read by Catmull and Rom's cubic.
+/// Compares the pictures along row y; the right one is interpolated by a Catmull-Rom cubic.
 void compare_row(const Raster<std::uint8_t>& luma, const Raster<std::uint8_t>& other,
                  const Raster<float>& disparity, int y, Evidence& out) {
   const auto row = other.row(y);
@@ -59,7 +59,7 @@ void compare_row(const Raster<std::uint8_t>& luma, const Raster<std::uint8_t>& o
 /// Weighted sums over a window of a residual e and a gradient g: 1, e, g, e g, g g and e e.
 using Sums = RowSums<6>;
 
-/// Adds the pixels at an offset: their residuals as they would be on the centre's plane.
+/// Adds the pixels at an offset, with their residuals reduced to the centre's plane.
 PALPABLE_VECTORIZE
 void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float* __restrict weight,
                  const float* __restrict rise, const float* __restrict residual,
@@ -83,7 +83,7 @@ void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float
   }
 }
 
-/// Row y: moves the disparities by what the sums say and sets how much each counts from now on, 0…1.
+/// Row y: shifts the disparities by the least-squares solution and sets their new weights, 0…1.
 void shift_row(const Sums& sums, const PhotometricShiftOptions& options, int y, const Raster<float>& seen,
                PlaneMap& map, Raster<float>& trust) {
   const float per_expected2 = 1.0F / (options.expected_px * options.expected_px);
@@ -99,7 +99,7 @@ void shift_row(const Sums& sums, const PhotometricShiftOptions& options, int y, 
     const float ee = sums.of[5][i] / total - e * e;
     if (!(gg > 0.0F) || gg < options.least_gradient_variance) continue;
     const float unexplained = std::max(0.0F, ee - eg * eg / gg) + options.noise_variance;
-    // The inverse of the shift's variance, and its share beside that of the expected shift.
+    // The inverse variance of the shift, and its share relative to the prior's.
     const float information = options.independent_share * total * gg / unexplained;
     const float share = information / (information + per_expected2);
     map.disparity(x, y) += std::clamp(-share * eg / gg, -options.largest_px, options.largest_px);
@@ -132,11 +132,7 @@ std::vector<Parameter> parameters_of(PhotometricShiftOptions& o) {
       {"rounds", &o.rounds, {0, 20}, "", "Rounds of measuring and fitting"},
       {"largest_px", &o.largest_px, {0, 2}, "px", "The largest shift"},
       {"expected_px", &o.expected_px, {0.01, 10}, "px", "Standard deviation of an unmeasured shift"},
-      {"noise_variance",
-       &o.noise_variance,
-       {0.01, 1000},
-       "levels²",
-       "Variance of luma that no shift explains"},
+      {"noise_variance", &o.noise_variance, {0.01, 1000}, "levels²", "Noise variance of luma"},
       {"independent_share", &o.independent_share, {0.001, 1}, "", "Share of pixels with independent errors"},
       {"half_weight_residual",
        &o.half_weight_residual,

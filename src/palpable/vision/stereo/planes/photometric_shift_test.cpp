@@ -12,13 +12,13 @@
 namespace palpable::vision {
 namespace {
 
-/// The disparity of what the right picture's pixel (x, y) shows.
+/// The disparity at the right picture's pixel (x, y).
 double right_truth(const SyntheticScene& scene, int x, int y) {
   if (scene.in_box(x + scene.box_px, y)) return scene.box_px;
   return (scene.ground_px + scene.slope_x * x + scene.slope_y * y) / (1.0 - scene.slope_x);
 }
 
-/// The scene's truth in whole pixels, level: the terraces that matching leaves.
+/// The scene's truth rounded to whole pixels without slopes: the terraces of integer matching.
 PlaneMap terraces(const SyntheticScene& scene) {
   PlaneMap map(scene.width, scene.height);
   for (int y = 0; y < scene.height; ++y)
@@ -43,14 +43,14 @@ PlaneMap shifted_map(const SyntheticScene& scene, const Work& work = {}) {
   return map;
 }
 
-TEST(PhotometricShift, MakesASlopeOfTerraces) {
+TEST(PhotometricShift, TurnsTerracesIntoASlope) {
   const SyntheticScene scene = slanted_scene();
   ASSERT_GT(bad_fraction(scene, terraces(scene).disparity, 0.1, 4), 0.5);
   const PlaneMap map = shifted_map(scene);
   EXPECT_LE(bad_fraction(scene, map.disparity, 0.1, 4), 0.01);
 }
 
-TEST(PhotometricShift, BearsADifferenceInBrightness) {
+TEST(PhotometricShift, ToleratesADifferenceInBrightness) {
   SyntheticScene scene = slanted_scene();
   const MatchInput input = prepare_pictures(render(scene), {});
   Raster<std::uint8_t> brighter = input.right_grey;
@@ -61,7 +61,7 @@ TEST(PhotometricShift, BearsADifferenceInBrightness) {
   EXPECT_LE(bad_fraction(scene, map.disparity, 0.25, 4), 0.02);
 }
 
-TEST(PhotometricShift, LeavesAPlainPictureAsItIs) {
+TEST(PhotometricShift, DoesNotChangeAPlainPicture) {
   const SyntheticScene scene;
   const Raster<std::uint8_t> plain(scene.width, scene.height, std::uint8_t{90});
   PlaneMap map = terraces(scene);
@@ -75,7 +75,7 @@ TEST(PhotometricShift, MovesNothingByMoreThanHalfAPixel) {
   SyntheticScene scene = slanted_scene();
   const MatchInput input = prepare_pictures(render(scene), {});
   PlaneMap map = terraces(scene);
-  // Everything is claimed to lie one pixel nearer than it does.
+  // All disparities are one pixel too large.
   for (float& d : map.disparity.values()) d += 1.0F;
   const PlaneMap before = map;
   shift_between_pixels(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
@@ -84,7 +84,7 @@ TEST(PhotometricShift, MovesNothingByMoreThanHalfAPixel) {
     ASSERT_LE(std::fabs(map.disparity.values()[i] - before.disparity.values()[i]), 0.5F + 1e-5F);
 }
 
-TEST(PhotometricShift, IsTheSameForAnyNumberOfThreads) {
+TEST(PhotometricShift, IsIndependentOfTheNumberOfThreads) {
   const SyntheticScene scene = slanted_scene();
   Work two;
   two.threads = 2;

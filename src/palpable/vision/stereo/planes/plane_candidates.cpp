@@ -17,7 +17,7 @@ std::uint32_t mixed(std::uint32_t a) {
   return a ^ (a >> 16);
 }
 
-/// Reproducible draws for one pixel and round.
+/// Reproducible random numbers for one pixel and round.
 class Draws {
  public:
   explicit Draws(std::uint32_t start) : state_(start) {}
@@ -39,7 +39,7 @@ class Writer {
     out_.slope_y[at_] = slope_y;
     ++at_;
   }
-  /// The plane of (px, py), or of the nearest pixel inside, carried on to this pixel.
+  /// The plane of (px, py), clamped to the picture, continued to this pixel.
   void add_from(const PlaneMap& map, int px, int py) {
     px = std::clamp(px, 0, out_.width - 1);
     py = std::clamp(py, 0, out_.height - 1);

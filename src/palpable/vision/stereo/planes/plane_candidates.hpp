@@ -27,7 +27,7 @@ struct PlaneCandidates {
   }
 };
 
-/// Where a pixel's candidates come from.
+/// Parameters of candidate planes.
 struct PlaneProposalOptions {
   /// The windows of the two plane fits around a pixel.
   FitWindow fine = {.radius_px = 3, .step_px = 1};
@@ -36,11 +36,11 @@ struct PlaneProposalOptions {
   RegionPlaneOptions regions = {};
   /// Near neighbours are at most this far away; px, 1 … 60.
   int near_reach_px = 3;
-  /// Far neighbours are at most this far away, in turn from round to round, so that a plane crosses large
-  /// untextured areas in few rounds; px, 1 … 200.
+  /// Far neighbours are at most this far away, alternating from round to round, so that planes propagate
+  /// across large untextured areas in few rounds; px, 1 … 200.
   std::array<int, 8> far_reach_px = {2, 6, 14, 4, 20, 9, 3, 30};
-  /// The largest random change of a disparity in the first round; px, 0 … 10. It falls by change_decay (0 …
-  /// 1) with each round, to least_change_px at the least; px, 0 … 10.
+  /// The largest random change of a disparity in the first round; px, 0 … 10. It is multiplied by
+  /// change_decay (0 … 1) in each round, down to least_change_px; px, 0 … 10.
   float first_change_px = 0.5F;
   float change_decay = 0.6F;
   float least_change_px = 0.06F;
@@ -51,14 +51,14 @@ struct PlaneProposalOptions {
 };
 std::vector<Parameter> parameters_of(PlaneProposalOptions& options);
 
-/// What candidates are drawn from.
+/// The sources of candidate planes.
 struct KnownPlanes {
   const PlaneMap& now;
   /// The first match.
   const PlaneMap& start;
-  /// How much each pixel's plane counts for its neighbours, 0…1.
+  /// Weight of each pixel's plane for its neighbours, 0…1.
   const Raster<float>& trust;
-  /// Of similar colour.
+  /// Regions of similar colour.
   const Regions& regions;
   /// The other view's planes in this view's frame (planes_in_other_view); none if null.
   const PlaneMap* from_other_view = nullptr;

@@ -18,7 +18,7 @@ ColourPlanes plain(int width, int height) {
   return {plane, plane, plane};
 }
 
-/// One exact plane over a picture of one colour: everything that is drawn from it lies on it too.
+/// One exact plane over a picture of one colour: all candidates lie on it.
 struct OnePlane {
   PlaneMap map{kWidth, kHeight};
   Raster<float> trust{kWidth, kHeight, 1.0F};
@@ -37,7 +37,7 @@ struct OnePlane {
   }
 };
 
-TEST(PlaneCandidates, OfOnePlaneAreThatPlaneButForTheRandomChanges) {
+TEST(PlaneCandidates, OfOnePlaneEqualItExceptForRandomChanges) {
   const OnePlane scene;
   PlaneProposalOptions options;
   options.fit.ridge_px2 = 0.0F;
@@ -57,7 +57,7 @@ TEST(PlaneCandidates, OfOnePlaneAreThatPlaneButForTheRandomChanges) {
     }
 }
 
-TEST(PlaneCandidates, HoldTheOtherViewsPlaneWhereItIsKnown) {
+TEST(PlaneCandidates, IncludeTheOtherViewsPlane) {
   const OnePlane scene;
   PlaneMap theirs(kWidth, kHeight);
   theirs.disparity = Raster<float>(kWidth, kHeight, NAN);
@@ -73,7 +73,7 @@ TEST(PlaneCandidates, HoldTheOtherViewsPlaneWhereItIsKnown) {
   EXPECT_FALSE(holds_33(41));
 }
 
-TEST(PlaneCandidates, ChangeLessFromRoundToRound) {
+TEST(PlaneCandidates, HaveSmallerRandomChangesInLaterRounds) {
   const OnePlane scene;
   const auto largest_change = [&](int round) {
     PlaneCandidates candidates(kWidth, kHeight);

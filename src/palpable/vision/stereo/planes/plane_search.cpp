@@ -18,7 +18,7 @@ constexpr int kPaths = 8;
 using Lanes = float __attribute__((vector_size(sizeof(float) * kCount)));
 using LaneMasks = int __attribute__((vector_size(sizeof(int) * kCount)));
 
-/// The cost at a disparity between those of the volume (Catmull-Rom), in units; linear beyond its ends.
+/// The cost at a real disparity (Catmull-Rom interpolation), in units; linear beyond the volume's ends.
 float cost_at(const std::uint16_t* cost, int count, float disparity, float beyond_range_per_px) {
   constexpr float kUnit = 1.0F / kCostUnit;
   const auto value = [&](int d) { return static_cast<float>(cost[std::clamp(d, 0, count - 1)]) * kUnit; };
@@ -34,7 +34,7 @@ float cost_at(const std::uint16_t* cost, int count, float disparity, float beyon
   return b + 0.5F * t * (c - a + t * (2.0F * a - 5.0F * b + 4.0F * c - e + t * (3.0F * (b - c) + e - a)));
 }
 
-/// A candidate's cost with what the other view says about it.
+/// A candidate's cost including visibility in the other view.
 float cost_with_other_view(const OtherView& other, const PlaneCostOptions& options, int x, int y,
                            float disparity, float cost) {
   if (other.disparity == nullptr)
@@ -52,7 +52,7 @@ float cost_with_other_view(const OtherView& other, const PlaneCostOptions& optio
   return cost + options.beyond_range_per_px * std::max(0.0F, other.least_px - disparity);
 }
 
-/// The rows of candidates that a sweep looks at.
+/// The rows of candidates that a sweep reads.
 struct RowOfCandidates {
   const float* disparity;
   const float* slope_x;
@@ -72,8 +72,8 @@ struct SweepRow {
   float* sum;
   const PathRow* path_before;
   PathRow* path;
-  /// Smoothness weight to the predecessor for each of the four directions, width values each; negative =
-  /// there is none.
+  /// Smoothness weight to the predecessor for each of the four directions, `width` values each; negative = no
+  /// predecessor.
   const float* weight;
   int width;
   int direction;
@@ -81,7 +81,7 @@ struct SweepRow {
   float largest_step;
 };
 
-/// The least of them, by halves: one after the other each would wait for the last.
+/// The minimum by a tree reduction, which avoids a long dependency chain.
 inline __attribute__((always_inline)) float least_of(const Lanes& values) {
   static_assert(kCount == 16);
   using Eight = float __attribute__((vector_size(32)));
@@ -99,8 +99,8 @@ inline __attribute__((always_inline)) float least_of(const Lanes& values) {
   return first < second ? first : second;
 }
 
-/// One row of the four paths whose predecessors come before it in the sweep: beside, and the three of the row
-/// before.
+/// One row of the four paths of a sweep: from the neighbour in the row, and from three neighbours in the
+/// previous row.
 PALPABLE_VECTORIZE
 void sweep_row(const SweepRow& row) {
   const Lanes zero = {};
@@ -136,7 +136,7 @@ void sweep_row(const SweepRow& row) {
         const auto dy = static_cast<float>(step_y);
         const float per_px = 0.5F * row.step_per_px * weight;
         const Lanes carried_back = disparity - (slope_x * dx + slope_y * dy);
-        // The source's planes carried on to here, all at once: the loop then takes one of each as a scalar.
+        // The source's planes continued to this pixel, all at once; the loop then uses them as scalars.
         Lanes source_d, source_sx, source_sy;
         std::memcpy(&source_d, d, sizeof source_d);
         std::memcpy(&source_sx, sx, sizeof source_sx);
@@ -228,26 +228,32 @@ void sweep(const ColourPlanes& colour, const PlaneSmoothnessOptions& options, in
 }  // namespace
 
 std::vector<Parameter> parameters_of(PlaneCostOptions& o) {
-  return {
-      {"slope_cost", &o.slope_cost, {0, 5}, "units", "Cost per unit of slope"},
-      {"hidden_cost", &o.hidden_cost, {0, 4}, "units", "Cost of a pixel hidden from the other camera"},
-      {"conflict_cost", &o.conflict_cost, {0, 4}, "units", "Cost of what the other camera should have seen"},
-      {"beyond_range_per_px", &o.beyond_range_per_px, {0, 5}, "units", "Cost per pixel beyond the range"},
-      {"agreement_px",
-       &o.agreement_px,
-       {0.1, 5},
-       "px",
-       "Disparities of both views that differ by less agree"},
-      {"ramp_px", &o.ramp_px, {0.01, 5}, "px", "Hidden and conflict cost set in over this"}};
+  return {{"slope_cost", &o.slope_cost, {0, 5}, "units", "Cost per unit of slope"},
+          {"hidden_cost", &o.hidden_cost, {0, 4}, "units", "Cost of a pixel hidden from the other camera"},
+          {"conflict_cost",
+           &o.conflict_cost,
+           {0, 4},
+           "units",
+           "Cost of a pixel that the other camera should see but does not"},
+          {"beyond_range_per_px", &o.beyond_range_per_px, {0, 5}, "units", "Cost per pixel beyond the range"},
+          {"agreement_px",
+           &o.agreement_px,
+           {0.1, 5},
+           "px",
+           "Disparities of both views that differ by less agree"},
+          {"ramp_px", &o.ramp_px, {0.01, 5}, "px", "Hidden and conflict cost increase linearly over this"}};
 }
 
 std::vector<Parameter> parameters_of(PlaneSmoothnessOptions& o) {
-  return {
-      {"step_per_px", &o.step_per_px, {0, 10}, "units", "Cost per pixel that neighbouring planes lie apart"},
-      {"largest_step", &o.largest_step, {0, 20}, "units", "The smoothness cost is truncated here"},
-      {"colour_levels", &o.colour_levels, {1, 255}, "levels", "Colour difference at which it falls by e"},
-      {"least_weight", &o.least_weight, {0, 1}, "", "Weight across the strongest edge"},
-      {"diagonal_weight", &o.diagonal_weight, {0, 1}, "", "Weight of diagonal neighbours"}};
+  return {{"step_per_px",
+           &o.step_per_px,
+           {0, 10},
+           "units",
+           "Cost per pixel of disparity between neighbouring planes"},
+          {"largest_step", &o.largest_step, {0, 20}, "units", "The smoothness cost is truncated here"},
+          {"colour_levels", &o.colour_levels, {1, 255}, "levels", "Colour difference at which it falls by e"},
+          {"least_weight", &o.least_weight, {0, 1}, "", "Weight across the strongest edge"},
+          {"diagonal_weight", &o.diagonal_weight, {0, 1}, "", "Weight of diagonal neighbours"}};
 }
 
 float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, float beyond_range_per_px) {
@@ -286,7 +292,7 @@ void choose_planes(const ColourPlanes& colour, const PlaneSmoothnessOptions& opt
         std::size_t best = at;
         float least = std::numeric_limits<float>::max();
         for (std::size_t k = at; k < at + kCount; ++k) {
-          // Every path counts the pixel's own cost; once is right (Drory et al. 2014).
+          // Every path includes the pixel's own cost, which must count only once (Drory et al. 2014).
           const float sum = candidates.path_sum[0][k] + candidates.path_sum[1][k] -
                             static_cast<float>(kPaths - 1) * candidates.cost[k];
           if (sum < least) {

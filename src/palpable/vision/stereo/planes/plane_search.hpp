@@ -11,21 +11,21 @@
 // A semi-global search over slanted planes: every pixel has a handful of candidate planes, and eight path
 // sweeps (Hirschmueller 2008) minimise a smoothness that costs nothing along a plane: |f_p(q) - f_q(q)| +
 // |f_p(p) - f_q(p)| (the curvature of Olsson, Ulen & Boykov 2013), truncated, and weaker across colour edges.
-// The cheapest candidate becomes the pixel's plane, and the next round draws new candidates from there.
+// The candidate of least cost becomes the pixel's plane, and the next round draws new candidates from it.
 namespace palpable::vision {
 
-/// What a candidate costs by itself. Costs are in units of the volume.
+/// The unary cost of a candidate, in units of the volume.
 struct PlaneCostOptions {
   /// Per unit of slope (px of disparity per px), |slope_x| + |slope_y|; units, 0 … 5.
   float slope_cost = 0.2F;
-  /// Of a pixel hidden from the other camera; units, 0 … 4.
+  /// Cost of an occluded pixel; units, 0 … 4.
   float hidden_cost = 1.2F;
-  /// Of a candidate that should have been seen by the other camera but was not; units, 0 … 4.
+  /// Cost of a candidate that the other camera should see but does not; units, 0 … 4.
   float conflict_cost = 0.7F;
-  /// Beyond the range of disparities, per pixel; units, 0 … 5.
+  /// Cost per pixel beyond the range of disparities; units, 0 … 5.
   float beyond_range_per_px = 0.5F;
-  /// Disparities of the two views that differ by less agree; px, 0.1 … 5. From there hidden_cost and
-  /// conflict_cost set in over ramp_px; px, 0.01 … 5.
+  /// Disparities of the two views that differ by less agree; px, 0.1 … 5. Beyond that hidden_cost and
+  /// conflict_cost increase linearly over ramp_px; px, 0.01 … 5.
   float agreement_px = kLeftRightTolerance_px;
   float ramp_px = 0.5F;
 };
@@ -33,7 +33,7 @@ std::vector<Parameter> parameters_of(PlaneCostOptions& options);
 
 /// The smoothness between neighbours. Costs are in units of the volume.
 struct PlaneSmoothnessOptions {
-  /// Per pixel of disparity that the two planes lie apart at the two neighbours (mean); units, 0 … 10.
+  /// Cost per pixel of disparity between the two planes (mean at the two neighbours); units, 0 … 10.
   float step_per_px = 0.6F;
   /// The smoothness cost is truncated here; units, 0 … 20.
   float largest_step = 3.0F;
@@ -46,28 +46,29 @@ struct PlaneSmoothnessOptions {
 };
 std::vector<Parameter> parameters_of(PlaneSmoothnessOptions& options);
 
-/// What the other view says about a disparity (see plane_costs).
+/// The other view, for visibility (see plane_costs).
 struct OtherView {
   /// The other picture's disparities in its own frame: pixel (x, y) here matches (x - d, y) there, and
-  /// disparity(x - d, y) is d again; infinite where that picture shows nothing.
+  /// disparity(x - d, y) is d again; infinite where that picture has no content.
   const Raster<float>* disparity = nullptr;
-  /// Nothing lies further away than this.
+  /// Least disparity: nothing is farther away.
   float least_px = 0.0F;
-  /// While its disparities are unknown: it shows something from this column on.
+  /// If its disparities are unknown: its picture has content from this column on.
   int first = 0;
 };
 
-/// The matching cost at any disparity, in units: between those of the volume by a cubic (Catmull-Rom), beyond
-/// its ends rising by `beyond_range_per_px`.
+/// The matching cost at a real disparity, in units: interpolated by a Catmull-Rom cubic, and beyond the
+/// volume's ends increasing by `beyond_range_per_px`.
 float matching_cost_at(const CostVolume& volume, int x, int y, float disparity, float beyond_range_per_px);
 
-/// Sets the candidates' own costs from the volume. With another view, a candidate that lies behind the other
-/// view's surface is hidden there and costs a constant; one that lies in front of it should have been seen
-/// there and costs more.
+/// Sets the candidates' own costs from the volume. With another view, a candidate behind the other view's
+/// surface is occluded there and has a constant cost; one in front of it should be visible there and costs
+/// more.
 void plane_costs(const CostVolume& volume, const OtherView& other, const PlaneCostOptions& options,
                  PlaneCandidates& candidates, const Work& work);
 
-/// Runs the sweeps and gives each pixel its cheapest candidate. The same result for any number of threads.
+/// Runs the sweeps and assigns each pixel its candidate of least cost. The result does not depend on the
+/// number of threads.
 void choose_planes(const ColourPlanes& colour, const PlaneSmoothnessOptions& options,
                    PlaneCandidates& candidates, PlaneMap& out, const Work& work);
 

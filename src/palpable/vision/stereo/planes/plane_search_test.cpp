@@ -19,7 +19,7 @@ ColourPlanes plain(int width, int height) {
 }
 
 TEST(PlaneSearch, FindsASlantFromAFlatStart) {
-  // A cost that is least on a plane, and whole-pixel steps to begin with.
+  // A cost with its minimum on a plane, starting from integer steps.
   CostVolume costs(kWidth, kHeight, 20);
   const auto truth = [](int x, int y) {
     return 3.0F + 0.12F * static_cast<float>(x) + 0.05F * static_cast<float>(y);
@@ -64,7 +64,7 @@ CostVolume ramp(int disparities) {
   return costs;
 }
 
-TEST(MatchingCostAt, IsTheCubicBetweenDisparitiesAndRisesBeyondTheirEnds) {
+TEST(MatchingCostAt, IsCubicBetweenDisparitiesAndLinearBeyondTheirEnds) {
   const CostVolume costs = ramp(6);
   constexpr float kStep = 400.0F / kCostUnit;
   EXPECT_NEAR(matching_cost_at(costs, 3, 0, 2.25F, 0.5F), 2.25F * kStep, 1e-6F);
@@ -105,7 +105,7 @@ TEST(PlaneCosts, GrowWithTheSlope) {
   EXPECT_NEAR(candidates.cost[candidates.at(7, 0)], 0.75F * PlaneCostOptions{}.slope_cost, 1e-6F);
 }
 
-TEST(ChosenPlanes, AreTheCheapestAloneWhereSmoothnessCostsNothing) {
+TEST(ChosenPlanes, AreOfLeastCostWithoutSmoothness) {
   PlaneCandidates candidates(5, 4);
   for (std::size_t i = 0; i < candidates.cost.size(); ++i) {
     candidates.disparity[i] = static_cast<float>(i % PlaneCandidates::kCount);
@@ -118,7 +118,7 @@ TEST(ChosenPlanes, AreTheCheapestAloneWhereSmoothnessCostsNothing) {
     EXPECT_EQ(map.disparity(i % 5, i / 5), static_cast<float>(i % PlaneCandidates::kCount));
 }
 
-TEST(ChosenPlanes, OverruleOnePixelsCostWhereItsSurroundingsAgree) {
+TEST(ChosenPlanes, OverruleASinglePixelByItsSurroundings) {
   PlaneCandidates candidates(9, 9);
   for (std::size_t i = 0; i < candidates.cost.size(); ++i) {
     const bool near = i % PlaneCandidates::kCount == 0;

@@ -16,13 +16,13 @@ struct Vote {
   float disparity, slope_x, slope_y, weight;
 };
 
-/// The other picture's disparity at the match; NaN where that lies outside it.
+/// The other picture's disparity at the match; NaN outside that picture.
 float seen_at(const Raster<float>& other_disparity, Pixel p, float disparity) {
   const int there = static_cast<int>(std::floor(static_cast<float>(p.x) - disparity + 0.5F));
   return other_disparity.contains(there, p.y) ? other_disparity(there, p.y) : NAN;
 }
 
-/// The vote on one pixel; keeps its memory from pixel to pixel.
+/// The vote on one pixel; reuses its memory between pixels.
 class PlaneVoting {
  public:
   explicit PlaneVoting(const PlaneVoteWindow& window) : window_(window) {
@@ -80,14 +80,18 @@ std::vector<Parameter> parameters_of(PlaneVoteWindow& w) {
 
 std::vector<Parameter> parameters_of(BackgroundOptions& o) {
   std::vector<Parameter> all{
-      {"behind_px", &o.behind_px, {0, 10}, "px", "A surface hides what lies behind it by more"},
+      {"behind_px", &o.behind_px, {0, 10}, "px", "A surface occludes pixels behind it by more than this"},
       {"filled_weight", &o.filled_weight, {0, 1}, "", "Weight of pixels filled earlier"},
       {"hidden_quantile",
        &o.hidden_quantile,
        {0, 1},
        "",
-       "Share of the votes below the winner, for hidden pixels"},
-      {"out_of_view_quantile", &o.out_of_view_quantile, {0, 1}, "", "The same, for pixels out of view"}};
+       "Share of the votes below the winner, for occluded pixels"},
+      {"out_of_view_quantile",
+       &o.out_of_view_quantile,
+       {0, 1},
+       "",
+       "The same, for pixels outside the other picture"}};
   append_parameters(all, "window", parameters_of(o.window));
   append_parameters(all, "slopes", parameters_of(o.slopes));
   append_parameters(all, "fit", parameters_of(o.fit));
@@ -97,7 +101,7 @@ std::vector<Parameter> parameters_of(BackgroundOptions& o) {
 void continue_background(const ColourPlanes& colour, const Raster<float>& other_disparity,
                          const BackgroundOptions& options, PlaneMap& map, const Work& work) {
   const auto hidden = [&](Pixel p, float disparity) {
-    // Out of view it is NaN or infinite: true as well.
+    // Outside the picture it is NaN or infinite: also true.
     const float in_front = seen_at(other_disparity, p, disparity);
     return !(in_front <= disparity + options.behind_px);
   };
@@ -106,7 +110,7 @@ void continue_background(const ColourPlanes& colour, const Raster<float>& other_
     return 1.0F / (1.0F + c * c);
   };
   Raster<float> weight = left_right_check(map.disparity, other_disparity);
-  // One pixel's slope is noisy, and would be continued far: slopes come from wide windows on the same
+  // A single pixel's slope is too noisy for extrapolation, so slopes are fitted in wide windows on the same
   // surface.
   const PlaneMap wide = fit_planes(colour, map, weight, options.slopes, options.fit, work);
   for (std::size_t i = 0; i < weight.count(); ++i) {
@@ -161,7 +165,7 @@ Raster<float> replace_contradicted(const ColourPlanes& colour, const Raster<floa
       for (int x = 0; x < out.width(); ++x) {
         const Pixel p{x, y};
         const float d = map.disparity(x, y);
-        // Only what the other picture shows further away contradicts.
+        // Only a farther surface in the other picture contradicts.
         if (agreed(x, y) > 0.0F || !(seen_at(other_disparity, p, d) <= d)) continue;
         const Vote vote = voting.winner(
             colour, map, agreed, p, alike, [](float) { return true; }, kMedian);

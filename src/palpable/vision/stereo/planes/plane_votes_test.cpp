@@ -11,12 +11,12 @@ namespace {
 
 constexpr int kWidth = 90;
 constexpr int kHeight = 40;
-/// A wall that comes nearer to the right, before it a board from this column on in the left view.
+/// A wall that gets nearer to the right, and in front of it a board from this column on in the left view.
 constexpr int kBoard = 60;
 constexpr float kBoard_px = 30.0F;
 float wall_px(int x) { return 5.0F + 0.1F * static_cast<float>(x); }
 
-/// What the right camera sees: the board where it stands, else the wall.
+/// The right view: the board, else the wall.
 Raster<float> seen_from_right() {
   Raster<float> out(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
@@ -50,8 +50,8 @@ PlaneMap map_with(const Hidden& hidden_px) {
   return map;
 }
 
-TEST(PlaneVotes, ContinueTheWallBehindTheBoardThatHidesIt) {
-  // As the search leaves it: a slope between the wall and the board.
+TEST(PlaneVotes, ContinueTheWallBehindTheBoard) {
+  // Like the search's result: a slope between the wall and the board.
   PlaneMap map = map_with([](int x) { return 11.0F + 0.5F * static_cast<float>(x - kBoard + 18); });
   continue_background(grey(), seen_from_right(), {}, map, {});
   int hidden = 0;
@@ -63,14 +63,14 @@ TEST(PlaneVotes, ContinueTheWallBehindTheBoardThatHidesIt) {
   EXPECT_EQ(hidden, 21 * kHeight);
 }
 
-TEST(PlaneVotes, ReplaceADisparityThatTheOtherViewContradicts) {
+TEST(PlaneVotes, ReplaceAContradictedDisparity) {
   PlaneMap map = map_with(wall_px);
   map.disparity(20, 20) = 14.0F;
   EXPECT_NEAR(replace_contradicted(grey(), seen_from_right(), kContradictedWindow, map, {})(20, 20),
               wall_px(20), 0.01F);
 }
 
-TEST(PlaneVotes, KeepWhatIsHiddenOrConfirmed) {
+TEST(PlaneVotes, KeepOccludedAndConfirmedPixels) {
   const PlaneMap map = map_with([](int x) { return wall_px(x) - 3.0F; });
   const Raster<float> after = replace_contradicted(grey(), seen_from_right(), kContradictedWindow, map, {});
   for (int y = 0; y < kHeight; ++y)

@@ -76,7 +76,7 @@ std::vector<Parameter> parameters_of(FitWindow& w) {
        {1, 255},
        "levels",
        "Colour difference at which a weight is half"},
-      {"tolerance_px", &w.tolerance_px, {0.05, 10}, "px", "Departure from the plane at which a weight is 0"},
+      {"tolerance_px", &w.tolerance_px, {0.05, 10}, "px", "Distance from the plane at which a weight is 0"},
       {"tolerance_per_px",
        &w.tolerance_per_px,
        {0, 1},
@@ -86,7 +86,7 @@ std::vector<Parameter> parameters_of(FitWindow& w) {
 
 std::vector<Parameter> parameters_of(PlaneFitOptions& o) {
   return {
-      {"least_weight", &o.least_weight, {0, 100}, "", "Sum of weights below which a plane stays as it is"},
+      {"least_weight", &o.least_weight, {0, 100}, "", "Sum of weights below which a plane is not refitted"},
       {"ridge_px2", &o.ridge_px2, {0, 10}, "px²", "Added to the variances of the window's coordinates"},
       {"steepest", &o.steepest, {0, 4}, "px/px", "Steepest slope of disparity"},
       {"steepest_rise", &o.steepest_rise, {0, 0.99}, "px/px", "Steepest rise of disparity to the right"}};
@@ -103,7 +103,7 @@ PlaneMap planes_in_other_view(const PlaneMap& map, const PlaneFitOptions& fit, c
         const float place = static_cast<float>(w - 1 - x) + d;
         const int there = static_cast<int>(std::floor(place + 0.5F));
         if (there < 0 || there >= w || out.disparity(there, y) > d) continue;
-        // d as a function of its place: by d' / (1 - d') and mirrored along a row.
+        // d as a function of the other view's position: slope d' / (1 - d'), mirrored along a row.
         const float stretch = 1.0F / (1.0F - std::min(map.slope_x(x, y), fit.steepest_rise));
         const float sx = std::clamp(-map.slope_x(x, y) * stretch, -fit.steepest, fit.steepest_rise);
         out.slope_x(there, y) = sx;

@@ -17,7 +17,7 @@ ColourPlanes plain(int width, int height) {
   return {plane, plane, plane};
 }
 
-TEST(FittedPlanes, AreThePlaneThatTheDisparitiesLieOn) {
+TEST(FittedPlanes, AreThePlaneOfTheDisparities) {
   const ColourPlanes colour = plain(kWidth, kHeight);
   PlaneMap map(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
@@ -76,8 +76,8 @@ TEST(Planes, OfOneViewBecomeThoseOfTheOther) {
   EXPECT_GT(seen, kWidth * kHeight * 3 / 4);
 }
 
-TEST(Planes, InTheOtherViewAreTheNearestWhereSeveralFall) {
-  // A post at 10 px before a wall at 4 px hides six of the wall's columns.
+TEST(Planes, InTheOtherViewAreTheNearestOfSeveral) {
+  // A post at 10 px in front of a wall at 4 px occludes six of the wall's columns.
   PlaneMap left(kWidth, kHeight);
   left.disparity = Raster<float>(kWidth, kHeight, 4.0F);
   for (int y = 0; y < kHeight; ++y)

@@ -16,7 +16,7 @@ RegionPlane plane_at(const PlaneMap& map, Pixel p) {
   return {map.disparity(p.x, p.y) - sx * static_cast<float>(p.x) - sy * static_cast<float>(p.y), sx, sy};
 }
 
-/// A plane and how many of the sampled pixels lie on it, by their weights.
+/// A plane and the sum of weights of the sampled pixels on it.
 struct Supported {
   RegionPlane plane;
   float support = 0.0F;
@@ -72,14 +72,13 @@ std::array<RegionPlane, 2> planes_of(const std::vector<Pixel>& pixels, const Pla
 }  // namespace
 
 std::vector<Parameter> parameters_of(RegionPlaneOptions& o) {
-  return {
-      {"on_plane_px", &o.on_plane_px, {0.05, 10}, "px", "A pixel lies on a plane when it departs by less"},
-      {"tried_planes", &o.tried_planes, {1, 1000}, "", "Planes tried in each region"},
-      {"sampled_pixels",
-       &o.sampled_pixels,
-       {1, 100000},
-       "px",
-       "Pixels of a region that planes are compared with"}};
+  return {{"on_plane_px", &o.on_plane_px, {0.05, 10}, "px", "A pixel lies on a plane if it differs by less"},
+          {"tried_planes", &o.tried_planes, {1, 1000}, "", "Planes tried in each region"},
+          {"sampled_pixels",
+           &o.sampled_pixels,
+           {1, 100000},
+           "px",
+           "Pixels of a region that planes are compared with"}};
 }
 
 RegionPlanes planes_of_regions(const Regions& regions, const PlaneMap& map, const Raster<float>& trust,

@@ -20,9 +20,9 @@ struct RegionPlane {
   }
 };
 
-/// How a region's planes are found.
+/// Parameters of a region's planes.
 struct RegionPlaneOptions {
-  /// A pixel lies on a plane when its disparity departs by less; px, 0.05 … 10.
+  /// A pixel lies on a plane if its disparity differs by less; px, 0.05 … 10.
   float on_plane_px = 0.7F;
   /// Planes tried in each region; 1 … 1000.
   int tried_planes = 24;
@@ -31,13 +31,13 @@ struct RegionPlaneOptions {
 };
 std::vector<Parameter> parameters_of(RegionPlaneOptions& options);
 
-/// The two planes that most of a region's pixels lie on; the same one twice where there is one.
+/// The two planes with most inliers in a region; the same one twice if there is only one.
 using RegionPlanes = std::vector<std::array<RegionPlane, 2>>;
 
-/// The planes of every region, out of those that the pixels of the map have; `trust` weighs the pixels, 0 …
-/// 1. Where a surface has spread beyond its edge into a region of one colour, every pixel of the region
-/// thereby gets the plane of the region's majority as a candidate; pixel by pixel the surface would not
-/// shrink. The same result for any number of threads.
+/// The planes of every region, selected from the planes of its pixels; `trust` weights the pixels, 0 … 1. If
+/// a surface has spread beyond its edge into a region of one colour, every pixel of the region gets the
+/// majority's plane as a candidate; otherwise the surface would not shrink. The result does not depend on the
+/// number of threads.
 RegionPlanes planes_of_regions(const Regions& regions, const PlaneMap& map, const Raster<float>& trust,
                                const RegionPlaneOptions& options, const Work& work);
 

@@ -26,7 +26,7 @@ PlaneMap slope_and_board() {
 
 Regions one_region() { return {Raster<std::int32_t>(kWidth, kHeight, 0), {kWidth * kHeight}}; }
 
-TEST(RegionPlanes, AreTheTwoThatMostPixelsLieOn) {
+TEST(RegionPlanes, AreTheTwoWithMostInliers) {
   const RegionPlanes planes =
       planes_of_regions(one_region(), slope_and_board(), Raster<float>(kWidth, kHeight, 1.0F), {}, {});
   ASSERT_EQ(planes.size(), 1U);
@@ -43,7 +43,7 @@ TEST(RegionPlanes, CountOnlyTrustedPixels) {
   EXPECT_NEAR(planes[0][1].at(5, 10), 20.0F, 1e-4F);
 }
 
-TEST(RegionPlanes, AreAPixelsOwnWhereNoneIsTrusted) {
+TEST(RegionPlanes, AreAPixelsPlaneIfNoneIsTrusted) {
   const RegionPlanes planes =
       planes_of_regions(one_region(), slope_and_board(), Raster<float>(kWidth, kHeight), {}, {});
   EXPECT_NEAR(planes[0][0].at(0, 0), 3.0F, 1e-4F);

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-// Sums over windows around every pixel of a row that count only what belongs to the pixel's own surface.
+// Sums over windows around every pixel of a row, restricted to the pixel's own surface by weights.
 namespace palpable::vision {
 
 struct Offset {
@@ -20,7 +20,7 @@ struct Place {
   int x, y;
 };
 
-/// What weighing needs of one row of a plane map and of its picture.
+/// Pointers to one row of a plane map and of its picture.
 struct SurfaceRow {
   const float* disparity;
   const float* slope_x;
@@ -35,13 +35,13 @@ struct SurfaceRow {
 SurfaceRow surface_row(const ColourPlanes& colour, const PlaneMap& map, const Raster<float>& weight, int x,
                        int y);
 
-/// How much the pixels at `offset` from those of `centre` count for them: their own weight, times how similar
-/// their colour is, times how little they depart from the centre's plane (as `window` says). `rise[i]`: by
-/// how much the disparity there is greater than the centre's. Runs in vectors.
+/// The weights of the pixels at `offset` for those of `centre`: their own weight, times factors for colour
+/// similarity and for the distance from the centre's plane (see FitWindow). `rise[i]`: their disparity minus
+/// the centre's. Vectorised.
 void surface_weights(const SurfaceRow& centre, const SurfaceRow& other, Offset offset,
                      const FitWindow& window, int count, float* weight, float* rise);
 
-/// Sums of a row, one value a pixel each.
+/// Sums of a row, one value per pixel each.
 template <std::size_t kSums>
 struct RowSums {
   std::array<std::vector<float>, kSums> of;

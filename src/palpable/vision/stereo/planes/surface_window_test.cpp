@@ -38,7 +38,7 @@ TEST(SurfaceWeights, AreOneOnThePlaneAndInTheColourOfTheCentre) {
   EXPECT_EQ(rise, 0.5F);
 }
 
-TEST(SurfaceWeights, FallToZeroWithTheDepartureFromThePlane) {
+TEST(SurfaceWeights, FallToZeroWithTheDistanceFromThePlane) {
   const FitWindow window{.tolerance_px = 1.0F, .tolerance_per_px = 0.0F};
   EXPECT_NEAR((Pair{.disparity = 5.75F}.weigh(window)[0]), 0.75F, 1e-6F);
   EXPECT_EQ((Pair{.disparity = 6.75F}.weigh(window)[0]), 0.0F);
@@ -48,11 +48,11 @@ TEST(SurfaceWeights, AreHalfAtTheColourDifferenceOfTheWindow) {
   EXPECT_NEAR((Pair{.level = 102}.weigh({.half_weight_levels = 12.0F})[0]), 0.5F, 1e-6F);
 }
 
-TEST(SurfaceWeights, AreTimesThePixelsOwn) {
+TEST(SurfaceWeights, IncludeThePixelsOwnWeight) {
   EXPECT_NEAR((Pair{.own_weight = 0.3F}.weigh({})[0]), 0.3F, 1e-6F);
 }
 
-TEST(OverWindow, VisitsEveryOffsetWithThePixelsThatHaveOne) {
+TEST(OverWindow, VisitsEveryOffsetWithItsPixels) {
   int pixels = 0;
   over_window({.radius_px = 2, .step_px = 2}, 5, 5, 0, [&](Offset offset, int first, int count) {
     EXPECT_GE(offset.y, 0);

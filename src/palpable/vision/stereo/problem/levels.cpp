@@ -18,7 +18,7 @@ constexpr std::size_t kMiddle = kQuantiles / 2;
 /// levels.
 constexpr std::size_t kClipped = 3;
 
-/// How many of the quantiles, less the extreme one itself, lie at the brightest level; and at the darkest.
+/// The number of quantiles at the brightest level, without the extreme one; and at the darkest.
 std::size_t at_the_top(const Quantiles& q) {
   return static_cast<std::size_t>(std::count(q.begin(), q.end(), q[kLast])) - 1;
 }
@@ -33,7 +33,7 @@ Quantiles quantiles_over(const Image& image, const Level& level) {
   const auto width = static_cast<std::size_t>(image.width);
   const std::size_t pixels = width * static_cast<std::size_t>(image.height);
   std::size_t step = std::max<std::size_t>(1, pixels / kSample);
-  // A step that shares no factor with the width meets every column.
+  // A step that is coprime to the width visits every column.
   while (std::gcd(step, width) != 1) ++step;
   std::vector<float> values;
   values.reserve(pixels / step + 1);
@@ -84,7 +84,7 @@ float LevelCurve::operator()(float level) const {
   const auto [first, past] = std::equal_range(from_.begin(), from_.end(), level);
   const auto i = static_cast<std::size_t>(first - from_.begin()),
              j = static_cast<std::size_t>(past - from_.begin());
-  // A level that many pixels share becomes the middle of theirs.
+  // A level shared by many pixels is mapped to the middle of its range.
   if (i < j) return clip(to_[(i + j - 1) / 2]);
   const float t = (level - from_[i - 1]) / (from_[i] - from_[i - 1]);
   return clip(to_[i - 1] + t * (to_[i] - to_[i - 1]));

@@ -11,15 +11,14 @@
 #include <string>
 #include <vector>
 
-// How bright the pictures of a pair are, and how the right one's levels are mapped onto the left one's
-// (histogram matching).
+// Brightness of a pair's pictures, and histogram matching of the right picture to the left one.
 namespace palpable::vision {
 
 inline constexpr std::size_t kQuantiles = 256;
 /// The levels at the quantiles 0, 1/255 … 1.
 using Quantiles = std::array<float, kQuantiles>;
 
-/// Of a picture's luma, over thousands of its pixels; all 0 where none is finite.
+/// The luma's quantiles over thousands of pixels; all 0 if none is finite.
 Quantiles luma_quantiles(const Image& image);
 
 /// Maps levels of one picture onto another's, by a monotone curve through their quantiles.
@@ -27,13 +26,13 @@ class LevelCurve {
  public:
   /// Leaves levels as they are.
   LevelCurve() = default;
-  /// Where `from` is clipped (many pixels at its darkest or brightest level) and `to` is not, what `to` has
-  /// beyond was lost: such levels are mapped to where the loss begins, and clip() brings `to` there too.
+  /// If `from` is clipped (many pixels at its darkest or brightest level) and `to` is not, these levels are
+  /// mapped to the level where clipping begins, and clip() limits `to` to it.
   LevelCurve(const Quantiles& from, const Quantiles& to);
 
   /// A level of `from` as a level of `to`.
   float operator()(float level) const;
-  /// A level of `to` without what the other picture has lost.
+  /// A level of `to`, limited to the range that the other picture has.
   float clip(float level) const { return level < least_ ? least_ : level > most_ ? most_ : level; }
 
  private:
@@ -43,40 +42,39 @@ class LevelCurve {
   float most_ = std::numeric_limits<float>::infinity();
 };
 
-/// How a pair's pictures are prepared for matching.
+/// Preparation of a pair's pictures for matching.
 struct PreparationOptions {
-  /// The exposures differ when the middle parts of the histograms differ by more than this share of the
-  /// levels that they use (mean over the quantiles); 0 … 1.
+  /// The exposures differ if the middle parts of the histograms differ by more than this share of their used
+  /// range (mean over the quantiles); 0 … 1.
   double exposure_difference = 0.08;
   /// 8-bit pictures that use a smaller range of levels than this are stretched, as deeper ones always are; 0
   /// … 1.
   double stretch_below = 0.4;
-  /// A line belongs to a dark frame when its mean is below this share of the mean of the next line inside; 0
-  /// … 1.
+  /// A line belongs to a dark frame if its mean is below this share of the next inner line's mean; 0 … 1.
   double frame_darkness = 0.6;
   /// A frame takes at most this share of a side, as 1/n; n from 2 … 1000.
   int frame_divisor = 60;
 };
 std::vector<Parameter> parameters_of(PreparationOptions& options);
 
-/// How the exposures of a pair differ.
+/// The exposure difference of a pair.
 struct Exposure {
-  /// Whether the right picture's levels are mapped onto the left one's.
+  /// Whether the right picture's levels are mapped to the left one's.
   bool differs = false;
-  /// The middle of the right picture's levels over the middle of the left one's.
+  /// Median of the right picture's levels divided by that of the left one's.
   double brightness_ratio = 1.0;
   /// Shares of each picture's pixels at its own brightest level, 0 … 1.
   double left_clipped = 0.0, right_clipped = 0.0;
 };
 
-/// How the right picture's levels are mapped onto the left one's: one curve for each of red, green and blue
-/// (a picture of one channel uses the first), which corrects white balance too.
+/// The mapping of the right picture's levels to the left one's: one curve each for red, green and blue (a
+/// picture of one channel uses the first), which also corrects white balance.
 struct ExposureMatch {
   Exposure exposure;
   std::array<LevelCurve, 3> curves;
 };
 
-/// Compares two pictures of the same size. The curves change nothing where the exposures agree.
+/// Compares two pictures of the same size. The curves are the identity if the exposures agree.
 ExposureMatch match_exposures(const Image& left, const Image& right, const PreparationOptions& options);
 
 /// One sentence with the figures, for a pair whose exposures differ.

@@ -25,18 +25,18 @@ TEST(Quantiles, AreThoseOfTheLevels) {
   EXPECT_NEAR(q[51], 0.3F, 1e-3F);
 }
 
-TEST(LevelCurve, MapsOnePicturesLevelsToTheOthersOfTheSameRank) {
+TEST(LevelCurve, MapsLevelsByRank) {
   const LevelCurve curve(luma_quantiles(ramp(0.1F, 0.4F)), luma_quantiles(ramp(0.2F, 0.8F)));
   EXPECT_NEAR(curve(0.1F), 0.2F, 2e-3F);
   EXPECT_NEAR(curve(0.25F), 0.5F, 2e-3F);
   EXPECT_NEAR(curve(0.45F), 0.85F, 2e-3F);  // beyond its end it goes on in parallel
 }
 
-TEST(LevelCurve, ClipsWhereTheOtherPictureLostItsLevels) {
+TEST(LevelCurve, ClipsLevelsThatTheOtherPictureLost) {
   Image clipped = ramp(0.1F, 1.3F);
   for (float& v : clipped.samples) v = std::min(v, 1.0F);
   const LevelCurve curve(luma_quantiles(clipped), luma_quantiles(ramp(0.05F, 0.65F)));
-  // A quarter of the pixels is at the brightest level: what the darker picture shows there has no match.
+  // A quarter of the pixels is at the brightest level, so the darker picture's levels there have no match.
   EXPECT_NEAR(curve.clip(0.64F), 0.5F, 5e-3F);
   EXPECT_EQ(curve.clip(0.3F), 0.3F);
 }

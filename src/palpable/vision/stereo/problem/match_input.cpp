@@ -11,7 +11,7 @@ namespace {
 
 enum class Line { row, column };
 
-/// Levels of both pictures so that `low` becomes 0 and `high` 255.
+/// A linear map of the levels of both pictures: `low` becomes 0 and `high` 255.
 struct Stretch {
   float low = 0.0F;
   float gain = 255.0F;
@@ -22,7 +22,7 @@ struct Stretch {
 };
 
 Stretch stretch_for(const Quantiles& left, const Quantiles& right, int bits, double stretch_below) {
-  // 8-bit pictures are stretched only if they are very dark; deeper ones always.
+  // 8-bit pictures are stretched only if they use few levels; deeper ones always.
   const float low = std::min(left[1], right[1]);
   const float high = std::max(left[kQuantiles - 2], right[kQuantiles - 2]);
   const bool as_it_is = bits == 8 && high - low > static_cast<float>(stretch_below);
@@ -40,8 +40,8 @@ std::vector<double> means(const Raster<std::uint8_t>& grey, Line line) {
   return out;
 }
 
-/// How many of the first lines are the dark frame that digitised video has: far darker on the whole than
-/// those after them.
+/// The number of first lines that belong to a dark frame, as in digitised video: much darker than the lines
+/// after them.
 std::size_t frame_lines(const std::vector<double>& mean, const PreparationOptions& options) {
   const std::size_t most = mean.size() / static_cast<std::size_t>(options.frame_divisor);
   std::size_t lines = 0;
@@ -50,8 +50,8 @@ std::size_t frame_lines(const std::vector<double>& mean, const PreparationOption
   return lines;
 }
 
-/// A frame is at the same place in both pictures, and matching would take it for an infinitely distant
-/// surface: the nearest line inside replaces it.
+/// A frame is at the same position in both pictures and would match at infinity, so the nearest inner line
+/// replaces it.
 void replace_frame(MatchInput& input, const PreparationOptions& options) {
   const auto lines = [&](Line line, bool from_end) {
     std::size_t both = input.left_grey.count();

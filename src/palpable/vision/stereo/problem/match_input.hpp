@@ -8,11 +8,10 @@
 
 namespace palpable::vision {
 
-/// The pair as 8-bit planes: levels of both pictures stretched by one factor to 0…255, and where the
-/// pictures' exposures differ, the right one's levels mapped onto the left one's, colour by colour, and both
-/// clipped where the right one is; a dark frame of a few lines that both have is overwritten by the lines
-/// inside it. `disparities` is left 0. `exposure`, where given, says how the exposures differ. Sizes must be
-/// equal and not 0.
+/// The pair as 8-bit planes. The levels of both pictures are stretched by one factor to 0…255. If the
+/// exposures differ, the right picture's levels are mapped to the left one's for each colour, and both are
+/// clipped where the right one is. A common dark frame of a few lines is replaced by the lines inside it.
+/// `disparities` stays 0. `exposure`, if given, receives the difference. Sizes must be equal and not 0.
 MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure = nullptr,
                             const PreparationOptions& options = {});
 

@@ -16,7 +16,7 @@ Image halves(float left, float right, int bits) {
   return image;
 }
 
-TEST(PreparedPictures, KeepTheLevelsOfAnEightBitPictureThatUsesThem) {
+TEST(PreparedPictures, KeepTheLevelsOfAnEightBitPicture) {
   const Image image = halves(0.2F, 0.8F, 8);
   const MatchInput input = prepare_pictures({image, image, {}}, {});
   EXPECT_EQ(input.left_grey(3, 3), 51);
@@ -31,7 +31,7 @@ TEST(PreparedPictures, StretchADeepPictureToAllLevels) {
   EXPECT_EQ(input.left_grey(15, 3), 255);
 }
 
-TEST(PreparedPictures, BringTheRightPictureToTheLeftOnesLevels) {
+TEST(PreparedPictures, MatchTheRightPicturesLevelsToTheLeftOnes) {
   Exposure exposure;
   const MatchInput input =
       prepare_pictures({halves(0.2F, 0.8F, 8), halves(0.1F, 0.4F, 8), {}}, {}, &exposure);

@@ -11,23 +11,23 @@
 
 namespace palpable::vision {
 
-/// Two pictures of the same size on common scanlines; the left one is the reference.
+/// Two rectified pictures of the same size; the left one is the reference.
 struct StereoPair {
   Image left;
   Image right;
-  /// Known where the pair is calibrated; carried into the result.
+  /// Known if the pair is calibrated; copied to the result.
   std::optional<StereoRig> rig;
 };
 
-/// The stereo methods of the papers, and our own (docs/stereo.md); the options of each are in methods/.
+/// The papers' stereo methods and our own (docs/stereo.md); their options are in methods/.
 enum class StereoMethod { scanline, graph_cut, segments, pyramid, fast, best };
 
 struct StereoMatch {
-  /// Sub-pixel disparity of the left picture; NaN only where the method leaves pixels unknown.
+  /// Sub-pixel disparity of the left picture; NaN where the method leaves pixels unknown.
   DisparityMap disparity;
-  /// 0…1 per pixel; empty where the method gives none.
+  /// 0…1 per pixel; empty if the method gives none.
   Raster<float> confidence;
-  /// What the person should know, a sentence each: swapped, misaligned, little agreement …
+  /// Sentences for the person: exchanged, misaligned, little agreement …
   std::vector<std::string> notes;
 };
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-// For tests only: a stereo pair of known disparity, drawn from a formula.
+// For tests only: a synthetic stereo pair of known disparity.
 namespace palpable::vision {
 
 /// A slanted ground, d = ground_px + slope_x x + slope_y y, and a flat box in front of it.
@@ -21,7 +21,7 @@ struct SyntheticScene {
   int box_left = 60, box_top = 30, box_right = 110, box_bottom = 70;
   /// The right picture's levels: gain * level.
   double right_gain = 1.0;
-  /// The right picture's content lies so much lower.
+  /// Vertical offset of the right picture's content, downwards.
   int right_lower_px = 0;
 
   bool in_box(double x, int y) const {
@@ -31,7 +31,7 @@ struct SyntheticScene {
   double truth(int x, int y) const { return in_box(x, y) ? box_px : ground_px + slope_x * x + slope_y * y; }
 };
 
-/// The same with a ground that rises by a pixel in fifty across and in thirty-three down.
+/// The same with a slanted ground.
 inline SyntheticScene slanted_scene() {
   SyntheticScene scene;
   scene.slope_x = 0.02;
@@ -92,7 +92,7 @@ inline double bad_fraction(const SyntheticScene& scene, const Raster<float>& dis
     for (int x = border; x < scene.width - border; ++x) {
       const double d = scene.truth(x, y);
       const double right = x - d;
-      // The box hides in the right picture what lies at its left.
+      // In the right picture the box occludes ground at its left.
       const bool hidden = !scene.in_box(x, y) && scene.in_box(right + scene.box_px, y);
       if (hidden || right < 0.0) continue;
       ++all;

@@ -26,11 +26,11 @@ PALPABLE_VECTORIZE void distances(const std::uint64_t* __restrict right, std::ui
   for (int i = 0; i < count; ++i) out[i] = static_cast<std::uint16_t>(std::popcount(left ^ right[i]));
 }
 
-/// For a row: the best column in the other row for each textured column, or -1 where it is not unique; and
-/// the best column here for each one there.
+/// For one row: the best column in the other row for each textured column, or -1 if it is not unique; and the
+/// best column here for each column there.
 struct RowMatches {
   std::vector<int> forth;
-  std::vector<std::uint8_t> textured;  // columns here that can be found again at all
+  std::vector<std::uint8_t> textured;  // columns with enough texture to be matched
   std::vector<std::uint16_t> back, back_cost, distance;
 
   explicit RowMatches(int width)
@@ -67,7 +67,7 @@ struct OccupiedBins {
   double matches = 0.0;
 };
 
-/// The range as it grows from the histogram's peak.
+/// The range, grown from the histogram's peak.
 std::optional<OccupiedBins> occupied_bins(const std::vector<int>& histogram, const RangeOptions& options,
                                           int width) {
   const auto three = [&](int d) {
@@ -99,8 +99,7 @@ std::optional<OccupiedBins> occupied_bins(const std::vector<int>& histogram, con
   return found;
 }
 
-/// Keeps of a row's matches those that a neighbour along the row or in the rows beside it confirms within one
-/// pixel.
+/// Whether enough neighbours, in the row and in the adjacent rows, confirm a match within one pixel.
 bool confirmed(const Raster<int>& matches, int least, int x, int y) {
   const int d = matches(x, y);
   int agreeing = 0;
@@ -116,14 +115,14 @@ std::vector<Parameter> parameters_of(RangeOptions& o) {
   return {
       {"coarse_width_px", &o.coarse_width_px, {32, 2048}, "px", "Width of the reduced pair"},
       {"rows", &o.rows, {8, 2048}, "", "Rows of it that are matched"},
-      {"unique_bits", &o.unique_bits, {0, 63}, "bits", "How much worse the next best match is"},
+      {"unique_bits", &o.unique_bits, {0, 63}, "bits", "Least margin to the next best match"},
       {"agreeing_neighbours",
        &o.agreeing_neighbours,
        {1, 15},
        "",
        "Neighbours that must agree, itself included"},
       {"share", &o.share, {0, 1}, "", "Share of the matches in a bin of the range"},
-      {"gap_bins", &o.gap_bins, {0, 100}, "bins", "A longer gap needs a larger share"},
+      {"gap_bins", &o.gap_bins, {0, 100}, "bins", "Bins beyond a longer gap need a larger share"},
       {"share_beyond_gap", &o.share_beyond_gap, {0, 1}, "", "The share beyond a gap"},
       {"share_behind_infinity", &o.share_behind_infinity, {0, 1}, "", "The share behind infinity"},
       {"far_margin_divisor", &o.far_margin_divisor, {1, 1000}, "", "The far margin: the range over this"},
@@ -170,7 +169,7 @@ DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Rast
   const std::optional<OccupiedBins> bins = occupied_bins(histogram, options, width);
   if (!bins) return range;
   range.agreement = bins->matches / std::max(1, all_textured);
-  // A margin for what the small copy could not resolve, and for surfaces too plain to be matched there.
+  // A margin for the reduced pair's resolution, and for surfaces too plain to be matched in it.
   const int spread = bins->high - bins->low;
   const int low = (bins->low - 1) * factor - factor / 2 - spread * factor / options.far_margin_divisor;
   const bool all_in_front = bins->low >= -1;

@@ -11,30 +11,31 @@
 
 namespace palpable::vision {
 
-/// Where a pair's disparities lie, in pixels, with a margin; and how well the two pictures agree.
+/// A pair's range of disparities in pixels with a margin, and the agreement of its pictures.
 struct DisparityRange {
   int min_px = 0;
   int max_px = 0;
-  /// Of the pixels with texture, the fraction whose best match in the other picture points back: 0…1.
-  /// Pictures of one scene give 0.3 and more, unrelated ones below 0.1.
+  /// Fraction of the textured pixels whose best match is mutual: 0…1. Pictures of one scene give 0.3 and
+  /// more, unrelated ones below 0.1.
   double agreement = 0.0;
-  /// The fraction of pixels that have texture enough to be matched at all.
+  /// Fraction of pixels with enough texture to be matched.
   double textured = 0.0;
 };
 
-/// How the range of disparities is found.
+/// Parameters of find_disparity_range().
 struct RangeOptions {
   /// The pair is reduced by a whole factor to about this width; px, 32 … 2048.
   int coarse_width_px = 224;
   /// Rows of it that are matched; 8 … 2048.
   int rows = 64;
-  /// The next best match elsewhere must differ by so many census bits more; 0 … 63.
+  /// Least margin to the next best match elsewhere, census bits; 0 … 63.
   int unique_bits = 3;
-  /// Matches within two columns and a row that agree within a pixel, itself included; 1 … 15.
+  /// Least number of agreeing matches (within a pixel) among those within two columns and one row, itself
+  /// included; 1 … 15.
   int agreeing_neighbours = 5;
-  /// The range grows from the histogram's peak over bins that hold this share of the matches (0 … 1); across
-  /// a gap of more than gap_bins (0 … 100) this larger share; behind infinity, which real pairs rarely have
-  /// but repeated patterns pretend, this one.
+  /// The range grows from the histogram's peak over bins that hold this share of the matches (0 … 1); beyond
+  /// a gap of more than gap_bins (0 … 100) a larger share; and for negative disparities, which are rare in
+  /// real pairs but common false matches of repeated patterns, another one.
   double share = 0.001;
   int gap_bins = 6;
   double share_beyond_gap = 0.003;
@@ -49,7 +50,8 @@ std::vector<Parameter> parameters_of(RangeOptions& options);
 /// The range of disparities from a reduced copy of the pair: each textured pixel's census signature is
 /// searched along the whole scanline, in both directions; matches that are mutual and unique are counted in a
 /// histogram, and the range is where the histogram exceeds the chance matches, which are spread evenly. Works
-/// for disparities from minus to plus three quarters of the width. Both pictures of the same size, not empty.
+/// for disparities from minus to plus three quarters of the width. Both pictures have the same size and are
+/// not empty.
 DisparityRange find_disparity_range(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
                                     const RangeOptions& options, const Work& work);
 

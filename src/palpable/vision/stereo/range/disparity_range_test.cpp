@@ -11,7 +11,7 @@
 namespace palpable::vision {
 namespace {
 
-/// The levels of a picture that the texture's formula draws, moved to the left by d(y).
+/// A picture of the texture, shifted to the left by d(y).
 template <class Disparity>
 Raster<std::uint8_t> moved(int width, int height, const Disparity& d) {
   Raster<std::uint8_t> out(width, height);
@@ -21,7 +21,7 @@ Raster<std::uint8_t> moved(int width, int height, const Disparity& d) {
   return out;
 }
 
-TEST(DisparityRange, HoldsTheDisparitiesOfThePairAndLittleMore) {
+TEST(DisparityRange, ContainsThePairsDisparitiesWithASmallMargin) {
   // The upper half lies at 5 px, the lower one at 23.
   const auto left = moved(200, 100, [](int) { return 0; });
   const auto right = moved(200, 100, [](int y) { return y < 50 ? 5 : 23; });
@@ -34,7 +34,7 @@ TEST(DisparityRange, HoldsTheDisparitiesOfThePairAndLittleMore) {
   EXPECT_GT(range.textured, 0.9 * (192.0 / 200.0));
 }
 
-TEST(DisparityRange, FindsDisparitiesBehindInfinity) {
+TEST(DisparityRange, FindsNegativeDisparities) {
   const auto left = moved(200, 100, [](int) { return 0; });
   const auto right = moved(200, 100, [](int) { return -12; });
   const DisparityRange range = find_disparity_range(left, right, {}, {});

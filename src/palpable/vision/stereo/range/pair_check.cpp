@@ -24,7 +24,7 @@ struct GridPlace {
   int y = 0;
 };
 
-/// The one place within `reach` rows whose signature is by far the most similar.
+/// The unique best match of a signature within `reach` rows.
 PALPABLE_VECTORIZE std::optional<GridPlace> find_again(std::uint64_t signature,
                                                        const Raster<std::uint64_t>& other, int y, int reach) {
   GridPlace best;
@@ -67,7 +67,7 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
         if (!has_texture(small, x, y)) continue;
         const auto there = find_again(l(x, y), r, y, reach);
         if (!there) continue;
-        // Only a place that leads back counts.
+        // Only mutual matches count.
         const auto back = find_again(r(there->x, there->y), l, there->y, reach);
         if (back && std::abs(back->x - x) <= 1 && std::abs(back->y - y) <= 1)
           found(i, j) = static_cast<float>(factor * (there->y - y));
@@ -89,8 +89,8 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
 bool looks_swapped(const DisparityRange& range) { return range.max_px <= 2 && range.min_px < -3; }
 
 bool agree(const DisparityRange& range) {
-  // From the pairs in docs/stereo.md: six pictures of one scene agree on 27 % and more. How little
-  // unrelated photographs agree is not measured on real ones.
+  // From the pairs in docs/stereo.md: six pictures of one scene agree on 27 % and more. The agreement of
+  // unrelated real photographs has not been measured.
   constexpr double kLittleAgreement = 0.08;
   return range.agreement >= kLittleAgreement;
 }

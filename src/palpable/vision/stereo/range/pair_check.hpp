@@ -9,16 +9,15 @@
 
 namespace palpable::vision {
 
-/// How far one picture lies above the other, from up to two hundred distinct pixels found again in the other
-/// picture.
+/// The vertical offset of a pair, from up to two hundred distinctive pixels matched between the pictures.
 struct VerticalOffset {
   /// Median of y_right - y_left, in steps of one pixel up to a width of 320, two up to 640 …; positive: the
   /// right picture's content lies lower.
   double median_px = 0.0;
-  /// Three quarters of the pixels lie within this of the scanline they should be on, in pixels. Above
-  /// median_px where the offset rolls across the picture.
+  /// Third quartile of |y_right - y_left|, in pixels. Larger than median_px if the offset varies across the
+  /// picture.
   double spread_px = 0.0;
-  /// Pixels found again; below about 15 the figures mean nothing.
+  /// Number of matched pixels; below about 15 the figures are meaningless.
   int found = 0;
 };
 
@@ -26,20 +25,20 @@ struct VerticalOffset {
 VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const Raster<std::uint8_t>& right,
                                        const Work& work);
 
-/// The disparities lie behind infinity as a whole: left and right were exchanged.
+/// Whether almost all disparities are negative, so that left and right seem to be exchanged.
 bool looks_swapped(const DisparityRange& range);
 
-/// Whether the pictures agree as two of one scene do.
+/// Whether the pictures agree like two of one scene.
 bool agree(const DisparityRange& range);
 
-/// The contrast of a copy of the picture four times smaller over its own, each within windows of 9 x 7
-/// pixels: a quarter where there is nothing but a camera's grain, mostly above 1 in pictures of a real scene.
+/// The contrast of a copy reduced four times relative to the picture's own, each in windows of 9 x 7 pixels:
+/// about 1/4 for camera noise alone, mostly above 1 for pictures of a real scene.
 double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
-/// Below this there may be nothing but grain.
+/// Below this the picture may be noise alone.
 inline constexpr double kOnlyGrain = 0.5;
 
-/// What the person should know about a pair before trusting its depth, one sentence each; empty for a good
-/// pair. `contrast` is the left picture's contrast_beyond_grain().
+/// Warnings about a pair's depth for the person, one sentence each; empty for a good pair. `contrast` is the
+/// left picture's contrast_beyond_grain().
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
                                     double contrast);
 

@@ -19,24 +19,24 @@ Raster<std::uint8_t> textured(int lower_px, int left_px) {
   return out;
 }
 
-TEST(VerticalOffset, IsHowMuchLowerTheRightPictureLies) {
+TEST(VerticalOffset, MeasuresALowerRightPicture) {
   const VerticalOffset offset = measure_vertical_offset(textured(0, 0), textured(4, 9), {});
   EXPECT_GT(offset.found, 50);
   EXPECT_EQ(offset.median_px, 4.0);
   EXPECT_EQ(offset.spread_px, 4.0);
 }
 
-TEST(VerticalOffset, OfAlignedPicturesIsNothing) {
+TEST(VerticalOffset, IsZeroForAlignedPictures) {
   const VerticalOffset offset = measure_vertical_offset(textured(0, 0), textured(0, 9), {});
   EXPECT_EQ(offset.median_px, 0.0);
   EXPECT_EQ(offset.spread_px, 0.0);
 }
 
-TEST(PairNotes, AreNoneForAGoodPair) {
+TEST(PairNotes, AreEmptyForAGoodPair) {
   EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2).empty());
 }
 
-TEST(PairNotes, SayWhatIsWrongWithItsFigure) {
+TEST(PairNotes, NameTheProblemWithItsFigure) {
   const auto says = [](const DisparityRange& range, const VerticalOffset& offset, double contrast,
                        const char* words) {
     const auto notes = pair_notes(range, offset, contrast);
@@ -49,7 +49,7 @@ TEST(PairNotes, SayWhatIsWrongWithItsFigure) {
   EXPECT_TRUE(says({2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 0.25, "grain"));
 }
 
-TEST(ContrastBeyondGrain, IsAboutAQuarterOfNoisesAndMostOfAPictures) {
+TEST(ContrastBeyondGrain, IsLowForNoiseAndHighForAPicture) {
   Raster<std::uint8_t> noise(160, 120), smooth(160, 120);
   std::uint32_t state = 1;
   for (int y = 0; y < 120; ++y)

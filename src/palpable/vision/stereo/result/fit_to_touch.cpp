@@ -27,18 +27,19 @@ bool textured_at(const Raster<std::uint8_t>& grey, int x, int y) {
   return has_texture(grey, std::clamp(x, kCensusHalfX, last_x), std::clamp(y, kCensusHalfY, last_y));
 }
 
-/// The left picture, and a small copy: a plain spot between patterns is matched by them, a plain wall is not.
+/// The left picture and a reduced copy: a small plain area is matched by the patterns around it, a plain wall
+/// is not.
 struct Sizes {
   static constexpr int kFactor = 4;
   Raster<std::uint8_t> fine;
   Raster<std::uint8_t> coarse;
 };
 
-/// Whether what looks like texture is one, or a camera's grain, which no two pictures share.
+/// Whether fine contrast is texture, or camera noise, which differs between pictures.
 enum class Texture { real, grain };
 
 Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confidence) {
-  // Where most is confirmed, fine texture is no grain.
+  // If most pixels are confirmed, fine texture is not noise.
   constexpr double kMost = 0.6;
   const auto sure =
       std::count_if(confidence.values().begin(), confidence.values().end(), [](float c) { return c > 0.0F; });
@@ -50,7 +51,7 @@ Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const Stere
   const float d = match.disparity.disparity_px(x, y);
   const double there = x - static_cast<double>(d);
   if (!std::isfinite(d) || there < -0.5 || there > grey.fine.width() - 0.5) return Trouble::out_of_view;
-  // Filled from its surroundings a plain surface is often right, but nothing says so.
+  // A plain surface filled from its surroundings is often right, but unconfirmed.
   const bool plain =
       !textured_at(grey.fine, x, y) && !textured_at(grey.coarse, x / Sizes::kFactor, y / Sizes::kFactor);
   if (plain || texture == Texture::grain) return Trouble::plain;
@@ -63,7 +64,7 @@ double share_of(const Raster<std::uint8_t>& trouble, Trouble which) {
   return static_cast<double>(n) / static_cast<double>(trouble.count());
 }
 
-/// Of one ninth of the picture, how much of it each trouble takes.
+/// The share of each trouble in one ninth of the picture.
 struct Ninth {
   std::string name;
   std::array<double, 4> shares{};
@@ -92,7 +93,7 @@ Ninth worst_place(const Raster<std::uint8_t>& trouble) {
   return worst;
 }
 
-/// The trouble that takes most of a place, and what a person can do about it.
+/// The main trouble of a place, and advice for the person.
 struct Advice {
   const char* why;
   const char* what;
@@ -116,14 +117,14 @@ Advice advice_for(const Ninth& place, const FitToTouch& fit) {
   }
 }
 
-/// How far a figure is above its threshold: 0.5 at it, and 0.12 or 0.88 a `width` below or above it.
+/// Logistic score of a figure: 0.5 at its threshold, 0.12 or 0.88 one `width` below or above it.
 double margin(double figure, double threshold, double width) {
   return 1.0 / (1.0 + std::exp(-2.0 * (figure - threshold) / width));
 }
 
 using Margin = std::pair<double, FitReason>;
 
-/// What distinct points say; where there are few of them, both matching directions have to agree the better.
+/// Scores from distinct points; with few of them, both matching directions must agree better.
 std::vector<Margin> geometry_margins(const FitToTouch& fit, const FitThresholds& at) {
   if (fit.points.count < at.points)
     return {{margin(fit.agreement, at.agreement_without_points, 0.05), FitReason::few_points},
@@ -132,7 +133,7 @@ std::vector<Margin> geometry_margins(const FitToTouch& fit, const FitThresholds&
           {margin(fit.points.off_plane, at.off_plane, 0.01), FitReason::no_parallax}};
 }
 
-/// A verdict is as good as its weakest reason.
+/// The lowest score decides.
 void decide(FitToTouch& fit, const FitThresholds& at) {
   std::vector<Margin> margins = geometry_margins(fit, at);
   margins.emplace_back(margin(fit.agreement, at.agreement, 0.05), FitReason::contradiction);
@@ -143,7 +144,7 @@ void decide(FitToTouch& fit, const FitThresholds& at) {
   fit.reason = fit.fit ? FitReason::all_agree : reason;
 }
 
-/// As seen in a mirror.
+/// Mirrored horizontally.
 Image mirror_image(const Image& image) {
   Image out = image;
   const auto channels = static_cast<std::size_t>(image.channels);

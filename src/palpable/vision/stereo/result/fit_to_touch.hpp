@@ -16,15 +16,15 @@ namespace palpable::vision {
 /// Why the depth of a pixel cannot be trusted.
 enum class Trouble : std::uint8_t {
   none,
-  /// Its place lies beyond the other picture's edge.
+  /// The match is outside the other picture.
   out_of_view,
-  /// No texture distinguishes the place from its neighbours.
+  /// No texture distinguishes it from its neighbours.
   plain,
   /// The left-right check fails: hidden from the other camera, moved, a reflection …
   contradicted
 };
 
-/// What a verdict rests on.
+/// The deciding reason of a verdict.
 enum class FitReason : std::uint8_t {
   all_agree,
   few_points,
@@ -37,27 +37,27 @@ enum class FitReason : std::uint8_t {
 /// The same as a clause, for people.
 std::string_view words_of(FitReason reason);
 
-/// Where the verdict changes. Chosen on seeds 1 and 2 of bench/pair_set.cpp (264 pairs, good and spoilt), so
-/// that what is fit ranks depths with a correlation of at least 0.7.
+/// The thresholds of the verdict. Chosen on seeds 1 and 2 of bench/pair_set.cpp (264 pairs, good and spoilt),
+/// so that what is fit ranks depths with a correlation of at least 0.7.
 struct FitThresholds {
-  /// With fewer distinct points than these, agreement and the range of disparities have to do. 1 … 10000.
+  /// With fewer distinct points, agreement and the range of disparities decide. 1 … 10000.
   int points = 16;
-  /// Share of them that the dense match has at the same place. 0 … 1.
+  /// Share of them that the dense match confirms. 0 … 1.
   double confirmed = 0.6;
-  /// Share of the confirmed ones that lie off the plane of most. 0 … 1.
+  /// Share of the confirmed points off the dominant plane. 0 … 1.
   double off_plane = 0.025;
-  /// Share of what both cameras see that both matching directions confirm. 0 … 1.
+  /// Share of the common view that both matching directions confirm. 0 … 1.
   double agreement = 0.7;
-  /// The same, and px from far to near, where there are few points. 0 … 1 and 0 … 100.
+  /// The same, and the least range of disparities in px, with few points. 0 … 1 and 0 … 100.
   double agreement_without_points = 0.8;
   double range_without_points_px = 3.0;
   /// Share of the whole picture that is confirmed. 0 … 1.
   double coverage = 0.4;
 };
 
-/// Whether a pair is fit to be touched.
+/// Quality of a pair's depth for touch.
 struct FitToTouch {
-  /// Whether a hand would read the right shape: confidence is at least a half.
+  /// Whether the felt shape is right: confidence is at least 0.5.
   bool fit = false;
   /// 1 far above every threshold of FitThresholds, 0.5 at one of them, 0 far below; not a probability. 0 … 1.
   double confidence = 0.0;
@@ -69,26 +69,26 @@ struct FitToTouch {
   double textured = 0.0;
   /// Share of the left picture that lies inside the right one.
   double overlap = 0.0;
-  /// From the farthest to the nearest twentieth of the confirmed pixels, in pixels of disparity.
+  /// Disparity between the 5 % and 95 % quantiles of the confirmed pixels.
   double depth_range_px = 0.0;
-  /// The middle of the left picture's levels, 0 … 1.
+  /// Median level of the left picture, 0 … 1.
   double brightness = 0.0;
   ConfirmingPoints points;
   /// A Trouble per pixel of the left picture.
   Raster<std::uint8_t> trouble;
 };
 
-/// A match whose confidence is 1 where the right picture, matched by itself, leads back within a pixel, else
-/// 0. `fast` gives that by itself; the other methods run twice. Errors: as match().
+/// A match whose confidence is 1 if the left-right check holds within a pixel, else 0. `fast` includes the
+/// check; the other methods run twice. Errors: as match().
 Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                                     const Work& work);
 
-/// Judges a match_confirmed() of a rectified `pair`.
+/// Evaluates a result of match_confirmed() for a rectified `pair`.
 FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work,
                         const FitThresholds& thresholds = {});
 
-/// For a teacher, one sentence: whether it is fit, with the figure; where it will feel wrong and why; what to
-/// do about it.
+/// One sentence for a layperson: whether the pair is fit, with the figure; where it will feel wrong and why;
+/// and what to do about it.
 std::string sentence_of(const FitToTouch& fit);
 
 }  // namespace palpable::vision

@@ -32,14 +32,14 @@ SyntheticScene scene() {
   return out;
 }
 
-TEST(FitToTouch, SaysThatAGoodPairIsFit) {
+TEST(FitToTouch, AcceptsAGoodPair) {
   const FitToTouch fit = judged(render(scene()));
   EXPECT_GT(fit.agreement, 0.8);
   EXPECT_GT(fit.coverage, 0.7);
   EXPECT_THAT(sentence_of(fit), HasSubstr("is fit to touch"));
 }
 
-TEST(FitToTouch, SaysWhereThereIsNoTexture) {
+TEST(FitToTouch, ReportsMissingTextureWithItsPlace) {
   StereoPair pair = render(scene());
   for (Image* picture : {&pair.left, &pair.right})
     for (int y = 120; y < picture->height; ++y)
@@ -83,7 +83,7 @@ TEST(FitToTouch, IsTrueOnlyWithParallaxAlongTheRows) {
   EXPECT_FALSE(upward.fit) << sentence_of(upward);
 }
 
-TEST(FitToTouch, SaysThatUnrelatedPicturesAreNot) {
+TEST(FitToTouch, RejectsUnrelatedPictures) {
   StereoPair pair = render(scene());
   std::reverse(pair.right.samples.begin(), pair.right.samples.end());
   const FitToTouch fit = judged(pair);

@@ -22,8 +22,8 @@ float sample(const Image& image, double x, int y, int channel) {
   return a + t * (b - a);
 }
 
-/// The left row's disparities seen from the middle: the span between two neighbours on one surface is drawn
-/// whole, so that slanted surfaces have no gaps; the nearer surface wins.
+/// The left row's disparities warped to the middle view. The span between two neighbours on one surface is
+/// filled, so that slanted surfaces have no gaps; the nearer surface wins.
 void draw_row(std::span<const float> left_px, std::span<float> middle_px) {
   std::fill(middle_px.begin(), middle_px.end(), kUnseen);
   const auto width = static_cast<int>(left_px.size());
@@ -65,7 +65,7 @@ void close_gaps(std::span<float> row) {
   }
 }
 
-/// Whether the left camera sees what lies at column x of the middle with disparity d.
+/// Whether the left camera sees the point at column x of the middle view with disparity d.
 bool seen_by_left(std::span<const float> left_px, double x, float d) {
   const double at = x + static_cast<double>(d) / 2.0;
   if (at < 0.0 || at > static_cast<double>(left_px.size() - 1)) return false;
