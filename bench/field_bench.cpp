@@ -65,7 +65,7 @@ bool is_smooth(const sculpt::DistanceSource& source, Vec3 p, Vec3 gradient, doub
 
 struct Errors {
   std::vector<double> values;
-  void tell(const char* name, const char* unit, double scale) {
+  void print(const char* name, const char* unit, double scale) {
     if (values.empty()) return;
     std::sort(values.begin(), values.end());
     const auto at = [&](double share) {
@@ -120,11 +120,11 @@ void measure(const Distance& field, const sculpt::DistanceSource& source) {
       worst.pop_back();
     }
   }
-  smooth.tell("where smooth, distance", "um", 1e6);
-  length.tell("where smooth, |grad D| - 1", "%", 100.0);
-  turned.tell("where smooth, direction", "degrees", 180.0 / std::numbers::pi);
-  edges.tell("edges and medial sheets, distance", "um", 1e6);
-  deep.tell("deeper inside, distance", "um", 1e6);
+  smooth.print("where smooth, distance", "um", 1e6);
+  length.print("where smooth, |grad D| - 1", "%", 100.0);
+  turned.print("where smooth, direction", "degrees", 180.0 / std::numbers::pi);
+  edges.print("edges and medial sheets, distance", "um", 1e6);
+  deep.print("deeper inside, distance", "um", 1e6);
   std::sort(worst.begin(), worst.end(), [](const Worst& a, const Worst& b) { return a.error_m > b.error_m; });
   for (const Worst& w : worst)
     std::printf("  %6.1f um at %.4f %.4f %.4f mm: felt %.4f, true %.4f mm\n", 1e6 * w.error_m,
@@ -159,7 +159,7 @@ double query_ns(const Distance& field) {
 #if defined(__x86_64__)
 /// Single queries at random points near the surface, with the whole field flushed from the processor's caches
 /// before each; the cost of reading the clock is subtracted.
-void tell_cold(const models::DistanceField& field) {
+void print_cold(const models::DistanceField& field) {
   constexpr int kQueries = 1500;
   constexpr std::size_t kLine = 64;
   const auto forget = [](const std::vector<std::uint32_t>& words) {
@@ -202,7 +202,7 @@ void tell_cold(const models::DistanceField& field) {
 /// One representation of the field: its size in memory and in a scene file, its build time and its query
 /// time.
 template <models::DistanceSurface Distance>
-void tell(const char* name, Distance distance, double build_s, const sculpt::DistanceSource& source) {
+void print_field(const char* name, Distance distance, double build_s, const sculpt::DistanceSource& source) {
   const double memory_MB = 1e-6 * static_cast<double>(distance.memory_bytes()), ns = query_ns(distance);
   measure(distance, source);
   const sculpt::Box box = source.bounds();
@@ -237,9 +237,9 @@ int main(int argc, char** argv) {
     std::printf("%s: %zu triangles, %zu cells, %.2f s for the solid and %.2f s for the field\n", argv[i],
                 mesh->triangles.size(), field->leaves(), solid_s, seconds_since(begin) - solid_s);
 #if defined(__x86_64__)
-    tell_cold(*field);
+    print_cold(*field);
 #endif
-    tell("adaptive", *std::move(field), seconds_since(begin), *solid->distance);
+    print_field("adaptive", *std::move(field), seconds_since(begin), *solid->distance);
     if (!dense_too) continue;
     for (const auto content : {models::DenseContent::distance, models::DenseContent::distance_and_force}) {
       const auto start = Clock::now();
@@ -248,8 +248,8 @@ int main(int argc, char** argv) {
         std::printf("  %s\n", dense.error().message.c_str());
         continue;
       }
-      tell(content == models::DenseContent::distance ? "dense" : "paper", *std::move(dense),
-           solid_s + seconds_since(start), *solid->distance);
+      print_field(content == models::DenseContent::distance ? "dense" : "paper", *std::move(dense),
+                  solid_s + seconds_since(start), *solid->distance);
     }
   }
   return 0;

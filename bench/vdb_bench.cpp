@@ -82,7 +82,7 @@ struct Row {
 };
 
 /// Prints one row. `value(p)`: the distance in metres; `slope(p)`: any sum that needs the gradient.
-void tell(const char* name, const Row& row, const Places& places, const auto& value, const auto& slope) {
+void print_row(const char* name, const Row& row, const Places& places, const auto& value, const auto& slope) {
   std::vector<double> errors;
   for (std::size_t i = 0; i < places.at.size(); ++i)
     if (std::abs(places.distance_m[i]) < 0.0005)
@@ -164,8 +164,8 @@ double own_build_s(const Mesh& mesh, double voxel_m, float inside_voxels) {
       [&] { openvdb::tools::meshToVolume<FloatGrid>(adapter, *transform, 3.0F, inside_voxels); });
 }
 
-void tell_grid(const char* name, const char* nano_name, const Mesh& mesh,
-               const sculpt::DistanceSource& source, const Places& places, double voxel_m, double inside_m) {
+void print_grid(const char* name, const char* nano_name, const Mesh& mesh,
+                const sculpt::DistanceSource& source, const Places& places, double voxel_m, double inside_m) {
   const auto grid = exact_grid(source, voxel_m, inside_m);
   Row row{static_cast<double>(grid->memUsage()), packed_bytes(grid),
           own_build_s(mesh, voxel_m, static_cast<float>(std::min(inside_m / voxel_m, 1e6)))};
@@ -174,7 +174,7 @@ void tell_grid(const char* name, const char* nano_name, const Mesh& mesh,
     const openvdb::Vec3d at(p.x / voxel_m, p.y / voxel_m, p.z / voxel_m);
     return static_cast<double>(openvdb::tools::BoxSampler::sample(access, at));
   };
-  tell(name, row, places, value, [&](Vec3 p) { return with_slope(value, p, voxel_m); });
+  print_row(name, row, places, value, [&](Vec3 p) { return with_slope(value, p, voxel_m); });
 
   nanovdb::GridHandle<nanovdb::HostBuffer> handle;
   row.build_s += seconds_of(
@@ -186,7 +186,7 @@ void tell_grid(const char* name, const char* nano_name, const Mesh& mesh,
   const auto nano_value = [&](Vec3 p) {
     return static_cast<double>(sampler(nanovdb::Vec3d(p.x / voxel_m, p.y / voxel_m, p.z / voxel_m)));
   };
-  tell(nano_name, row, places, nano_value, [&](Vec3 p) { return with_slope(nano_value, p, voxel_m); });
+  print_row(nano_name, row, places, nano_value, [&](Vec3 p) { return with_slope(nano_value, p, voxel_m); });
 }
 
 int compare(const char* path) {
@@ -223,16 +223,16 @@ int compare(const char* path) {
   std::printf(
       "| | resident, MB | on disk, MB | error, um: median / 99 %% / most | value / with slope, ns "
       "| build, s |\n|---|---|---|---|---|---|\n");
-  tell(
+  print_row(
       "ours", row, places, [&](Vec3 p) { return distance->sample(p).distance_m; },
       [&](Vec3 p) {
         const models::FieldSample s = distance->sample(p);
         return s.distance_m + s.gradient.x + s.gradient.y + s.gradient.z;
       });
-  tell_grid("OpenVDB, narrow band", "NanoVDB 8 bit, narrow band", *mesh, source, places, voxel_m,
-            3.0 * voxel_m);
-  tell_grid("OpenVDB, full inside", "NanoVDB 8 bit, full inside", *mesh, source, places, voxel_m,
-            std::numeric_limits<float>::max());
+  print_grid("OpenVDB, narrow band", "NanoVDB 8 bit, narrow band", *mesh, source, places, voxel_m,
+             3.0 * voxel_m);
+  print_grid("OpenVDB, full inside", "NanoVDB 8 bit, full inside", *mesh, source, places, voxel_m,
+             std::numeric_limits<float>::max());
   return 0;
 }
 

@@ -33,8 +33,8 @@ Result<std::vector<haptics::PathSample>> read_path(const std::filesystem::path& 
     const auto row = table->row(i);
     path.push_back({row[0], Point<SceneFrame>{{row[1], row[2], row[3]}}});
   }
-  if (const auto sound = haptics::check_path(path); !sound)
-    return invalid_input(sound.error().message, file.string());
+  if (const auto valid = haptics::check_path(path); !valid)
+    return invalid_input(valid.error().message, file.string());
   return path;
 }
 

@@ -32,8 +32,8 @@ Result<std::vector<haptics::ToolPlace>> read_tool(const std::filesystem::path& f
     const auto row = table->row(i);
     places.push_back({{{row[0], row[1], row[2]}}, row[3]});
   }
-  if (const auto sound = haptics::check_tool(places); !sound)
-    return invalid_input(sound.error().message, file.string());
+  if (const auto valid = haptics::check_tool(places); !valid)
+    return invalid_input(valid.error().message, file.string());
   return places;
 }
 
@@ -100,8 +100,8 @@ Result<ToolPath> read_tool_path(const std::filesystem::path& file) {
     if (!pose) return invalid_input(fmt::format("sample {} {}", i + 1, pose.error().message), file.string());
     path.poses.push_back(*pose);
   }
-  if (const auto sound = haptics::check_poses(path.poses); !sound)
-    return invalid_input(sound.error().message, file.string());
+  if (const auto valid = haptics::check_poses(path.poses); !valid)
+    return invalid_input(valid.error().message, file.string());
   return path;
 }
 

@@ -35,8 +35,8 @@ Result<std::vector<session::WalkStep>> walk_from(const ViewArguments& arguments)
     const auto row = table->row(i);
     walk.push_back({row[0], {row[1], row[2], row[3] * std::numbers::pi / 180.0}});
   }
-  if (const auto sound = session::check_walk(walk); !sound)
-    return invalid_input(sound.error().message, arguments.walk);
+  if (const auto valid = session::check_walk(walk); !valid)
+    return invalid_input(valid.error().message, arguments.walk);
   return walk;
 }
 

@@ -58,7 +58,7 @@ void PointerDevice::follow(Vec3 place_m) noexcept {
 }
 
 Result<std::unique_ptr<Device>> open_pointer(DeviceUrl& url, const OpenOptions& options) {
-  if (auto sound = url.finish(); !sound) return std::move(sound).error();
+  if (auto valid = url.finish(); !valid) return std::move(valid).error();
   if (options.pointer == nullptr)
     return Error{ErrorCode::usage,
                  "needs the page: without one there is no pointer (sim: explores by itself)", "pointer:"};

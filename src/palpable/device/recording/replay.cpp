@@ -29,7 +29,7 @@ Reading recorded_reading(const TouchSample& tick) noexcept {
 }
 
 Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& options) {
-  if (auto sound = url.finish(); !sound) return std::move(sound).error();
+  if (auto valid = url.finish(); !valid) return std::move(valid).error();
   if (url.path().empty())
     return Error{ErrorCode::usage, "needs the recording's file: replay:FILE", "replay:"};
   auto recording = read_recording(url.path());

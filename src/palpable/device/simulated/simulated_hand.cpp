@@ -112,7 +112,7 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   explorer.script = script == "scan"     ? ExplorerOptions::Script::scan
                     : script == "random" ? ExplorerOptions::Script::random
                                          : ExplorerOptions::Script::hold;
-  if (auto sound = url.finish(); !sound) return std::move(sound).error();
+  if (auto valid = url.finish(); !valid) return std::move(valid).error();
   return std::unique_ptr<Device>(std::make_unique<SimulatedHand>(hand));
 }
 

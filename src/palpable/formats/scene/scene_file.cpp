@@ -167,7 +167,7 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   read_source(description, out.scene.source);
   if (auto pictures = read_pictures(description, members, out.scene); !pictures)
     return std::move(pictures).error();
-  if (auto sound = check_scene(out.scene); !sound) return std::move(sound).error();
+  if (auto valid = check_scene(out.scene); !valid) return std::move(valid).error();
   for (const json& value : description.at("model")) {
     if (value.is_string()) members.erase(value.get<std::string>());
     if (!value.is_array()) continue;
@@ -200,7 +200,7 @@ Result<void> check_scene(const models::Scene& scene) {
 }
 
 Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others) {
-  if (auto sound = check_scene(scene); !sound) return std::move(sound).error();
+  if (auto valid = check_scene(scene); !valid) return std::move(valid).error();
   ZipMembers members = others;
   json model;
   if (auto written = write_model(scene.model, model, members); !written) return std::move(written).error();

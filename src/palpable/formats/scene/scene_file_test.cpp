@@ -220,17 +220,17 @@ TEST(SceneFile, KeepsAFieldsDistancesExactly) {
 TEST(SceneFile, RefusesADamagedFieldOrReadsAValidOne) {
   const auto members = unzip(*encode_scene(field_scene()));
   ASSERT_TRUE(members);
-  const Bytes& sound = members->at("cells.field.zst");
+  const Bytes& valid = members->at("cells.field.zst");
   int refused = 0;
-  for (std::size_t i = 0; i < sound.size(); ++i) {
+  for (std::size_t i = 0; i < valid.size(); ++i) {
     ZipMembers damaged = *members;
     damaged.at("cells.field.zst")[i] ^= static_cast<std::byte>(1U << (i % 8));
     const auto scene = decode_scene(*zip(damaged));
     refused += scene ? 0 : 1;
   }
-  EXPECT_GT(refused, static_cast<int>(sound.size() / 3));
+  EXPECT_GT(refused, static_cast<int>(valid.size() / 3));
   ZipMembers cut = *members;
-  cut.at("cells.field.zst").resize(sound.size() / 2);
+  cut.at("cells.field.zst").resize(valid.size() / 2);
   EXPECT_FALSE(decode_scene(*zip(cut)));
 }
 

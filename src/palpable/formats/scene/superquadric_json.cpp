@@ -49,7 +49,7 @@ Result<models::Superquadric> superquadric_from(const Json& json) {
   for (double& v : q) v /= length;
   s.scene_from_shape.rotation = models::rotation_of(q);
   s.scene_from_shape.translation_m = vec3_from(json.at("position_m"));
-  if (const auto sound = models::check_superquadric(s); !sound) return sound.error();
+  if (const auto valid = models::check_superquadric(s); !valid) return valid.error();
   return s;
 }
 

@@ -24,7 +24,7 @@ struct PathSample {
 void probe_path(const Touchable& touchable, std::span<const PathSample> path,
                 const std::function<void(const PathSample&, const LawOutput&)>& each);
 
-/// The first fault of a path, as a sentence for the person with the sample's number; nothing if it is sound.
+/// The first fault of a path, as a sentence for the person with the sample's number; nothing if it is valid.
 Result<void> check_path(std::span<const PathSample> path);
 
 /// What `bench` tells of one law on one path.

@@ -67,7 +67,7 @@ Result<void> check(const Raster<BoundaryPixel>& edges, double pixel_m, double ra
 
 Result<BoundaryMap> BoundaryMap::from_edges(Raster<BoundaryPixel> edges, double pixel_m, double radius_px,
                                             const BoundaryOrigin& origin, const Work& work) {
-  if (const auto sound = check(edges, pixel_m, radius_px); !sound) return sound.error();
+  if (const auto valid = check(edges, pixel_m, radius_px); !valid) return valid.error();
   BoundaryMap map;
   map.averaged_ = Raster<BoundaryPixel>(edges.width(), edges.height());
   const std::vector<Tap> taps = window(radius_px);

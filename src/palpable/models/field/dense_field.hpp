@@ -77,7 +77,7 @@ class DenseField {
   Vec3 origin_m() const noexcept { return lattice_.origin_m; }
   Vec3 size_m() const noexcept { return lattice_.size_m(); }
   /// Sets the measured errors; for the builder, before the field is shared.
-  void tell(const FieldErrors& errors) noexcept { errors_ = errors; }
+  void set_errors(const FieldErrors& errors) noexcept { errors_ = errors; }
   std::size_t memory_bytes() const noexcept { return sizeof(*this) + sizeof(float) * values_.size(); }
 
  private:

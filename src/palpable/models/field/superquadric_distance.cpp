@@ -253,7 +253,7 @@ void descend(Walk& walk, double reach) noexcept {
 }  // namespace
 
 Result<SuperquadricDistance> SuperquadricDistance::from(const Superquadric& shape) {
-  if (auto sound = check_superquadric(shape); !sound) return std::move(sound).error();
+  if (auto valid = check_superquadric(shape); !valid) return std::move(valid).error();
   return SuperquadricDistance(shape);
 }
 

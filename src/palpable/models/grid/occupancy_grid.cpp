@@ -172,7 +172,7 @@ Result<void> check(const Occupancy& o) {
 Vec3 neighbour_normal(unsigned mask) noexcept { return normal_table()[mask & 0xFFU]; }
 
 Result<OccupancyGrid> OccupancyGrid::from(const Occupancy& o, const Work& work) {
-  if (auto sound = check(o); !sound) return std::move(sound).error();
+  if (auto valid = check(o); !valid) return std::move(valid).error();
   OccupancyGrid grid;
   grid.counts_ = o.counts;
   grid.origin_m_ = o.origin_m;

@@ -275,7 +275,7 @@ Result<CorrectedSurface> predicted_surface(Mesh mesh) {
 
 Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measured,
                                          const CorrectionOptions& options, const Work& work) {
-  if (auto sound = check(measured, options); !sound) return std::move(sound).error();
+  if (auto valid = check(measured, options); !valid) return std::move(valid).error();
   s.moved.clear();
   const SampleNetwork& network = *s.network;
   work.report(0.1, "meeting the measured surface");

@@ -153,7 +153,7 @@ Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
       [&](Vec3 p) { return field->sample(p).distance_m; },
       {lattice->origin_m, lattice->origin_m + lattice->size_m()}, source,
       {std::max(near.inside_m, 0.03 * longest_m), std::max(near.outside_m, 0.01 * longest_m)}, work);
-  field->tell(errors);
+  field->set_errors(errors);
   return field;
 }
 

@@ -138,7 +138,7 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
 Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<double> near,
                                       std::optional<double> far, const ReliefOptions& options,
                                       const Work& work) {
-  if (const auto sound = check(options); !sound) return sound.error();
+  if (const auto valid = check(options); !valid) return valid.error();
   if (nearness.width() < 2 || nearness.height() < 2)
     return invalid_input("a relief needs at least 2 x 2 pixels");
   const int longest = std::max(nearness.width(), nearness.height());

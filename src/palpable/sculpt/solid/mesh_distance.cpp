@@ -125,7 +125,7 @@ class MeshDistance final : public DistanceSource {
     const Box box = bounds_of(whole);
     // Files keep single precision: what touches there may be apart by its last digit.
     touching_m_ = 2e-7 * norm(box.most_m - box.least_m);
-    normals_tell_m_ = touching_m_ / TriangleTree::kNearestSlack;
+    normals_valid_within_m_ = touching_m_ / TriangleTree::kNearestSlack;
   }
 
   models::FieldSample at(Vec3 p, Hint& hint) const override {
@@ -145,9 +145,10 @@ class MeshDistance final : public DistanceSource {
     const Vec3 way = p - near.point_m;
     const Vec3 there = joints_.at(near.triangle, near.part);
     const double distance = std::sqrt(near.squared_distance_m2);
-    if (near.part == TrianglePart::face && distance <= normals_tell_m_) return {dot(way, there), there};
+    if (near.part == TrianglePart::face && distance <= normals_valid_within_m_)
+      return {dot(way, there), there};
     if (distance <= touching_m_) return {0.0, joints_.face(near.triangle)};
-    const bool by_normal = joints_.all_closed() && distance <= normals_tell_m_;
+    const bool by_normal = joints_.all_closed() && distance <= normals_valid_within_m_;
     const TriangleTree& whole = whole_ ? *whole_ : tree_;
     const bool inside = by_normal ? is_behind(whole, p, way, there, hint) : is_behind(whole, p, hint);
     const double sign = inside ? -1.0 : 1.0;
@@ -162,7 +163,7 @@ class MeshDistance final : public DistanceSource {
   double touching_m_ = 0.0;
   /// Farther away, one side of a thin sheet may have been taken for the nearest triangle instead of the
   /// other: there the winding number decides the sign.
-  double normals_tell_m_ = 0.0;
+  double normals_valid_within_m_ = 0.0;
 };
 
 }  // namespace

@@ -39,11 +39,11 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   if (!opened) return std::move(opened).error();
   TouchSession& session = **opened;
 
-  const auto tell_notices = [&] {
+  const auto report_notices = [&] {
     if (!options.on_notice) return;
     for (const std::string& sentence : session.notices()) options.on_notice(sentence);
   };
-  tell_notices();
+  report_notices();
 
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -55,7 +55,7 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     if (auto walked = walk_on(session, options, t_s, next_step); !walked) return std::move(walked).error();
     if (auto better = maker.take(kLook)) {
       if (auto changed = session.change_scene(std::move(better)); !changed) return std::move(changed).error();
-      tell_notices();
+      report_notices();
     }
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);

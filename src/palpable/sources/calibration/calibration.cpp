@@ -83,7 +83,7 @@ Result<Calibration> decode_calibration(std::span<const std::byte> file) {
           ? calibration_from_middlebury(text)
           : invalid_input("is not a calibration (OpenCV yml or xml, Middlebury calib.txt, or JSON)");
   if (!calibration) return calibration;
-  if (auto sound = check(*calibration); !sound) return std::move(sound).error();
+  if (auto valid = check(*calibration); !valid) return std::move(valid).error();
   constexpr double kOddBaseline_m = 5.0;
   if (calibration->translation_m && norm(*calibration->translation_m) > kOddBaseline_m)
     calibration->notes.push_back("The calibration puts the two cameras " +

@@ -107,9 +107,9 @@ Result<std::optional<PhotoDepth>> depth_from(Bytes picture, const Planes& planes
   for (int y = 0; y < image->height; ++y)
     for (int x = 0; x < image->width; ++x) depth.values(x, y) = image->pixel(x, y)[0];
   if (planes.format.find("Linear") != std::string_view::npos) depth.coding = PhotoDepth::Coding::range_linear;
-  const bool sound = planes.near && planes.far && *planes.near > 0.0 && *planes.far > *planes.near &&
+  const bool valid = planes.near && planes.far && *planes.near > 0.0 && *planes.far > *planes.near &&
                      std::isfinite(*planes.far);
-  if (metres && sound) {
+  if (metres && valid) {
     depth.near_m = planes.near;
     depth.far_m = planes.far;
   }

@@ -309,7 +309,7 @@ TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const 
 }
 
 Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& options, const Work& work) {
-  if (const auto sound = check(options); !sound) return sound.error();
+  if (const auto valid = check(options); !valid) return valid.error();
   TrajectoryFindings sum;
   const int grounds = static_cast<int>(std::min<std::int64_t>(options.grounds, options.trajectories));
   for (int ground = 0; ground < grounds; ++ground) {
