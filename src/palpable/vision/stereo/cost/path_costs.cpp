@@ -74,11 +74,11 @@ PALPABLE_VECTORIZE void advance_columns(const std::uint8_t* cost, const std::arr
       advance<SumState::begins>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
                                 slanted.here + from, sum + at);
     else
-      advance<SumState::continues>(cost + at, slanted.before + from, slanted.steps[x], small_step_share, stride,
-                                 slanted.here + from, sum + at);
+      advance<SumState::continues>(cost + at, slanted.before + from, slanted.steps[x], small_step_share,
+                                   stride, slanted.here + from, sum + at);
     for (const Lane& lane : {straight, other_way})
       advance<SumState::continues>(cost + at, lane.before + from, lane.steps[x], small_step_share, stride,
-                                 lane.here + from, sum + at);
+                                   lane.here + from, sum + at);
   }
 }
 
