@@ -16,14 +16,15 @@ namespace palpable::describe {
 namespace {
 
 constexpr int kLongestLineSide = 512;
-// How far a line's middle may lie from a pixel of it.
+// Largest distance of a centre line from the pixels of its stroke.
 constexpr double kHalfWidth_px = 24.0;
 
 double strength_of(const models::BoundaryPixel& pixel) {
   return std::hypot(double{pixel.c2}, double{pixel.s2});
 }
 
-/// Where the lines are, with a border of one empty pixel, `step` pixels of the map taken together.
+/// Mask of the lines with a border of one unset pixel; one mask pixel covers `step` x `step` pixels of the
+/// map.
 Mask mask_of(const models::BoundaryMap& map, int step) {
   const auto& edges = map.edges();
   Mask mask((edges.width() + step - 1) / step + 2, (edges.height() + step - 1) / step + 2, 0);
@@ -33,7 +34,7 @@ Mask mask_of(const models::BoundaryMap& map, int step) {
   return mask;
 }
 
-/// Calls `visit` with the pixels of each area that has lines all around it.
+/// Calls `visit` with the pixels of each area enclosed by lines.
 template <class Visit>
 void for_enclosed_areas(const Mask& mask, const Visit& visit) {
   Raster<int> areas(mask.width(), mask.height(), 0);
@@ -62,7 +63,7 @@ struct PathEnd {
   bool at_last = false;
 };
 
-/// The paths of a skeleton, without short side branches, and which of them go on into which.
+/// The paths of a skeleton without short side branches, and their connections at the nodes.
 class PathGraph {
  public:
   PathGraph(Skeleton skeleton, double least_branch_px)
@@ -88,9 +89,9 @@ class PathGraph {
     return ends;
   }
 
-  /// The direction in which a path leaves its node, of length 1.
+  /// Unit vector along which a path leaves its node.
   PlacePx direction(PathEnd end) const {
-    // Far enough that the pixels' steps and the node's own width do not matter.
+    // Long compared with a pixel and with the width of the node.
     constexpr std::size_t kReach_px = 12;
     const auto& pixels = paths_[end.path].pixels;
     const std::size_t reach = std::min(kReach_px, pixels.size() - 1);
@@ -118,7 +119,7 @@ class PathGraph {
     }
   }
 
-  /// Nodes with a short path between them are one place where lines meet.
+  /// Merges nodes that are joined by a short path into one junction.
   void join_near_nodes(double least_px) {
     std::vector<std::size_t> group(nodes_.size());
     std::iota(group.begin(), group.end(), std::size_t{0});
@@ -151,13 +152,13 @@ class PathGraph {
   std::vector<double> lengths_;
 };
 
-/// Which end of a path each end goes on to; itself where the line ends. Index: twice the path, plus one for
-/// its last end.
+/// For each path end, the path end where the line continues; the end itself if the line ends there. Index:
+/// twice the path, plus one for its last end.
 using Continuations = std::vector<std::size_t>;
 std::size_t index_of(PathEnd end) { return 2 * end.path + (end.at_last ? 1 : 0); }
 
-/// At each node the two ends that are most opposite to each other, then the next two, as long as the line
-/// turns by no more than the options say. Where only two paths are left, they are one line whatever its turn.
+/// Pairs the ends at each node greedily, the straightest pair first, while the turn is at most
+/// `greatest_turn_rad`. If only two paths meet at a node, they are one line whatever the turn.
 Continuations continuations_of(const PathGraph& graph, double greatest_turn_rad) {
   Continuations next(2 * graph.paths());
   std::iota(next.begin(), next.end(), std::size_t{0});
@@ -183,13 +184,13 @@ Continuations continuations_of(const PathGraph& graph, double greatest_turn_rad)
   return next;
 }
 
-/// A chain of paths as places in pixels.
+/// A line as a sequence of points, in pixels.
 struct Chain {
   std::vector<PlacePx> places;
   bool closed = false;
 };
 
-/// Follows a path from one of its ends, and what it goes on to, until the line ends or is closed.
+/// Follows a path from one of its ends, and its continuations, until the line ends or is closed.
 Chain chain_from(const PathGraph& graph, const Continuations& next, std::size_t start,
                  std::vector<bool>& seen) {
   Chain chain;
@@ -216,7 +217,7 @@ Chain chain_from(const PathGraph& graph, const Continuations& next, std::size_t 
 std::vector<Chain> chains_of(const PathGraph& graph, const Continuations& next) {
   std::vector<Chain> chains;
   std::vector<bool> seen(graph.paths(), false);
-  // From loose ends first, so that no line is begun in its middle; then the closed ones.
+  // Free ends first, so that no line starts in its middle; then the closed lines.
   for (const bool loose : {true, false})
     for (std::size_t end = 0; end < next.size(); ++end) {
       if (seen[end / 2] || graph.is_dropped(end / 2) || (loose && next[end] != end)) continue;
@@ -225,14 +226,14 @@ std::vector<Chain> chains_of(const PathGraph& graph, const Continuations& next) 
   return chains;
 }
 
-/// Each place the mean of those around it: the steps of pixels would make a slanted line too long.
+/// Moving average along the line: the staircase of pixels would make a slanted line too long.
 std::vector<PlacePx> smoothed(const Chain& chain) {
   constexpr std::ptrdiff_t kHalf = 3;
   const auto count = static_cast<std::ptrdiff_t>(chain.places.size());
   std::vector<PlacePx> smooth;
   smooth.reserve(chain.places.size());
   for (std::ptrdiff_t k = 0; k < count; ++k) {
-    // Fewer at the ends of an open line, which stay where they are.
+    // Fewer points near the ends of an open line, so that the ends do not move.
     const std::ptrdiff_t half =
         chain.closed ? std::min(kHalf, (count - 1) / 2) : std::min({kHalf, k, count - 1 - k});
     PlacePx sum{};
@@ -254,16 +255,15 @@ double strength_at(const Raster<models::BoundaryPixel>& edges, double u, double 
          b * ((1.0 - a) * strength_of(edges(i, j + 1)) + a * strength_of(edges(i + 1, j + 1)));
 }
 
-/// How far from a pixel the strength is greatest across its line, in pixels along the normal; nullopt for a
-/// pixel that is not on the line's ridge. A ridge as wide as the line (a strength that is the same everywhere
-/// in it) has its middle.
+/// Offset of the maximal strength across the line from a pixel, in pixels along the normal; nullopt if the
+/// pixel is not on the ridge. If the strength is constant across the line, the middle of the line.
 std::optional<double> ridge_offset(const Raster<models::BoundaryPixel>& edges, int x, int y, PlacePx normal) {
   constexpr double kSame = 1e-3, kStep_px = 0.5;
   const double here = strength_of(edges(x, y));
   const auto across = [&](double t) { return strength_at(edges, x + t * normal[0], y + t * normal[1]); };
   const double before = across(-1.0), after = across(1.0);
   if (std::max(before, after) > (1.0 + kSame) * here) return std::nullopt;
-  // The vertex of the parabola through the three.
+  // Vertex of the parabola through the three values.
   if (std::max(before, after) < (1.0 - kSame) * here)
     return 0.5 * (before - after) / (before - 2.0 * here + after);
   std::array<double, 2> ends{};
@@ -301,7 +301,7 @@ ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourL
   fill_small_areas(mask, static_cast<std::size_t>(options.least_area * static_cast<double>(mask.count())));
   thin_to_lines(mask);
   const double pixel_m = step * map.pixel_m();
-  // The border pixel is no part of the map.
+  // The border pixel does not belong to the map.
   const auto place_of = [&](PlacePx p) {
     return Place{(p[0] - 0.5) * pixel_m - 0.5 * map.width_m(), 0.5 * map.depth_m() - (p[1] - 0.5) * pixel_m};
   };

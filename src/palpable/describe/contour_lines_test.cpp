@@ -16,7 +16,7 @@ const models::BoundaryMap& boundaries(const models::Scene& scene) {
   return std::get<std::shared_ptr<const models::Contours>>(scene.model)->boundaries;
 }
 
-TEST(ContourLines, AreCountedWithLengthPlaceAndWhetherTheyAreClosed) {
+TEST(ContourLines, HaveLengthPlaceAndClosedness) {
   const auto scene = circle_and_line();
   const auto lines = find_contour_lines(boundaries(scene)).lines;
   ASSERT_EQ(lines.size(), 2U);
@@ -30,7 +30,7 @@ TEST(ContourLines, AreCountedWithLengthPlaceAndWhetherTheyAreClosed) {
   EXPECT_NEAR(lines[1].middle().y_m, -0.02, 0.001);
 }
 
-TEST(ContourLines, KeepAnInnerLineOpenInsideAClosedOne) {
+TEST(ContourLines, AnOpenLineInsideAClosedOneStaysOpen) {
   constexpr int kSide = 100;
   Raster<models::BoundaryPixel> edges(kSide, kSide);
   for (int i = 10; i < 90; ++i) edges(i, 10) = edges(i, 89) = edges(10, i) = edges(89, i) = {1.0F, 0.0F};
@@ -54,7 +54,7 @@ models::BoundaryMap drawing(const On& on) {
   return *models::BoundaryMap::from_edges(std::move(edges), 0.00025, 2.0, {0.5, 0.01}, Work{});
 }
 
-TEST(ContourLines, ThatCrossAreNotClosed) {
+TEST(ContourLines, CrossingLinesAreNotClosed) {
   const auto cross = find_contour_lines(drawing([](double x, double y) {
     return (std::abs(x) < 0.8 && std::abs(y) < 35) || (std::abs(y) < 0.8 && std::abs(x) < 30);
   }));
@@ -68,7 +68,7 @@ TEST(ContourLines, ThatCrossAreNotClosed) {
   EXPECT_EQ(cross.enclosed_areas, 0U);
 }
 
-TEST(ContourLines, OfAGridAreFourThatEncloseOneArea) {
+TEST(ContourLines, AGridHasFourLinesThatEncloseOneArea) {
   const auto grid = find_contour_lines(drawing([](double x, double y) {
     return std::max(std::abs(x), std::abs(y)) < 38 &&
            (std::abs(std::abs(x) - 20) < 0.6 || std::abs(std::abs(y) - 20) < 0.6);
@@ -79,7 +79,7 @@ TEST(ContourLines, OfAGridAreFourThatEncloseOneArea) {
   EXPECT_EQ(grid.enclosed_areas, 1U);
 }
 
-TEST(ContourLines, StayClosedWhereAnotherLineCrossesThem) {
+TEST(ContourLines, AClosedLineStaysClosedWhereAnotherCrossesIt) {
   const auto ring = find_contour_lines(drawing([](double x, double y) {
     return std::abs(std::hypot(x, y) - 25) < 0.6 || (std::abs(y - 5) < 0.6 && std::abs(x) < 40);
   }));
@@ -89,7 +89,7 @@ TEST(ContourLines, StayClosedWhereAnotherLineCrossesThem) {
   EXPECT_EQ(ring.meetings.size(), 2U);
 }
 
-TEST(ContourLines, AreMeasuredToTheirMiddleAndNotToTheirEdge) {
+TEST(ContourLines, DistanceIsToTheCentreLineNotToTheEdge) {
   // 4 mm wide, the strength falling from the middle to half.
   Raster<models::BoundaryPixel> edges(400, 400);
   for (int j = 0; j < 400; ++j)
@@ -103,7 +103,7 @@ TEST(ContourLines, AreMeasuredToTheirMiddleAndNotToTheirEdge) {
   EXPECT_NEAR(near->dy_m, -0.010, 0.0001);
 }
 
-TEST(ContourLines, TheNearestHasADistanceAndADirection) {
+TEST(ContourLines, NearestLineGivesOffsetAndOrientation) {
   const auto scene = circle_and_line();
   const auto below = nearest_line(boundaries(scene), {0.0, -0.025}, 0.01);
   ASSERT_TRUE(below);

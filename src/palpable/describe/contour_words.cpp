@@ -37,7 +37,7 @@ std::string meeting_words(const ContourDrawing& drawing, const models::BoundaryM
   return fmt::format(", {} in {} places: {}", who, drawing.meetings.size(), fmt::join(places, ", "));
 }
 
-/// Only where the closed lines do not say it.
+/// Empty if the number of areas follows from the closed lines.
 std::string area_words(const ContourDrawing& drawing) {
   const auto closed = static_cast<std::size_t>(std::count_if(
       drawing.lines.begin(), drawing.lines.end(), [](const ContourLine& line) { return line.closed; }));
@@ -76,7 +76,7 @@ std::vector<std::string> contour_parts(const models::BoundaryMap& map, const std
   std::string more;
   if (const auto near = nearest_line(map, probe, std::max(map.width_m(), map.depth_m())))
     more = fmt::format("From the probe to the nearest line: {}. ", offset_words(near->dx_m, near->dy_m));
-  // More are counted, and not listed one by one: nobody remembers them.
+  // Further lines are only counted: nobody would remember them.
   constexpr std::size_t kMostListed = 8;
   more += lines.size() > kMostListed ? fmt::format("The {} longest lines.", kMostListed)
           : one                      ? "The line."

@@ -10,9 +10,8 @@
 
 namespace palpable::describe {
 
-/// The description of contours in parts: how many lines there are, how they meet and the longest one; then
-/// the way from `probe` to the nearest line, and each line. `heading` begins the first part: the name, with a
-/// full stop.
+/// Describes contours in two parts. First: `heading` (the name with a full stop), the number of lines, their
+/// junctions and the longest line. Second: the offset from `probe` to the nearest line, and each line.
 std::vector<std::string> contour_parts(const models::BoundaryMap& map, const std::string& heading,
                                        Place probe);
 

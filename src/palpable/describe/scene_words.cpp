@@ -18,7 +18,7 @@
 namespace palpable::describe {
 namespace {
 
-// More objects are counted but not listed: nobody would remember them.
+// Further objects are only counted: nobody would remember them.
 constexpr std::size_t kMostListed = 8;
 
 /// A peak, or a region that has a name.
@@ -27,7 +27,7 @@ struct Object {
   Peak peak;
 };
 
-/// The ground's label: the one on more than half of the scene's border. nullopt without labels.
+/// The label of the ground: the label of more than half of the scene's border; nullopt if there is none.
 std::optional<std::size_t> ground_label(const models::Scene& scene) {
   const Raster<std::uint8_t>& labels = scene.labels;
   if (labels.empty()) return std::nullopt;
@@ -47,8 +47,7 @@ std::string ground_name(const models::Scene& scene) {
   return label && name != models::Material{}.name ? name : "ground";
 }
 
-/// The highest place of each region that has a name and covers at least `least_area` of the scene, except the
-/// ground.
+/// The highest point of each named region, except the ground, that covers at least `least_area` of the scene.
 std::vector<Object> named_objects(const models::Scene& scene, double least_area, double sign) {
   const Raster<std::uint8_t>& labels = scene.labels;
   if (labels.empty()) return {};
@@ -60,7 +59,7 @@ std::vector<Object> named_objects(const models::Scene& scene, double least_area,
   };
   std::map<std::size_t, Region> regions;
   std::size_t seen = 0;
-  // Every pixel of a small picture, and enough of a large one.
+  // Large label images are subsampled.
   constexpr int kLongestLabelSide = 256;
   const int step = std::max(1, std::max(labels.width(), labels.height()) / kLongestLabelSide);
   for (int j = 0; j < labels.height(); j += step)
@@ -111,7 +110,7 @@ std::string size_words(const models::Scene& scene) {
   return spoken_lengths(size.x, "by", size.y);
 }
 
-/// With a full stop, unless it ends with one.
+/// Adds a full stop if there is none.
 std::string sentence(const std::string& words) {
   return words.find_last_of(".!?") + 1 == words.size() ? words : words + ".";
 }

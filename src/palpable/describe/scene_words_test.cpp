@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-TEST(SceneWords, CallASceneByItsTitleElseByItsFiles) {
+TEST(SceneWords, NameASceneByItsTitleElseByItsFiles) {
   models::Scene scene = two_hills();
   EXPECT_EQ(name_of(scene), "twin.png");
   scene.source.inputs = {"a/A.png", "b/B.png"};
@@ -27,7 +27,7 @@ TEST(SceneWords, CallASceneByItsTitleElseByItsFiles) {
             "Ready to touch: Two hills. Seen from the south. Press D to hear what is where, H for help.");
 }
 
-TEST(SceneWords, CountTheObjectsFirstAndSayMoreOnAsking) {
+TEST(SceneWords, CountObjectsFirstAndGiveDetailsOnRequest) {
   const auto parts = scene_parts(two_hills(), 1.0, {});
   ASSERT_EQ(parts.size(), 3U);
   EXPECT_EQ(parts[0],
@@ -42,7 +42,7 @@ TEST(SceneWords, CountTheObjectsFirstAndSayMoreOnAsking) {
   EXPECT_THAT(parts[2], StartsWith("Average heights in millimetres. Upper third, left to right:"));
 }
 
-TEST(SceneWords, SayTheMakersDescriptionSecond) {
+TEST(SceneWords, GiveTheMakersDescriptionSecond) {
   models::Scene scene = two_hills();
   scene.description = "Seen from the south";
   const auto parts = scene_parts(scene, 1.0, {});
@@ -51,14 +51,14 @@ TEST(SceneWords, SayTheMakersDescriptionSecond) {
   EXPECT_EQ(parts[1], "Seen from the south.");
 }
 
-TEST(SceneWords, NameTheObjectsAndWhatTheyStandOn) {
+TEST(SceneWords, NameTheObjectsAndTheGround) {
   const auto parts = scene_parts(named_hills(), 1.0, {});
   EXPECT_THAT(parts[0],
               HasSubstr("2 objects rise above the table: tall hill, upper left; low hill, lower right."));
   EXPECT_THAT(parts[1], HasSubstr("Low hill, lower right: top at 9 millimetres"));
 }
 
-TEST(SceneWords, CountANamedObjectOnceThoughItHasSeveralPeaks) {
+TEST(SceneWords, CountANamedObjectWithSeveralPeaksOnce) {
   models::Scene scene = named_hills();
   scene.model = two_hills().model;
   // Both hills are one object now.
@@ -69,7 +69,7 @@ TEST(SceneWords, CountANamedObjectOnceThoughItHasSeveralPeaks) {
               HasSubstr("1 object rises above the table: tall hill, upper left."));
 }
 
-TEST(SceneWords, ListNoMoreThanEightOfManyObjects) {
+TEST(SceneWords, ListAtMostEightObjects) {
   const auto scene = surface_scene([](double x, double y) {
     double z = 0.0;
     for (int j = 0; j < 3; ++j)
@@ -81,14 +81,14 @@ TEST(SceneWords, ListNoMoreThanEightOfManyObjects) {
   EXPECT_EQ(std::count(brief.begin(), brief.end(), ';'), 1 + 7);
 }
 
-TEST(SceneWords, FollowTheDepthAndTurnOverWhenEngraved) {
+TEST(SceneWords, ApplyTheDepthAndInvertEngravedScenes) {
   EXPECT_THAT(scene_parts(two_hills(), 2.0, {})[0], HasSubstr("heights from 2 to 26 millimetres"));
   const auto engraved = scene_parts(two_hills(), -1.0, {});
   EXPECT_THAT(engraved[0], HasSubstr("heights from minus 13 millimetres to minus 1 millimetre"));
   EXPECT_THAT(engraved[0], HasSubstr("1 object rises"));
 }
 
-TEST(SceneWords, CallALevelSceneLevel) {
+TEST(SceneWords, SayThatALevelSceneIsLevel) {
   const auto parts = scene_parts(surface_scene([](double, double) { return 0.002; }), 1.0, {});
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_THAT(parts[0], EndsWith("level at 2 millimetres."));
@@ -106,7 +106,7 @@ TEST(SceneWords, DescribeContoursAsLines) {
   EXPECT_THAT(parts[0], Not(HasSubstr("height")));
 }
 
-TEST(SceneWords, GoOnFromPartToPartAndBeginAgain) {
+TEST(SceneWords, CycleThroughTheParts) {
   const auto scene = two_hills();
   const auto parts = scene_parts(scene, 1.0, {});
   EXPECT_EQ(scene_part(scene, 1.0, {}, 0), parts[0] + " D again says more.");

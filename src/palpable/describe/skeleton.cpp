@@ -16,7 +16,7 @@ std::array<bool, 8> neighbours_of(const Mask& mask, int x, int y) {
   return on;
 }
 
-/// Whether Zhang & Suen's step (0 or 1) takes the pixel away.
+/// Whether step 0 or 1 of Zhang & Suen deletes the pixel.
 bool is_removed(const Mask& mask, int x, int y, int step) {
   const auto on = neighbours_of(mask, x, y);
   int neighbours = 0, changes = 0;
@@ -29,7 +29,7 @@ bool is_removed(const Mask& mask, int x, int y, int step) {
                    : !(on[0] && on[2] && on[6]) && !(on[0] && on[4] && on[6]);
 }
 
-/// Whether the pixel only joins two of its side neighbours that meet at a corner anyway.
+/// Whether the pixel only joins two side neighbours that already touch at a corner.
 bool is_stair(const Mask& mask, int x, int y) {
   const auto on = neighbours_of(mask, x, y);
   for (std::size_t k = 0; k < on.size(); k += 2)
@@ -54,7 +54,7 @@ Mask node_pixels(const Mask& lines) {
   return nodes;
 }
 
-/// The connected pixels of a path in their order, from an end if it has one; takes them off `rest`.
+/// Sorts the connected pixels of a path along it, from an end if it has one, and clears them in `rest`.
 std::vector<Pixel> in_order(const std::vector<Pixel>& pixels, const Mask& paths, Mask& rest) {
   const auto degree = [&](Pixel p) {
     const auto on = neighbours_of(paths, p.x, p.y);
@@ -66,7 +66,7 @@ std::vector<Pixel> in_order(const std::vector<Pixel>& pixels, const Mask& paths,
   for (bool found = true; found;) {
     found = false;
     const Pixel at = ordered.back();
-    // Over a side before over a corner, so that no pixel of a stair is left out.
+    // Side neighbours before corner neighbours, so that no pixel of a staircase is skipped.
     for (const std::size_t first : {std::size_t{0}, std::size_t{1}})
       for (std::size_t k = first; k < kAround.size() && !found; k += 2) {
         const Pixel next{at.x + kAround[k].x, at.y + kAround[k].y};
@@ -79,7 +79,7 @@ std::vector<Pixel> in_order(const std::vector<Pixel>& pixels, const Mask& paths,
   return ordered;
 }
 
-/// The nodes that touch a pixel.
+/// Indices of the nodes adjacent to a pixel.
 std::vector<int> nodes_beside(Pixel p, const Raster<int>& node_of) {
   std::vector<int> found;
   for (const Pixel step : kAround) {

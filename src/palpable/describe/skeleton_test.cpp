@@ -12,7 +12,7 @@ void fill(Mask& mask, int left, int top, int right, int bottom) {
     for (int x = left; x <= right; ++x) mask(x, y) = 1;
 }
 
-TEST(Skeleton, OfABarIsOnePathWithFreeEnds) {
+TEST(Skeleton, ABarGivesOnePathWithFreeEnds) {
   Mask mask(40, 12, 0);
   fill(mask, 3, 4, 36, 6);
   thin_to_lines(mask);
@@ -23,7 +23,7 @@ TEST(Skeleton, OfABarIsOnePathWithFreeEnds) {
   EXPECT_NEAR(static_cast<double>(skeleton.paths[0].pixels.size()), 32.0, 3.0);
 }
 
-TEST(Skeleton, OfARingIsOneClosedPath) {
+TEST(Skeleton, ARingGivesOneClosedPath) {
   Mask mask(40, 40, 0);
   fill(mask, 5, 5, 34, 34);
   for (int y = 8; y <= 31; ++y)
@@ -34,7 +34,7 @@ TEST(Skeleton, OfARingIsOneClosedPath) {
   EXPECT_TRUE(skeleton.paths[0].closed);
 }
 
-TEST(Skeleton, OfACrossHasFourPathsFromOneNode) {
+TEST(Skeleton, ACrossGivesFourPathsFromOneNode) {
   Mask mask(41, 41, 0);
   fill(mask, 3, 19, 37, 21);
   fill(mask, 19, 3, 21, 37);
@@ -46,7 +46,7 @@ TEST(Skeleton, OfACrossHasFourPathsFromOneNode) {
   for (const SkeletonPath& path : skeleton.paths) EXPECT_EQ(path.first < 0, path.last >= 0);
 }
 
-TEST(Skeleton, HasNoNodeOnASlantedLine) {
+TEST(Skeleton, ASlantedLineHasNoNode) {
   Mask mask(60, 40, 0);
   for (int x = 5; x < 55; ++x) fill(mask, x, 5 + x / 2, x + 1, 7 + x / 2);
   thin_to_lines(mask);

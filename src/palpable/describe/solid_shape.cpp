@@ -27,7 +27,7 @@ models::Relief with_rim(const models::Relief& surface, double base_m) {
   return *std::move(relief);
 }
 
-/// Where the solid stands.
+/// Mask of the solid seen from above.
 Mask outline_of(const models::Relief& surface) {
   constexpr double kShare = 0.005;
   const auto& samples = surface.samples_m();
@@ -38,7 +38,7 @@ Mask outline_of(const models::Relief& surface) {
   return mask;
 }
 
-/// The same without holes.
+/// The mask with its holes filled.
 Mask filled(const Mask& mask) {
   Raster<int> outside(mask.width(), mask.height(), 0);
   flood(mask, {0, 0}, 1, outside, Connected::over_sides);
@@ -61,7 +61,7 @@ PixelBox box_of(const std::vector<Pixel>& pixels) {
   return box;
 }
 
-/// Intersection over union of the outline and what `other` says is another shape, within the outline's box.
+/// Intersection over union of the outline and the shape `other(x, y)`, within the outline's box.
 template <class Other>
 double overlap(const Mask& mask, const PixelBox& box, const Other& other) {
   int both = 0, either = 0;
@@ -93,7 +93,7 @@ class Openings {
     flood(mask, {0, 0}, 1, marks_, Connected::over_sides);
   }
 
-  /// Where nothing stands, with the solid all around.
+  /// Areas outside the solid that it encloses.
   void add_holes(std::vector<Opening>& openings) {
     for (int y = 0; y < mask_.height(); ++y)
       for (int x = 0; x < mask_.width(); ++x) {
@@ -104,7 +104,7 @@ class Openings {
       }
   }
 
-  /// `pits`: the peaks of the surface turned over.
+  /// `pits`: the peaks of the inverted surface.
   void add_hollows(const std::vector<Peak>& pits, std::vector<Opening>& openings) {
     for (const Peak& pit : pits) {
       const Pixel at = pixel_of(pit.place);

@@ -13,7 +13,7 @@
 namespace palpable::describe {
 namespace {
 
-// More are counted, and not listed one by one: nobody remembers them.
+// Further parts are only counted: nobody would remember them.
 constexpr std::size_t kMostParts = 8;
 constexpr double kSymmetric = 0.97;
 
@@ -23,7 +23,7 @@ std::string outline_words(const SolidShape& shape) {
   if (shape.outline == OutlineKind::round) words.emplace_back("round");
   if (shape.outline == OutlineKind::oval) words.emplace_back("oval");
   const bool left_right = shape.left_right >= kSymmetric, top_bottom = shape.top_bottom >= kSymmetric;
-  // The others are symmetric both ways.
+  // The other kinds are symmetric in both directions.
   if (shape.outline == OutlineKind::other)
     words.emplace_back(left_right && top_bottom ? "symmetric left to right and top to bottom"
                        : left_right             ? "symmetric left to right"

@@ -10,9 +10,9 @@
 
 namespace palpable::describe {
 
-/// The description of a solid as it is seen from above, in parts: its size, outline, parts, openings and
-/// highest place; then each part and opening, with the way from `probe` to the highest place. `heading`
-/// begins the first part: the name, with a full stop. `base_m` and `size_m`: of the solid's box.
+/// Describes a solid seen from above, in two parts. First: `heading` (the name with a full stop), size,
+/// outline, parts, openings and highest point. Second: the offset from `probe` to the highest point, and each
+/// part and opening. `base_m` and `size_m`: base height and size of the solid's box.
 std::vector<std::string> solid_parts(const models::Relief& from_above, double base_m, Vec3 size_m,
                                      const std::string& heading, Place probe);
 

@@ -28,7 +28,7 @@ models::Scene block() {
 
 constexpr Vec3 kBlock_m{0.08, 0.06, 0.03};
 
-TEST(SolidWords, SaySizeOutlineOpeningsAndTheHighestPlace) {
+TEST(SolidWords, GiveSizeOutlineOpeningsAndTheHighestPoint) {
   const auto parts = solid_parts(*models::relief_of(block()), 0.0, kBlock_m, "Block.", {});
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0],
@@ -36,7 +36,7 @@ TEST(SolidWords, SaySizeOutlineOpeningsAndTheHighestPlace) {
             "through it and 1 hollow. Highest place: upper left, 30 millimetres.");
 }
 
-TEST(SolidWords, SayPartsAndOpeningsOneByOne) {
+TEST(SolidWords, ListEachPartAndOpening) {
   const auto parts = solid_parts(*models::relief_of(block()), 0.0, kBlock_m, "Block.", {0.005, 0.0});
   EXPECT_THAT(parts[1], HasSubstr(" Upper left: top at 30 millimetres, "));
   EXPECT_THAT(parts[1],
@@ -60,7 +60,7 @@ TEST(SolidWords, ListPartsByTheirProminence) {
               HasSubstr("Middle left: top at 20 millimetres, 10 millimetres above what is around it"));
 }
 
-TEST(SolidShape, KnowsRoundAndOvalOutlines) {
+TEST(SolidShape, RecognisesRoundAndOvalOutlines) {
   const auto disc = surface_scene([](double x, double y) { return std::hypot(x, y) < 0.03 ? 0.01 : 0.0; });
   EXPECT_EQ(solid_shape(*models::relief_of(disc), 0.0).outline, OutlineKind::round);
   const auto oval =
@@ -71,13 +71,13 @@ TEST(SolidShape, KnowsRoundAndOvalOutlines) {
   EXPECT_GT(shape.top_bottom, 0.97);
 }
 
-TEST(SolidShape, OpenToTheSideIsNoHollow) {
+TEST(SolidShape, ANotchOpenToTheSideIsNotAHollow) {
   const auto channel =
       surface_scene([](double x, double y) { return std::abs(x) < 0.01 && y < 0.01 ? 0.005 : 0.02; });
   EXPECT_TRUE(solid_shape(*models::relief_of(channel), 0.0).openings.empty());
 }
 
-TEST(SolidShape, CountsPiecesAndSeesABoxThatFillsItsPicture) {
+TEST(SolidShape, CountsPiecesAndRecognisesABoxThatFillsThePicture) {
   const auto box = surface_scene([](double, double) { return 0.02; });
   const SolidShape shape = solid_shape(*models::relief_of(box), 0.0);
   EXPECT_EQ(shape.outline, OutlineKind::rectangular);
