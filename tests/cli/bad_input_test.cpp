@@ -135,9 +135,24 @@ TEST_F(BadInput, ASceneDamagedAnywhereIsRefused) {
 TEST_F(BadInput, APathThatCannotBeWrittenIsNamed) {
   const Outcome outcome =
       palpable({"make", path("left.png"), path("right.png"), "-o", path("no/folder/out.palp")});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(is_one_sentence(outcome.err));
   EXPECT_THAT(outcome.err, HasSubstr("no/folder"));
+}
+
+TEST_F(BadInput, AnOutputThatIsAnInputIsRefusedAndKept) {
+  const std::string left = path("left.png"), before = read_text(left);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"depth", left, path("right.png"), "-o", left},
+        {"rectify", left, "-o", left},
+        {"fit", path("right.png"), left, "-o", left},
+        {"touch", left, path("right.png"), "--headless", "--seconds", "1", "--record", left}}) {
+    const Outcome outcome = palpable(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words.front();
+    EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("is also an input"));
+    EXPECT_EQ(read_text(left), before) << words.front();
+  }
 }
 
 TEST_F(BadInput, KillingTheProgramAtAnyTimeKeepsTheOldFile) {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/core/atomic_file.hpp"
+#include "palpable/core/number_text.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/vision/rectification/chessboard_calibration.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <span>
 
@@ -35,16 +35,17 @@ struct Boards {
 Result<vision::ChessboardOptions> board_of(const CalibrateArguments& arguments) {
   vision::ChessboardOptions options;
   options.square_m = arguments.square_mm / 1000.0;
-  const char* const end = arguments.board.data() + arguments.board.size();
-  const auto columns = std::from_chars(arguments.board.data(), end, options.columns);
-  const bool parted = columns.ec == std::errc{} && columns.ptr != end && *columns.ptr == 'x';
-  const auto rows = parted ? std::from_chars(columns.ptr + 1, end, options.rows) : columns;
-  if (!parted || rows.ec != std::errc{} || rows.ptr != end || std::min(options.columns, options.rows) < 3 ||
-      std::max(options.columns, options.rows) > 50)
+  const std::string_view board = arguments.board;
+  const std::size_t cross = std::min(board.find('x'), board.size());
+  const auto columns = whole_number(board.substr(0, cross));
+  const auto rows = whole_number(board.substr(std::min(cross + 1, board.size())));
+  if (!columns || !rows || std::min(*columns, *rows) < 3 || std::max(*columns, *rows) > 50)
     return Error{ErrorCode::usage,
                  fmt::format("'{}' is not a board: write the inner corners along its sides, 3 to 50, as 9x6",
                              arguments.board),
                  "--board"};
+  options.columns = static_cast<int>(*columns);
+  options.rows = static_cast<int>(*rows);
   return options;
 }
 
@@ -177,7 +178,7 @@ void add_calibrate(Program& program) {
   options.argument(
       "FOLDER", arguments->folder,
       "Pictures: left01.jpg and right01.jpg … of two cameras; any other names belong to one camera");
-  options.required_text("-o,--output", arguments->output, "Calibration to write (OpenCV yml)");
+  options.required_output("-o,--output", arguments->output, {}, "Calibration to write (OpenCV yml)");
   options.text("--board", arguments->board, "Inner corners along the board's sides; else 9x6");
   options.number("--square", arguments->square_mm, {0.1, 10000.0}, "Side of one square, mm");
 }

@@ -163,7 +163,8 @@ void add_compare(Program& program) {
                   "nonocc.png -o all.png",
                   [arguments](Console& console) { return compare(*arguments, console); });
   add_pair_arguments(options, arguments->stereo);
-  options.text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf); else comparison.png");
+  options.output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
+                 "Picture to write (.png, .svg, .pdf); else comparison.png");
   options.text("--truth", arguments->truth, "True disparity of the left picture");
   options.number("--truth-scale", arguments->truth_scale, {1e-6, 1e6},
                  "The truth's stored values are disparity times this");

@@ -69,7 +69,7 @@ void add_correct(Program& program) {
                    "The measured surface, open or closed, in the metres of the input that the scene was made "
                    "from (OBJ, PLY, "
                    "STL, GLB)");
-  options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
+  options.required_output("-o,--output", arguments->output, {".palp"}, "Scene to write (.palp)");
   options.number("--reach", arguments->reach_mm, {0.001, 1000.0},
                  "Greatest distance along the normal from the field's surface to the measured one, mm");
   options.number("--transition", arguments->transition_mm, {0.001, 1000.0},

@@ -137,13 +137,13 @@ void add_depth(Program& program) {
                   "  palpable depth camera.mpo -o depth.pfm",
                   [arguments](Console& console) { return depth(*arguments, console); });
   add_pair_arguments(options, arguments->stereo);
-  options.required_text(
-      "-o,--output", arguments->output,
+  options.required_output(
+      "-o,--output", arguments->output, {".pfm", ".png"},
       "Disparity in pixels: .pfm (float, infinity = unknown) or .png (16 bit, times 256, 0 = unknown)");
-  options.text("--confidence", arguments->confidence,
-               "Also write how sure each pixel is, 0 to 1: .pfm (float) or .png (8 bit, white is sure)");
-  options.text("--rectified", arguments->rectified,
-               "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
+  options.output("--confidence", arguments->confidence, {".pfm", ".png"},
+                 "Also write how sure each pixel is, 0 to 1: .pfm (float) or .png (8 bit, white is sure)");
+  options.output_prefix("--rectified", arguments->rectified, {"_left.png", "_right.png"},
+                        "Also write the rectified pictures, as PREFIX_left.png and PREFIX_right.png");
   add_stereo_options(options, arguments->stereo);
   add_parameter_options(options, arguments->stereo);
   options.under("The method pyramid");

@@ -311,7 +311,9 @@ void add_export(Program& program) {
       "  palpable export house.palp -o house.vdb --grid 512    for Blender",
       [arguments](Console& console) { return run_export(*arguments, console.work()); });
   options.argument("SCENE", arguments->scene, "A .palp scene, or a recording of a touch");
-  options.required_text("-o,--output", arguments->output, "File to write; its suffix selects the format");
+  options.required_output("-o,--output", arguments->output,
+                          {".stl", ".glb", ".ply", ".vdb", ".svg", ".brf", ".png", ".npz", ".csv"},
+                          "File to write; its suffix selects the format");
   options.integer("--grid", arguments->grid, {2, 1024},
                   "Field: samples along its longest side in an .npz or .vdb");
   options.choice("--band", arguments->band, {"narrow", "full"},

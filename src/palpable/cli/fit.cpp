@@ -84,7 +84,8 @@ void add_fit(Program& program) {
       "  palpable fit left.jpg right.jpg -o fit.png",
       [arguments](Console& console) { return fit(*arguments, console); });
   add_pair_arguments(options, arguments->stereo);
-  options.text("-o,--output", arguments->output, "Picture of where it will feel wrong (.png, .svg, .pdf)");
+  options.output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
+                 "Picture of where it will feel wrong (.png, .svg, .pdf)");
   options.flag("--speak", arguments->speak, "Speak the sentence");
   add_stereo_options(options, arguments->stereo);
   add_parameter_options(options, arguments->stereo);

@@ -75,7 +75,8 @@ void add_fit_shapes(Program& program) {
                   "  palpable fit-shapes scan.ply -o shapes.json --tolerance 2\n"
                   "  palpable make shapes.json -o shapes.palp --size 100x100x50",
                   [arguments](Console& console) { return run_fit_shapes(*arguments, console); });
-  options.required_text("-o,--output", arguments->output, "Primitives to write (.json), as make reads them");
+  options.required_output("-o,--output", arguments->output, {".json"},
+                          "Primitives to write (.json), as make reads them");
   options.text("--labels", arguments->labels,
                "8-bit grey picture of the depth map's shape: 0 is left out, every other value is one object");
   options.number(

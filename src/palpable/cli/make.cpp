@@ -96,6 +96,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   if (const auto named = check_scene_name(arguments.output); !named) return named.error();
   const auto title = read_title(arguments.title);
   if (!title) return title.error();
+  if (const auto readable = check_materials(arguments.material); !readable) return readable.error();
   const auto begin = std::chrono::steady_clock::now();
   auto made = session::make_scene(*options, console.work());
   if (!made) return made.error();
@@ -133,7 +134,8 @@ void add_make(Program& program) {
       "0:texture=ridges,pitch=2,friction=0.4\n"
       "  palpable make house.obj -o house.palp --size 100x100x50 --title 'The town hall'",
       [arguments](Console& console) { return make(*arguments, console); });
-  options.required_text("-o,--output", arguments->output, "Scene to write (.palp)");
+  options.required_output("-o,--output", arguments->output, {},
+                          "Scene to write (.palp)");
   add_make_options(options, arguments->make);
   add_as_published(options, arguments->as_published);
   add_title_options(options, arguments->title);

@@ -3,9 +3,9 @@
 #include "palpable/cli/make_options.hpp"
 
 #include "palpable/cli/suggest.hpp"
+#include "palpable/core/number_text.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -144,14 +144,13 @@ Result<Vec3> size_from(const std::string& text) {
                     fmt::format("'{}' is not a size: write WxHxD in mm, each 1 to 1000, as 100x75x20", text),
                     "--size"};
   std::array<double, 3> sides_mm{};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
+  std::string_view rest = text;
   for (std::size_t i = 0; i < sides_mm.size(); ++i) {
-    const auto [next, fault] = std::from_chars(at, end, sides_mm[i]);
-    const bool last = i + 1 == sides_mm.size();
-    if (fault != std::errc{} || !(sides_mm[i] >= 1.0 && sides_mm[i] <= 1000.0)) return wrong;
-    if (last ? next != end : next == end || *next != 'x') return wrong;
-    at = last ? next : next + 1;
+    const std::size_t end = i + 1 == sides_mm.size() ? rest.size() : std::min(rest.find('x'), rest.size());
+    const auto side = finite_number(rest.substr(0, end));
+    if (!side || *side < 1.0 || *side > 1000.0) return wrong;
+    sides_mm[i] = *side;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return Vec3{sides_mm[0] / 1000.0, sides_mm[1] / 1000.0, sides_mm[2] / 1000.0};
 }

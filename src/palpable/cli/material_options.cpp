@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/material_options.hpp"
 
+#include "palpable/core/number_text.hpp"
 #include "palpable/sculpt/relief/texture_tile.hpp"
 #include "palpable/sources/picture/picture.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -18,14 +18,6 @@ namespace palpable::cli {
 namespace {
 
 Error usage(std::string message) { return {ErrorCode::usage, std::move(message), "--material"}; }
-
-std::optional<double> number_from(std::string_view text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value)
-             ? std::optional(value)
-             : std::nullopt;
-}
 
 struct Property {
   std::string_view key;
@@ -87,7 +79,7 @@ Result<void> apply_pair(std::string_view pair, models::Material& material) {
                                       [key](const Property& p) { return p.key == key; });
   if (property == std::end(kProperties))
     return usage(fmt::format("a material has no '{}': its keys are name, texture{}", key, property_names()));
-  const auto number = number_from(value);
+  const auto number = finite_number(value);
   if (!number || *number < property->least || *number > property->most)
     return usage(fmt::format("{} must be {:g} to {:g}", key, property->least, property->most));
   property->set(material, *number);
@@ -96,7 +88,7 @@ Result<void> apply_pair(std::string_view pair, models::Material& material) {
 
 Result<void> apply_material(std::string_view text, models::Scene& scene) {
   const auto colon = text.find(':');
-  const auto label = number_from(text.substr(0, colon));
+  const auto label = finite_number(text.substr(0, colon));
   if (colon == std::string_view::npos || !label || *label < 0 || *label > 255 || *label != std::floor(*label))
     return usage(fmt::format("{} does not begin with a label 0 to 255 and a colon", text));
   const auto index = static_cast<std::size_t>(*label);
@@ -119,14 +111,17 @@ Result<void> apply_material(std::string_view text, models::Scene& scene) {
   return {};
 }
 
+Result<Image> label_picture(const std::string& file) {
+  auto picture = sources::read_picture(file);
+  if (picture && (picture->channels != 1 || picture->bits != 8))
+    return invalid_input("a label picture is 8-bit grey: each value is a material's number", file);
+  return picture;
+}
+
 Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::Scene& scene) {
-  const auto picture = sources::read_picture(file);
+  const auto picture = label_picture(file);
   if (!picture) return picture.error();
-  const auto invalid = [&file](std::string message) {
-    return Error{ErrorCode::invalid_input, std::move(message), file};
-  };
-  if (picture->channels != 1 || picture->bits != 8)
-    return invalid("a label picture is 8-bit grey: each value is a material's number");
+  const auto invalid = [&file](std::string message) { return invalid_input(std::move(message), file); };
   const auto& samples = models::relief_of(scene)->samples_m();
   // The same shape to within a pixel.
   const double height = static_cast<double>(picture->width) * samples.height() / samples.width();
@@ -154,6 +149,16 @@ void add_material_options(Options& options, MaterialArguments& arguments) {
       "angle (degrees); may be repeated");
   options.text("--labels", arguments.labels,
                "8-bit grey picture of the scene's shape: each value is a material's LABEL");
+}
+
+Result<void> check_materials(const MaterialArguments& arguments) {
+  models::Scene any;
+  any.materials.resize(1);
+  for (const std::string& text : arguments.materials)
+    if (auto applied = apply_material(text, any); !applied) return applied;
+  if (arguments.labels.empty()) return {};
+  if (const auto picture = label_picture(arguments.labels); !picture) return picture.error();
+  return {};
 }
 
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene) {

@@ -22,6 +22,10 @@ struct MaterialArguments {
 /// Adds --material and --labels. `arguments` must outlive the parsing.
 void add_material_options(Options& options, MaterialArguments& arguments);
 
+/// Whether apply_materials() can read what was given, asked before a scene is made. Errors: as there, but for
+/// what depends on the scene.
+Result<void> check_materials(const MaterialArguments& arguments);
+
 /// Gives `scene` the materials and label picture. Each text is LABEL (0 … 255), a colon and pairs of
 /// name=TEXT, stiffness=N/m, damping=N·s/m, friction=MU, sliding=MU (5/6 of friction unless given),
 /// texture=none|grain|ridges|bumps, pitch=MM, height=MM, angle=DEGREES; what is not given stays. Labels

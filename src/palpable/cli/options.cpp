@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/options.hpp"
 
+#include "palpable/cli/output_files.hpp"
 #include "palpable/cli/suggest.hpp"
+#include "palpable/core/number_text.hpp"
 
-#include <charconv>
+#include <limits>
 #include <type_traits>
 
 #include <CLI/CLI.hpp>
@@ -23,33 +25,37 @@ template <class Number>
 CLI::Validator within(Range range) {
   const char* const what = std::is_integral_v<Number> ? "a whole number" : "a number";
   return {[range, what](std::string& typed) -> std::string {
-            Number value{};
-            const char* const end = typed.data() + typed.size();
-            const auto [stop, fault] = std::from_chars(typed.data(), end, value);
-            if (fault == std::errc{} && stop == end && value >= range.least && value <= range.most) return {};
+            const auto whole = whole_number(typed);
+            const auto value = std::is_integral_v<Number> && !whole ? std::nullopt : finite_number(typed);
+            if (value && *value >= range.least && *value <= range.most) return {};
             return fmt::format("'{}' is not {} from {} to {}", typed, what, range.least, range.most);
           },
           fmt::format("[{} to {}]", range.least, range.most)};
 }
 
+/// For a text: an empty one is a slip (an unset variable of a script).
+CLI::Validator not_empty() {
+  return {[](std::string& typed) -> std::string { return typed.empty() ? "the value is empty" : ""; }, ""};
+}
+
 }  // namespace
 
 void Options::argument(const std::string& name, std::string& value, const std::string& help) {
-  app_.add_option(name, value, help)->required();
+  app_.add_option(name, value, help)->required()->check(not_empty());
 }
 
 void Options::optional_argument(const std::string& name, std::string& value, const std::string& help) {
-  app_.add_option(name, value, help);
+  app_.add_option(name, value, help)->check(not_empty());
 }
 
 void Options::optional_arguments(const std::string& name, std::vector<std::string>& values, int most,
                                  const std::string& help) {
-  app_.add_option(name, values, help)->expected(0, most);
+  app_.add_option(name, values, help)->expected(0, most)->check(not_empty());
 }
 
 void Options::arguments(const std::string& name, std::vector<std::string>& values, int most,
                         const std::string& help) {
-  app_.add_option(name, values, help)->expected(1, most);
+  app_.add_option(name, values, help)->expected(1, most)->check(not_empty());
 }
 
 void Options::flag(const std::string& name, bool& value, const std::string& help) {
@@ -57,15 +63,33 @@ void Options::flag(const std::string& name, bool& value, const std::string& help
 }
 
 void Options::text(const std::string& name, std::string& value, const std::string& help) {
-  app_.add_option(name, value, help)->group(heading_);
+  app_.add_option(name, value, help)->group(heading_)->check(not_empty());
 }
 
 void Options::texts(const std::string& name, std::vector<std::string>& values, const std::string& help) {
-  app_.add_option(name, values, help)->group(heading_)->allow_extra_args(false);
+  app_.add_option(name, values, help)->group(heading_)->allow_extra_args(false)->check(not_empty());
 }
 
 void Options::required_text(const std::string& name, std::string& value, const std::string& help) {
-  app_.add_option(name, value, help)->group(heading_)->required();
+  app_.add_option(name, value, help)->group(heading_)->required()->check(not_empty());
+}
+
+void Options::required_output(const std::string& name, std::string& value,
+                              const std::vector<std::string>& suffixes, const std::string& help) {
+  required_text(name, value, help);
+  outputs_.push_back({&app_, app_.get_options().back(), &value, suffixes});
+}
+
+void Options::output(const std::string& name, std::string& value, const std::vector<std::string>& suffixes,
+                     const std::string& help) {
+  text(name, value, help);
+  outputs_.push_back({&app_, app_.get_options().back(), &value, suffixes});
+}
+
+void Options::output_prefix(const std::string& name, std::string& value,
+                            const std::vector<std::string>& endings, const std::string& help) {
+  text(name, value, help);
+  outputs_.push_back({&app_, app_.get_options().back(), &value, {}, endings});
 }
 
 void Options::choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
@@ -95,6 +119,11 @@ void Options::integer(const std::string& name, std::optional<int>& value, Range 
           name, [&value](int given) { value = given; }, help)
       ->group(heading_)
       ->check(within<int>(range));
+}
+
+void Options::count(const std::string& name, std::uint64_t& value, const std::string& help) {
+  constexpr auto kMost = static_cast<double>(std::numeric_limits<std::int64_t>::max());
+  app_.add_option(name, value, help)->group(heading_)->check(within<std::int64_t>({0.0, kMost}));
 }
 
 }  // namespace palpable::cli

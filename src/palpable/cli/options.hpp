@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@ class App;
 }
 
 namespace palpable::cli {
+
+struct OutputOption;
 
 /// From least to most, both taken.
 struct Range {
@@ -23,7 +26,8 @@ struct Range {
 /// must outlive that.
 class Options {
  public:
-  explicit Options(CLI::App& app) : app_(app) {}
+  /// `outputs` hears of every option that names a file to write (output_files.hpp).
+  Options(CLI::App& app, std::vector<OutputOption>& outputs) : app_(app), outputs_(outputs) {}
 
   /// The heading in the help under which the options declared from now on stand.
   void under(const std::string& heading) { heading_ = heading; }
@@ -42,6 +46,15 @@ class Options {
   /// May be given several times, one value each.
   void texts(const std::string& name, std::vector<std::string>& values, const std::string& help);
   void required_text(const std::string& name, std::string& value, const std::string& help);
+  /// A file to write, required or not; `suffixes` are those that its name may end in, none = any. It is
+  /// checked before the command does its work.
+  void required_output(const std::string& name, std::string& value, const std::vector<std::string>& suffixes,
+                       const std::string& help);
+  void output(const std::string& name, std::string& value, const std::vector<std::string>& suffixes,
+              const std::string& help);
+  /// Several files whose names begin with `value` and end in these.
+  void output_prefix(const std::string& name, std::string& value, const std::vector<std::string>& endings,
+                     const std::string& help);
   /// One of `words`; the help shows the value that holds if nothing is said.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
               const std::string& help);
@@ -49,9 +62,12 @@ class Options {
   void number(const std::string& name, std::optional<double>& value, Range range, const std::string& help);
   void integer(const std::string& name, int& value, Range range, const std::string& help);
   void integer(const std::string& name, std::optional<int>& value, Range range, const std::string& help);
+  /// Without a sign, up to 2^63 - 1.
+  void count(const std::string& name, std::uint64_t& value, const std::string& help);
 
  private:
   CLI::App& app_;
+  std::vector<OutputOption>& outputs_;
   std::string heading_ = "Options";
 };
 

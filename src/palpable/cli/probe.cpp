@@ -168,7 +168,7 @@ void add_probe(Program& program) {
   options.required_text("--path", arguments->path,
                         "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres), and optionally probe "
                         "(0 to 63) and qw,qx,qy,qz");
-  options.required_text("-o,--output", arguments->output, "CSV to write");
+  options.required_output("-o,--output", arguments->output, {}, "CSV to write");
   add_tool_option(options, arguments->tool);
   add_view_options(options, arguments->view);
   add_as_published(options, arguments->as_published);

@@ -1,11 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/core/number_text.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/vision/rectification/plane_rectification.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <string_view>
@@ -31,11 +31,11 @@ Result<std::vector<double>> numbers_of(const std::string& text, std::size_t coun
   while (true) {
     rest.remove_prefix(std::min(rest.find_first_not_of(" ,;:"), rest.size()));
     if (rest.empty()) break;
-    double value = 0.0;
-    const auto [end, fault] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-    if (fault != std::errc{} || !std::isfinite(value)) return wrong;
-    numbers.push_back(value);
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(" ,;:"));
+    const auto value = finite_number(word);
+    if (!value) return wrong;
+    numbers.push_back(*value);
+    rest.remove_prefix(word.size());
   }
   if (numbers.size() != count) return wrong;
   return numbers;
@@ -124,7 +124,7 @@ void add_rectify(Program& program) {
       "  palpable rectify photo.jpg -o map.png --lines '0,10,600,30 0,400,600,380 10,0,60,400 500,0,480,400'",
       [arguments](Console& console) { return rectify(*arguments, console); });
   options.argument("PICTURE", arguments->picture, "A picture of something flat");
-  options.required_text("-o,--output", arguments->output, "Picture to write (.png)");
+  options.required_output("-o,--output", arguments->output, {".png"}, "Picture to write (.png)");
   options.text("--corners", arguments->corners,
                "Corners of a rectangle on it: four x,y in pixels, from the upper left clockwise");
   options.text("--aspect", arguments->aspect, "That rectangle's WIDTH:HEIGHT; else from the perspective");

@@ -4,6 +4,7 @@
 
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/hints.hpp"
+#include "palpable/cli/output_files.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/core/plain_text.hpp"
 
@@ -22,21 +23,24 @@ class Program {
  public:
   CLI::App app;
   CommonOptions common;
+  /// Of all commands.
+  std::vector<OutputOption> outputs;
   /// What the parsed arguments ask for.
   Action action;
 };
 
 namespace {
 
-void add_common(CLI::App& app, CommonOptions& common) {
+void add_common(CLI::App& app, Options& options, CommonOptions& common) {
   const std::string group = "Every command";
   app.add_flag("--json", common.json, "One JSON object on standard output")->group(group);
   app.add_flag("--quiet", common.quiet, "No notes and no progress")->group(group);
   app.add_option("--threads", common.threads, "Number of threads; 0 = one per processor")
       ->check(CLI::Range(0U, 256U))
       ->group(group);
-  app.add_option("--seed", common.seed, "Seed of the random numbers: the same seed gives the same result")
-      ->group(group);
+  options.under(group);
+  options.count("--seed", common.seed, "Seed of the random numbers: the same seed gives the same result");
+  options.under("Options");
 }
 
 /// A sentence that repeats what was given is neither of several lines nor endless.
@@ -127,8 +131,9 @@ Options add_command_to(Program& program, CLI::App& parent, const std::string& na
   CLI::App& command = *parent.add_subcommand(name, description);
   command.footer("Examples:\n" + examples);
   command.callback([&program, action = std::move(action)] { program.action = action; });
-  add_common(command, program.common);
-  return Options(command);
+  Options options(command, program.outputs);
+  add_common(command, options, program.common);
+  return options;
 }
 
 void describe(Program& program) {
@@ -142,7 +147,8 @@ void describe(Program& program) {
       "palpable help COMMAND explains a command, with examples.\n"
       "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 unreadable or invalid input, 4 device, 130 "
       "interrupted.");
-  add_common(app, program.common);
+  Options options(app, program.outputs);
+  add_common(app, options, program.common);
   add_touch(program);
   add_make(program);
   add_correct(program);
@@ -170,6 +176,23 @@ void describe(Program& program) {
   add_help(program);
 }
 
+/// What the command is to write can be written, and is none of its inputs.
+Result<void> check_command_outputs(const Program& program) {
+  const CLI::App& command = chosen_command(program.app);
+  std::vector<OutputOption> outputs;
+  for (const OutputOption& output : program.outputs)
+    if (output.command == &command) outputs.push_back(output);
+  std::vector<std::string> words;
+  for (const CLI::Option* option : command.get_options()) {
+    const bool is_flag = option->get_expected_max() == 0;
+    const bool is_output = std::any_of(outputs.begin(), outputs.end(), [option](const OutputOption& output) {
+      return output.option == option;
+    });
+    if (!is_flag && !is_output) words.insert(words.end(), option->results().begin(), option->results().end());
+  }
+  return check_outputs(outputs, words);
+}
+
 int parse_and_run(int argc, char** argv) {
   Program program;
   describe(program);
@@ -183,6 +206,7 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& complaint) {
     return report(explained(program.app, complaint));
   }
+  if (auto writable = check_command_outputs(program); !writable) return report(writable.error());
   if (!program.action) return finish(Answer{{}, program.app.help()}, {});
   catch_interrupts();
   auto answer = [&program] {

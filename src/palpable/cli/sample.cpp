@@ -118,7 +118,7 @@ void add_sample(Program& program) {
   options.argument("SCENE", arguments->scene, "A .palp scene");
   options.required_text("--points", arguments->points,
                         "CSV with the columns x_m,y_m,z_m (scene frame, metres)");
-  options.required_text("-o,--output", arguments->output, "CSV to write");
+  options.required_output("-o,--output", arguments->output, {}, "CSV to write");
 }
 
 }  // namespace palpable::cli

@@ -211,7 +211,8 @@ void add_show(Program& program) {
                                 "  palpable show aloe.palp -o cut.pdf --view section --at 10",
                                 [arguments](Console& /*console*/) { return show(*arguments); });
   options.argument("SCENE", arguments->scene, "A .palp scene");
-  options.required_text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
+  options.required_output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
+                          "Picture to write (.png, .svg, .pdf)");
   options.choice("--view", arguments->view,
                  {"relief", "depth", "force", "section", "solid", "contours", "regions"}, "What to draw");
   options.number("--at", arguments->cut_mm, {-500.0, 500.0},

@@ -3,12 +3,12 @@
 #include "palpable/cli/stereo_options.hpp"
 
 #include "palpable/cli/suggest.hpp"
+#include "palpable/core/number_text.hpp"
 #include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -130,10 +130,8 @@ Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, v
     const std::size_t equals = given.find('=');
     if (equals == std::string::npos) return refused("a parameter is set as NAME=VALUE");
     const std::string name = given.substr(0, equals);
-    double value = 0.0;
-    const char* const last = given.data() + given.size();
-    const auto [end, error] = std::from_chars(given.data() + equals + 1, last, value);
-    if (error != std::errc{} || end != last) return refused("the value is not a number");
+    const auto value = finite_number(std::string_view(given).substr(equals + 1));
+    if (!value) return refused("the value is not a number");
     const auto parameter =
         std::find_if(known.begin(), known.end(), [&](const Parameter& p) { return p.name == name; });
     if (parameter == known.end()) {
@@ -144,7 +142,7 @@ Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, v
                                  vision::name_of(method), name, meant ? ", did you mean " + *meant + "?" : "",
                                  vision::name_of(method)));
     }
-    if (const auto set = set_parameter(*parameter, value); !set)
+    if (const auto set = set_parameter(*parameter, *value); !set)
       return refused(fmt::format("{} {}", name, set.error().message));
   }
   if (const auto ok = vision::check(options, method); !ok)

@@ -89,7 +89,8 @@ void add_study_stability(Program& program) {
                   "  palpable study-stability\n"
                   "  palpable study-stability --delay 2 -o groove.png",
                   [arguments](Console&) { return study(*arguments); });
-  options.text("-o,--output", arguments->output, "Picture to write (.png, .svg, .pdf)");
+  options.output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
+                 "Picture to write (.png, .svg, .pdf)");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0}, "Servo rate in Hz");
   options.integer("--delay", arguments->delay, {0, 8}, "Delay from a reading to its force, ticks");
   options.number("--resolution-um", arguments->resolution_um, {0.0, 1000.0}, "The sensor's step");

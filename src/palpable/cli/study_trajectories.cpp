@@ -88,7 +88,7 @@ void add_study_trajectories(Program& program) {
   options.number("--trajectories", arguments->trajectories, {1.0, 1e8}, "Number of strokes");
   options.integer("--ticks", arguments->ticks, {2, 100000}, "Length of each stroke in ticks of 1 ms");
   options.number("--fastest", arguments->fastest_m_per_s, {0.001, 10.0}, "Greatest speed of the hand, m/s");
-  options.text("--list", arguments->list, "CSV to write with the thousand greatest steps of the force");
+  options.output("--list", arguments->list, {}, "CSV to write with the thousand greatest steps of the force");
 }
 
 }  // namespace palpable::cli

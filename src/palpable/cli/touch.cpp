@@ -319,6 +319,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   if (!make) return make.error();
   plan.make = *make;
   if (*published && arguments.scene.make.as.empty()) plan.make.as = (*published)->as;
+  if (const auto readable = check_materials(arguments.scene.material); !readable) return readable.error();
   plan.material = arguments.scene.material;
   const auto title = read_title(arguments.scene.title);
   if (!title) return title.error();
@@ -374,7 +375,7 @@ void add_touch(Program& program) {
   options.number("--seconds", arguments->seconds, {0.01, 86400.0}, "How long a headless touch lasts");
   options.number("--rate", arguments->rate_hz, {100.0, 4000.0},
                  "Servo rate in Hz (1000 unless a paper states another)");
-  options.text("--record", arguments->recording, "Record every tick into this file");
+  options.output("--record", arguments->recording, {}, "Record every tick into this file");
 }
 
 }  // namespace palpable::cli

@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/atomic_file.hpp"
 
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -51,6 +55,51 @@ bool write_all(int descriptor, std::span<const std::byte> bytes) {
   return true;
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+// What a new file beside NAME is called: .NAME. and six characters, as mkostemp() chooses them.
+constexpr std::string_view kRandomPart = "XXXXXX";
+
+std::filesystem::path name_pattern(const std::filesystem::path& path) {
+  return folder_of(path) / ("." + path.filename().string() + "." + std::string(kRandomPart));
+}
+
+constexpr int kMostNames = 1000;
+
+/// Differs from process to process, and from call to call.
+std::string random_name(const std::filesystem::path& path, int attempt) {
+  constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  auto bits = static_cast<std::uint64_t>(now.tv_nsec) * 2654435761U ^
+              static_cast<std::uint64_t>(::getpid()) << 20U ^ static_cast<std::uint64_t>(attempt) * 7919U;
+  std::string name = name_pattern(path).string();
+  for (std::size_t k = name.size() - kRandomPart.size(); k < name.size(); ++k, bits /= kCharacters.size())
+    name[k] = kCharacters[bits % kCharacters.size()];
+  return name;
+}
+
+/// Removes what programs that were killed left beside `path`: files of the names above that nobody writes.
+void remove_abandoned(const std::filesystem::path& path) {
+  const std::string pattern = name_pattern(path).filename().string();
+  const std::string_view start = std::string_view(pattern).substr(0, pattern.size() - kRandomPart.size());
+  std::error_code failed;
+  for (auto it = std::filesystem::directory_iterator(folder_of(path), failed);
+       !failed && it != std::filesystem::directory_iterator(); it.increment(failed)) {
+    const std::string name = it->path().filename().string();
+    if (name.size() != pattern.size() || !name.starts_with(start)) continue;
+    const int descriptor = ::open(it->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    struct stat found {};
+    if (::fstat(descriptor, &found) == 0 && S_ISREG(found.st_mode) &&
+        ::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+      ::unlink(it->path().c_str());
+    ::close(descriptor);
+  }
+}
+
 void sync_folder(const std::filesystem::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -68,22 +117,55 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
   if (takes_a_stream(file.path_)) {
     file.descriptor_ = ::open(file.path_.c_str(), O_WRONLY | O_CLOEXEC);
     if (file.descriptor_ < 0) return file.failure("cannot be written");
+    file.is_stream_ = true;
     return file;
   }
   if (std::filesystem::is_directory(file.path_, none))
     return Error{ErrorCode::failed, "cannot be written: it is a folder", path.string()};
-  std::string beside =
-      (file.path_.parent_path() / ("." + file.path_.filename().string() + ".XXXXXX")).string();
-  file.descriptor_ = ::mkostemp(beside.data(), O_CLOEXEC);
-  if (file.descriptor_ < 0) return file.failure("cannot be written");
-  file.beside_ = beside;
+  remove_abandoned(file.path_);
+  const std::filesystem::path folder = folder_of(file.path_);
+  // A file without a name vanishes with the program, however that ends.
+  file.descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (file.descriptor_ >= 0) return file;
+  if (!file.name_beside()) return file.failure("cannot be written");
   return file;
+}
+
+/// Makes a new file of a name of its own. Its lock tells others that it is still being written.
+bool AtomicFile::name_beside() {
+  while (true) {
+    std::string beside = name_pattern(path_).string();
+    descriptor_ = ::mkostemp(beside.data(), O_CLOEXEC);
+    if (descriptor_ < 0) return false;
+    beside_ = beside;
+    struct stat now {};
+    // Somebody who found it before it was locked took it for abandoned and removed it.
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor_, &now) == 0 && now.st_nlink > 0)
+      return true;
+    discard();
+  }
+}
+
+/// Gives the file without a name one, because only a name can be renamed over the old file's.
+bool AtomicFile::link_beside() {
+  const std::string opened = "/proc/self/fd/" + std::to_string(descriptor_);
+  static_cast<void>(::flock(descriptor_, LOCK_EX | LOCK_NB));
+  for (int attempt = 0; attempt < kMostNames; ++attempt) {
+    const std::string beside = random_name(path_, attempt);
+    if (::linkat(AT_FDCWD, opened.c_str(), AT_FDCWD, beside.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      beside_ = beside;
+      return true;
+    }
+    if (errno != EEXIST) return false;
+  }
+  return false;
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       beside_(std::exchange(other.beside_, {})),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      is_stream_(other.is_stream_) {}
 
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   if (this != &other) {
@@ -91,6 +173,7 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     path_ = std::move(other.path_);
     beside_ = std::exchange(other.beside_, {});
     descriptor_ = std::exchange(other.descriptor_, -1);
+    is_stream_ = other.is_stream_;
   }
   return *this;
 }
@@ -115,18 +198,28 @@ Result<void> AtomicFile::write(std::span<const std::byte> bytes) {
 }
 
 Result<void> AtomicFile::commit() {
-  if (beside_.empty()) {
+  if (is_stream_) {
     discard();
     return {};
   }
   // A file system without permissions (a USB stick) still deserves the file.
   static_cast<void>(::fchmod(descriptor_, permissions_for(path_)));
   if (::fsync(descriptor_) != 0) return failure("cannot be written");
-  if (::close(std::exchange(descriptor_, -1)) != 0) return failure("cannot be written");
+  if (beside_.empty() && !link_beside()) return failure("cannot be written");
+  // Not closed before it is renamed: its lock keeps others from taking it for abandoned.
   if (::rename(beside_.c_str(), path_.c_str()) != 0) return failure("cannot be replaced");
   beside_.clear();
-  sync_folder(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
+  sync_folder(folder_of(path_));
+  if (::close(std::exchange(descriptor_, -1)) != 0) return failure("cannot be written");
   return {};
+}
+
+Result<void> check_room(const std::filesystem::path& path) {
+  auto file = AtomicFile::create(path);
+  if (!file) return std::move(file).error();
+  // A page, which a full disk cannot give; smaller files may lie in the folder itself.
+  constexpr std::array<std::byte, 4096> kPage{};
+  return file->write(kPage);
 }
 
 Result<void> write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes) {

@@ -13,7 +13,9 @@ namespace palpable {
 
 /// A file that comes into being whole or not at all: bytes go into a new file beside it, and commit() makes
 /// them durable and renames it over the old one, whose permissions stay. Destroyed without commit(): the new
-/// file is removed and the old one is as it was. Not for the tick path.
+/// file is removed and the old one is as it was. Where the file system can (ext4, XFS, Btrfs, tmpfs), the new
+/// file has no name until commit(), so that a killed program leaves nothing; elsewhere the next write of the
+/// same name removes what was left. Not for the tick path.
 class AtomicFile {
  public:
   /// Errors: failed, with the system's reason (no such folder, not permitted, disk full …).
@@ -30,11 +32,18 @@ class AtomicFile {
   AtomicFile() = default;
   Error failure(std::string_view what) const;
   void discard() noexcept;
+  bool name_beside();
+  bool link_beside();
 
   std::filesystem::path path_;
   std::filesystem::path beside_;
   int descriptor_ = -1;
+  bool is_stream_ = false;
 };
+
+/// Whether there is room for a file at that place now: tried with a new one beside it, which is removed.
+/// Errors: failed, with the system's reason.
+Result<void> check_room(const std::filesystem::path& path);
 
 /// Writes a whole file atomically, as AtomicFile does. A path that leads to a symbolic link replaces what the
 /// link points to; one that leads to a device or pipe (/dev/stdout) is written to directly.

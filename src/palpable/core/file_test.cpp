@@ -7,8 +7,11 @@
 #include <filesystem>
 #include <string>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace palpable {
 namespace {
@@ -49,10 +52,33 @@ TEST_F(AFile, LeavesTheOldFileWhenNotCommitted) {
     auto file = AtomicFile::create(path);
     ASSERT_TRUE(file);
     ASSERT_TRUE(file->write(as_bytes("half a fi")));
-    EXPECT_EQ(files(), 2U);
   }
   EXPECT_EQ(text_of(path), "old");
   EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(AFile, RemovesWhatKilledProgramsLeftAndNothingElse) {
+  const auto make = [this](const std::string& name) {
+    const int descriptor = ::open((folder_ / name).c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
+    EXPECT_GE(descriptor, 0);
+    return descriptor;
+  };
+  ::close(make(".a.txt.Ab3xYz"));
+  ::close(make(".a.txt.kept-longer"));
+  ::close(make(".b.txt.Ab3xYz"));
+  const int written_now = make(".a.txt.Qq1234");
+  ASSERT_EQ(::flock(written_now, LOCK_EX | LOCK_NB), 0);
+  ASSERT_TRUE(write_file_atomically(folder_ / "a.txt", as_bytes("new")));
+  ::close(written_now);
+  EXPECT_FALSE(fs::exists(folder_ / ".a.txt.Ab3xYz"));
+  for (const char* name : {".a.txt.kept-longer", ".b.txt.Ab3xYz", ".a.txt.Qq1234", "a.txt"})
+    EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+}
+
+TEST_F(AFile, HasRoomWhereItsFolderTakesFiles) {
+  EXPECT_TRUE(check_room(folder_ / "a.txt"));
+  EXPECT_EQ(files(), 0U);
+  EXPECT_FALSE(check_room(folder_ / "no" / "a.txt"));
 }
 
 TEST_F(AFile, KeepsThePermissionsOfTheFileItReplaces) {

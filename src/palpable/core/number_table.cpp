@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/number_table.hpp"
 
+#include "palpable/core/number_text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -26,15 +28,6 @@ std::string_view trimmed(std::string_view field) {
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
     field = field.substr(1, field.size() - 2);
   return field;
-}
-
-std::optional<double> finite_number(std::string_view field) {
-  if (field.starts_with('+')) field.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, fault] = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (fault != std::errc{} || end != field.data() + field.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
 }
 
 std::vector<std::string_view> fields_of(std::string_view line) {

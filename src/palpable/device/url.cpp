@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/url.hpp"
 
+#include "palpable/core/number_text.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -48,10 +50,8 @@ double DeviceUrl::take_number(const std::string& name, double otherwise, double 
   const auto option = options_.extract(name);
   if (option.empty()) return otherwise;
   const std::string& text = option.mapped();
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc{} && end == text.data() + text.size() && number >= least && number <= most)
-    return number;
+  const auto number = finite_number(text);
+  if (number && *number >= least && *number <= most) return *number;
   fail(name + " must be a number from " + shown(least) + " to " + shown(most) + ", not \"" + text + "\"");
   return otherwise;
 }
