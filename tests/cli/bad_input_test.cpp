@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace palpable::test {
@@ -153,6 +154,18 @@ TEST_F(BadInput, AnOutputThatIsAnInputIsRefusedAndKept) {
     EXPECT_THAT(outcome.err, HasSubstr("is also an input"));
     EXPECT_EQ(read_text(left), before) << words.front();
   }
+}
+
+TEST_F(BadInput, CtrlCEndsACommandThatWaitsForAPipe) {
+  const std::string pipe = path("pipe.png");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  Running running({"make", pipe, "-o", path("out.palp")});
+  ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
+  running.send(SIGINT);
+  const Outcome outcome = running.wait(std::chrono::seconds(20));
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_TRUE(is_one_sentence(outcome.err)) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(path("out.palp")));
 }
 
 TEST_F(BadInput, KillingTheProgramAtAnyTimeKeepsTheOldFile) {

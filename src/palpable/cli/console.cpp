@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include <fmt/format.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace palpable::cli {
@@ -29,11 +30,27 @@ std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr int kServoPatience_ms = 200;
+// Of work that hears of an interrupt; with the servo's end the program ends within a second.
+constexpr int kWorkPatience_ms = 700;
 
-/// The second one is the system's own answer, because work that does not poll must still be stoppable; but
-/// never with a force left on somebody's hand.
+/// Work that did not end by itself in time: waiting for a pipe, in a library that cannot be stopped. Whatever
+/// it was writing is still beside its file or without a name, so the old file stays.
+void on_patience_over(int /*number*/) {
+  haptics::end_every_servo(kServoPatience_ms);
+  constexpr std::string_view kSentence = "palpable: interrupted\n";
+  static_cast<void>(!write(STDERR_FILENO, kSentence.data(), kSentence.size()));
+  _exit(static_cast<int>(ErrorCode::interrupted));
+}
+
+/// The first one asks the work to end and gives it time. The second one is the system's own answer; but never
+/// with a force left on somebody's hand.
 void on_interrupt(int number) {
-  if (!interrupt_flag.exchange(true, std::memory_order_relaxed)) return;
+  if (!interrupt_flag.exchange(true, std::memory_order_relaxed)) {
+    constexpr int kMicroseconds = 1000;
+    const itimerval patience{{0, 0}, {0, kWorkPatience_ms * kMicroseconds}};
+    setitimer(ITIMER_REAL, &patience, nullptr);
+    return;
+  }
   haptics::end_every_servo(kServoPatience_ms);
   std::signal(number, SIG_DFL);
   std::raise(number);
@@ -49,7 +66,10 @@ void catch_interrupts() {
   sigemptyset(&action.sa_mask);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&action.sa_mask, number);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
+  action.sa_handler = on_patience_over;
+  sigaction(SIGALRM, &action, nullptr);
+  // A pipe without a reader and a file that may grow no more are errors of the write.
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
 }
 
 Console::Console(const CommonOptions& options)

@@ -57,8 +57,9 @@ class Console {
   std::chrono::steady_clock::time_point last_shown_;
 };
 
-/// Set by the first SIGINT, SIGTERM or SIGHUP once catch_interrupts() was called; a second signal ends the
-/// program at once, after every servo has written zero force.
+/// Set by the first SIGINT, SIGTERM or SIGHUP once catch_interrupts() was called. Work that has not ended 0.7
+/// s later is cut off: every servo writes zero force, and the program ends with 130. A second signal ends it
+/// at once, after every servo has written zero force.
 const std::atomic<bool>& interrupted();
 void catch_interrupts();
 

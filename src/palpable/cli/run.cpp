@@ -214,6 +214,9 @@ int parse_and_run(int argc, char** argv) {
     Console console(program.common);
     return program.action(console);
   }();
+  // Whoever pressed Ctrl-C hears that the command was interrupted, even where its work was done just then.
+  const bool says_so = answer && answer->exit_code == static_cast<int>(ErrorCode::interrupted);
+  if (interrupted() && !says_so) return report(Work::interrupted());
   return finish(answer, program.common);
 }
 

@@ -42,7 +42,8 @@ bool end_every_servo(int patience_ms) noexcept {
 }
 
 void write_zero_force_on_crash() noexcept {
-  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP, SIGQUIT, SIGXCPU,
+                           SIGXFSZ, SIGPIPE, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGALRM, SIGIO, SIGPWR}) {
     struct sigaction now {};
     if (sigaction(number, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) continue;
     struct sigaction action {};
@@ -50,6 +51,11 @@ void write_zero_force_on_crash() noexcept {
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_NODEFER;
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, nullptr);
+  }
+  // A stopped program would leave its last force on the hand.
+  for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU}) {
+    struct sigaction now {};
+    if (sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(number, SIG_IGN);
   }
 }
 

@@ -11,8 +11,10 @@ namespace palpable::haptics {
 /// crash there) it stops that servo's device itself. Servos started later run.
 bool end_every_servo(int patience_ms) noexcept;
 
-/// From here on a crash of this program (a bad memory access, a failed assertion) writes zero force first and
-/// then ends the program as it would have. Leaves handlers alone that somebody else has set.
+/// From here on every signal that would end this program (a bad memory access, a failed assertion, an
+/// exception that nobody caught, SIGQUIT, a limit of processor time …) writes zero force first and then ends
+/// it as it would have; and signals by which a terminal stops a program (Ctrl-Z) are ignored. Leaves handlers
+/// alone that somebody else has set, so set your own before.
 void write_zero_force_on_crash() noexcept;
 
 /// While it lives, the calling thread serves `device`, end_every_servo() knows of it, and the signals by

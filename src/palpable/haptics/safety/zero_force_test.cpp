@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -112,6 +113,41 @@ TEST_F(ZeroForceDeathTest, IsWrittenWhenTheServoItselfCrashes) {
         std::this_thread::sleep_for(60s);
       },
       testing::KilledBySignal(SIGABRT), "zero force");
+}
+
+TEST_F(ZeroForceDeathTest, IsWrittenBeforeEverySignalThatEndsTheProgram) {
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGTRAP, SIGQUIT, SIGXCPU,
+                           SIGXFSZ, SIGPIPE, SIGUSR1, SIGUSR2, SIGALRM})
+    EXPECT_EXIT(
+        {
+          write_zero_force_on_crash();
+          const Wall wall;
+          // To the process: any thread may get it, the servo's own too.
+          if (wall.comes_to_push()) kill(getpid(), number);
+          std::this_thread::sleep_for(60s);
+        },
+        testing::KilledBySignal(number), "zero force")
+        << number;
+}
+
+TEST_F(ZeroForceDeathTest, IsWrittenWhenAnExceptionIsNotCaught) {
+  EXPECT_EXIT(
+      {
+        write_zero_force_on_crash();
+        const Wall wall;
+        if (wall.comes_to_push()) std::thread([] { throw std::runtime_error("nobody catches this"); }).join();
+      },
+      testing::KilledBySignal(SIGABRT), "zero force");
+}
+
+TEST_F(ZeroForceDeathTest, IsNotLeftOnTheHandByATerminalThatStopsTheProgram) {
+  EXPECT_EXIT(
+      {
+        write_zero_force_on_crash();
+        kill(getpid(), SIGTSTP);
+        std::_Exit(0);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

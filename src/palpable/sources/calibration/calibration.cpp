@@ -6,6 +6,7 @@
 #include "palpable/core/image.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/sources/calibration/calibration_formats.hpp"
+#include "palpable/sources/calibration/calibration_reply.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,7 @@ Result<Calibration> decode_calibration(std::span<const std::byte> file) {
   if (text.empty()) return invalid_input("is empty");
   auto calibration =
       text.starts_with('{')                                    ? calibration_from_json(text)
-      : text.starts_with("%YAML") || text.starts_with("<?xml") ? calibration_from_opencv(text)
+      : text.starts_with("%YAML") || text.starts_with("<?xml") ? isolated::calibration_from_opencv(text)
       : text.find("cam0=") != std::string_view::npos
           ? calibration_from_middlebury(text)
           : invalid_input("is not a calibration (OpenCV yml or xml, Middlebury calib.txt, or JSON)");
@@ -127,11 +128,6 @@ Result<Calibration> calibration_for(Calibration calibration, int width, int heig
   }
   if (calibration.rig) calibration.rig->left = pinhole_of(left);
   return calibration;
-}
-
-Pinhole pinhole_of(const CameraModel& camera) {
-  return {camera.matrix[0], camera.matrix[4], camera.matrix[2],
-          camera.matrix[5], camera.width,     camera.height};
 }
 
 }  // namespace palpable::sources

@@ -60,6 +60,9 @@ std::string encode_calibration(const Calibration& calibration, double reprojecti
 Result<Calibration> calibration_for(Calibration calibration, int width, int height);
 
 /// The left camera without its distortion; its size must be known (calibration_for sets it).
-Pinhole pinhole_of(const CameraModel& camera);
+inline Pinhole pinhole_of(const CameraModel& camera) {
+  return {camera.matrix[0], camera.matrix[4], camera.matrix[2],
+          camera.matrix[5], camera.width,     camera.height};
+}
 
 }  // namespace palpable::sources

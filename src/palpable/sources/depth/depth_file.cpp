@@ -7,6 +7,7 @@
 #include "palpable/formats/packing/npz.hpp"
 #include "palpable/sources/picture/exr.hpp"
 #include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +57,7 @@ Result<Raster<float>> decode_raster(std::span<const std::byte> file) {
     const auto array = formats::decode_npy(file);
     return array ? formats::raster_of(*array) : array.error();
   }
-  if (is_exr(file)) return decode_exr_depth(file);
+  if (is_exr(file)) return isolated::decode_exr_depth(file);
   const auto image = decode_picture(file);
   return image ? values_of(*image) : image.error();
 }

@@ -8,6 +8,7 @@
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,10 +108,10 @@ Result<Numbers> from_picture(std::span<const std::byte> file) {
 
 Result<Numbers> from_file(std::span<const std::byte> file) {
   if (is_heif(file)) {
-    const auto photo = depth_in_heif(file);
+    const auto photo = isolated::depth_in_heif(file);
     if (!photo) return photo.error();
     if (!*photo) return invalid_input("is a photograph that holds no depth");
-    auto colour = decode_heif(file);
+    auto colour = isolated::decode_heif(file);
     if (!colour) return std::move(colour).error();
     constexpr int kUpright = 1;  // libheif has turned both already
     return from_photo(**photo, *std::move(colour), kUpright);

@@ -26,16 +26,17 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::span<const std::byte>;
 
-constexpr std::array<std::pair<InputKind, std::string_view>, 10> kNames{{{InputKind::picture, "picture"},
-                                                                         {InputKind::stereo, "stereo"},
-                                                                         {InputKind::depth, "depth"},
-                                                                         {InputKind::video, "video"},
-                                                                         {InputKind::map, "map"},
-                                                                         {InputKind::mesh, "mesh"},
-                                                                         {InputKind::points, "points"},
-                                                                         {InputKind::shapes, "shapes"},
-                                                                         {InputKind::level_set, "level-set"},
-                                                                         {InputKind::scene, "scene"}}};
+constexpr std::array<std::pair<InputKind, std::string_view>, 10> kKindNames{
+    {{InputKind::picture, "picture"},
+     {InputKind::stereo, "stereo"},
+     {InputKind::depth, "depth"},
+     {InputKind::video, "video"},
+     {InputKind::map, "map"},
+     {InputKind::mesh, "mesh"},
+     {InputKind::points, "points"},
+     {InputKind::shapes, "shapes"},
+     {InputKind::level_set, "level-set"},
+     {InputKind::scene, "scene"}}};
 
 /// Enough to pass over a phone picture's EXIF block with its thumbnail (at most 64 KiB a segment).
 constexpr std::size_t kStartBytes = std::size_t{256} << 10U;
@@ -230,10 +231,10 @@ Result<Input> recognise_one_picture(const fs::path& path) {
 
 }  // namespace
 
-std::string_view name_of(InputKind kind) { return kNames[static_cast<std::size_t>(kind)].second; }
+std::string_view name_of(InputKind kind) { return kKindNames[static_cast<std::size_t>(kind)].second; }
 
 std::optional<InputKind> input_kind_from(std::string_view name) {
-  for (const auto& [kind, known] : kNames)
+  for (const auto& [kind, known] : kKindNames)
     if (name == known) return kind;
   return std::nullopt;
 }

@@ -94,6 +94,8 @@ void apply_representation(const heif_image_handle* primary, heif_item_id id, Pho
 
 }  // namespace
 
+void load_heif_plugins() { heif_init(nullptr); }
+
 bool is_heif(std::span<const std::byte> file) {
   constexpr std::array<std::string_view, 8> kBrands{"heic", "heix", "hevc", "heim",
                                                     "heis", "mif1", "msf1", "avif"};

@@ -5,6 +5,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
 
 #include <algorithm>
 #include <array>
@@ -143,7 +144,7 @@ std::optional<Bytes> container_item(Bytes file, std::string_view xml, std::strin
 }  // namespace
 
 bool announces_depth(std::span<const std::byte> file) {
-  if (is_heif(file)) return heif_announces_depth(file);
+  if (is_heif(file)) return isolated::heif_announces_depth(file);
   if (!has_magic(file, "\xFF\xD8")) return false;
   const std::string xml = xmp_of(file);
   return property(xml, "GDepth:Data") || property(xml, "DepthMap:DepthURI");

@@ -42,6 +42,10 @@ bool announces_depth(std::span<const std::byte> file);
 /// Whether the bytes begin a HEIF picture (HEIC or AVIF brands are told apart by libheif itself).
 bool is_heif(std::span<const std::byte> file);
 
+/// Loads what libheif keeps in files of its own. Needed once, before the first of the functions below, where
+/// files can no longer be opened later.
+void load_heif_plugins();
+
 /// The primary picture of a HEIF file, upright. Errors: invalid_input.
 Result<Image> decode_heif(std::span<const std::byte> file);
 

@@ -11,6 +11,7 @@
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/exr.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
 
 #include <algorithm>
 #include <string>
@@ -51,9 +52,9 @@ Result<Image> decode_as(PictureFormat format, std::span<const std::byte> file) {
     case PictureFormat::pfm:
       return formats::decode_pfm(file);
     case PictureFormat::tiff:
-      return decode_tiff(file);
+      return isolated::decode_tiff(file);
     case PictureFormat::webp:
-      return decode_webp(file);
+      return isolated::decode_webp(file);
     case PictureFormat::bmp:
       return decode_bmp(file);
     case PictureFormat::pnm:
@@ -61,9 +62,9 @@ Result<Image> decode_as(PictureFormat format, std::span<const std::byte> file) {
     case PictureFormat::tga:
       return decode_tga(file);
     case PictureFormat::exr:
-      return decode_exr(file);
+      return isolated::decode_exr(file);
     case PictureFormat::heif:
-      return decode_heif(file);
+      return isolated::decode_heif(file);
   }
   return unknown_format(file);
 }

@@ -5,6 +5,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/sources/city_json.hpp"
+#include "palpable/sources/solid/mesh_reply.hpp"
 #include "palpable/sources/solid/ply_file.hpp"
 
 #include <assimp/Importer.hpp>
@@ -14,8 +15,6 @@
 
 namespace palpable::sources {
 namespace {
-
-constexpr std::size_t kMostTriangles = 20'000'000;
 
 /// By content, as kind_of_file() recognises it; names lie.
 std::string ending_of(std::span<const std::byte> file) {
@@ -83,7 +82,7 @@ Result<MeshFile> read_mesh(const std::filesystem::path& path) {
     return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
                          path.string());
   const std::string ending = ending_of(*file);
-  auto mesh = decode_mesh(*file, ending);
+  auto mesh = ending == "ply" ? decode_mesh(*file, ending) : isolated::decode_mesh(*file, ending);
   if (!mesh) {
     mesh.error().place = path.string();
     return mesh.error();

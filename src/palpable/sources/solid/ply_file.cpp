@@ -18,7 +18,6 @@
 namespace palpable::sources {
 namespace {
 
-constexpr std::size_t kMostTriangles = 20'000'000;
 constexpr std::size_t kMostPoints = 50'000'000;
 
 Error too_short() { return invalid_input("is cut off: it holds less than its header states"); }

@@ -1,0 +1,82 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/decoder/jobs.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/sources/calibration/calibration_formats.hpp"
+#include "palpable/sources/calibration/calibration_reply.hpp"
+#include "palpable/sources/isolated/flat.hpp"
+#include "palpable/sources/picture/decoders.hpp"
+#include "palpable/sources/picture/exr.hpp"
+#include "palpable/sources/picture/photo_depth.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
+#include "palpable/sources/solid/mesh_file.hpp"
+#include "palpable/sources/solid/mesh_reply.hpp"
+
+#include <exception>
+#include <new>
+#include <string>
+
+namespace palpable::sources::decoder {
+namespace {
+
+using isolated::Job;
+using Bytes = std::span<const std::byte>;
+
+/// Replies with what was decoded, or why it was not.
+template <class T>
+std::vector<std::byte> reply_to(const Result<T>& decoded) {
+  return decoded ? isolated::reply_of(*decoded) : isolated::error_reply(decoded.error());
+}
+
+std::vector<std::byte> announcement(bool announces) {
+  isolated::FlatWriter reply;
+  isolated::begin_value(reply);
+  reply.put(static_cast<std::uint8_t>(announces));
+  return reply.take();
+}
+
+std::vector<std::byte> decoded(Job job, Bytes file) {
+  switch (job) {
+    case Job::obj:
+    case Job::stl:
+    case Job::glb:
+      return reply_to(decode_mesh(file, std::string(isolated::name_of(job))));
+    case Job::tiff:
+      return reply_to(decode_tiff(file));
+    case Job::webp:
+      return reply_to(decode_webp(file));
+    case Job::exr:
+      return reply_to(decode_exr(file));
+    case Job::exr_depth:
+      return reply_to(decode_exr_depth(file));
+    case Job::heif:
+      return reply_to(decode_heif(file));
+    case Job::heif_depth:
+      return reply_to(depth_in_heif(file));
+    case Job::heif_announces_depth:
+      return announcement(heif_announces_depth(file));
+    case Job::opencv_calibration:
+      return reply_to(calibration_from_opencv(as_text(file)));
+  }
+  return {};
+}
+
+}  // namespace
+
+void prepare(Job job) {
+  if (job == Job::heif || job == Job::heif_depth || job == Job::heif_announces_depth) load_heif_plugins();
+}
+
+std::vector<std::byte> run(Job job, Bytes file) {
+  try {
+    return decoded(job, file);
+  } catch (const std::bad_alloc&) {
+    return isolated::error_reply(
+        invalid_input("is damaged or too large: it needs more memory than its size explains"));
+  } catch (const std::exception& e) {
+    return isolated::error_reply(invalid_input(std::string("is damaged: ") + e.what()));
+  }
+}
+
+}  // namespace palpable::sources::decoder

@@ -1,0 +1,296 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/isolated/isolated.hpp"
+
+#include "palpable/core/memory.hpp"
+#include "palpable/sources/isolated/protocol.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace palpable::sources::isolated {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<Job, std::string_view>, 11> kJobNames{
+    {{Job::obj, "obj"},
+     {Job::stl, "stl"},
+     {Job::glb, "glb"},
+     {Job::tiff, "tiff"},
+     {Job::webp, "webp"},
+     {Job::exr, "exr"},
+     {Job::exr_depth, "exr-depth"},
+     {Job::heif, "heif"},
+     {Job::heif_depth, "heif-depth"},
+     {Job::heif_announces_depth, "heif-announces-depth"},
+     {Job::opencv_calibration, "opencv-calibration"}}};
+
+constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
+
+Error cannot_start(const std::string& why) {
+  return {ErrorCode::failed, fmt::format("cannot be read: {} cannot be started: {}", kDecoderName, why), {}};
+}
+
+std::string reason_of(int number) { return std::generic_category().message(number); }
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+  int number() const { return number_; }
+  void close() {
+    if (number_ >= 0) ::close(std::exchange(number_, -1));
+  }
+
+ private:
+  int number_;
+};
+
+/// Out of the way of the numbers that the decoder process begins with.
+Descriptor moved_up(Descriptor descriptor) {
+  constexpr int kFree = 16;
+  return Descriptor(descriptor.number() < 0 ? -1 : ::fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kFree));
+}
+
+/// Memory that has a descriptor; sealed, so that the other process cannot change it.
+Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
+  Descriptor memory = moved_up(Descriptor(::memfd_create("palpable-input", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
+  if (memory.number() < 0) return cannot_start(reason_of(errno));
+  while (!file.empty()) {
+    const ssize_t n = ::write(memory.number(), file.data(), file.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return cannot_start(reason_of(errno));
+    file = file.subspan(static_cast<std::size_t>(n));
+  }
+  ::fcntl(memory.number(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL);
+  return memory;
+}
+
+bool is_program(const fs::path& path) { return ::access(path.c_str(), X_OK) == 0; }
+
+/// Beside the program that runs, as the build and a copied folder have it; else where it was installed.
+Result<fs::path> decoder_program() {
+  if (const char* named = std::getenv("PALPABLE_DECODER"); named != nullptr && *named != '\0')
+    return fs::path(named);
+  std::error_code none;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", none).parent_path() / kDecoderName;
+  if (is_program(beside)) return beside;
+  const fs::path installed = fs::path(PALPABLE_DECODER_FOLDER) / kDecoderName;
+  if (is_program(installed)) return installed;
+  return Error{
+      ErrorCode::failed,
+      fmt::format("cannot be read: the program {}, which reads this kind of file, is neither {} nor {} "
+                  "(PALPABLE_DECODER names another place)",
+                  kDecoderName, beside.string(), installed.string()),
+      {}};
+}
+
+class SpawnSettings {
+ public:
+  SpawnSettings() {
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawnattr_init(&attributes);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+  ~SpawnSettings() {
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::posix_spawnattr_destroy(&attributes);
+  }
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+};
+
+/// Starts the decoder with exactly these descriptors, the default action for every signal, and a process
+/// group of its own, so that Ctrl-C reaches it through its parent's end only.
+Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int input, int reply,
+                    int alive) {
+  SpawnSettings settings;
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    ::posix_spawn_file_actions_addopen(&settings.actions, stream, "/dev/null", O_RDWR, 0);
+  ::posix_spawn_file_actions_adddup2(&settings.actions, input, kInputDescriptor);
+  ::posix_spawn_file_actions_adddup2(&settings.actions, reply, kReplyDescriptor);
+  ::posix_spawn_file_actions_adddup2(&settings.actions, alive, kAliveDescriptor);
+  ::posix_spawn_file_actions_addclosefrom_np(&settings.actions, kAliveDescriptor + 1);
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  ::posix_spawnattr_setsigmask(&settings.attributes, &none);
+  ::posix_spawnattr_setsigdefault(&settings.attributes, &all);
+  ::posix_spawnattr_setpgroup(&settings.attributes, 0);
+  ::posix_spawnattr_setflags(&settings.attributes,
+                             POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  std::string name = program.string();
+  std::vector<char*> arguments{name.data()};
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t process = -1;
+  const int fault = ::posix_spawn(&process, name.c_str(), &settings.actions, &settings.attributes,
+                                  arguments.data(), environ);
+  if (fault != 0) return cannot_start(reason_of(fault));
+  return process;
+}
+
+/// Waits until nobody holds the other end any more; false after `patience`.
+bool wait_for_end(int alive, std::chrono::seconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (true) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+    if (left.count() <= 0) return false;
+    pollfd ended{alive, POLLIN, 0};
+    const int ready = ::poll(&ended, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 60'000)));
+    if (ready > 0) return true;
+    if (ready < 0 && errno != EINTR) return false;
+  }
+}
+
+/// The process's status, once it has ended.
+std::optional<int> status_of(pid_t process) {
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) return std::nullopt;
+  return status;
+}
+
+Result<void> judge(std::optional<int> status, bool in_time, const Limits& limits) {
+  if (!in_time || (status && WIFSIGNALED(*status) && WTERMSIG(*status) == SIGXCPU))
+    return invalid_input(fmt::format("is damaged or too large: it was not read within {} s of processor time",
+                                     limits.processor_time.count()));
+  if (!status) return cannot_start("its end was not reported");
+  if (WIFSIGNALED(*status) && WTERMSIG(*status) == SIGKILL)
+    return invalid_input("is damaged or too large: the system ended its decoder");
+  if (WIFSIGNALED(*status))
+    return invalid_input(fmt::format("is damaged: its decoder crashed on it (signal {})", WTERMSIG(*status)));
+  switch (WEXITSTATUS(*status)) {
+    case kReplied:
+      return {};
+    case kWrongVersion:
+      return cannot_start("it is of another version");
+    case kNotConfined:
+      return cannot_start("it cannot limit itself");
+    case kNotWritten:
+      return invalid_input("is damaged or too large: it gives more than its size explains");
+    default:
+      return invalid_input(fmt::format("is damaged: its decoder ended with {}", WEXITSTATUS(*status)));
+  }
+}
+
+Result<Reply> mapped(int reply, std::uint64_t most_bytes) {
+  struct stat now {};
+  if (::fstat(reply, &now) != 0 || now.st_size <= 0 || static_cast<std::uint64_t>(now.st_size) > most_bytes)
+    return invalid_input("is damaged: its decoder gave nothing");
+  const auto size = static_cast<std::size_t>(now.st_size);
+  void* begin = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE | MAP_POPULATE, reply, 0);
+  if (begin == MAP_FAILED) return cannot_start(reason_of(errno));
+  return Reply(begin, size);
+}
+
+}  // namespace
+
+std::string_view name_of(Job job) { return kJobNames[static_cast<std::size_t>(job)].second; }
+
+std::optional<Job> job_from(std::string_view name) {
+  for (const auto& [job, known] : kJobNames)
+    if (known == name) return job;
+  return std::nullopt;
+}
+
+Limits limits_of(Job job, std::size_t file_bytes) {
+  const std::uint64_t mebibytes = file_bytes / kMiB + 1;
+  Limits limits;
+  // Shared libraries and the allocator's own arenas.
+  constexpr std::uint64_t kBase = 768 * kMiB;
+  switch (job) {
+    case Job::obj:
+    case Job::stl:
+    case Job::glb: {
+      // A triangle takes some 20 bytes of a file and 150 of Assimp's structures.
+      constexpr std::uint64_t kMemory = 24, kResult = 16;
+      limits.memory_bytes = kBase + kMemory * kMiB * mebibytes;
+      limits.result_bytes = 64 * kMiB + kResult * kMiB * mebibytes;
+      break;
+    }
+    case Job::opencv_calibration:
+      limits.memory_bytes = kBase;
+      limits.result_bytes = 16 * kMiB;
+      break;
+    default:
+      // kMaxPixels of four floats, once as the library gives them and once as ours.
+      limits.memory_bytes = kBase + 3072 * kMiB;
+      limits.result_bytes = 1040 * kMiB;
+  }
+  // Not the machine's last: the other process's memory counts as this one's to the person.
+  if (const auto available = available_memory_bytes())
+    limits.memory_bytes =
+        std::min<std::uint64_t>(limits.memory_bytes, std::max<std::uint64_t>(*available, kBase));
+  limits.processor_time = std::chrono::seconds(8 + mebibytes);
+  limits.time = 3 * limits.processor_time;
+  return limits;
+}
+
+Reply::Reply(Reply&& other) noexcept
+    : begin_(std::exchange(other.begin_, nullptr)), size_(std::exchange(other.size_, 0)) {}
+
+Reply& Reply::operator=(Reply&& other) noexcept {
+  std::swap(begin_, other.begin_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
+Reply::~Reply() {
+  if (begin_ != nullptr) ::munmap(const_cast<void*>(begin_), size_);
+}
+
+Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& limits) {
+  if (file.empty()) return invalid_input("is empty");
+  const auto program = decoder_program();
+  if (!program) return program.error();
+  auto input = sealed_copy(file);
+  if (!input) return input.error();
+  const Descriptor reply = moved_up(Descriptor(::memfd_create("palpable-reply", MFD_CLOEXEC)));
+  std::array<int, 2> pipe{-1, -1};
+  if (reply.number() < 0 || ::pipe2(pipe.data(), O_CLOEXEC) != 0) return cannot_start(reason_of(errno));
+  const Descriptor alive(pipe[0]);
+  Descriptor its_end = moved_up(Descriptor(pipe[1]));
+  const auto process =
+      start(*program,
+            {std::string(kProtocolVersion), std::string(name_of(job)), std::to_string(limits.memory_bytes),
+             std::to_string(limits.result_bytes), std::to_string(limits.processor_time.count())},
+            input->number(), reply.number(), its_end.number());
+  if (!process) return process.error();
+  its_end.close();
+  const bool in_time = wait_for_end(alive.number(), limits.time);
+  if (!in_time) ::kill(*process, SIGKILL);
+  if (auto good = judge(status_of(*process), in_time, limits); !good) return std::move(good).error();
+  return mapped(reply.number(), limits.result_bytes);
+}
+
+Result<Reply> decode(Job job, std::span<const std::byte> file) {
+  return decode(job, file, limits_of(job, file.size()));
+}
+
+}  // namespace palpable::sources::isolated

@@ -1,0 +1,202 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/isolated/isolated.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/sources/calibration/calibration.hpp"
+#include "palpable/sources/calibration/calibration_reply.hpp"
+#include "palpable/sources/isolated/flat.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
+#include "palpable/sources/solid/mesh_file.hpp"
+#include "palpable/sources/solid/mesh_reply.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace palpable::sources::isolated {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+/// While it lives, this program takes the decoder's place.
+class WithDecoder {
+ public:
+  explicit WithDecoder(const std::string& script) {
+    file_ = fs::path(testing::TempDir()) / (std::string("palpable-decoder-") +
+                                            testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::ofstream(file_) << "#!/bin/sh\n" << script << "\n";
+    fs::permissions(file_, fs::perms::owner_all);
+    ::setenv("PALPABLE_DECODER", file_.c_str(), 1);
+  }
+  ~WithDecoder() {
+    ::unsetenv("PALPABLE_DECODER");
+    fs::remove(file_);
+  }
+  WithDecoder(const WithDecoder&) = delete;
+  WithDecoder& operator=(const WithDecoder&) = delete;
+
+ private:
+  fs::path file_;
+};
+
+std::string message_of(const Result<Mesh>& mesh) { return mesh ? "a mesh" : mesh.error().message; }
+
+TEST(Isolated, GivesTheSameMeshAsInThisProcess) {
+  const auto here = sources::decode_mesh(as_bytes(kTetrahedron), "obj");
+  const auto there = decode_mesh(as_bytes(kTetrahedron), "obj");
+  ASSERT_TRUE(here && there) << message_of(there);
+  EXPECT_EQ(there->vertices_m, here->vertices_m);
+  EXPECT_EQ(there->triangles, here->triangles);
+}
+
+TEST(Isolated, AnswersManyThreadsAtOnce) {
+  std::vector<std::thread> threads;
+  std::atomic<int> good{0};
+  for (int k = 0; k < 8; ++k)
+    threads.emplace_back([&good] { good += decode_mesh(as_bytes(kTetrahedron), "obj") ? 1 : 0; });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(good, 8);
+}
+
+TEST(Isolated, SaysWhatTheDecoderRefused) {
+  EXPECT_THAT(message_of(decode_mesh(as_bytes("v 0 0 0\n"), "obj")), HasSubstr("mesh"));
+  EXPECT_FALSE(decode_mesh({}, "obj"));
+}
+
+TEST(Isolated, ACrashIsDamage) {
+  const WithDecoder crashing("kill -SEGV $$");
+  const auto mesh = decode_mesh(as_bytes(kTetrahedron), "obj");
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, ErrorCode::invalid_input);
+  EXPECT_THAT(mesh.error().message, HasSubstr("crashed"));
+}
+
+TEST(Isolated, DeepNestingDoesNotEndThisProcess) {
+  for (const std::string& text :
+       {"%YAML:1.0\n---\na: " + std::string(60000, '['), "<?xml version=\"1.0\"?><opencv_storage>" + [] {
+          std::string deep;
+          for (int k = 0; k < 60000; ++k) deep += "<a>";
+          return deep;
+        }()}) {
+    const auto calibration = decode_calibration(as_bytes(text));
+    ASSERT_FALSE(calibration);
+    EXPECT_EQ(calibration.error().code, ErrorCode::invalid_input);
+  }
+}
+
+TEST(Isolated, WorkWithoutEndIsEnded) {
+  const Limits limits{std::uint64_t{1} << 30U, std::uint64_t{1} << 20U, std::chrono::seconds(1),
+                      std::chrono::seconds(1)};
+  const WithDecoder endless("while :; do :; done");
+  const auto reply = decode(Job::obj, as_bytes(kTetrahedron), limits);
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::invalid_input);
+  EXPECT_THAT(reply.error().message, HasSubstr("was not read within 1 s"));
+}
+
+TEST(Isolated, ADecoderThatIsMissingOrAnotherIsNamed) {
+  ::setenv("PALPABLE_DECODER", "/nowhere/palpable-decoder", 1);
+  const auto missing = decode_mesh(as_bytes(kTetrahedron), "obj");
+  ::unsetenv("PALPABLE_DECODER");
+  ASSERT_FALSE(missing);
+  EXPECT_EQ(missing.error().code, ErrorCode::failed);
+  const WithDecoder older("exit 10");
+  const auto other = decode_mesh(as_bytes(kTetrahedron), "obj");
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().message, HasSubstr("another version"));
+}
+
+TEST(Isolated, OpensNoFileThatAMeshNames) {
+  const fs::path pipe = fs::path(testing::TempDir()) / "palpable-isolated.mtl";
+  fs::remove(pipe);
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  // Opening a pipe that nobody writes to would wait for ever.
+  const auto mesh = decode_mesh(as_bytes("mtllib " + pipe.string() + "\nusemtl a\n" + kTetrahedron), "obj");
+  fs::remove(pipe);
+  EXPECT_TRUE(mesh) << message_of(mesh);
+}
+
+TEST(Isolated, TakesNoMoreMemoryThanItIsAllowed) {
+  Limits limits = limits_of(Job::obj, kTetrahedron.size());
+  limits.memory_bytes = std::uint64_t{8} << 20U;
+  const auto reply = decode(Job::obj, as_bytes(kTetrahedron), limits);
+#ifdef PALPABLE_SANITIZED
+  GTEST_SKIP() << "a sanitizer's memory is not limited";
+#endif
+  if (!reply) {
+    EXPECT_EQ(reply.error().code, ErrorCode::invalid_input);
+    return;
+  }
+  FlatReader flat(reply->bytes());
+  EXPECT_FALSE(open_reply(flat));
+}
+
+// What a decoder that was taken over may answer.
+
+TEST(IsolatedReply, OfAMeshMustNameItsOwnVertices) {
+  Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
+  EXPECT_TRUE(mesh_in(reply_of(mesh)));
+  mesh.triangles[0][1] = 3;
+  EXPECT_FALSE(mesh_in(reply_of(mesh)));
+  mesh.triangles[0][1] = 1;
+  mesh.vertices_m[2].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(mesh_in(reply_of(mesh)));
+}
+
+TEST(IsolatedReply, IsRefusedAtEveryLengthButItsOwn) {
+  const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
+  const Image image{2, 2, 3, 8, std::vector<float>(12, 1.0F)};
+  const auto check = [](const std::vector<std::byte>& whole, const auto& read) {
+    EXPECT_TRUE(read(whole));
+    for (std::size_t size = 0; size < whole.size(); ++size)
+      EXPECT_FALSE(read(std::span(whole).first(size))) << size;
+    std::vector<std::byte> longer = whole;
+    longer.push_back(std::byte{0});
+    EXPECT_FALSE(read(longer));
+  };
+  check(reply_of(mesh), [](std::span<const std::byte> bytes) { return mesh_in(bytes).has_value(); });
+  check(reply_of(image), [](std::span<const std::byte> bytes) { return image_in(bytes).has_value(); });
+  check(reply_of(Calibration{}),
+        [](std::span<const std::byte> bytes) { return calibration_in(bytes).has_value(); });
+}
+
+TEST(IsolatedReply, KeepsSamplesBitByBit) {
+  Image image{3, 1, 1, 16, {0.0F, 1000.0F / 65535.0F, 700.0F / 1023.0F}};
+  for (const int bits : {8, 16, 32}) {
+    image.bits = bits;
+    const auto back = image_in(reply_of(image));
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->samples, image.samples) << bits;
+    EXPECT_EQ(back->bits, bits);
+  }
+  image.samples[0] = std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(image_in(reply_of(image)));
+  image.bits = 16;
+  EXPECT_FALSE(image_in(reply_of(image)));
+}
+
+TEST(IsolatedReply, OfAnErrorIsPlainTextOfOneLine) {
+  const auto reply = error_reply(invalid_input("is \x1b[31mred\nand " + std::string(5000, 'x')));
+  FlatReader flat(reply);
+  const auto opened = open_reply(flat);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message.find('\x1b'), std::string::npos);
+  EXPECT_EQ(opened.error().message.find('\n'), std::string::npos);
+  EXPECT_LE(opened.error().message.size(), 400U);
+}
+
+}  // namespace
+}  // namespace palpable::sources::isolated

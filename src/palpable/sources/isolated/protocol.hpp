@@ -1,0 +1,27 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+// What the two processes agree on. Arguments of palpable-decoder: the version, the job's name, bytes of
+// memory, bytes of the reply, seconds of processor time.
+namespace palpable::sources::isolated {
+
+/// Changed with every change of what is below or of a reply's layout.
+inline constexpr std::string_view kProtocolVersion = "1";
+inline constexpr const char* kDecoderName = "palpable-decoder";
+
+// Descriptors that the decoder process begins with; all others are closed.
+inline constexpr int kInputDescriptor = 3;
+inline constexpr int kReplyDescriptor = 4;
+/// Open while the process lives.
+inline constexpr int kAliveDescriptor = 5;
+
+// Exit codes of the decoder process; with kReplied there is a reply, which may be an error.
+inline constexpr int kReplied = 0;
+inline constexpr int kWrongVersion = 10;
+inline constexpr int kNotConfined = 11;
+inline constexpr int kNotWritten = 12;
+
+}  // namespace palpable::sources::isolated
