@@ -20,6 +20,16 @@ endif()
 find_package(Threads REQUIRED)
 target_link_libraries(palpable_options INTERFACE Threads::Threads)
 
+# A fault that is met all the same ends the program instead of serving somebody. Sanitizers do more and do not go with it.
+if(PALPABLE_HARDEN AND NOT PALPABLE_SANITIZE AND NOT PALPABLE_COVERAGE)
+  add_compile_options(-fstack-protector-strong -fPIE)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+    # Needs an optimised build.
+    add_compile_options(-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2)
+  endif()
+  add_link_options(-pie -Wl,-z,relro -Wl,-z,now)
+endif()
+
 if(PALPABLE_SANITIZE)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # g++ 12 finds std::variant maybe uninitialized where a sanitizer has changed the code; other builds keep the warning.

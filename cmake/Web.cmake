@@ -1,5 +1,6 @@
 # The page's web side: npm ci, the messages' definitions in C++, Vite's build, and its files as a C++ source.
 #   palpable_web(DEFINITIONS header-variable ASSETS source-variable)
+# No package runs a script of its own while it is installed: none needs one.
 # Nothing runs again unless what it is made of has changed. npm needs the network (or a filled cache) the first time only.
 function(palpable_web)
   cmake_parse_arguments(W "" "DEFINITIONS;ASSETS" "" ${ARGN})
@@ -16,7 +17,7 @@ function(palpable_web)
   set(packages ${web}/node_modules/.palpable-lock)
   add_custom_command(
     OUTPUT ${packages}
-    COMMAND sh -c "cmp -s package-lock.json node_modules/.palpable-lock || '${PALPABLE_NPM}' ci --no-audit --no-fund --loglevel=error"
+    COMMAND sh -c "cmp -s package-lock.json node_modules/.palpable-lock || '${PALPABLE_NPM}' ci --ignore-scripts --no-audit --no-fund --loglevel=error"
     COMMAND ${CMAKE_COMMAND} -E copy package-lock.json node_modules/.palpable-lock
     DEPENDS ${web}/package-lock.json
     WORKING_DIRECTORY ${web}

@@ -6,7 +6,6 @@
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
-#include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/mesh/glb.hpp"
 #include "palpable/formats/mesh/ply.hpp"
 #include "palpable/formats/mesh/stl.hpp"
@@ -271,17 +270,15 @@ Result<Answer> export_model(const models::Contours& contours, const models::Scen
   return answer;
 }
 
-Result<Answer> run_export_recording(const ExportArguments& arguments) {
-  const auto recording = device::read_recording(arguments.scene);
+Result<Answer> run_export_recording(const ExportArguments& arguments, const Work& work) {
+  const auto recording = session::export_recording(arguments.scene, arguments.output, work);
   if (!recording) return recording.error();
-  if (const auto written = session::export_recording(*recording, arguments.output); !written)
-    return written.error();
   Answer answer;
   answer.json["output"] = arguments.output;
-  answer.json["ticks"] = recording->ticks.size();
+  answer.json["ticks"] = recording->ticks;
   answer.json["lost"] = recording->lost;
   answer.json["complete"] = recording->complete;
-  answer.text = fmt::format("{}: {} ticks{}\n", arguments.output, recording->ticks.size(),
+  answer.text = fmt::format("{}: {} ticks{}\n", arguments.output, recording->ticks,
                             recording->complete ? "" : "; the recording was interrupted");
   return answer;
 }
@@ -289,7 +286,7 @@ Result<Answer> run_export_recording(const ExportArguments& arguments) {
 Result<Answer> run_export(const ExportArguments& arguments, const Work& work) {
   const auto start = read_file_start(arguments.scene, 8);
   if (!start) return start.error();
-  if (has_magic(*start, "PALPREC")) return run_export_recording(arguments);
+  if (has_magic(*start, "PALPREC")) return run_export_recording(arguments, work);
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;

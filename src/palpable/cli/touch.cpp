@@ -3,6 +3,7 @@
 #include "palpable/cli/as_published.hpp"
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/law_options.hpp"
+#include "palpable/cli/open_browser.hpp"
 #include "palpable/cli/sample_scene.hpp"
 #include "palpable/cli/touch_by_keys.hpp"
 #include "palpable/cli/view_options.hpp"
@@ -15,20 +16,14 @@
 #include "palpable/voice/voice.hpp"
 
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <limits>
 #include <mutex>
 #include <set>
-#include <thread>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace palpable::cli {
 namespace {
@@ -183,23 +178,6 @@ Result<Answer> touch_with_keys(const TouchArguments& arguments, const Plan& plan
   return answer_of(*statistics);
 }
 
-/// Opens the page in the person's browser where there is a screen for it; the address stands on the console
-/// anyway.
-void open_browser(const std::string& address) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
-  std::string program = "xdg-open", place = address;
-  std::array<char*, 3> words{program.data(), place.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-  pid_t pid = 0;
-  // Where it cannot be started, the person opens the address.
-  if (posix_spawnp(&pid, program.c_str(), &actions, nullptr, words.data(), environ) == 0)
-    std::thread([pid] { waitpid(pid, nullptr, 0); }).detach();
-  posix_spawn_file_actions_destroy(&actions);
-}
-
 /// Keeps what was noted until there is a page to hear it. Any thread.
 class NoteBox {
  public:
@@ -246,11 +224,12 @@ Result<void> serve_page(const TouchArguments& arguments, const Plan& plan, sessi
                                  save_path(plan.make.input.files),
                                  !plan.walk.empty()});
   notes.open([&host](const Note& note) { host.say("info", note.sentence); });
+  std::optional<OpenedBrowser> browser;
   page::ServeOptions options;
   options.port = static_cast<std::uint16_t>(arguments.port);
   options.on_ready = [&](const std::string& address) {
     console.say(fmt::format("Touch the scene at {}\nEnd with Ctrl-C.", address));
-    if (!arguments.no_browser) open_browser(address);
+    if (!arguments.no_browser) browser.emplace(address);
   };
   auto served = page::serve(host, options, interrupted());
   notes.open({});

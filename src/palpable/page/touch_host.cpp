@@ -253,6 +253,8 @@ std::optional<protocol::Notice> TouchHost::next_notice() {
 
 void TouchHost::take_notices() {
   using Kind = haptics::TouchEvent::Kind;
+  if (const auto fault = session_.take_recording_fault())
+    say("warning", "The recording has ended: " + fault->sentence());
   for (const auto& event : session_.take_events()) {
     // No fault: a pointer is lost whenever no page is open, an additional probe whenever it is lifted.
     const bool device = event.probe == 0 && !pointer_moves();

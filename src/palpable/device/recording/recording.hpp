@@ -85,7 +85,8 @@ class RecordingReader {
 /// path; one thread.
 class RecordingWriter {
  public:
-  /// Replaces an old file of that name. Errors (failed): cannot be created.
+  /// Replaces an old file of that name, and holds an advisory lock on it while it writes. Errors (failed):
+  /// cannot be created; another writer holds the lock.
   static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
                                                          const std::string& header_json);
   ~RecordingWriter();

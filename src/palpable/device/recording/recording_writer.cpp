@@ -10,6 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace palpable::device {
@@ -60,9 +62,21 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
                                                                  const std::string& header_json) {
   std::unique_ptr<RecordingWriter> writer(new RecordingWriter);
   writer->file_ = file;
-  writer->stream_ = std::fopen(file.c_str(), "wb");
-  if (writer->stream_ == nullptr)
-    return Error{ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file.string()};
+  const auto failed = [&file](const char* why) {
+    return Error{ErrorCode::failed, std::string("cannot be written: ") + why, file.string()};
+  };
+  constexpr mode_t kReadableByAll = 0666;
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kReadableByAll);
+  if (descriptor < 0) return failed(std::strerror(errno));
+  writer->stream_ = ::fdopen(descriptor, "wb");
+  if (writer->stream_ == nullptr) {
+    ::close(descriptor);
+    return failed(std::strerror(errno));
+  }
+  // Held until the stream is closed. Emptied only then, so that a recording under way stays.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return failed("another recording is being written into it");
+  static_cast<void>(!::ftruncate(descriptor, 0));  // a device or a pipe holds nothing
   std::fwrite(format::kMagic.data(), 1, format::kMagic.size(), writer->stream_);
   ByteWriter header;
   header.text(header_json);

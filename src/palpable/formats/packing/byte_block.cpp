@@ -16,8 +16,7 @@ Result<std::vector<std::byte>> pack_bytes(std::span<const std::uint8_t> bytes) {
 Result<std::vector<std::uint8_t>> unpack_bytes(std::span<const std::byte> packed, std::size_t most) {
   const Error damaged = invalid_input("holds a block of bytes that is damaged or cut off");
   const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  // zstd compresses by less than 40000 : 1.
-  if (size > most || size > 40000ULL * (packed.size() + 16)) return damaged;
+  if (size > most || !may_unpack(packed.size(), size)) return damaged;
   std::vector<std::uint8_t> out(size);
   const std::size_t got = ZSTD_decompress(out.data(), out.size(), packed.data(), packed.size());
   if (ZSTD_isError(got) != 0U || got != out.size()) return damaged;

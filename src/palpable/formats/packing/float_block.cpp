@@ -54,6 +54,7 @@ Result<std::vector<float>> unpack_floats(std::span<const std::byte> packed, std:
   PALPABLE_CHECK(row > 0);
   const Error damaged = invalid_input("holds numbers that are damaged or cut off");
   if (ZSTD_getFrameContentSize(packed.data(), packed.size()) != 4 * count) return damaged;
+  if (!may_unpack(packed.size(), 4 * count)) return damaged;
   std::vector<std::byte> planes(4 * count);
   const std::size_t size = ZSTD_decompress(planes.data(), planes.size(), packed.data(), packed.size());
   if (ZSTD_isError(size) != 0U || size != planes.size()) return damaged;

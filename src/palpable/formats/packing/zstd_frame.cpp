@@ -9,6 +9,11 @@
 
 namespace palpable::formats {
 
+bool may_unpack(std::size_t packed_bytes, std::uint64_t stated_bytes) {
+  constexpr std::uint64_t kAlways = std::uint64_t{128} << 20U, kMostRatio = 4000;
+  return stated_bytes <= kAlways || stated_bytes / kMostRatio <= packed_bytes;
+}
+
 Result<std::vector<std::byte>> zstd_frame(std::span<const std::byte> bytes, int level) {
   const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(), &ZSTD_freeCCtx);
   std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));

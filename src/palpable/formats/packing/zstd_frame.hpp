@@ -5,10 +5,15 @@
 #include "palpable/core/result.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace palpable::formats {
+
+/// Whether a frame may be given the memory that it states: at most 128 MiB, or at most 4000 times the frame's
+/// own size. Only constant values compress further than that.
+bool may_unpack(std::size_t packed_bytes, std::uint64_t stated_bytes);
 
 /// Compresses bytes to one zstd frame with its size and a checksum, so that damage inside a well-formed
 /// container is detected. `level` 1 ... 19. Errors: failed.

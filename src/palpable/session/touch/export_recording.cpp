@@ -5,9 +5,12 @@
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/number_table.hpp"
+#include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/packing/npz.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace palpable::session {
@@ -47,12 +50,16 @@ constexpr NumberColumn kNumbers[] = {
     {"probe", [](const TouchSample& t) { return static_cast<double>(t.probe); }},
 };
 
-/// All probes' ticks by time, the hand's before the others' of the same time.
+/// By time, the hand's before the others' of the same time.
+void sort_by_time(std::vector<TouchSample>& ticks) {
+  std::stable_sort(ticks.begin(), ticks.end(),
+                   [](const TouchSample& a, const TouchSample& b) { return a.t_s < b.t_s; });
+}
+
 std::vector<TouchSample> ticks_of(const device::Recording& recording) {
   std::vector<TouchSample> all = recording.ticks;
   all.insert(all.end(), recording.further.begin(), recording.further.end());
-  std::stable_sort(all.begin(), all.end(),
-                   [](const TouchSample& a, const TouchSample& b) { return a.t_s < b.t_s; });
+  sort_by_time(all);
   return all;
 }
 
@@ -76,36 +83,100 @@ formats::Npz recording_npz(const device::Recording& recording) {
   return arrays;
 }
 
-}  // namespace
-
-std::string recording_csv(const device::Recording& recording) {
-  std::string text;
-  const auto end_line = [&] { text.back() = '\n'; };
-  for (const auto& column : kNumbers) text += std::string(column.name) + ",";
-  for (const auto& column : kVectors)
-    for (const char* axis : {"_x", "_y", "_z"}) text += std::string(column.name) + axis + column.unit + ",";
-  end_line();
-  for (const auto& tick : ticks_of(recording)) {
-    const auto add = [&](double value) {
-      append_number(text, value);
-      text += ',';
-    };
-    for (const auto& column : kNumbers) add(column.of(tick));
-    for (const auto& column : kVectors) {
-      const Vec3 v = column.of(tick);
-      add(v.x);
-      add(v.y);
-      add(v.z);
-    }
+/// The lines of a table that is written while it grows.
+class CsvLines {
+ public:
+  explicit CsvLines(AtomicFile& file) : file_(file) {
+    for (const auto& column : kNumbers) text_ += std::string(column.name) + ",";
+    for (const auto& column : kVectors)
+      for (const char* axis : {"_x", "_y", "_z"})
+        text_ += std::string(column.name) + axis + column.unit + ",";
     end_line();
   }
-  return text;
+  Result<void> add(const std::vector<TouchSample>& ticks) {
+    constexpr std::size_t kEnough_bytes = std::size_t{1} << 20U;
+    for (const auto& tick : ticks) {
+      for (const auto& column : kNumbers) add(column.of(tick));
+      for (const auto& column : kVectors) {
+        const Vec3 v = column.of(tick);
+        add(v.x);
+        add(v.y);
+        add(v.z);
+      }
+      end_line();
+      if (text_.size() < kEnough_bytes) continue;
+      if (auto written = flush(); !written) return written;
+    }
+    return {};
+  }
+  Result<void> flush() {
+    auto written = file_.write(as_bytes(text_));
+    text_.clear();
+    return written;
+  }
+
+ private:
+  void add(double value) {
+    append_number(text_, value);
+    text_ += ',';
+  }
+  void end_line() { text_.back() = '\n'; }
+
+  AtomicFile& file_;
+  std::string text_;
+};
+
+Result<ExportedRecording> export_csv(const std::filesystem::path& recording,
+                                     const std::filesystem::path& output, const Work& work) {
+  auto reader = device::RecordingReader::open(recording);
+  if (!reader) return std::move(reader).error();
+  auto file = AtomicFile::create(output);
+  if (!file) return std::move(file).error();
+  CsvLines lines(*file);
+  ExportedRecording exported;
+  // The ticks that a writer took from the ring together stand as the hand's, then those of further probes.
+  std::vector<TouchSample> together;
+  bool has_further = false;
+  const auto write_together = [&] {
+    if (has_further) sort_by_time(together);
+    auto written = lines.add(together);
+    together.clear();
+    has_further = false;
+    return written;
+  };
+  while (const device::Recording* piece = (*reader)->next()) {
+    if (work.cancelled()) return Work::interrupted();
+    work.report((*reader)->fraction(), "writing the table");
+    if (!piece->ticks.empty())
+      if (auto written = write_together(); !written) return std::move(written).error();
+    exported.ticks += piece->ticks.size();
+    together.insert(together.end(), piece->ticks.begin(), piece->ticks.end());
+    together.insert(together.end(), piece->further.begin(), piece->further.end());
+    has_further = has_further || !piece->further.empty();
+  }
+  if (auto written = write_together(); !written) return std::move(written).error();
+  if (auto written = lines.flush(); !written) return std::move(written).error();
+  if (auto written = file->commit(); !written) return std::move(written).error();
+  exported.lost = (*reader)->lost();
+  exported.complete = (*reader)->end() == device::RecordingEnd::complete;
+  return exported;
 }
 
-Result<void> export_recording(const device::Recording& recording, const std::filesystem::path& file) {
-  if (file.extension() == ".csv") return write_file_atomically(file, as_bytes(recording_csv(recording)));
-  if (file.extension() == ".npz") return formats::write_npz(file, recording_npz(recording));
-  return Error{ErrorCode::usage, "a recording is exported as .csv or .npz", file.string()};
+Result<ExportedRecording> export_npz(const std::filesystem::path& file, const std::filesystem::path& output) {
+  const auto recording = device::read_recording(file);
+  if (!recording) return recording.error();
+  if (auto written = formats::write_npz(output, recording_npz(*recording)); !written)
+    return std::move(written).error();
+  return ExportedRecording{recording->ticks.size(), recording->lost, recording->complete};
+}
+
+}  // namespace
+
+Result<ExportedRecording> export_recording(const std::filesystem::path& recording,
+                                           const std::filesystem::path& output, const Work& work) {
+  if (output.extension() == ".csv") return export_csv(recording, output, work);
+  if (output.extension() == ".npz") return export_npz(recording, output);
+  return Error{ErrorCode::usage, "a recording is exported as .csv or .npz", output.string()};
 }
 
 }  // namespace palpable::session

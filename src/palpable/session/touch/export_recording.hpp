@@ -3,18 +3,26 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
-#include "palpable/device/recording/recording.hpp"
+#include "palpable/core/work.hpp"
 
+#include <cstdint>
 #include <filesystem>
-#include <string>
 
 namespace palpable::session {
 
-/// One line a tick under named columns with their units; an empty field where a number is not finite.
-std::string recording_csv(const device::Recording& recording);
+struct ExportedRecording {
+  /// Of the hand.
+  std::uint64_t ticks = 0;
+  std::uint64_t lost = 0;
+  /// As Recording::complete.
+  bool complete = false;
+};
 
-/// Writes a recording as the file's ending says: .csv, or .npz with one array a column group
-/// (docs/recording.md). Errors: usage (another ending), failed (cannot be written).
-Result<void> export_recording(const device::Recording& recording, const std::filesystem::path& file);
+/// Writes a recording as the output's ending says. .csv: one line a tick under named columns with their
+/// units, an empty field where a number is not finite; of a recording of any size, in some ten megabytes of
+/// memory. .npz: one array a column group, of recordings that fit in memory (docs/recording.md). Errors:
+/// usage (another ending), as device::read_recording(), failed (cannot be written), interrupted.
+Result<ExportedRecording> export_recording(const std::filesystem::path& recording,
+                                           const std::filesystem::path& output, const Work& work);
 
 }  // namespace palpable::session

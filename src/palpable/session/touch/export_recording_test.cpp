@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/touch/export_recording.hpp"
 
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/core/read_file.hpp"
+#include "palpable/device/recording/recording.hpp"
 #include "palpable/formats/packing/npz.hpp"
 
 #include <algorithm>
@@ -25,6 +28,30 @@ device::Recording two_ticks() {
   recording.ticks[1].device_position.v.x = std::numeric_limits<double>::quiet_NaN();
   recording.ticks[1].label = 7;
   return recording;
+}
+
+namespace fs = std::filesystem;
+
+/// Written in pieces, as a recorder does.
+fs::path recorded(const device::Recording& recording) {
+  const fs::path file = fs::path(testing::TempDir()) / "export.rec";
+  auto writer = device::RecordingWriter::create(file, "{}");
+  EXPECT_TRUE(writer);
+  for (std::size_t i = 0; i < recording.ticks.size(); ++i) {
+    std::vector<device::TouchSample> together{recording.ticks[i]};
+    if (i < recording.further.size()) together.push_back(recording.further[i]);
+    EXPECT_TRUE((*writer)->write(together));
+  }
+  EXPECT_TRUE((*writer)->finish(0));
+  return file;
+}
+
+std::string recording_csv(const device::Recording& recording) {
+  const fs::path output = fs::path(testing::TempDir()) / "export.csv";
+  const auto exported = export_recording(recorded(recording), output, {});
+  EXPECT_TRUE(exported && exported->complete && exported->ticks == recording.ticks.size());
+  const auto text = read_file(output);
+  return text ? std::string(as_text(*text)) : std::string();
 }
 
 TEST(ExportRecording, WritesALineATickWithNamedColumns) {
@@ -51,8 +78,8 @@ TEST(ExportRecording, PutsFurtherProbesBetweenTheHandsTicksByTime) {
 }
 
 TEST(ExportRecording, WritesArraysThatNumPyReads) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "touch.npz";
-  ASSERT_TRUE(export_recording(two_ticks(), file));
+  const auto file = fs::path(testing::TempDir()) / "touch.npz";
+  ASSERT_TRUE(export_recording(recorded(two_ticks()), file, {}));
   const auto arrays = formats::read_npz(file);
   ASSERT_TRUE(arrays) << arrays.error().sentence();
   const auto& position = arrays->at("position_m");
@@ -62,9 +89,20 @@ TEST(ExportRecording, WritesArraysThatNumPyReads) {
 }
 
 TEST(ExportRecording, RefusesAnotherEnding) {
-  const auto written = export_recording(two_ticks(), "touch.txt");
+  const auto written = export_recording(recorded(two_ticks()), "touch.txt", {});
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::usage);
+}
+
+TEST(ExportRecording, IntoAFileThatIsBeingRecordedIsRefused) {
+  const fs::path file = fs::path(testing::TempDir()) / "busy.rec";
+  const auto first = device::RecordingWriter::create(file, "{\"first\":1}");
+  ASSERT_TRUE(first);
+  EXPECT_FALSE(device::RecordingWriter::create(file, "{}"));
+  ASSERT_TRUE((*first)->finish(0));
+  const auto kept = device::read_recording(file);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->header_json, "{\"first\":1}");
 }
 
 }  // namespace

@@ -57,6 +57,8 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
       if (auto changed = session.change_scene(std::move(better)); !changed) return std::move(changed).error();
       report_notices();
     }
+    if (const auto fault = session.take_recording_fault(); fault && options.on_notice)
+      options.on_notice("The recording has ended: " + fault->sentence());
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);
     for (const auto& event : session.take_events())

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -27,6 +28,8 @@ struct Recorder::Impl {
   std::condition_variable rest;
   bool ending = false;
   std::vector<device::RecordedScene> scenes;
+  /// The first error of the writing, until somebody takes it.
+  std::optional<Error> fault;
   // The thread's own.
   std::vector<device::TouchSample> ticks;
   Result<void> outcome;
@@ -55,7 +58,12 @@ void Recorder::Impl::write_what_came() {
     if (outcome) outcome = writer->write(scene);
   ticks.clear();
   while (const auto sample = loop->take_recorded()) ticks.push_back(*sample);
-  if (outcome && !ticks.empty()) outcome = writer->write(ticks);
+  const bool went_well = outcome.has_value();
+  if (went_well && !ticks.empty()) outcome = writer->write(ticks);
+  if (went_well && !outcome) {
+    const std::lock_guard lock(mutex);
+    fault = outcome.error();
+  }
 }
 
 Recorder::Recorder(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -85,6 +93,11 @@ Recorder::~Recorder() { static_cast<void>(finish()); }
 void Recorder::note(const device::RecordedScene& scene) {
   const std::lock_guard lock(impl_->mutex);
   impl_->scenes.push_back(scene);
+}
+
+std::optional<Error> Recorder::take_fault() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->fault, std::nullopt);
 }
 
 Result<void> Recorder::finish() {

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace palpable::session {
@@ -28,6 +29,9 @@ class Recorder {
 
   /// What is touched from now on. Any thread.
   void note(const device::RecordedScene& scene);
+  /// Why writing has failed (the disk is full), once, as soon as it has: what was written before stays
+  /// readable, and the touch goes on. Any thread.
+  std::optional<Error> take_fault();
   /// Writes what is left and ends the file. Errors met at any time come here.
   Result<void> finish();
 

@@ -283,6 +283,11 @@ std::vector<haptics::MissedDeadline> TouchSession::take_missed() {
   return missed;
 }
 
+std::optional<Error> TouchSession::take_recording_fault() {
+  const std::lock_guard lock(impl_->state);
+  return impl_->recorder ? impl_->recorder->take_fault() : std::nullopt;
+}
+
 Result<void> TouchSession::start_recording(const std::filesystem::path& file) {
   const std::lock_guard recording_changes(impl_->recording_changes);
   // The scene that the file begins with stays until the recorder hears of changes.

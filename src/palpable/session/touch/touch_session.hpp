@@ -92,6 +92,8 @@ class TouchSession {
   std::vector<haptics::TouchEvent> take_events();
   /// Deadlines missed since the last call, each with its cause; likewise.
   std::vector<haptics::MissedDeadline> take_missed();
+  /// Why the recording under way cannot be written any further, once; the touch goes on.
+  std::optional<Error> take_recording_fault();
 
   /// From here on: SessionOptions::recording records the touch's beginning too, so that all of it can be
   /// recomputed. Errors: the file cannot be written; recording already.

@@ -99,7 +99,9 @@ class PlyBody {
 Result<std::size_t> list_length(PlyBody& body, const PlyProperty& property) {
   const double length = body.number(property.length_type);
   if (!body.ok()) return too_short();
-  if (!(length >= 0.0) || length != std::floor(length)) return invalid_input("states a list of no length");
+  constexpr double kMost = 4294967295.0;
+  if (!(length >= 0.0 && length <= kMost) || length != std::floor(length))
+    return invalid_input("states a list of no length");
   if (body.lacks(static_cast<std::uint64_t>(length), property.type)) return too_short();
   return static_cast<std::size_t>(length);
 }

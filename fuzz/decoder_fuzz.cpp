@@ -1,0 +1,17 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/decoder/jobs.hpp"
+
+#include <cstdint>
+#include <span>
+
+// The libraries of others, as the decoder process calls them. Their faults end that process and nothing else;
+// this finds those of the code around them. The first byte chooses the job.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using palpable::sources::isolated::Job;
+  if (size < 2) return 0;
+  constexpr int kJobs = static_cast<int>(Job::opencv_calibration) + 1;
+  const auto job = static_cast<Job>(data[0] % kJobs);
+  static_cast<void>(palpable::sources::decoder::run(job, std::as_bytes(std::span(data + 1, size - 1))));
+  return 0;
+}

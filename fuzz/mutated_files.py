@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+# Copyright 2026 The Palpable authors
+# SPDX-License-Identifier: Apache-2.0
+"""Damaged files of every kind through the real program: fuzz/mutated_files.py PROGRAM [--count N] [--seed S] [--keep FOLDER].
+
+Whole files of every kind are made first, by the program where it writes them and from fuzz/corpus else. Then N copies, each with
+some bytes changed, a part cut off, doubled or swapped, are given to a command that reads them. A run withstands where no signal
+ends it, it takes less than 10 s of processor time and 2 GB, its code is 0 to 4, its error is one short line of plain text, and a file that was cut
+is refused where its kind states how long it is. Prints what was not withstood, with the seed of each; --keep keeps those files."""
+import argparse
+import os
+import pathlib
+import random
+import resource
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+
+MEMORY_BYTES = 2 << 30
+SECONDS = 10
+# Another program may have the processor.
+PATIENCE_S = 60
+CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
+# Kinds whose files state counts, sizes or checksums: a part of one is never a whole one.
+STATES_ITS_SIZE = {".ply", ".png", ".jpg", ".palp", ".npz", ".npy", ".pfm", ".bmp", ".tiff", ".vdb", ".stl", ".glb", ".webp"}
+
+
+def box_mesh(path):
+    corners = [(x, y, z) for x in (0, .04) for y in (0, .04) for z in (0, .04)]
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    triangles = [t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))]
+    if path.suffix == ".obj":
+        path.write_text("".join("v %g %g %g\n" % c for c in corners) + "".join("f %d %d %d\n" % tuple(i + 1 for i in t) for t in triangles))
+    elif path.suffix == ".ply":
+        head = ("ply\nformat binary_little_endian 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+                "element face 12\nproperty list uchar int vertex_indices\nend_header\n").encode()
+        path.write_bytes(head + b"".join(struct.pack("<3f", *c) for c in corners) + b"".join(struct.pack("<B3i", 3, *t) for t in triangles))
+    else:
+        path.write_bytes(bytes(80) + struct.pack("<I", 12) +
+                         b"".join(struct.pack("<12fH", 0, 0, 0, *[v for i in t for v in corners[i]], 0) for t in triangles))
+
+
+def whole_files(program, folder):
+    """One file of each kind at least, with the command that reads it."""
+    files = []
+    make = lambda f: [program, "make", str(f), "-o", str(folder / "out.palp"), "--no-cache", "--resolution", "32", "--quiet"]
+    read = lambda f: [program, "info", str(f)]
+    for name in ("box.obj", "box.ply", "box.stl"):
+        box_mesh(folder / name)
+        files.append((folder / name, make))
+    subprocess.run([program, "make", str(folder / "box.obj"), "-o", str(folder / "field.palp"), "--resolution", "32", "--quiet"], check=True)
+    files.append((folder / "field.palp", read))
+    for name in ("field.glb", "field.vdb"):
+        subprocess.run([program, "export", str(folder / "field.palp"), "-o", str(folder / name), "--quiet"], check=True)
+        files.append((folder / name, make))
+    subprocess.run([program, "touch", str(folder / "field.palp"), "--headless", "--seconds", "0.2", "--record", str(folder / "touch.rec"), "--quiet"],
+                   check=True, stdout=subprocess.DEVNULL)
+    files.append((folder / "touch.rec", lambda f: [program, "export", str(f), "-o", str(folder / "out.csv"), "--quiet"]))
+    for entry in sorted((CORPUS / "picture").glob("a.*")) + sorted((CORPUS / "npz").glob("a.*")):
+        shutil.copy(entry, folder / entry.name)
+        files.append((folder / entry.name, make))
+    for entry in sorted((CORPUS / "scene").glob("*.palp")):
+        shutil.copy(entry, folder / entry.name)
+        files.append((folder / entry.name, read))
+    picture = folder / "a.png"
+    calibrate = lambda f: [program, "depth", str(picture), str(picture), "--method", "fast", "--calibration", str(f), "-o", str(folder / "out.pfm"), "--quiet"]
+    for entry in sorted((CORPUS / "calibration").iterdir()):
+        shutil.copy(entry, folder / entry.name)
+        files.append((folder / entry.name, calibrate))
+    return files
+
+
+def mutated(whole, rng):
+    """The damaged bytes, and whether they are a beginning of the whole."""
+    data = bytearray(whole)
+    kind = rng.randrange(5)
+    if kind == 0:
+        return bytes(data[:rng.randrange(len(data))]), True
+    if kind == 1 and len(data) > 8:
+        begin, length = rng.randrange(len(data)), rng.randrange(1, max(2, len(data) // 4))
+        data[begin:begin] = data[begin:begin + length]
+    elif kind == 2 and len(data) > 8:
+        for _ in range(rng.randrange(1, 4)):
+            at = rng.randrange(len(data) - 4)
+            data[at:at + 4] = rng.choice((b"\xff\xff\xff\xff", b"\xff\xff\xff\x7f", b"\0\0\0\x80", b"\0\0\0\0", b"\0\0\0\x40"))
+    else:
+        for _ in range(rng.randrange(1, 30)):
+            data[rng.randrange(len(data))] = rng.randrange(256)
+    return bytes(data), False
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (4 * MEMORY_BYTES, 4 * MEMORY_BYTES))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
+def fault_of(command, is_part, suffix):
+    try:
+        run = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, preexec_fn=limit)
+        error = run.communicate(timeout=PATIENCE_S)[1].decode(errors="replace")
+    except subprocess.TimeoutExpired:
+        run.kill()
+        run.communicate()
+        return f"took over {PATIENCE_S} s"
+    if run.returncode == -signal.SIGXCPU:
+        return f"took over {SECONDS} s of processor time"
+    if run.returncode < 0:
+        return f"ended by signal {-run.returncode}"
+    if run.returncode not in (0, 1, 2, 3, 4):
+        return f"code {run.returncode}"
+    if run.returncode == 1:
+        return "code 1: " + error.strip()[:200]
+    if run.returncode and (len(error.splitlines()) != 1 or len(error) > 1500 or any(ord(c) < 32 and c != "\n" for c in error)):
+        return "its error is not one short line: " + repr(error[:200])
+    if is_part and run.returncode == 0 and suffix in STATES_ITS_SIZE:
+        return "a part was taken for the whole"
+    return ""
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__)
+    arguments.add_argument("program")
+    arguments.add_argument("--count", type=int, default=1000)
+    arguments.add_argument("--seed", type=int, default=1)
+    arguments.add_argument("--keep")
+    given = arguments.parse_args()
+    faults = 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        files = whole_files(os.path.abspath(given.program), folder)
+        for n in range(given.count):
+            rng = random.Random(given.seed * 1000003 + n)
+            file, command = files[n % len(files)]
+            data, is_part = mutated(file.read_bytes(), rng)
+            damaged = folder / ("damaged" + file.suffix)
+            damaged.write_bytes(data)
+            fault = fault_of(command(damaged), is_part, file.suffix)
+            if not fault:
+                continue
+            faults += 1
+            print(f"{file.name}, seed {given.seed}, number {n}: {fault}", flush=True)
+            if given.keep:
+                os.makedirs(given.keep, exist_ok=True)
+                shutil.copy(damaged, os.path.join(given.keep, f"{given.seed}-{n}-{file.name}"))
+        used = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
+    if used > MEMORY_BYTES:
+        faults += 1
+        print(f"the largest run took {used >> 20} MiB")
+    print(f"{given.count} files of {len(files)} kinds and samples, {faults} not withstood, at most {used >> 20} MiB")
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/calibration/calibration_reply.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
+#include "palpable/sources/solid/mesh_reply.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+// What a decoder process that was taken over may answer: nothing of it is believed that is not checked.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace palpable::sources::isolated;
+  const auto reply = std::as_bytes(std::span(data, size));
+  if (const auto mesh = mesh_in(reply))
+    for (const auto& triangle : mesh->triangles)
+      for (const std::uint32_t corner : triangle)
+        if (corner >= mesh->vertices_m.size()) std::abort();
+  if (const auto image = image_in(reply)) {
+    const auto samples = static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height) *
+                         static_cast<std::size_t>(image->channels);
+    if (image->samples.size() != samples) std::abort();
+  }
+  static_cast<void>(raster_in(reply));
+  static_cast<void>(photo_depth_in(reply));
+  static_cast<void>(calibration_in(reply));
+  return 0;
+}
