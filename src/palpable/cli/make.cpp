@@ -134,8 +134,7 @@ void add_make(Program& program) {
       "0:texture=ridges,pitch=2,friction=0.4\n"
       "  palpable make house.obj -o house.palp --size 100x100x50 --title 'The town hall'",
       [arguments](Console& console) { return make(*arguments, console); });
-  options.required_output("-o,--output", arguments->output, {},
-                          "Scene to write (.palp)");
+  options.required_output("-o,--output", arguments->output, {}, "Scene to write (.palp)");
   add_make_options(options, arguments->make);
   add_as_published(options, arguments->as_published);
   add_title_options(options, arguments->title);
