@@ -40,7 +40,7 @@ set(PALPABLE_MAY_USE_sources/solid isolated)
 set(PALPABLE_MAY_USE_sources/calibration isolated)
 set(PALPABLE_MAY_USE_sources/stereo picture)
 set(PALPABLE_MAY_USE_sources/depth picture calibration)
-set(PALPABLE_MAY_USE_sources/input picture stereo depth)
+set(PALPABLE_MAY_USE_sources/input picture stereo solid depth)
 set(PALPABLE_MAY_USE_sources/decoder isolated picture solid calibration)
 
 set(PALPABLE_ROOMS_vision image segmentation stereo/problem stereo/cost stereo/range stereo/occlusion stereo/planes stereo/methods rectification stereo/result contours)

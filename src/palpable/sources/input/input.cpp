@@ -10,6 +10,7 @@
 #include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/solid/mesh_check.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"
 
 #include <algorithm>
@@ -203,7 +204,9 @@ Result<Input> recognise_grey(const fs::path& path, const Image& image) {
   if (is_stretched_from_8_bits(image))
     return Input{InputKind::picture,
                  {path},
-                 {{"This grey picture has 16 bits but only 256 levels: it was taken as a picture.",
+                 {{"This grey picture has 16 bits but only 256 levels, as one of 8 bits: it was taken as a "
+                   "picture, not "
+                   "as depth.",
                    Reason::unexpected_input_kind}}};
   return Input{InputKind::depth,
                {path},
@@ -251,6 +254,9 @@ Result<InputKind> kind_of_file(const fs::path& path) {
   if (is_video(file)) return InputKind::video;
   if (const auto solid = solid_kind(file, unknown ? 0 : size)) return *solid;
   const auto picture = picture_format_of(file);
+  // A binary STL has no mark: one that is cut off is known by its name alone, and its reader says what is
+  // missing.
+  if (!picture && is_named_stl(path)) return InputKind::mesh;
   if (picture == PictureFormat::pfm || picture == PictureFormat::exr) return InputKind::depth;
   if (picture == PictureFormat::jpeg && is_stereo_jpeg(file)) return InputKind::stereo;
   if (picture) return InputKind::picture;

@@ -5,8 +5,11 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/sources/city_json.hpp"
+#include "palpable/sources/solid/mesh_check.hpp"
 #include "palpable/sources/solid/mesh_reply.hpp"
 #include "palpable/sources/solid/ply_file.hpp"
+
+#include <new>
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -16,17 +19,15 @@
 namespace palpable::sources {
 namespace {
 
-/// By content, as kind_of_file() recognises it; names lie.
-std::string ending_of(std::span<const std::byte> file) {
+/// By content, as kind_of_file() recognises it; names lie. Only a binary STL that is cut off has nothing but
+/// its name.
+std::string ending_of(std::span<const std::byte> file, const std::filesystem::path& path) {
   if (has_magic(file, "glTF")) return "glb";
   if (has_magic(file, "ply\n") || has_magic(file, "ply\r")) return "ply";
   const std::string_view start = as_text(file.first(std::min<std::size_t>(file.size(), 4096)));
   if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return "stl";
-  ByteReader reader(file);
-  reader.seek(80);
-  const std::uint64_t triangles = reader.u32();
-  if (reader.ok() && triangles > 0 && file.size() == 84 + 50 * triangles) return "stl";
-  return "obj";
+  if (stated_stl_bytes(file) == file.size()) return "stl";
+  return is_named_stl(path) ? "stl" : "obj";
 }
 
 Result<Mesh> mesh_from(const aiScene& scene) {
@@ -60,6 +61,10 @@ Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& end
     if (mesh && mesh->triangles.empty()) return invalid_input("is a mesh without triangles");
     return mesh;
   }
+  if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
+  // The reader's own words name its functions, and mean nothing to a person.
+  const Error unreadable = invalid_input(
+      "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
   try {
     Assimp::Importer importer;
     // Lines and points are no surface; nodes' transforms are applied to their vertices.
@@ -67,11 +72,12 @@ Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& end
     const aiScene* scene = importer.ReadFileFromMemory(
         file.data(), file.size(),
         aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices, ending.c_str());
-    if (scene == nullptr)
-      return invalid_input(std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+    if (scene == nullptr) return unreadable;
     return mesh_from(*scene);
-  } catch (const std::exception& e) {
-    return invalid_input(std::string("cannot be read as a mesh: ") + e.what());
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::failed, "needs more memory than there is", {}};
+  } catch (const std::exception&) {
+    return unreadable;
   }
 }
 
@@ -81,7 +87,7 @@ Result<MeshFile> read_mesh(const std::filesystem::path& path) {
   if (is_city_json(as_text(std::span(*file).first(std::min<std::size_t>(file->size(), 4096)))))
     return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
                          path.string());
-  const std::string ending = ending_of(*file);
+  const std::string ending = ending_of(*file, path);
   auto mesh = ending == "ply" ? decode_mesh(*file, ending) : isolated::decode_mesh(*file, ending);
   if (!mesh) {
     mesh.error().place = path.string();
