@@ -11,6 +11,7 @@
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/field/field_from_source.hpp"
 #include "palpable/sculpt/points/cloud_surface.hpp"
+#include "palpable/sculpt/solid/thin_walls.hpp"
 #include "palpable/sculpt/triangles/placement.hpp"
 
 #include <vector>
@@ -33,6 +34,8 @@ struct FieldRecipe {
   sculpt::PlacementOptions placement;
   sculpt::FieldOptions field;
   FieldStorage storage = FieldStorage::adaptive;
+  /// Of a mesh: walls too thin for the field's cells. Dense fields keep them as they are.
+  sculpt::WallOptions walls;
   /// Of points: their surface.
   sculpt::CloudOptions cloud;
 };

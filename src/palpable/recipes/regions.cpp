@@ -37,7 +37,8 @@ std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const See
   const bool wanted = recipe.ground != vision::GroundTreatment::keep;
   if (!asks_for_regions(recipe)) return std::nullopt;
   work.report(0.9, "finding the ground");
-  auto ground = vision::find_ground(seen.picture, disparity.disparity_px, work, seen.origin);
+  auto ground =
+      vision::find_ground(seen.picture, disparity.disparity_px, work, seen.origin, recipe.ground_options);
   // A plane that is everywhere has nothing on it: it must not swallow the background that is asked for.
   constexpr double kEverywhere = 0.95;
   if (ground && !wanted && ground->share > kEverywhere) return std::nullopt;
@@ -59,8 +60,8 @@ std::optional<vision::Background> background_of(const DisparityMap& disparity,
                                                 const Work& work, std::vector<Note>& notes) {
   if (recipe.background == BackgroundTreatment::keep) return std::nullopt;
   work.report(0.92, "finding the background");
-  auto background =
-      vision::find_background(seen.picture, disparity.disparity_px, ground ? &*ground : nullptr, work);
+  auto background = vision::find_background(seen.picture, disparity.disparity_px, ground ? &*ground : nullptr,
+                                            work, recipe.background_options);
   if (background)
     notes.emplace_back(
         fmt::format("The background covers {:.0f} % of the picture.", 100.0 * background->share));

@@ -8,6 +8,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/relief/relief_from_depth.hpp"
+#include "palpable/vision/segmentation/background.hpp"
 #include "palpable/vision/segmentation/ground.hpp"
 #include "palpable/vision/stereo/methods/stereo_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
@@ -40,7 +41,9 @@ struct ReliefRecipe {
   sculpt::ReliefOptions relief;
   /// The plane that the objects stand on.
   vision::GroundTreatment ground = vision::GroundTreatment::keep;
+  vision::GroundOptions ground_options;
   BackgroundTreatment background = BackgroundTreatment::keep;
+  vision::BackgroundMaskOptions background_options;
   Texture texture = Texture::left;
 };
 

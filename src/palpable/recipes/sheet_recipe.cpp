@@ -19,9 +19,9 @@ using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
 
 constexpr Vec3 kDefaultSize_m{0.10, 0.10, 0.015};
 
-/// Takes out vertices that are not finite or that no triangle uses: they have no place in a box.
-void drop_unused(Mesh& mesh) {
-  std::erase_if(mesh.triangles, [&](const auto& t) {
+/// Takes out triangles with a vertex that is not finite: they have no place in a box. How many.
+std::size_t drop_unplaced(Mesh& mesh) {
+  return std::erase_if(mesh.triangles, [&](const auto& t) {
     return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
       return v >= mesh.vertices_m.size() || !is_finite(mesh.vertices_m[v]);
     });
@@ -46,7 +46,7 @@ AxisDirection towards_person(const Mesh& mesh, const sculpt::Placement& automati
 }  // namespace
 
 Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const Work& work) {
-  drop_unused(mesh);
+  const std::size_t unplaced = drop_unplaced(mesh);
   if (mesh.triangles.empty()) return invalid_input("is a mesh without a finite triangle");
   const sculpt::Box box = sculpt::bounds_of(mesh);
   sculpt::PlacementOptions fit = recipe.placement;
@@ -69,6 +69,10 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
   scene_from_input.translation_m.z += recipe.sheet.thickness_m;
   MadeScene made;
   made.notes = placement_notes(*placement, box, recipe.placement);
+  if (unplaced > 0)
+    made.notes.emplace_back(
+        fmt::format("{} of the mesh's triangles, with a vertex that is not a finite number, {} left out.",
+                    unplaced, unplaced == 1 ? "was" : "were"));
   made.scene.scene_from_input = scene_from_input;
   made.scene.source.method =
       fmt::format("relief of mesh from {}, {} samples", name_of(towards), recipe.sheet.samples_on_a_side);

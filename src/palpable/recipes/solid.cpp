@@ -121,7 +121,9 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   sculpt::FacetOptions facets;
   if (recipe.storage == FieldStorage::adaptive)
     facets.rounding_m = sculpt::facet_rounding_m(*box, recipe.field);
-  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets);
+  const sculpt::WallOptions walls =
+      recipe.storage == FieldStorage::adaptive ? recipe.walls : sculpt::kWallsAsTheyAre;
+  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets, walls);
   if (!made) return made.error();
   solid.distance = std::move(made->distance);
   const auto notes = made->repair.notes();

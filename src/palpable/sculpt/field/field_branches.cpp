@@ -391,8 +391,9 @@ FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& option
   FitBounds bounds;
   bounds.cell_m = cell_m;
   bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
-  bounds.inside_m = std::max(options.inside_m, 0.03 * longest_m);
-  bounds.outside_m = std::max(options.outside_m, 0.01 * longest_m);
+  // A hand's depths on a scene of a hand's size; of a smaller scene they would be all of it and more.
+  bounds.inside_m = std::clamp(options.inside_m, 0.03 * longest_m, 0.15 * longest_m);
+  bounds.outside_m = std::clamp(options.outside_m, 0.01 * longest_m, 0.05 * longest_m);
   return bounds;
 }
 

@@ -41,9 +41,20 @@ FieldGrid grid_around(const Box& bounds, double cell_m, int resolution) {
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(FieldOptions& o) {
+  return {{"resolution", &o.resolution, {16, 4096}, "cells", "finest cells along the longest side"},
+          {"max_error_m",
+           &o.max_error_m,
+           {0.0, 1.0},
+           "m",
+           "error bound; 0 = a ten-thousandth of the longest side"},
+          {"inside_m", &o.inside_m, {0.0, 1.0}, "m", "how deep inside the bound holds"},
+          {"outside_m", &o.outside_m, {0.0, 1.0}, "m", "how far outside the bound holds"}};
+}
+
 double field_margin_m(const Box& bounds) {
   const double longest_m = longest_side(bounds);
-  return std::max(0.06 * longest_m, std::min(0.002, longest_m));
+  return std::max(0.06 * longest_m, std::min(0.002, 0.1 * longest_m));
 }
 
 Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options) {

@@ -18,11 +18,15 @@ struct FlattenOptions {
   double most_under_share = 0.05;
   /// Samples that are at most this share of the relief's height from the plane lie on it. 0.001 … 0.5.
   double tolerance_share = 0.02;
+  /// The bent ground lies at most this many tolerances beside the plane, so that no object becomes ground. 0
+  /// … 20; 0 = the plane.
+  double most_bend = 6.0;
 };
 std::vector<Parameter> parameters_of(FlattenOptions& options);
 
 /// Heights of a relief's samples above its own ground, m: the plane, level or tilted, that most of it lies
-/// on. Samples on the plane or under it are 0. nullopt where no plane holds enough, or Work is cancelled. The
+/// on, bent as a quadratic surface where its samples are: how depth becomes height bends a table's plane.
+/// Samples on the ground or under it are 0. nullopt where no plane holds enough, or Work is cancelled. The
 /// options must be in their ranges.
 std::optional<Raster<float>> heights_above_ground(const models::Relief& relief, const Work& work,
                                                   const FlattenOptions& options = {});

@@ -26,6 +26,23 @@ TEST(HeightsAboveGround, AreThoseOfABlockOnATiltedPlate) {
   EXPECT_NEAR((*heights)(100, 85), 0.0, 0.0001);
 }
 
+TEST(HeightsAboveGround, FollowAGroundThatTheMappingOfDepthHasBent) {
+  // As tilted_block(), but the plate bends by 0.5 mm towards its corners.
+  Raster<float> z(120, 90);
+  const auto is_block = [](int x, int y) { return x > 30 && x < 60 && y > 20 && y < 60; };
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 120; ++x) {
+      const double u = (x - 60.0) / 60.0, v = (y - 45.0) / 45.0;
+      z(x, y) =
+          static_cast<float>(0.003 * (1.0 + v) + 0.00025 * (u * u + v * v) + (is_block(x, y) ? 0.002 : 0.0));
+    }
+  const auto heights = heights_above_ground(*models::Relief::from_samples(std::move(z), 0.001), Work{});
+  ASSERT_TRUE(heights);
+  for (int y = 0; y < 90; ++y)
+    for (int x = 0; x < 120; ++x)
+      ASSERT_NEAR((*heights)(x, y), is_block(x, y) ? 0.002 : 0.0, 0.0001) << x << " " << y;
+}
+
 TEST(HeightsAboveGround, AreNoneWithoutAPlane) {
   Raster<float> z(60, 60);
   for (int y = 0; y < 60; ++y)

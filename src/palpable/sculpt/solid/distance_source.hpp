@@ -42,6 +42,8 @@ class DistanceSource {
     /// The triangles near the balls that were entered; the first `entered` are in use.
     std::vector<TriangleShortlist> balls;
     std::size_t entered = 0;
+    /// Of a source that adds surfaces to another: one for each.
+    std::vector<Hint> of_parts;
   };
 
   /// The next places all lie in this ball, which lies in the last one entered and not left: a source may

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 
+#include "palpable/core/figure.hpp"
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 #include "palpable/sculpt/solid/smooth_surface.hpp"
 #include "palpable/sculpt/solid/surface_cut.hpp"
@@ -9,8 +10,10 @@
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace palpable::sculpt {
 
@@ -20,6 +23,8 @@ std::vector<std::string> MeshRepair::notes() const {
     if (count == 1) notes.emplace_back(one);
     if (count > 1) notes.push_back(std::to_string(count) + many);
   };
+  add(not_finite, "One triangle with a vertex that is not a finite number was left out.",
+      " triangles with a vertex that is not a finite number were left out.");
   add(degenerate, "One triangle without an area was left out.", " triangles without an area were left out.");
   add(turned_parts, "One part of the mesh was turned to face outwards.",
       " parts of the mesh were turned to face outwards.");
@@ -28,10 +33,27 @@ std::vector<std::string> MeshRepair::notes() const {
   if (rounded > 0)
     notes.push_back(std::to_string(rounded) + " small facets were smoothed, by at most " +
                     std::to_string(std::lround(1e6 * rounded_m)) + " um.");
+  const auto in_mm = [](double metres) { return figure(1e3 * metres, 2); };
+  if (thin + sheets > 0)
+    notes.push_back("Walls that are too thin for the field's cells (" + std::to_string(thin + sheets) +
+                    " triangles, " + std::to_string(sheets) +
+                    " of them of sheets without a thickness) were made " + in_mm(wall_m) +
+                    " mm thick, so that they can be felt: at most " + in_mm(thickened_m) +
+                    " mm were added to a side. More cells keep them thinner.");
   return notes;
 }
 
 namespace {
+
+/// Triangles with a vertex that is not finite or not there.
+std::size_t without_place(const Mesh& mesh) {
+  return static_cast<std::size_t>(
+      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
+        return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
+          return v >= mesh.vertices_m.size() || !is_finite(mesh.vertices_m[v]);
+        });
+      }));
+}
 
 /// Null where there are few facets to be smoothed.
 std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, const FacetOptions& facets,
@@ -47,14 +69,28 @@ std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, con
   return smooth;
 }
 
+void thicken(MeshSolid& solid, const Mesh& surface, const Mesh& whole, std::size_t sheet_candidates,
+             double finest_m, const WallOptions& options, const Work& work) {
+  auto walls = thickened_walls(solid.distance, surface, whole, sheet_candidates, finest_m, options, work);
+  if (!walls.distance) return;
+  solid.distance = std::move(walls.distance);
+  solid.repair.thin = walls.thin;
+  solid.repair.sheets = walls.sheets;
+  solid.repair.inner -= std::min(solid.repair.inner, walls.sheets);
+  solid.repair.wall_m = options.least_cells * finest_m;
+  solid.repair.thickened_m = walls.added_m;
+}
+
 }  // namespace
 
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
-                                  const FacetOptions& facets) {
+                                  const FacetOptions& facets, const WallOptions& walls) {
   work.report(0.0, "repairing the mesh");
   MeshSolid solid;
   Mesh whole = welded(mesh, solid.repair.degenerate);
   if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
+  solid.repair.not_finite = without_place(mesh);
+  solid.repair.degenerate -= solid.repair.not_finite;
   solid.repair.triangles = whole.triangles.size();
   solid.repair.turned_parts = orient_outwards(whole, work.seed);
   const std::size_t first_added = whole.triangles.size();
@@ -78,6 +114,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
     tree.reset();
     if (facets.rounding_m > 0.0) solid.distance = smoothed(whole, finest_m, facets, solid.repair);
     if (!solid.distance) solid.distance = mesh_distance(whole, whole);
+    thicken(solid, whole, whole, 0, finest_m, walls, work);
     return solid;
   }
   const SolidSurface surface = surface_of(whole, *tree, finest_m, work);
@@ -86,6 +123,8 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   solid.repair.inner = surface.inner;
   if (surface.mesh.triangles.empty()) return invalid_input("is a mesh that encloses no volume");
   solid.distance = mesh_distance(surface.mesh, whole);
+  // What closes holes is no sheet.
+  thicken(solid, surface.mesh, whole, first_added, finest_m, walls, work);
   return solid;
 }
 

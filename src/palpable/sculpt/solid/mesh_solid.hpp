@@ -6,6 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/sculpt/solid/distance_source.hpp"
+#include "palpable/sculpt/solid/thin_walls.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -18,7 +19,8 @@ namespace palpable::sculpt {
 /// What was found and repaired in a mesh on its way to a solid.
 struct MeshRepair {
   std::size_t triangles = 0;
-  /// Triangles without an area, or with a vertex that is not finite or not there: left out.
+  /// Triangles with a vertex that is not finite or not there, and triangles without an area: left out.
+  std::size_t not_finite = 0;
   std::size_t degenerate = 0;
   /// Parts that were turned to face outwards.
   std::size_t turned_parts = 0;
@@ -29,6 +31,12 @@ struct MeshRepair {
   /// Facets that were smoothed, and how far at most the smooth surface lies beside them.
   std::size_t rounded = 0;
   double rounded_m = 0.0;
+  /// Triangles of walls that were too thin for the field, those of sheets without thickness among them, the
+  /// thickness that these walls have now, at least, and the most that was added to a side.
+  std::size_t thin = 0;
+  std::size_t sheets = 0;
+  double wall_m = 0.0;
+  double thickened_m = 0.0;
   /// One sentence each, for the person.
   std::vector<std::string> notes() const;
 };
@@ -60,10 +68,11 @@ struct MeshSolid {
 /// 2013); triangles inside the solid, where bodies overlap, are left out, and those that are partly inside
 /// cut along the lines where others cross them, into pieces no smaller than `finest_m`, the
 /// side of the field's finest cells. The facets of a mesh that is taken as it is are smoothed as `facets`
-/// says. Errors: invalid_input for a mesh without triangles or
-/// without a volume, interrupted.
+/// says. Walls thinner than `walls` says, and sheets outside the solid, are thickened on both sides
+/// (thin_walls.hpp). Errors: invalid_input for a mesh without triangles or without a volume, interrupted.
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
-                                  const FacetOptions& facets = {});
+                                  const FacetOptions& facets = {},
+                                  const WallOptions& walls = kWallsAsTheyAre);
 
 /// An error if the solid of a mesh of so many triangles would need more than `free_bytes` while it is made:
 /// it states what it would need, and how many triangles fit.

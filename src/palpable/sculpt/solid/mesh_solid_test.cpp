@@ -30,6 +30,20 @@ TEST(MeshSolid, TellsBeforehandWhatAMeshTakes) {
   EXPECT_NE(refused->message.find("triangles would fit"), std::string::npos);
 }
 
+TEST(MeshSolid, SaysHowManyTrianglesHaveAVertexThatIsNotFinite) {
+  Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
+  mesh.vertices_m.push_back({0.0, std::numeric_limits<double>::quiet_NaN(), 0.0});
+  mesh.triangles.push_back({0, 1, 8});
+  mesh.triangles.push_back({1, 2, 8});
+  mesh.triangles.push_back({1, 2, 2});
+  const auto solid = solid_from_mesh(mesh, 0.01, {});
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.not_finite, 2U);
+  EXPECT_EQ(solid->repair.degenerate, 1U);
+  EXPECT_EQ(solid->repair.notes().front(),
+            "2 triangles with a vertex that is not a finite number were left out.");
+}
+
 TEST(MeshSolid, TurnsAnInsideOutMesh) {
   Mesh mesh = box_mesh({-1, -1, -1}, {1, 1, 1});
   for (auto& t : mesh.triangles) std::swap(t[1], t[2]);

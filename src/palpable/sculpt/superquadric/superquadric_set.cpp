@@ -25,17 +25,13 @@ constexpr std::size_t kFewest = 12;
 constexpr std::size_t kKept = 6000;
 /// How many of a part's points a fit uses, and how many an error measure.
 constexpr std::size_t kFitted = 400, kMeasured = 250;
-/// A point that lies farther from a shape than this many tolerances counts no more than that.
-constexpr double kCap = 4.0;
-/// A part is cut so often at most.
-constexpr int kDeepest = 6;
 
 /// A part of the points with its shape.
 struct Part {
   Members members;
   std::uint8_t label = 0;
   FittedSuperquadric fit;
-  /// Mean distance of the members, each at most kCap tolerances.
+  /// Mean distance of the members, each at most options.most_tolerances tolerances.
   double error_m = std::numeric_limits<double>::infinity();
 };
 
@@ -95,7 +91,8 @@ class Splitter {
     const auto distance = SuperquadricDistance::from(shape);
     if (!distance || places.empty()) return std::numeric_limits<double>::infinity();
     double sum = 0.0;
-    for (const Vec3 p : places) sum += std::min(std::abs(distance->distance_m({p})), kCap * tolerance_m_);
+    for (const Vec3 p : places)
+      sum += std::min(std::abs(distance->distance_m({p})), options_.most_tolerances * tolerance_m_);
     return sum / static_cast<double>(places.size());
   }
 
@@ -169,7 +166,7 @@ class Splitter {
     if (part.members.size() < kFewest || work_.cancelled()) return;
     fit(part);
     constexpr std::size_t kFewestToCut = 48;
-    if (good(part) || depth == kDeepest || part.members.size() < kFewestToCut) {
+    if (good(part) || depth == options_.most_cuts || part.members.size() < kFewestToCut) {
       parts_.push_back(std::move(part));
       return;
     }
@@ -180,16 +177,15 @@ class Splitter {
   /// Cuts a part that lies on a large plane in the plane and what is on it, which is no longer connected;
   /// false where there is none.
   bool cut_from_plane(const Part& part, int depth) {
-    constexpr double kLargePlane = 0.3;
     const auto on = members_of_largest_plane(places_of(part.members, part.members.size()), tolerance_m_,
-                                             kLargePlane, work_.seed);
+                                             options_.least_plane_share, work_.seed);
     if (on.empty() || on.size() + kFewest > part.members.size()) return false;
     Members flat, standing;
     for (std::size_t i = 0; i < part.members.size(); ++i) {
       const bool is_flat = flat.size() < on.size() && on[flat.size()] == i;
       (is_flat ? flat : standing).push_back(part.members[i]);
     }
-    cut({std::move(flat), part.label, {}}, kDeepest - 1);
+    cut({std::move(flat), part.label, {}}, options_.most_cuts - 1);
     for (Part& piece : pieces(standing, part.label)) cut(std::move(piece), depth + 1);
     return true;
   }
@@ -220,7 +216,7 @@ class Splitter {
     fit(both);
     // A part that nothing fitted before may not be made worse; one that fitted must fit again.
     const auto bears = [&](const Part& part) {
-      const double before_m = std::min(part.error_m, kCap * tolerance_m_);
+      const double before_m = std::min(part.error_m, options_.most_tolerances * tolerance_m_);
       return error_of(both.fit.shape, places_of(part.members, kMeasured)) <= std::max(tolerance_m_, before_m);
     };
     if (!std::isfinite(both.error_m) || !bears(a) || !bears(b)) return std::nullopt;
@@ -264,7 +260,7 @@ class Splitter {
       part.push_back(k);
     }
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
-      double least_m = kCap * tolerance_m_;
+      double least_m = options_.most_tolerances * tolerance_m_;
       std::size_t nearest = parts_.size();
       for (std::size_t k = 0; k < part.size(); ++k) {
         if (parts_[part[k]].label != label(i)) continue;
@@ -319,11 +315,30 @@ class Splitter {
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(ShapeSetOptions& o) {
+  return {{"tolerance_m",
+           &o.tolerance_m,
+           {0.0, 1000.0},
+           "m",
+           "mean distance that is good enough; 0 = as the points say"},
+          {"most_shapes", &o.most_shapes, {1, 256}, "", "greatest number of shapes"},
+          {"most_tolerances",
+           &o.most_tolerances,
+           {1.0, 100.0},
+           "tolerances",
+           "greatest distance that a point counts"},
+          {"most_cuts", &o.most_cuts, {1, 12}, "", "how often a part is cut at most"},
+          {"least_plane_share",
+           &o.least_plane_share,
+           {0.01, 1.0},
+           "",
+           "share of a part's points on a plane to cut along it"}};
+}
+
 Result<ShapeSet> fit_superquadrics(std::span<const Vec3> points_m, std::span<const std::uint8_t> labels,
                                    const std::optional<Point<SceneFrame>>& eye,
                                    const ShapeSetOptions& options, const Work& work) {
-  if (options.most_shapes < 1 || options.most_shapes > 256 || !(options.tolerance_m >= 0.0))
-    return Error{ErrorCode::usage, "1 to 256 shapes are fitted, to a tolerance that is not negative", {}};
+  if (const auto valid = check_ranges(options); !valid) return valid.error();
   if (!labels.empty() && labels.size() != points_m.size())
     return Error{ErrorCode::usage, "each point needs a label, or none has one", {}};
   if (points_m.size() < kFewest) return invalid_input("holds fewer than 12 points");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/sculpt/superquadric/superquadric_fit.hpp"
@@ -19,7 +20,16 @@ struct ShapeSetOptions {
   double tolerance_m = 0.0;
   /// 1 ... 256.
   int most_shapes = 24;
+  /// A point that lies farther from a shape than this many tolerances counts no more than that. 1 ... 100.
+  double most_tolerances = 4.0;
+  /// A part is cut into two so often at most. 1 ... 12.
+  int most_cuts = 6;
+  /// A part of whose points this share lies on one plane is cut into the plane and what stands on it. > 0
+  /// ... 1.
+  double least_plane_share = 0.3;
 };
+/// Defaults chosen on superquadrics that were seen from one side, with noise of 1 % (superquadric_cases.hpp).
+std::vector<Parameter> parameters_of(ShapeSetOptions& options);
 
 struct ShapeSet {
   /// The largest share of the points first.

@@ -60,9 +60,11 @@ std::string text_of(const sculpt::FieldOptions& field) {
 }
 std::string text_of(const recipes::FieldRecipe& recipe) {
   // Clouds of points are not meshes.
-  const auto& [placement, field, storage, cloud] = recipe;
+  const auto& [placement, field, storage, walls, cloud] = recipe;
+  const auto& [least_cells] = walls;
   static_cast<void>(cloud);
-  return fmt::format("{}; {}; {}", text_of(placement), text_of(field), static_cast<int>(storage));
+  return fmt::format("{}; {}; {}; {:a}", text_of(placement), text_of(field), static_cast<int>(storage),
+                     least_cells);
 }
 
 /// The size and time of the running program's file.
