@@ -233,7 +233,7 @@ TEST_F(SceneCommands, APictureInsteadOfASceneIsNamedWithAdvice) {
     EXPECT_EQ(outcome.exit_code, 3);
     EXPECT_TRUE(is_one_sentence(outcome.err));
     EXPECT_THAT(outcome.err, HasSubstr("is a picture, and not a scene"));
-    EXPECT_THAT(outcome.err, HasSubstr("palpable make left.png -o left.palp"));
+    EXPECT_THAT(outcome.err, HasSubstr("palpable make " + in("left.png") + " -o left.palp"));
   }
 }
 

@@ -53,8 +53,10 @@ Result<std::optional<Truth>> read_truth(const CompareArguments& arguments) {
 Result<Outcome> outcome_of(vision::StereoMethod method, const vision::StereoPair& pair,
                            const CompareArguments& arguments, const std::optional<Truth>& truth,
                            Console& console) {
+  const auto options = stereo_options_of_all(arguments.stereo);
+  if (!options) return options.error();
   const auto begin = std::chrono::steady_clock::now();
-  auto match = vision::match(pair, method, {arguments.stereo.max_disparity_px}, console.work());
+  auto match = vision::match(pair, method, *options, console.work());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   Outcome out{method, seconds.count(), std::move(match->disparity), {}};
@@ -123,6 +125,8 @@ Json json_of(const std::vector<Outcome>& outcomes) {
 }
 
 Result<Answer> compare(const CompareArguments& arguments, Console& console) {
+  // Before the pictures are read.
+  if (const auto options = stereo_options_of_all(arguments.stereo); !options) return options.error();
   const auto truth = read_truth(arguments);
   if (!truth) return truth.error();
   const auto ready = read_pair(arguments.stereo, console.work());
@@ -170,6 +174,9 @@ void add_compare(Program& program) {
                  "The truth's stored values are disparity times this");
   options.text("--mask", arguments->mask, "Score only where this picture is white");
   add_pair_options(options, arguments->stereo);
+  options.texts(
+      "--set", arguments->stereo.parameters,
+      "METHOD.NAME=VALUE: a parameter of one method (palpable methods METHOD lists them); may be repeated");
 }
 
 }  // namespace palpable::cli

@@ -96,6 +96,12 @@ void Console::say(std::string_view sentence) {
   std::fflush(stream);
 }
 
+void Console::end_progress() {
+  const std::lock_guard lock(mutex_);
+  remove_progress();
+  shows_progress_ = false;
+}
+
 Work Console::work() {
   Work work;
   work.threads = options_.threads;
@@ -109,6 +115,7 @@ Work Console::work() {
 void Console::show_progress(double fraction, std::string_view what) {
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
+  if (!shows_progress_) return;
   if (now - started_ < kProgressAfter || now - last_shown_ < kProgressEvery) return;
   std::string line = fmt::format("{}: {} %", what, std::lround(100.0 * std::clamp(fraction, 0.0, 1.0)));
   if (line == progress_) return;

@@ -39,6 +39,8 @@ class Console {
   void note(const Note& note);
   /// What the person must read even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);
+  /// No progress is shown from now on: what is spoken line by line must not be written over.
+  void end_progress();
   /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.
   Work work();
   const CommonOptions& options() const { return options_; }

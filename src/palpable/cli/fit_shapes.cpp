@@ -42,7 +42,12 @@ Result<Answer> run_fit_shapes(const FitShapesArguments& arguments, Console& cons
   where.input = options->input;
   where.labels = arguments.labels;
   where.stereo = options->recipes.stereo;
-  where.shapes = {1e-3 * arguments.tolerance_mm, arguments.most_shapes};
+  sculpt::ShapeSetOptions shapes;
+  shapes.tolerance_m = 1e-3 * arguments.tolerance_mm;
+  shapes.most_shapes = arguments.most_shapes;
+  const auto set = shape_options(arguments.make, shapes);
+  if (!set) return set.error();
+  where.shapes = *set;
   const auto found = session::fit_shapes(where, console.work());
   if (!found) return found.error();
   for (const Note& note : found->notes) console.note(note);

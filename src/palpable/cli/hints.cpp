@@ -23,7 +23,7 @@ std::string_view hint_for(Reason reason) {
     case Reason::needs_plane_marks:
       return "--corners or --lines";
     case Reason::unexpected_input_kind:
-      return "--kind KIND, where it was recognised wrongly";
+      return "where it was recognised wrongly, --kind KIND, as --kind depth";
     case Reason::photo_depth_used:
       return "--kind picture for its contours";
     case Reason::needs_field:

@@ -100,6 +100,8 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   const auto begin = std::chrono::steady_clock::now();
   auto made = session::make_scene(*options, console.work());
   if (!made) return made.error();
+  if (const auto unused = note_on_unused(arguments.make, *options, made->scene))
+    made->notes.push_back(*unused);
   for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);

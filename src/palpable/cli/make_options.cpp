@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/make_options.hpp"
 
+#include "palpable/cli/parameter_groups.hpp"
 #include "palpable/cli/suggest.hpp"
+#include "palpable/cli/unused_options.hpp"
 #include "palpable/core/number_text.hpp"
 
 #include <array>
@@ -137,6 +139,19 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Radius over which directions are averaged, px");
   options.number("--groove", arguments.groove_mm, {0.5, 20.0}, "Width of the grooves of the law groove, mm");
   add_stereo_options(options, arguments.stereo);
+  add_parameter_options(options, arguments.stereo);
+  arguments.given = options.given();
+}
+
+std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,
+                                   const models::Scene& made) {
+  const auto given = arguments.given ? arguments.given() : std::vector<std::string>{};
+  // Recognised again only where there is something to say of it.
+  if (given.empty()) return std::nullopt;
+  const auto input = session::recognise(options.input);
+  if (!input) return std::nullopt;
+  if (const auto words = unused_options(given, input->kind, made.model)) return Note(*words);
+  return std::nullopt;
 }
 
 Result<Vec3> size_from(const std::string& text) {
@@ -233,6 +248,21 @@ Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
   return recipe;
 }
 
+/// --set, among the parameters of every step and of the pair's method.
+Result<void> set_given(const MakeArguments& arguments, session::Recipes& recipes,
+                       sculpt::ShapeSetOptions& shapes) {
+  if (arguments.stereo.parameters.empty()) return {};
+  SettableOptions settable{recipes, shapes};
+  const vision::StereoMethod method = recipes.stereo.method.value_or(recipes::default_method());
+  std::vector<Parameter> known = vision::parameters_of(settable.recipes.stereo.options, method);
+  for (const ParameterGroup& group : parameter_groups())
+    for (Parameter& p : parameters_of(group, settable)) known.push_back(std::move(p));
+  if (const auto set = set_parameters(arguments.stereo.parameters, known, "NAME"); !set) return set;
+  recipes = std::move(settable.recipes);
+  shapes = settable.shapes;
+  return {};
+}
+
 /// --size bounds the scene, whatever kind it becomes.
 Result<void> set_size(const std::string& text, session::Recipes& recipes) {
   if (text.empty()) return {};
@@ -247,6 +277,16 @@ Result<void> set_size(const std::string& text, session::Recipes& recipes) {
 }
 
 }  // namespace
+
+Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments,
+                                              sculpt::ShapeSetOptions shapes) {
+  const auto stereo = stereo_recipe(arguments);
+  if (!stereo) return stereo.error();
+  session::Recipes others;
+  others.stereo = *stereo;
+  if (const auto set = set_given(arguments, others, shapes); !set) return set.error();
+  return shapes;
+}
 
 Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   session::MakeOptions options;
@@ -269,6 +309,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);
   if (const auto sized = set_size(arguments.size, options.recipes); !sized) return sized.error();
+  sculpt::ShapeSetOptions no_shapes;
+  if (const auto set = set_given(arguments, options.recipes, no_shapes); !set) return set.error();
   return options;
 }
 

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "palpable/cli/stereo_options.hpp"
+#include "palpable/recipes/shapes_recipe.hpp"
 #include "palpable/session/make/make_scene.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +20,8 @@ inline constexpr const char* kCompareDetails = "compare";
 /// What a scene is made from, and how, as given on the command line; shared by make and touch.
 struct MakeArguments {
   std::vector<std::string> inputs;
+  /// The names of the options that are on the command line.
+  std::function<std::vector<std::string>()> given;
   std::string kind, size, up;
   /// "relief", "contours", "field", "grid"; empty: by the input.
   std::string as;
@@ -62,6 +66,13 @@ void add_make_options(Options& options, MakeArguments& arguments);
 
 /// What the session takes. Errors: usage, for a kind, size or method that there is not.
 Result<session::MakeOptions> make_options(const MakeArguments& arguments);
+
+/// What fit-shapes takes: `shapes` as --set changes them. Errors: usage.
+Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments, sculpt::ShapeSetOptions shapes);
+
+/// A note on options that were given and have no effect on this scene (unused_options.hpp).
+std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,
+                                   const models::Scene& made);
 
 /// "WxHxD" in millimetres as metres; each 1 to 1000 mm. Errors: usage.
 Result<Vec3> size_from(const std::string& text);

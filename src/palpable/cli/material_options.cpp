@@ -123,9 +123,10 @@ Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::
   if (!picture) return picture.error();
   const auto invalid = [&file](std::string message) { return invalid_input(std::move(message), file); };
   const auto& samples = models::relief_of(scene)->samples_m();
-  // The same shape to within a pixel.
+  // The same shape to within a pixel of the coarser one, whose sides were rounded.
+  const double pixel = std::max(1.0, static_cast<double>(picture->width) / samples.width());
   const double height = static_cast<double>(picture->width) * samples.height() / samples.width();
-  if (std::abs(height - picture->height) > 1.0)
+  if (std::abs(height - picture->height) > pixel)
     return invalid(fmt::format("the label picture is {}x{}, but the scene's surface has the shape {}x{}",
                                picture->width, picture->height, samples.width(), samples.height()));
   Raster<std::uint8_t> labels(picture->width, picture->height);

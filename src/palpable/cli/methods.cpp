@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/parameter_groups.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 
@@ -26,12 +27,42 @@ Answer all_methods() {
         {{"name", vision::name_of(method)}, {"summary", vision::summary_of(method)}});
     answer.text += fmt::format("{:<10} {}\n", vision::name_of(method), vision::summary_of(method));
   }
-  answer.text += "palpable methods NAME lists a method's parameters.\n";
+  answer.json["steps"] = Json::array();
+  answer.text += "\nOther steps from an input to its scene:\n";
+  for (const ParameterGroup& group : parameter_groups()) {
+    answer.json["steps"].push_back(
+        {{"name", group.name}, {"summary", group.summary}, {"tuned_on", group.tuned_on}});
+    answer.text += fmt::format("{:<10} {}\n", group.name, group.summary);
+  }
+  answer.text += "\npalpable methods NAME lists the parameters of one of them.\n";
+  return answer;
+}
+
+void add_parameters(const std::vector<Parameter>& parameters, Answer& answer) {
+  for (const Parameter& p : parameters) {
+    answer.json["parameters"].push_back(json_of(p));
+    answer.text +=
+        fmt::format("  {:<44} {:>8} {:<10} {:>6} … {:<8} {}\n", p.name, fmt::format("{:g}", p.get()), p.unit,
+                    fmt::format("{:g}", p.range.least), fmt::format("{:g}", p.range.most), p.meaning);
+  }
+}
+
+/// One step's parameters, a line each.
+Answer one_group(const ParameterGroup& group) {
+  SettableOptions options;
+  Answer answer;
+  answer.json = {{"name", group.name},
+                 {"summary", group.summary},
+                 {"tuned_on", group.tuned_on},
+                 {"parameters", Json::array()}};
+  answer.text = fmt::format("{}: {}; defaults chosen on {}\n", group.name, group.summary, group.tuned_on);
+  add_parameters(parameters_of(group, options), answer);
   return answer;
 }
 
 /// One method's parameters, a line each.
 Result<Answer> one_method(const std::string& name) {
+  if (const ParameterGroup* group = find_group(name)) return one_group(*group);
   StereoArguments arguments;
   arguments.method = name;
   const auto method = stereo_method(arguments);
@@ -42,12 +73,7 @@ Result<Answer> one_method(const std::string& name) {
                  {"summary", vision::summary_of(*method)},
                  {"parameters", Json::array()}};
   answer.text = fmt::format("{}: {}\n", vision::name_of(*method), vision::summary_of(*method));
-  for (const Parameter& p : vision::parameters_of(options, *method)) {
-    answer.json["parameters"].push_back(json_of(p));
-    answer.text +=
-        fmt::format("  {:<44} {:>8} {:<10} {:>6} … {:<8} {}\n", p.name, fmt::format("{:g}", p.get()), p.unit,
-                    fmt::format("{:g}", p.range.least), fmt::format("{:g}", p.range.most), p.meaning);
-  }
+  add_parameters(vision::parameters_of(options, *method), answer);
   return answer;
 }
 
@@ -55,17 +81,19 @@ Result<Answer> one_method(const std::string& name) {
 
 void add_methods(Program& program) {
   const auto name = std::make_shared<std::string>();
-  Options options =
-      add_command(program, "methods", "The stereo methods, and the parameters that --set changes",
-                  "  palpable methods\n"
-                  "  palpable methods best\n"
-                  "  palpable depth left.png right.png -o depth.pfm --set smoothness.largest_step=2",
-                  [name](Console& /*console*/) -> Result<Answer> {
-                    if (name->empty()) return all_methods();
-                    return one_method(*name);
-                  });
+  Options options = add_command(
+      program, "methods", "The stereo methods and other steps, and the parameters that --set changes",
+      "  palpable methods\n"
+      "  palpable methods best\n"
+      "  palpable methods contours\n"
+      "  palpable make scan.png -o scan.palp --set contours.standard.half_contrast=0.1\n"
+      "  palpable depth left.png right.png -o depth.pfm --set smoothness.largest_step=2",
+      [name](Console& /*console*/) -> Result<Answer> {
+        if (name->empty()) return all_methods();
+        return one_method(*name);
+      });
   options.optional_argument("NAME", *name,
-                            "The method whose parameters are listed: default, unit, range, meaning");
+                            "The method or step whose parameters are listed: default, unit, range, meaning");
 }
 
 }  // namespace palpable::cli

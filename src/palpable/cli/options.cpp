@@ -109,6 +109,15 @@ void Options::number(const std::string& name, std::optional<double>& value, Rang
       ->check(within<double>(range));
 }
 
+std::function<std::vector<std::string>()> Options::given() const {
+  return [app = &app_] {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app->get_options())
+      if (option->count() > 0) names.push_back(option->get_name());
+    return names;
+  };
+}
+
 void Options::integer(const std::string& name, int& value, Range range, const std::string& help) {
   app_.add_option(name, value, help)->group(heading_)->check(within<int>(range));
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -64,6 +65,10 @@ class Options {
   void integer(const std::string& name, std::optional<int>& value, Range range, const std::string& help);
   /// Without a sign, up to 2^63 - 1.
   void count(const std::string& name, std::uint64_t& value, const std::string& help);
+
+  /// Lists, once the command line was parsed, the names of the options that are on it: "--size". The command
+  /// must outlive it.
+  std::function<std::vector<std::string>()> given() const;
 
  private:
   CLI::App& app_;

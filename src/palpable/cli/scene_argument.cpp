@@ -4,7 +4,10 @@
 
 #include "palpable/sources/input/input.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -33,11 +36,23 @@ std::string_view words_of(sources::InputKind kind) {
   return sources::name_of(kind);
 }
 
+/// A word as a shell takes it: in quotes where it holds more than names usually do.
+std::string shell_word(const std::string& word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c >= 0x80 ||
+           std::string_view("/._-+,:@%=").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 /// `reason`, unless the file can be recognised as something that a scene is made from.
 Error not_a_scene(const std::filesystem::path& path, Error reason) {
   const auto input = sources::recognise_input(std::span(&path, 1));
   if (!input || input->kind == sources::InputKind::scene) return reason;
-  const std::string file = path.filename().string(), scene = path.stem().string() + ".palp";
+  const std::string file = shell_word(path.string()), scene = shell_word(path.stem().string() + ".palp");
   return invalid_input(
       fmt::format("is {}, and not a scene: make a scene of it first with 'palpable make {} -o {}'",
                   words_of(input->kind), file, scene),

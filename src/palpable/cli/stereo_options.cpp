@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/stereo_options.hpp"
 
+#include "palpable/cli/parameter_groups.hpp"
 #include "palpable/cli/suggest.hpp"
-#include "palpable/core/number_text.hpp"
 #include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/sources/input/input.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
@@ -33,7 +33,7 @@ void add_stereo_options(Options& options, StereoArguments& arguments) {
 void add_parameter_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
   options.texts("--set", arguments.parameters,
-                "NAME=VALUE: a parameter of the method (palpable methods NAME lists them); may be repeated");
+                "NAME=VALUE: a parameter that palpable methods lists; may be repeated");
 }
 
 void add_pair_options(Options& options, StereoArguments& arguments) {
@@ -123,30 +123,20 @@ Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, v
   vision::StereoOptions options;
   options.max_disparity_px = arguments.max_disparity_px;
   const std::vector<Parameter> known = vision::parameters_of(options, method);
-  for (const std::string& given : arguments.parameters) {
-    const auto refused = [&](std::string why) {
-      return Error{ErrorCode::usage, std::move(why), "--set " + given};
-    };
-    const std::size_t equals = given.find('=');
-    if (equals == std::string::npos) return refused("a parameter is set as NAME=VALUE");
-    const std::string name = given.substr(0, equals);
-    const auto value = finite_number(std::string_view(given).substr(equals + 1));
-    if (!value) return refused("the value is not a number");
-    const auto parameter =
-        std::find_if(known.begin(), known.end(), [&](const Parameter& p) { return p.name == name; });
-    if (parameter == known.end()) {
-      std::vector<std::string> names;
-      for (const Parameter& p : known) names.push_back(p.name);
-      const auto meant = suggestion(name, names);
-      return refused(fmt::format("the method {} has no parameter {}{}; palpable methods {} lists them",
-                                 vision::name_of(method), name, meant ? ", did you mean " + *meant + "?" : "",
-                                 vision::name_of(method)));
-    }
-    if (const auto set = set_parameter(*parameter, *value); !set)
-      return refused(fmt::format("{} {}", name, set.error().message));
-  }
+  if (const auto set = set_parameters(arguments.parameters, known, vision::name_of(method)); !set)
+    return set.error();
   if (const auto ok = vision::check(options, method); !ok)
     return Error{ErrorCode::usage, ok.error().sentence(), "--set"};
+  return options;
+}
+
+Result<vision::StereoOptions> stereo_options_of_all(const StereoArguments& arguments) {
+  vision::StereoOptions options;
+  options.max_disparity_px = arguments.max_disparity_px;
+  std::vector<Parameter> known;
+  for (const auto method : vision::available_stereo_methods())
+    append_parameters(known, vision::name_of(method), vision::parameters_of(options, method));
+  if (const auto set = set_parameters(arguments.parameters, known, "METHOD"); !set) return set.error();
   return options;
 }
 

@@ -67,4 +67,8 @@ Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);
 /// that is no number, or one out of its range.
 Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method);
 
+/// The options of every method: --max-disparity, and --set with the method's name before the parameter's:
+/// "best.smoothness.largest_step=2". Errors: as stereo_options().
+Result<vision::StereoOptions> stereo_options_of_all(const StereoArguments& arguments);
+
 }  // namespace palpable::cli

@@ -53,6 +53,7 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
   if (!law) return law.error();
   session::TouchSettings settings;
   settings.law = *law;
+  settings.law_is_chosen = published.has_value() || !arguments.law.law.empty();
   if (published) apply_published(*published, settings.law);
   if (!settings.law.radius_m) settings.law.radius_m = published ? 0.0 : session::default_law().radius_m;
   if (!arguments.unlimited) return settings;
@@ -67,6 +68,7 @@ using Notes = std::function<void(const Note&)>;
 
 /// What a touch needs, with page or without.
 struct Plan {
+  MakeArguments arguments;
   session::MakeOptions make;
   MaterialArguments material;
   TitleArguments title;
@@ -92,6 +94,8 @@ session::SceneMaker maker_of(const Plan& plan, Notes notes) {
     auto made = session::make_scenes(
         plan.make,
         [&](recipes::MadeScene one) {
+          if (const auto unused = note_on_unused(plan.arguments, plan.make, one.scene))
+            one.notes.push_back(*unused);
           for (const Note& note : one.notes)
             if (given.insert(note.sentence).second) notes(note);
           auto scene = named_scene(std::move(one.scene), plan);
@@ -296,6 +300,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   }
   const auto make = make_options(arguments.scene.make);
   if (!make) return make.error();
+  plan.arguments = arguments.scene.make;
   plan.make = *make;
   if (*published && arguments.scene.make.as.empty()) plan.make.as = (*published)->as;
   if (const auto readable = check_materials(arguments.scene.material); !readable) return readable.error();

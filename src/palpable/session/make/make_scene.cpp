@@ -146,6 +146,8 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
     auto picture = read_one_picture(options.input);
     if (!picture) return picture.error();
     out.values = std::move(*picture);
+    // What was taken for a picture by its content, where nobody said that it is one.
+    if (options.as == MakeAs::by_input) out.notes = input->notes;
   } else {
     auto read = read_input(*input, options.input, work);
     if (!read) return read.error();

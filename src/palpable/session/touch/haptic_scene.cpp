@@ -93,6 +93,23 @@ void replace_law(haptics::LawParameters& parameters, haptics::Law law) {
   parameters.damping_Ns_per_m.reset();
 }
 
+/// "contours", "reliefs and fields".
+std::string kinds_of(const haptics::ModelKinds& models) {
+  std::vector<std::string> kinds;
+  if (models.relief) kinds.emplace_back("reliefs");
+  if (models.field) kinds.emplace_back("fields");
+  if (models.grid) kinds.emplace_back("grids");
+  if (models.contours) kinds.emplace_back("contours");
+  return describe::listed(kinds);
+}
+
+std::string other_law_words(haptics::Law asked, haptics::Law used, const models::Scene& scene) {
+  const std::string kind = models::kind_of(scene.model);
+  return fmt::format("The law {} is for {}, not for {}: this scene is touched with the law {}.",
+                     haptics::name_of(asked), kinds_of(haptics::description_of(asked).models),
+                     kind.ends_with('s') ? kind : kind + "s", haptics::name_of(used));
+}
+
 /// Of the scene's laws the one that is passive and needs two axes only.
 haptics::Law passive_planar_law(const std::vector<haptics::Law>& laws) {
   const auto found = std::find_if(laws.begin(), laws.end(), [](haptics::Law law) {
@@ -127,9 +144,8 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   prepared.law = settings.law;
   const auto laws = haptics::laws_for(scene);
   if (std::find(laws.begin(), laws.end(), prepared.law.law) == laws.end()) {
-    prepared.notices.push_back("There is no law " + std::string(haptics::name_of(prepared.law.law)) +
-                               " for " + models::kind_of(scene.model) + ", so the law is " +
-                               std::string(haptics::name_of(laws.front())) + ".");
+    if (settings.law_is_chosen)
+      prepared.notices.push_back(other_law_words(prepared.law.law, laws.front(), scene));
     replace_law(prepared.law, laws.front());
   }
   if (device.degrees_of_freedom < haptics::description_of(prepared.law.law).degrees_of_freedom) {

@@ -28,6 +28,8 @@ struct TouchSettings {
   /// limits lower them, and TouchSession::notices() says so. A device with two degrees of freedom feels
   /// `rolling` in place of laws that need the third.
   haptics::LawParameters law = default_law();
+  /// Whether somebody asked for this law: only then is it said where a scene has to be touched with another.
+  bool law_is_chosen = false;
   /// A relief's height is multiplied by this, -4…4; negative engraves, 0 is flat.
   double depth = 1.0;
   Limits limits = Limits::of_device;

@@ -1,0 +1,49 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/recipes/shapes_recipe.hpp"
+#include "palpable/session/make/make_scene.hpp"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace palpable::cli {
+
+/// Everything whose parameters --set reaches, beside the stereo methods.
+struct SettableOptions {
+  session::Recipes recipes;
+  sculpt::ShapeSetOptions shapes;
+};
+
+/// The parameters of one step between an input and its scene.
+struct ParameterGroup {
+  /// Their names begin with it and a dot: "contours.standard.half_contrast".
+  std::string_view name;
+  std::string_view summary;
+  /// What its defaults were chosen on.
+  std::string_view tuned_on;
+  std::vector<Parameter> (*parameters)(SettableOptions&);
+};
+
+/// All groups: a new one is a line in this table.
+std::span<const ParameterGroup> parameter_groups();
+
+/// The group of this name; null where there is none.
+const ParameterGroup* find_group(std::string_view name);
+
+/// Its parameters under their full names, which refer to `options`.
+std::vector<Parameter> parameters_of(const ParameterGroup& group, SettableOptions& options);
+
+/// Sets each NAME=VALUE of `given` among the `known` parameters. `owner` completes "palpable methods …",
+/// which lists them. Errors: usage, for an unknown name (with the nearest known one), a value that is no
+/// number, or one out of its range.
+Result<void> set_parameters(std::span<const std::string> given, std::span<const Parameter> known,
+                            std::string_view owner);
+
+}  // namespace palpable::cli

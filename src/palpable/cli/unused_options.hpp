@@ -1,0 +1,20 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/sources/input/input.hpp"
+
+#include <optional>
+#include <span>
+#include <string>
+
+namespace palpable::cli {
+
+/// A sentence that names those of the options `given` ("--size") that have no effect on a scene of this kind,
+/// made from this kind of input; nothing where all have one. One table says which option is for what; an
+/// option that is not in it always has an effect, or is refused where it has none.
+std::optional<std::string> unused_options(std::span<const std::string> given, sources::InputKind input,
+                                          const models::Model& made);
+
+}  // namespace palpable::cli

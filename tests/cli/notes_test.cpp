@@ -1,0 +1,102 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// What a command says of what it took, assumed and could not use.
+#include "palpable/formats/picture/picture.hpp"
+
+#include "program.hpp"
+#include "test_pictures.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Notes : public InFolder {
+ protected:
+  void SetUp() override {
+    InFolder::SetUp();
+    write_pair(folder_.string(), textured_pair());
+    Raster<std::uint16_t> grey(96, 64);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 96; ++x)
+        grey(x, y) = static_cast<std::uint16_t>(257 * ((x / 12 + y / 8) % 2 == 0 ? 40 : 200));
+    ASSERT_TRUE(formats::write_png(path("grey16.png"), grey));
+  }
+};
+
+TEST_F(Notes, SayThatA16BitPictureOf8BitValuesWasNotTakenAsDepth) {
+  const Outcome outcome = palpable({"make", path("grey16.png"), "-o", path("out.palp")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("it was taken as a picture, not as depth"));
+  EXPECT_THAT(outcome.err, HasSubstr("--kind depth"));
+  const Outcome asked = palpable({"make", path("grey16.png"), "-o", path("out.palp"), "--as", "contours"});
+  ASSERT_EQ(asked.exit_code, 0) << asked.err;
+  EXPECT_THAT(asked.err, Not(HasSubstr("taken as a picture")));
+}
+
+TEST_F(Notes, SayWhichScenesALawIsForWhereItWasAskedFor) {
+  ASSERT_EQ(
+      palpable({"make", path("left.png"), path("right.png"), "-o", path("relief.palp"), "--method", "fast"})
+          .exit_code,
+      0);
+  ASSERT_EQ(palpable({"make", path("left.png"), "-o", path("lines.palp")}).exit_code, 0);
+  const auto touched = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "touch");
+    arguments.insert(arguments.end(), {"--headless", "--seconds", "0.2"});
+    return palpable(arguments).err;
+  };
+  EXPECT_THAT(
+      touched({path("relief.palp"), "--law", "tracing"}),
+      HasSubstr(
+          "The law tracing is for contours, not for reliefs: this scene is touched with the law proxy."));
+  EXPECT_THAT(touched({path("lines.palp"), "--law", "penalty"}), HasSubstr("not for contours"));
+  EXPECT_EQ(touched({path("lines.palp")}), "");
+}
+
+TEST_F(Notes, NameTheFileWithItsFolderInTheCommandThatTheyPropose) {
+  std::filesystem::create_directory(path("my pictures"));
+  std::filesystem::copy_file(path("left.png"), path("my pictures/left.png"));
+  const Outcome outcome = palpable({"show", path("my pictures/left.png"), "-o", path("out.png")});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("palpable make '" + path("my pictures/left.png") + "' -o left.palp"));
+}
+
+TEST_F(Notes, NameTheOptionsThatHaveNoEffect) {
+  const Outcome lines =
+      palpable({"make", path("left.png"), "-o", path("out.palp"), "--max-error", "0.1", "--lay", "flat"});
+  ASSERT_EQ(lines.exit_code, 0) << lines.err;
+  EXPECT_THAT(lines.err, HasSubstr("--lay and --max-error have no effect on contours made from a picture."));
+  const Outcome relief = palpable({"make", path("left.png"), path("right.png"), "-o", path("out.palp"),
+                                   "--method", "fast", "--size", "90x90x12", "--groove", "3"});
+  ASSERT_EQ(relief.exit_code, 0) << relief.err;
+  EXPECT_THAT(relief.err, HasSubstr("--groove has no effect on a relief made from a pair."));
+  const Outcome touched =
+      palpable({"touch", path("out.palp"), "--headless", "--seconds", "0.2", "--size", "50x50x5"});
+  EXPECT_THAT(touched.err, HasSubstr("--size has no effect on a relief made from a scene."));
+}
+
+TEST_F(Notes, TheSamplesNamesFitItHoweverItIsResampled) {
+  for (const char* const samples : {"250", "33"}) {
+    const Outcome outcome = palpable({"touch", "--headless", "--seconds", "0.2", "--method", "fast",
+                                      "--resample", "bicubic", "--samples", samples});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+}
+
+TEST_F(Notes, AFileThatIsCutOffIsRefusedInOurOwnWords) {
+  write_text(path("cut.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  const Outcome obj = palpable({"make", path("cut.obj"), "-o", path("out.palp")});
+  EXPECT_EQ(obj.exit_code, 3);
+  EXPECT_THAT(obj.err, HasSubstr("the face in line 4 names vertex 9 of 3"));
+  std::string stl(84 + 50 * 3, '\0');
+  stl[80] = 12;
+  write_text(path("cut.stl"), stl);
+  const Outcome cut = palpable({"make", path("cut.stl"), "-o", path("out.palp")});
+  EXPECT_EQ(cut.exit_code, 3);
+  EXPECT_THAT(cut.err, HasSubstr("it states 12 triangles"));
+}
+
+}  // namespace
+}  // namespace palpable::test
