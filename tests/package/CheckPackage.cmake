@@ -19,6 +19,25 @@ execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${EXAMPLES} -B ${WORK}/buil
                         -DCMAKE_CXX_COMPILER=${COMPILER} -DWITH_VISION=${WITH_VISION} ${disabled}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
+# The same by pkg-config and the compiler alone.
+file(GLOB_RECURSE pc ${WORK}/prefix/palpable-core.pc)
+get_filename_component(pc_folder "${pc}" DIRECTORY)
+if(WITH_VISION)
+  set(by_pkg_config stereo_to_stl)
+  set(packages palpable-recipes palpable-formats palpable-sources)
+else()
+  set(by_pkg_config touch_height_field custom_device custom_law)
+  set(packages palpable-haptics)
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${pc_folder} pkg-config --cflags --libs ${packages}
+                OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+separate_arguments(flags UNIX_COMMAND "${flags}")
+foreach(example ${by_pkg_config})
+  execute_process(COMMAND ${COMPILER} ${EXAMPLES}/${example}.cpp ${flags} -o ${WORK}/${example}_by_pkg_config COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
+if(NOT WITH_VISION)
+  execute_process(COMMAND ${WORK}/touch_height_field_by_pkg_config COMMAND_ERROR_IS_FATAL ANY)
+endif()
 if(WITH_VISION)
   execute_process(COMMAND ${WORK}/build/stereo_to_stl ${SAMPLES}/sculpture_left.png ${SAMPLES}/sculpture_right.png ${WORK}/out.stl
                   COMMAND_ERROR_IS_FATAL ANY)

@@ -1,0 +1,52 @@
+# Copyright 2026 The Palpable authors
+# SPDX-License-Identifier: Apache-2.0
+"""extending.py SOURCE COMPILER CMAKE: applies the worked example of docs/extending.md to a copy of what it changes, compiles and runs it,
+and checks the copy's layers."""
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PROGRAM = """
+#include "palpable/device/drivers/open.hpp"
+#include <cstdio>
+using namespace palpable;
+int main() {
+  auto device = device::open_device("still:?z=0.002", {});
+  if (!device) return std::puts(device.error().sentence().c_str()), 1;
+  const auto reading = (*device)->read();
+  for (const auto& kind : device::list_devices())
+    if (kind.url == "still:") return reading.position.v.z == 0.002 ? 0 : 2;
+  return 3;
+}
+"""
+
+
+def main() -> None:
+    source, compiler, cmake = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+    text = (source / "docs/extending.md").read_text(encoding="utf-8")
+    diffs = re.findall(r"^```diff\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)
+    if len(diffs) != 1:
+        sys.exit("docs/extending.md must hold one diff")
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder)
+        for part in ("cmake", "src"):
+            shutil.copytree(source / part, copy / part)
+        (copy / "docs").mkdir()
+        shutil.copy(source / "docs/architecture.md", copy / "docs")
+        subprocess.run(["git", "apply", "-"], input=diffs[0], text=True, cwd=copy, check=True)
+        subprocess.run([cmake, f"-DSOURCE={copy}", "-P", copy / "cmake/CheckLayers.cmake"], check=True)
+        subprocess.run([cmake, f"-DDOCUMENT={copy}/docs/architecture.md", "-P", copy / "cmake/CheckArchitecture.cmake"], check=True)
+        (copy / "main.cpp").write_text(PROGRAM, encoding="utf-8")
+        # What the copy's list of sources names, and what it uses of core.
+        listed = re.search(r"SOURCES ([^\n]*)", (copy / "src/palpable/device/CMakeLists.txt").read_text(encoding="utf-8"))
+        devices = [copy / "src/palpable/device" / name for name in listed.group(1).split()]
+        core = [path for path in (copy / "src/palpable/core").glob("*.cpp") if not path.stem.endswith("_test") and path.stem != "allocation_counter"]
+        program = copy / "program"
+        subprocess.run([compiler, "-std=c++20", "-O0", f"-I{copy}/src", copy / "main.cpp", *devices, *core, "-pthread", "-o", program], check=True)
+        subprocess.run([program], check=True)
+
+
+main()
