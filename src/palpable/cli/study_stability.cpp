@@ -37,9 +37,9 @@ draw::Figure figure_of(const std::vector<study::GrooveResult>& results, int colu
                        const StudyStabilityArguments& arguments) {
   std::vector<draw::Trace> traces;
   for (const auto& result : results) {
-    traces.push_back({fmt::format("{}, {:g} N/m: {:.0f} µm", haptics::name_of(result.law),
-                                  result.stiffness_N_per_m, 1e6 * result.across_m),
-                      result.end_m, 1.0 / arguments.rate_hz});
+    traces.push_back(
+        {fmt::format("{}, {:g} N/m: {:.0f} µm", result.law, result.stiffness_N_per_m, 1e6 * result.across_m),
+         result.end_m, 1.0 / arguments.rate_hz});
     for (double& place : traces.back().values) place *= 1000.0;
   }
   const std::string delay =
@@ -63,15 +63,15 @@ Result<Answer> study(const StudyStabilityArguments& arguments) {
   answer.text = fmt::format("{:10}{:>12}{:>12}{:>12}{:>12}{:>14}\n", "law", "N/m", "across µm", "height µm",
                             "reversals/s", "step of force");
   for (const auto& r : *results) {
-    answer.json["results"].push_back({{"law", haptics::name_of(r.law)},
+    answer.json["results"].push_back({{"law", r.law},
                                       {"stiffness_N_per_m", r.stiffness_N_per_m},
                                       {"across_m", r.across_m},
                                       {"height_m", r.height_m},
                                       {"turns_per_s", r.turns_per_s},
                                       {"force_step_N", r.force_step_N}});
     answer.text +=
-        fmt::format("{:10}{:>12g}{:>12.1f}{:>12.1f}{:>12.0f}{:>12.3f} N\n", haptics::name_of(r.law),
-                    r.stiffness_N_per_m, 1e6 * r.across_m, 1e6 * r.height_m, r.turns_per_s, r.force_step_N);
+        fmt::format("{:10}{:>12g}{:>12.1f}{:>12.1f}{:>12.0f}{:>12.3f} N\n", r.law, r.stiffness_N_per_m,
+                    1e6 * r.across_m, 1e6 * r.height_m, r.turns_per_s, r.force_step_N);
   }
   if (arguments.output.empty()) return answer;
   const auto figure = figure_of(*results, static_cast<int>(options.stiffnesses_N_per_m.size()), arguments);

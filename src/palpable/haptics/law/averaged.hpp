@@ -20,10 +20,11 @@ struct Averaging {
   double centre_weight = 1.0;
 };
 
-/// `averaged`: as the shaded penalty, but the hand is projected onto the weighted mean of the surface below
-/// it and below four neighbours at an offset, c = (w sum P_i + w_c C_1) / (4 w + w_c) (Gomez 2012, chapter
-/// 12, its weights corrected). One smoothing step: concave places vibrate less, ridges are blunted, and it is
-/// not conservative.
+/// `averaged`: spring and damper along the normal of the weighted mean of the surface below the hand and
+/// below four neighbours at an offset, c = (w sum P_i + w_c C_1) / (4 w + w_c) (Gomez 2012, chapter 12, its
+/// weights corrected). One smoothing step: concave places vibrate less, ridges are blunted, and it is not
+/// conservative. Without neighbours it is the papers' naive law (Park & Howard 2012, eq. 6; Gomez 2012),
+/// which in a crease pushes with many times the wall's stiffness.
 template <models::HeightField Surface>
 class AveragedLaw : public ContactLaw<Surface> {
  public:

@@ -118,9 +118,9 @@ TEST(FieldProxyLaw, LetsGoOfAHandThatLeaves) {
   EXPECT_NEAR(output.proxy.v.z, 0.0215, 1e-9);
 }
 
-TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
-  const FieldPenaltyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, 0.0);
-  FieldPenaltyLaw<Wall>::State state;
+TEST(PenaltyLawOnFields, MakesNoEnergyRoundAClosedLoop) {
+  const PenaltyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, 0.0);
+  PenaltyLaw<Wall>::State state;
   double work_J = 0.0, swing_J = 0.0;
   Vec3 last{0.0, 0.0, 0.0009};
   constexpr int kSteps = 200000;
@@ -136,16 +136,16 @@ TEST(FieldPenaltyLaw, MakesNoEnergyRoundAClosedLoop) {
   EXPECT_LT(std::abs(work_J), 1e-6 * swing_J);
 }
 
-TEST(FieldPenaltyLaw, FeelsABallOfItsRadiusEarlier) {
-  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.001, 0.0);
-  FieldPenaltyLaw<Ball>::State state;
+TEST(PenaltyLawOnFields, FeelsABallOfItsRadiusEarlier) {
+  const PenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.001, 0.0);
+  PenaltyLaw<Ball>::State state;
   EXPECT_FALSE(law.evaluate(hand_at({0.0211, 0.0, 0.0}), state).contact);
   EXPECT_NEAR(law.evaluate(hand_at({0.0206, 0.0, 0.0}), state).force_N.v.x, 0.4, 1e-9);
 }
 
-TEST(FieldPenaltyLaw, NeverPulls) {
-  const FieldPenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0, 50.0), 0.0, 0.0);
-  FieldPenaltyLaw<Ball>::State state;
+TEST(PenaltyLawOnFields, NeverPulls) {
+  const PenaltyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0, 50.0), 0.0, 0.0);
+  PenaltyLaw<Ball>::State state;
   Hand leaving = hand_at({0.0199, 0.0, 0.0});
   leaving.velocity_m_per_s = {{1.0, 0.0, 0.0}};
   EXPECT_EQ(law.evaluate(leaving, state).force_N.v, Vec3{});

@@ -3,7 +3,7 @@
 #include "palpable/haptics/law/law_making.hpp"
 
 #include "palpable/haptics/law/law_parameters.hpp"
-#include "palpable/models/relief/relief_shaping.hpp"
+#include "palpable/models/relief/relief_dilation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -72,8 +72,7 @@ Result<std::shared_ptr<const Relief>> dilated_surface(const std::shared_ptr<cons
                                                       double radius_m, DilatedRelief* kept) {
   if (radius_m == 0.0) return relief;
   if (kept != nullptr && kept->of == relief && kept->radius_m == radius_m) return kept->surface;
-  auto dilated = Relief::from_samples(
-      models::dilate_by_ball(relief->samples_m(), relief->pixel_m(), radius_m, Work{}), relief->pixel_m());
+  auto dilated = Relief::from_samples(models::dilate_by_ball(*relief, radius_m, Work{}), relief->pixel_m());
   if (!dilated) return dilated.error();
   auto surface = std::make_shared<const Relief>(std::move(*dilated));
   if (kept != nullptr) *kept = {relief, radius_m, surface};
@@ -97,6 +96,9 @@ void read_pages(const models::DistanceField& field) noexcept {
 }
 void read_pages(const models::DenseField& field) noexcept {
   read_pages(field.values().data(), field.values().size() * sizeof(float));
+}
+void read_pages(const models::ReliefDepth& depth) noexcept {
+  depth.each_surface([](const Relief& surface) { read_pages(surface); });
 }
 void read_pages(const models::OccupancyGrid& grid) noexcept { grid.touch_pages(); }
 

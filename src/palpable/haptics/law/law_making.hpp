@@ -6,6 +6,7 @@
 #include "palpable/haptics/law/material_map.hpp"
 #include "palpable/models/field/dense_field.hpp"
 #include "palpable/models/field/distance_field.hpp"
+#include "palpable/models/field/relief_depth.hpp"
 #include "palpable/models/grid/occupancy_grid.hpp"
 #include "palpable/models/relief/height_bounds.hpp"
 
@@ -59,6 +60,7 @@ void read_pages(const models::BoundedRelief& relief) noexcept;
 void read_pages(const models::BoundaryMap& map) noexcept;
 void read_pages(const models::DistanceField& field) noexcept;
 void read_pages(const models::DenseField& field) noexcept;
+void read_pages(const models::ReliefDepth& depth) noexcept;
 void read_pages(const models::OccupancyGrid& grid) noexcept;
 
 /// Gives one law the interface of a Touchable. A law has a State, evaluate(), energy_model(), surface(),

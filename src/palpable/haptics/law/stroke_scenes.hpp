@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace palpable::haptics {
 
@@ -44,8 +45,11 @@ class Pebbles {
     const double ball = norm(away) - 0.003;
     return ball < p.z ? models::FieldSample{ball, unit(away)} : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
   }
-  /// Whether the straight way between two places goes through the middle of a ball.
+  /// Whether the straight way between two places of the surface goes through the middle of a ball. (What
+  /// flies to a hand in the air may have come round it.)
   static bool divides(Vec3 a, Vec3 b) {
+    constexpr double kNear_m = 1e-4;
+    if (Pebbles().sample(b).distance_m > kNear_m) return false;
     const Vec3 half = 0.5 * (a + b);
     const Vec3 middle{0.008 * std::round(half.x / 0.008), 0.008 * std::round(half.y / 0.008), 0.002};
     const Vec3 way = b - a;
@@ -85,8 +89,9 @@ template <class Solid>
 class SolidTouchable final : public Touchable {
  public:
   explicit SolidTouchable(double friction, double radius_m = 0.0)
-      : law_(std::make_shared<const Solid>(),
-             MaterialMap({kStrokeStiffness_N_per_m, 0.0, friction, friction}), radius_m) {}
+      : SolidTouchable(MaterialMap({kStrokeStiffness_N_per_m, 0.0, friction, friction}), radius_m) {}
+  SolidTouchable(MaterialMap materials, double radius_m, Textures textures = Textures({}))
+      : law_(std::make_shared<const Solid>(), std::move(materials), radius_m, std::move(textures)) {}
   LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept override {
     return law_.evaluate(hand, state_as<typename FieldProxyLaw<Solid>::State>(state));
   }
@@ -97,7 +102,8 @@ class SolidTouchable final : public Touchable {
     law_.take_over(from, state_as<typename FieldProxyLaw<Solid>::State>(state));
   }
   std::uint64_t state_family() const noexcept override { return 1; }
-  double damping_Ns_per_m() const noexcept override { return 0.0; }
+  EnergyModel energy_model() const noexcept override { return law_.energy_model(); }
+  double damping_Ns_per_m() const noexcept override { return law_.damping_Ns_per_m(); }
   void touch_pages() const noexcept override {}
 
  private:

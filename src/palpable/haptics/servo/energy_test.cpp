@@ -1,12 +1,14 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What the default law makes of energy in hands of every kind, at the stiffness limit and far above it.
+// What the laws make of energy in hands of every kind, at the stiffness limit and far above it, the limit on
+// growing forces included and the controller off.
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/safety/test_hands.hpp"
 #include "palpable/haptics/servo/tick.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -14,11 +16,12 @@ namespace palpable::haptics {
 namespace {
 
 /// The greatest energy made without the controller while a hand explores for five seconds.
-double made_by(const device::HandOptions& options, double times_the_limit, double* contact_share) {
+double made_by(Law law, const device::HandOptions& options, double times_the_limit, double* contact_share) {
   device::SimulatedHand hand(options);
   models::Scene scene = scene_of(random_hills(200, 160, 5));
   const auto safe = safe_contact(hand.traits(), options.rate_hz, 1.0, 1e5, 0.5);
   LawParameters parameters;
+  parameters.law = law;
   parameters.stiffness_N_per_m = times_the_limit * safe.stiffness_N_per_m;
   parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
   HapticScene program;
@@ -37,7 +40,9 @@ double made_by(const device::HandOptions& options, double times_the_limit, doubl
   return tick.counts().made_max_without_controller_J;
 }
 
-TEST(Energy, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
+class EnergyOf : public testing::TestWithParam<Law> {};
+
+TEST_P(EnergyOf, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
   Hands hands(17);
   double most_above_J = 0.0;
   for (int round = 0; round < 6; ++round) {
@@ -46,12 +51,16 @@ TEST(Energy, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
     hand.explorer.workspace_m = {0.04, 0.03, 0.03};
     hand.explorer.seed = static_cast<std::uint64_t>(round) + 1;
     double contact = 0.0;
-    EXPECT_LE(made_by(hand, 1.0, &contact), 1e-6) << "round " << round << " delay " << hand.delay_samples;
+    EXPECT_LE(made_by(GetParam(), hand, 1.0, &contact), 1e-6)
+        << "round " << round << " delay " << hand.delay_samples;
     EXPECT_GT(contact, 0.3);
-    most_above_J = std::max(most_above_J, made_by(hand, 5.0, &contact));
+    most_above_J = std::max(most_above_J, made_by(GetParam(), hand, 5.0, &contact));
   }
   EXPECT_GT(most_above_J, 1e-5) << "the account sees what there is to see";
 }
+
+INSTANTIATE_TEST_SUITE_P(Laws, EnergyOf, testing::Values(Law::proxy, Law::penalty),
+                         [](const auto& law) { return std::string(name_of(law.param)); });
 
 }  // namespace
 }  // namespace palpable::haptics

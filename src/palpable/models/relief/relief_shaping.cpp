@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/models/relief/relief_shaping.hpp"
 
-#include "palpable/core/vectorize.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,11 +50,6 @@ void lower_to_slope(Raster<float>& low, double step) {
   for (int y = h - 1; y >= 0; --y) pass(-1, y);
 }
 
-/// best[x] = max(best[x], from[x] + rise).
-PALPABLE_VECTORIZE void raise(float* best, const float* from, int count, float rise) {
-  for (int x = 0; x < count; ++x) best[x] = std::max(best[x], from[x] + rise);
-}
-
 void negate(Raster<float>& values) {
   for (float& v : values.values()) v = -v;
 }
@@ -97,36 +90,6 @@ void limit_slope(Raster<float>& height_m, double pixel_m, double steepest_slope)
     height_m.data()[i] = height_m.data()[i] > middle.data()[i] ? high.data()[i] : low.data()[i];
   // Both parts join within the limit, except at single pixel corners.
   height_m = between_slopes(height_m, step);
-}
-
-Raster<float> dilate_by_ball(const Raster<float>& height_m, double pixel_m, double radius_m,
-                             const Work& work) {
-  PALPABLE_CHECK(pixel_m > 0.0 && radius_m >= 0.0);
-  const double reach = radius_m / pixel_m;
-  const int r = static_cast<int>(std::floor(reach));
-  const int w = height_m.width();
-  const int h = height_m.height();
-  Raster<float> centre(w, h);
-  parallel_for(work, h, 8, [&](int begin, int end) {
-    std::vector<float> padded(static_cast<std::size_t>(w + 2 * r));
-    for (int y = begin; y < end; ++y) {
-      float* best = centre.row(y).data();
-      const auto own = height_m.row(y);
-      for (int x = 0; x < w; ++x) best[x] = own[static_cast<std::size_t>(x)] + static_cast<float>(radius_m);
-      for (int dy = -r; dy <= r; ++dy) {
-        const auto row = height_m.row(std::clamp(y + dy, 0, h - 1));
-        std::copy(row.begin(), row.end(), padded.begin() + r);
-        std::fill_n(padded.begin(), r, row.front());
-        std::fill_n(padded.end() - r, r, row.back());
-        const int chord = static_cast<int>(std::floor(std::sqrt(reach * reach - dy * dy)));
-        for (int dx = -chord; dx <= chord; ++dx) {
-          const double rise = pixel_m * std::sqrt(std::max(0.0, reach * reach - dx * dx - dy * dy));
-          raise(best, padded.data() + r + dx, w, static_cast<float>(rise));
-        }
-      }
-    }
-  });
-  return centre;
 }
 
 }  // namespace palpable::models

@@ -75,30 +75,5 @@ TEST(LimitSlope, TurnsAStepIntoARampCentredOnIt) {
   for (int i = 1; i < 200; ++i) ASSERT_GE(z(i, 2), z(i - 1, 2));
 }
 
-TEST(DilateByBall, RaisesLevelGroundByTheRadius) {
-  const auto raised = dilate_by_ball(Raster<float>(30, 20, 0.004F), kPixel_m, 0.001, {});
-  for (const float z : raised.values()) EXPECT_NEAR(z, 0.005, 1e-7);
-}
-
-TEST(DilateByBall, TurnsASpikeIntoABallAndKeepsHeightsAtRadiusZero) {
-  Raster<float> z(41, 41, -1.0F);
-  z(20, 20) = 0.002F;
-  EXPECT_EQ(dilate_by_ball(z, kPixel_m, 0.0, {}), z);
-  const auto ball = dilate_by_ball(z, kPixel_m, 0.002, {});
-  for (int dx = 0; dx <= 9; ++dx)
-    EXPECT_NEAR(ball(20 + dx, 20), 0.002 + std::sqrt(4e-6 - dx * dx * kPixel_m * kPixel_m), 1e-7);
-  EXPECT_LT(ball(31, 20), -0.9);
-}
-
-TEST(DilateByBall, RollsOverAPlaneAtTheRightDistance) {
-  Raster<float> z(100, 60);
-  for (int j = 0; j < 60; ++j)
-    for (int i = 0; i < 100; ++i) z(i, j) = static_cast<float>(0.75 * i * kPixel_m);
-  const auto raised = dilate_by_ball(z, kPixel_m, 0.002, {});
-  // The plane of slope 3/4 moves along its normal: up by r * 5/4. Between samples the ball is lower by up to
-  // pixel^2 / (8 r).
-  EXPECT_NEAR(raised(50, 30) - z(50, 30), 0.002 * 1.25, 5e-6);
-}
-
 }  // namespace
 }  // namespace palpable::models

@@ -89,23 +89,32 @@ GrooveResult rest_in(const haptics::HapticScene& scene, const GrooveStudyOptions
 
 }  // namespace
 
+std::vector<StudiedLaw> laws_in_a_groove() {
+  haptics::LawParameters naive;
+  naive.law = haptics::Law::averaged;
+  naive.neighbour_weight = 0.0;
+  haptics::LawParameters averaged;
+  averaged.law = haptics::Law::averaged;
+  haptics::LawParameters penalty;
+  penalty.law = haptics::Law::penalty;
+  haptics::LawParameters proxy;
+  return {{"naive", naive}, {"averaged", averaged}, {"penalty", penalty}, {"proxy", proxy}};
+}
+
 Result<std::vector<GrooveResult>> study_groove(const GrooveStudyOptions& options) {
   const auto scene = groove_scene(options.slope);
   if (!scene) return scene.error();
   std::vector<GrooveResult> results;
-  for (const haptics::Law law : options.laws)
+  for (const StudiedLaw& law : options.laws)
     for (const double stiffness : options.stiffnesses_N_per_m) {
-      haptics::LawParameters parameters;
-      parameters.law = law;
+      haptics::LawParameters parameters = law.parameters;
       parameters.stiffness_N_per_m = stiffness;
       parameters.damping_Ns_per_m = options.damping_Ns_per_m;
       parameters.static_friction = options.friction;
-      // As the papers' penalty laws: the force points along the surface's normal.
-      parameters.force_shading = 1.0;
       const auto touchable = haptics::make_touchable(*scene, parameters);
       if (!touchable) return touchable.error();
       results.push_back(rest_in({*touchable, {}, 1}, options));
-      results.back().law = law;
+      results.back().law = law.name;
       results.back().stiffness_N_per_m = stiffness;
     }
   return results;

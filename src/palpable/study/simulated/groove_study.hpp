@@ -6,14 +6,24 @@
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/haptics/law/laws.hpp"
 
+#include <string>
 #include <vector>
 
 namespace palpable::study {
 
-/// How steady each law is in a concave corner: a simulated hand is pressed into a V-shaped groove and rests
-/// there. In Gomez 2012, chapter 12, the penalty law vibrates there and averaging ends it.
+/// A law under a name, with what is set of it besides stiffness, damping and friction.
+struct StudiedLaw {
+  std::string name;
+  haptics::LawParameters parameters;
+};
+
+/// The papers' naive law (`averaged` without neighbours), `averaged`, `penalty` and `proxy`.
+std::vector<StudiedLaw> laws_in_a_groove();
+
+/// How steady each law is in a concave place: a simulated hand rests in a V-shaped groove, pressed down.
+/// Gomez 2012, chapter 12, saw the naive law vibrate there, and averaged to end it.
 struct GrooveStudyOptions {
-  std::vector<haptics::Law> laws{haptics::Law::penalty, haptics::Law::averaged, haptics::Law::proxy};
+  std::vector<StudiedLaw> laws = laws_in_a_groove();
   std::vector<double> stiffnesses_N_per_m{200.0, 400.0, 800.0};
   /// Slope of the groove's walls, 0.1 … 3.
   double slope = 1.0;
@@ -29,7 +39,7 @@ struct GrooveStudyOptions {
 };
 
 struct GrooveResult {
-  haptics::Law law = haptics::Law::proxy;
+  std::string law;
   double stiffness_N_per_m = 0.0;
   /// Range of the hand's positions in the last second, across the groove and in height.
   double across_m = 0.0;

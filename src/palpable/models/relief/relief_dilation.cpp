@@ -1,0 +1,195 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/models/relief/relief_dilation.hpp"
+
+#include "palpable/core/vectorize.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace palpable::models {
+namespace {
+
+/// Where the ball touches, seen from its centre, in pixels.
+struct TouchOffset {
+  double right = 0.0;
+  double up = 0.0;
+};
+
+/// best[x] = max(best[x], from[x] + rise), and which of the offsets that was.
+PALPABLE_VECTORIZE void raise(float* best, std::int32_t* which, const float* from, int count, float rise,
+                              std::int32_t offset) {
+  for (int x = 0; x < count; ++x) {
+    const float risen = from[x] + rise;
+    which[x] = risen > best[x] ? offset : which[x];
+    best[x] = std::max(best[x], risen);
+  }
+}
+
+/// The spline's own heights at its samples.
+Raster<float> heights_at_samples(const Relief& relief) {
+  const Raster<float>& values = relief.samples_m();
+  Raster<float> heights(values.width(), values.height());
+  const double left_m = -0.5 * (values.width() - 1) * relief.pixel_m();
+  const double top_m = 0.5 * (values.height() - 1) * relief.pixel_m();
+  for (int y = 0; y < heights.height(); ++y)
+    for (int x = 0; x < heights.width(); ++x)
+      heights(x, y) =
+          static_cast<float>(relief.sample(left_m + x * relief.pixel_m(), top_m - y * relief.pixel_m()).z_m);
+  return heights;
+}
+
+/// A place under the ball, seen from its centre, in metres.
+struct UnderBall {
+  double dx = 0.0;
+  double dy = 0.0;
+};
+
+/// At most `share` of the radius away.
+UnderBall held(UnderBall at, double radius_m, double share) {
+  const double length_m = std::hypot(at.dx, at.dy);
+  if (length_m <= share * radius_m) return at;
+  const double shrunk = share * radius_m / length_m;
+  return {shrunk * at.dx, shrunk * at.dy};
+}
+
+/// Newton's step towards the greatest z(p + d) + sqrt(r^2 - |d|^2), from d = `at`; the surface's own bend
+/// counts where the sum stays concave.
+UnderBall newton_step(const CurvedSample& s, UnderBall at, double radius_m) {
+  const double per = 1.0 / std::sqrt(radius_m * radius_m - at.dx * at.dx - at.dy * at.dy);
+  const double per3 = per * per * per;
+  const double ball_xx = per + at.dx * at.dx * per3;
+  const double ball_xy = at.dx * at.dy * per3;
+  const double ball_yy = per + at.dy * at.dy * per3;
+  const double xx = ball_xx - s.dzdxx_per_m;
+  const double xy = ball_xy - s.dzdxy_per_m;
+  const double yy = ball_yy - s.dzdyy_per_m;
+  constexpr double kLeast = 0.05;
+  const double ball = ball_xx * ball_yy - ball_xy * ball_xy;
+  const bool is_concave = xx > 0.0 && xx * yy - xy * xy > kLeast * ball;
+  const double a = is_concave ? xx : ball_xx;
+  const double b = is_concave ? xy : ball_xy;
+  const double c = is_concave ? yy : ball_yy;
+  const double gx = s.dzdx - at.dx * per;
+  const double gy = s.dzdy - at.dy * per;
+  const double determinant = a * c - b * b;
+  return {(c * gx - b * gy) / determinant, (a * gy - b * gx) / determinant};
+}
+
+/// The height of the centre of a ball at (x_m, y_m) that touches the surface near `from`. Every place that is
+/// tried is one that the ball cannot pass, so the highest counts.
+double centre_height(const Relief& relief, double radius_m, double x_m, double y_m, TouchOffset from) {
+  constexpr int kSteps = 5;
+  constexpr double kEnough_m = 1e-8;
+  // Near its rim the ball is too steep for Newton's method.
+  constexpr double kStart = 0.9;
+  constexpr double kRim = 0.9999;
+  const double pixel_m = relief.pixel_m();
+  UnderBall best = held({from.right * pixel_m, from.up * pixel_m}, radius_m, kStart);
+  CurvedSample s = relief.curved_sample(x_m + best.dx, y_m + best.dy);
+  double best_m = s.z_m + std::sqrt(radius_m * radius_m - best.dx * best.dx - best.dy * best.dy);
+  // Where a plane of this slope is touched.
+  const double plane_m = radius_m / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
+  UnderBall step{plane_m * s.dzdx - best.dx, plane_m * s.dzdy - best.dy};
+  for (int k = 0; k < kSteps; ++k) {
+    const double length_m = std::hypot(step.dx, step.dy);
+    if (length_m < kEnough_m) break;
+    const double shorter = std::min(1.0, pixel_m / length_m);
+    const UnderBall next = held({best.dx + shorter * step.dx, best.dy + shorter * step.dy}, radius_m, kRim);
+    const CurvedSample there = relief.curved_sample(x_m + next.dx, y_m + next.dy);
+    const double over_m = std::sqrt(radius_m * radius_m - next.dx * next.dx - next.dy * next.dy);
+    if (there.z_m + over_m <= best_m) {
+      step = {0.25 * shorter * step.dx, 0.25 * shorter * step.dy};
+      continue;
+    }
+    best_m = there.z_m + over_m;
+    best = next;
+    s = there;
+    step = newton_step(s, best, radius_m);
+  }
+  return best_m;
+}
+
+/// The control values whose spline passes nearest to `heights`: the spline flattens by a sixth of the second
+/// differences, which are at most `most_bent` where a ball rolled.
+Raster<float> control_values_for(const Raster<float>& heights, double most_bent) {
+  const auto most = static_cast<float>(most_bent);
+  Raster<float> values = heights;
+  const int w = heights.width();
+  const int h = heights.height();
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      const float z = heights(x, y);
+      const float across = heights(std::max(x - 1, 0), y) + heights(std::min(x + 1, w - 1), y) - 2.0F * z;
+      const float down = heights(x, std::max(y - 1, 0)) + heights(x, std::min(y + 1, h - 1)) - 2.0F * z;
+      values(x, y) = z - (std::clamp(across, -most, most) + std::clamp(down, -most, most)) / 6.0F;
+    }
+  return values;
+}
+
+/// The greatest heights among the samples under the ball, and where each was found.
+void find_offsets(const Raster<float>& heights, double reach, int y, float* best, std::int32_t* which,
+                  std::vector<float>& padded) {
+  const int r = static_cast<int>(std::floor(reach));
+  const int w = heights.width();
+  const int h = heights.height();
+  for (int dy = -r; dy <= r; ++dy) {
+    const auto row = heights.row(std::clamp(y + dy, 0, h - 1));
+    std::copy(row.begin(), row.end(), padded.begin() + r);
+    std::fill_n(padded.begin(), r, row.front());
+    std::fill_n(padded.end() - r, r, row.back());
+    const int chord = static_cast<int>(std::floor(std::sqrt(reach * reach - dy * dy)));
+    for (int dx = -chord; dx <= chord; ++dx) {
+      const double rise = std::sqrt(std::max(0.0, reach * reach - dx * dx - dy * dy));
+      raise(best, which, padded.data() + r + dx, w, static_cast<float>(rise),
+            (dy + r) * (2 * r + 1) + dx + r);
+    }
+  }
+}
+
+}  // namespace
+
+Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
+  PALPABLE_CHECK(radius_m > 0.0);
+  const double pixel_m = relief.pixel_m();
+  // Heights in pixels, so that the samples' search has one unit.
+  Raster<float> heights = heights_at_samples(relief);
+  for (float& z : heights.values()) z = static_cast<float>(z / pixel_m);
+  const double reach = radius_m / pixel_m;
+  const int r = static_cast<int>(std::floor(reach));
+  const int side = 2 * r + 1;
+  const int w = heights.width();
+  const int h = heights.height();
+  Raster<float> centre(w, h);
+  parallel_for(work, h, 8, [&](int begin, int end) {
+    std::vector<float> padded(static_cast<std::size_t>(w + 2 * r));
+    std::vector<float> best(static_cast<std::size_t>(w));
+    std::vector<std::int32_t> which(static_cast<std::size_t>(w));
+    for (int y = begin; y < end; ++y) {
+      std::fill(best.begin(), best.end(), -1e30F);
+      find_offsets(heights, reach, y, best.data(), which.data(), padded);
+      for (int x = 0; x < w; ++x) {
+        const int found = which[static_cast<std::size_t>(x)];
+        const TouchOffset offset{1.0 * (found % side - r), -1.0 * (found / side - r)};
+        centre(x, y) = static_cast<float>(centre_height(relief, radius_m, (x - 0.5 * (w - 1)) * pixel_m,
+                                                        (0.5 * (h - 1) - y) * pixel_m, offset));
+      }
+    }
+  });
+  const double steep2 = 1.0 + relief.steepest_slope() * relief.steepest_slope();
+  return control_values_for(centre, pixel_m * pixel_m / radius_m * steep2 * std::sqrt(steep2));
+}
+
+Raster<float> erode_by_ball(const Relief& relief, double radius_m, const Work& work) {
+  Raster<float> hollow = relief.samples_m();
+  for (float& z : hollow.values()) z = -z;
+  auto turned = Relief::from_samples(std::move(hollow), relief.pixel_m());
+  PALPABLE_CHECK(turned.has_value());
+  Raster<float> deep = dilate_by_ball(*turned, radius_m, work);
+  for (float& z : deep.values()) z = -z;
+  return deep;
+}
+
+}  // namespace palpable::models

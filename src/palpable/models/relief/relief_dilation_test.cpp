@@ -1,0 +1,81 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/models/relief/relief_dilation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace palpable::models {
+namespace {
+
+constexpr double kPixel_m = 0.00015625;
+
+Relief relief_of_heights(int width, int height, double (*z)(double x_m)) {
+  Raster<float> values(width, height);
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i) values(i, j) = static_cast<float>(z((i - 0.5 * (width - 1)) * kPixel_m));
+  return *Relief::from_samples(std::move(values), kPixel_m);
+}
+
+/// How far the ball's centre is from where it belongs, along the normal, over the middle of the relief.
+struct Errors {
+  double least_m = 0.0;
+  double most_m = 0.0;
+};
+
+Errors errors_of(const Relief& relief, double radius_m) {
+  const Relief dilated = *Relief::from_samples(dilate_by_ball(relief, radius_m, {}), relief.pixel_m());
+  Errors errors;
+  for (double x = -0.004; x < 0.004; x += 1.3e-5) {
+    double true_m = -1.0;
+    for (int k = -3000; k <= 3000; ++k) {
+      const double d = k * radius_m / 3000;
+      true_m = std::max(true_m, relief.sample(x + d, 0.0).z_m + std::sqrt(radius_m * radius_m - d * d));
+    }
+    const HeightSample s = dilated.sample(x, 0.0);
+    const double off_m = (s.z_m - true_m) / std::sqrt(1.0 + s.dzdx * s.dzdx);
+    errors = {std::min(errors.least_m, off_m), std::max(errors.most_m, off_m)};
+  }
+  return errors;
+}
+
+TEST(DilateByBall, RaisesLevelGroundByTheRadius) {
+  const auto raised = dilate_by_ball(relief_of_heights(30, 20, [](double) { return 0.004; }), 0.001, {});
+  for (const float z : raised.values()) EXPECT_NEAR(z, 0.005, 1e-7);
+}
+
+TEST(DilateByBall, RollsOverSlopesWithinAMicrometre) {
+  for (const double radius_m : {0.0005, 0.001, 0.003}) {
+    for (auto* z : {+[](double x) { return 0.5 * x; }, +[](double x) { return 1.3 * x; },
+                    +[](double x) { return 2.0 * x; }, +[](double x) { return 3.0 * x; }}) {
+      const Errors errors = errors_of(relief_of_heights(200, 60, z), radius_m);
+      EXPECT_GE(errors.least_m, -1e-6) << radius_m;
+      EXPECT_LE(errors.most_m, 1e-6) << radius_m;
+    }
+  }
+}
+
+TEST(DilateByBall, RollsOverRoundHillsAndValleysWithinFiveMicrometres) {
+  for (const double radius_m : {0.0005, 0.001}) {
+    const Errors errors =
+        errors_of(relief_of_heights(200, 60, [](double x) { return 0.002 * std::sin(x / 0.002); }), radius_m);
+    EXPECT_GE(errors.least_m, -5e-6) << radius_m;
+    EXPECT_LE(errors.most_m, 5e-6) << radius_m;
+  }
+}
+
+TEST(DilateByBall, StandsTooHighInAGrooveByHalfAPixelTimesTheSlopeAtMost) {
+  const Errors errors = errors_of(relief_of_heights(200, 60, [](double x) { return std::abs(x); }), 0.001);
+  EXPECT_GE(errors.least_m, -5e-6);
+  EXPECT_LE(errors.most_m, 0.5 * kPixel_m);
+}
+
+TEST(ErodeByBall, IsTheDilationOfTheOtherSide) {
+  const auto lowered = erode_by_ball(relief_of_heights(200, 60, [](double x) { return x; }), 0.001, {});
+  EXPECT_NEAR(lowered(100, 30), 0.5 * kPixel_m - 0.001 * std::sqrt(2.0), 1e-6);
+}
+
+}  // namespace
+}  // namespace palpable::models
