@@ -14,8 +14,8 @@ namespace palpable::haptics {
 extern const LawDescription kPenaltyLaw;
 
 /// `penalty`: f = -k min(D, 0) grad D, the exact gradient of k D^2 / 2 (Moustakas et al. 2007, sign
-/// corrected), so without damping it makes no energy; and a damper along the normal that never pulls. D is a
-/// solid's distance, or minus the depth under a relief (ReliefDepth). Shaded, the gradient's length is left
+/// corrected), so without damping it makes no energy; and a damper, which never pulls along the normal. D is
+/// a solid's distance, or minus the depth under a relief (ReliefDepth). Shaded, the gradient's length is left
 /// out (force shading): nearly the same on an exact field, and not conservative. It pushes to the nearest
 /// surface, so it pops through thin walls: `proxy` does not. On a field a ball of radius r is a point in the
 /// field minus r; a relief is dilated by it. The papers' law on pictures, with the distance to the tangent
@@ -46,7 +46,10 @@ class PenaltyLaw : public ContactLaw<Surface> {
     const Vec3 outward = s.gradient / length;
     output.spring_N.v = (contact.stiffness_N_per_m * depth) * s.gradient;
     const double spring_N = contact.stiffness_N_per_m * depth * (shading_ + (1.0 - shading_) * length);
-    output.force_N.v = damped_push(spring_N, outward, hand.velocity_m_per_s.v, contact);
+    const Vec3 velocity = hand.velocity_m_per_s.v;
+    output.force_N.v =
+        damped_push(spring_N, outward, velocity, contact) +
+        (1.0 - shading_) * drag(velocity - dot(velocity, outward) * outward, spring_N, contact);
     return output;
   }
 
@@ -55,6 +58,14 @@ class PenaltyLaw : public ContactLaw<Surface> {
   }
 
  private:
+  /// The spring's direction turns as the hand moves along the surface: held for a tick, that makes energy
+  /// too, which a damper has to pay for. Never more than the push, so that a touch begins softly.
+  static Vec3 drag(Vec3 along_m_per_s, double push_N, const Contact& contact) noexcept {
+    const double speed = norm(along_m_per_s);
+    if (speed * contact.damping_Ns_per_m <= push_N) return -contact.damping_Ns_per_m * along_m_per_s;
+    return (-push_N / speed) * along_m_per_s;
+  }
+
   double radius_m_;
   double shading_;
 };

@@ -11,9 +11,11 @@ namespace {
 
 constexpr double kMargin = 0.9;
 /// How much of the wall's damper may pay for the held spring. The rest is for what the damper does not know:
-/// its velocity is some ticks old and comes from a sensor with steps. Measured (docs/measurements.md): with
-/// 0.9 one random hand in twelve saw microjoules made, with 0.6 none of 240.
-constexpr double kHeldMargin = 0.6;
+/// its velocity is some ticks old and comes from a sensor with steps. Measured (docs/history): with 0.9 one
+/// random hand in twelve saw microjoules made, with 0.65 none of 60 at `proxy`.
+constexpr double kHeldMargin = 0.65;
+/// How much of what device and hand damp a wall may ask for, so that both bounds below meet.
+constexpr double kWallsShare = 0.55;
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
@@ -28,7 +30,7 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
   const double physical = known_or(device.damping_Ns_per_m, 0.0) + kLeastHandDamping_Ns_per_m;
   const double held_s = (2.0 * std::max(device.delay_samples, 0) + 1.0) / rate_hz;
   const double needed = 0.5 * held_s * stiffness_N_per_m * scale / kHeldMargin;
-  const double damping = std::min(std::max(damping_Ns_per_m * scale, needed), 0.5 * physical);
+  const double damping = std::min(std::max(damping_Ns_per_m * scale, needed), kWallsShare * physical);
   const double friction_N = known_or(device.coulomb_friction_N, 0.0);
   const double step_m = known_or(device.position_resolution_m, 0.0);
   // Without known friction the last bound would forbid every wall, which no device bears out: it then says
