@@ -1,6 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/haptics/servo/kept_rate.hpp"
+#include "palpable/haptics/servo/servo_loop.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -48,6 +50,23 @@ Finding realtime_priority() {
   finding.advice =
       "add '@audio - rtprio 90' to /etc/security/limits.d/palpable.conf, join the group audio and log in "
       "again";
+  return finding;
+}
+
+/// An empty loop at the usual rate and at the greatest.
+Finding servo_rate() {
+  constexpr double kMeasure_s = 0.3;
+  Finding finding{"servo-rate", Finding::State::good, {}, {}};
+  for (const double rate_hz : {1000.0, 4000.0}) {
+    const auto kept = haptics::measure_rate(rate_hz, kMeasure_s, haptics::ServoOptions{}.realtime_priority);
+    finding.found += fmt::format("{}an empty loop of {:.0f} Hz missed {:.1f} % of its deadlines",
+                                 finding.found.empty() ? "" : ", ", rate_hz, 100.0 * kept.missed_fraction());
+    if (haptics::check_kept(kept)) continue;
+    finding.state = Finding::State::wanted;
+    finding.advice =
+        fmt::format("end what else the machine is busy with, or touch with a --rate below {:.0f}", rate_hz);
+    break;
+  }
   return finding;
 }
 
@@ -131,7 +150,7 @@ Result<Answer> examine(Console& /*console*/) {
   answer.json["findings"] = Json::array();
   bool ready = true;
   for (const Finding& finding :
-       {processors(), realtime_priority(), locked_memory(), loopback(), device_rules()}) {
+       {processors(), realtime_priority(), servo_rate(), locked_memory(), loopback(), device_rules()}) {
     answer.json["findings"].push_back({{"name", finding.name},
                                        {"state", name_of(finding.state)},
                                        {"found", finding.found},

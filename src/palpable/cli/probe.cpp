@@ -25,6 +25,7 @@ struct ProbeArguments {
 };
 
 bool has_extent(const ProbeArguments& arguments) {
+  if (arguments.law.law == haptics::name_of(haptics::Law::tool)) return true;
   return !arguments.tool.empty() && arguments.tool != "point";
 }
 

@@ -9,6 +9,7 @@
 #include "palpable/cli/view_options.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
+#include "palpable/haptics/servo/kept_rate.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/page/server.hpp"
 #include "palpable/page/touch_host.hpp"
@@ -321,6 +322,14 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   constexpr double kRate_Hz = 1000.0;
   plan.options.servo.rate_hz =
       arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);
+  // The measurement takes a moment: who asks for no more than the usual rate is not kept waiting for it.
+  constexpr double kMeasure_s = 0.25;
+  const auto& servo = plan.options.servo;
+  if (servo.rate_hz > kRate_Hz)
+    if (auto kept =
+            haptics::check_kept(haptics::measure_rate(servo.rate_hz, kMeasure_s, servo.realtime_priority));
+        !kept)
+      return kept.error();
   if (arguments.keys) return touch_with_keys(arguments, plan, console);
   return arguments.headless ? touch_without_page(arguments, plan, console)
                             : touch_with_page(arguments, plan, console);

@@ -32,6 +32,8 @@ protocol::Laws page_laws(const models::Scene& scene) {
   protocol::Laws all;
   for (const auto law : haptics::laws_for(scene)) {
     const haptics::LawDescription& description = haptics::description_of(law);
+    // The page's own probes have no torque.
+    if (description.degrees_of_freedom > 3) continue;
     protocol::Law& message = all.laws.emplace_back();
     message.name = description.name;
     message.title = description.title;

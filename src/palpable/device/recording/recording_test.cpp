@@ -140,6 +140,34 @@ TEST(Recording, KeepsFurtherProbesApartFromTheHand) {
   }
 }
 
+TEST(Recording, KeepsTurnsTorquesAndComingScenes) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "turns.rec";
+  auto writer = RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(writer);
+  std::vector<TouchSample> ticks;
+  for (std::uint64_t n = 0; n < 10; ++n) {
+    ticks.push_back(tick_number(n));
+    ticks.back().device_rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+    ticks.back().angular_velocity_rad_per_s.v = {0.1, 0.2, 1.0 / 3.0};
+    ticks.back().raw_torque_Nm.v = {1e-3, 2e-3, static_cast<double>(n)};
+    ticks.back().written_torque_Nm.v = {0.0, 1e-4, 0.0};
+    ticks.back().coming_scene_id = n > 2 && n < 7 ? 5 : 0;
+  }
+  ASSERT_TRUE((*writer)->write(std::span(ticks).first(4)));
+  ASSERT_TRUE((*writer)->write(std::span(ticks).subspan(4)));
+  ASSERT_TRUE((*writer)->finish(0));
+  const auto read = read_recording(file);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->ticks, ticks);
+  auto reader = RecordingReader::open(file);
+  ASSERT_TRUE(reader) << reader.error().sentence();
+  std::vector<TouchSample> streamed;
+  while (const Recording* piece = (*reader)->next())
+    streamed.insert(streamed.end(), piece->ticks.begin(), piece->ticks.end());
+  EXPECT_EQ((*reader)->end(), RecordingEnd::complete);
+  EXPECT_EQ(streamed, ticks);
+}
+
 TEST(Replay, GivesTheRecordedPositionsAgainAndIsStaleAfterThem) {
   auto device = open_device("replay:" + written(50, "replay.rec").string(), {});
   ASSERT_TRUE(device) << device.error().sentence();

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace palpable::device {
 namespace {
@@ -26,7 +28,27 @@ Traits traits_of(const HandOptions& options) {
   traits.position_resolution_m = options.resolution_m;
   traits.delay_samples = options.delay_samples;
   traits.rate_hz = options.rate_hz;
+  traits.has_torque = options.has_torque;
+  if (!options.has_torque) return traits;
+  traits.name = "simulated hand with torque";
+  traits.max_torque_Nm = options.max_torque_Nm;
+  traits.inertia_kg_m2 = options.device_inertia_kg_m2;
+  traits.rotational_damping_Nm_s = options.device_rotational_damping_Nm_s;
   return traits;
+}
+
+Vec3 column(const Rotation& r, std::size_t k) { return {r[k], r[3 + k], r[6 + k]}; }
+
+/// Turned by a small vector of rotation, in the outer frame, and made orthonormal again.
+Rotation turned(const Rotation& rotation, Vec3 by_rad) {
+  const auto moved = [&](std::size_t k) {
+    const Vec3 c = column(rotation, k);
+    return c + cross(by_rad, c) + 0.5 * cross(by_rad, cross(by_rad, c));
+  };
+  const Vec3 x = unit(moved(0));
+  const Vec3 z = unit(cross(x, moved(1)));
+  const Vec3 y = cross(z, x);
+  return {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
 }
 
 double rounded(double value, double step) { return step > 0.0 ? step * std::round(value / step) : value; }
@@ -53,23 +75,42 @@ Reading SimulatedHand::read() noexcept {
   Reading reading;
   reading.position.v = {rounded(position_m_.x, step), rounded(position_m_.y, step),
                         rounded(position_m_.z, step)};
+  reading.rotation = rotation_;
   return reading;
 }
 
 void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
-  if (cut_.exchange(false, std::memory_order_acq_rel)) on_the_way_N_.fill({});
+  if (cut_.exchange(false, std::memory_order_acq_rel)) stop();
   const auto size = static_cast<std::size_t>(options_.delay_samples) + 1;
   on_the_way_N_[(delayed_ + size - 1) % size] = force_N.v;
+  on_the_way_Nm_[(delayed_ + size - 1) % size] = std::exchange(torque_Nm_, {});
   const Vec3 motor_N = on_the_way_N_[delayed_ % size];
+  const Vec3 motor_Nm = on_the_way_Nm_[delayed_ % size];
   delayed_ = (delayed_ + 1) % size;
 
   const double period_s = 1.0 / options_.rate_hz;
   const Vec3 goal_before = goal_m_;
   goal_m_ = explorer_.step(position_m_, motor_N, period_s);
   const Vec3 goal_velocity = (goal_m_ - goal_before) / period_s;
+  for (int i = 1; options_.has_torque && i <= kSteps; ++i) turn(motor_Nm, period_s / kSteps);
   for (int i = 1; i <= kSteps; ++i)
     move(motor_N, goal_before + (static_cast<double>(i) / kSteps) * (goal_m_ - goal_before), goal_velocity,
          period_s / kSteps);
+}
+
+void SimulatedHand::turn(Vec3 motor_Nm, double dt_s) noexcept {
+  turning_s_ += dt_s;
+  const double inertia = options_.device_inertia_kg_m2 + options_.hand_inertia_kg_m2;
+  const double damping = options_.device_rotational_damping_Nm_s + options_.hand_rotational_damping_Nm_s;
+  // The handle's axis is drawn to where the hand tilts it, and its turn about that axis to none.
+  const double phase = 2.0 * std::numbers::pi * options_.tilt_hz * turning_s_;
+  const Vec3 upright{std::sin(options_.tilt_rad * std::sin(phase)), 0.0,
+                     std::cos(options_.tilt_rad * std::sin(phase))};
+  const Vec3 off = cross(column(rotation_, 2), upright) + cross(column(rotation_, 1), Vec3{0.0, 1.0, 0.0});
+  const Vec3 push_Nm = motor_Nm + options_.hand_rotational_stiffness_Nm * off;
+  angular_velocity_rad_per_s_ =
+      (angular_velocity_rad_per_s_ + (dt_s / inertia) * push_Nm) / (1.0 + dt_s * damping / inertia);
+  rotation_ = turned(rotation_, dt_s * angular_velocity_rad_per_s_);
 }
 
 void SimulatedHand::move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept {
@@ -87,7 +128,10 @@ void SimulatedHand::move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, 
   position_m_ += dt_s * velocity;
 }
 
-void SimulatedHand::stop() noexcept { on_the_way_N_.fill({}); }
+void SimulatedHand::stop() noexcept {
+  on_the_way_N_.fill({});
+  on_the_way_Nm_.fill({});
+}
 
 Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOptions& options) {
   HandOptions hand;
@@ -101,6 +145,9 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   hand.delay_samples = static_cast<int>(url.take_number("delay", 0.0, 0.0, SimulatedHand::kMostDelay));
   hand.max_force_N = url.take_number("max-force", hand.max_force_N, 0.1, 40.0);
   hand.degrees_of_freedom = url.take_word("dof", {"3", "2"}) == "2" ? 2 : 3;
+  hand.has_torque = url.take_number("torque", 0.0, 0.0, 1.0) > 0.0;
+  hand.max_torque_Nm = url.take_number("max-torque", hand.max_torque_Nm, 0.001, 5.0);
+  hand.tilt_rad = url.take_number("tilt", hand.tilt_rad, 0.0, 1.0);
   hand.rate_hz = options.rate_hz;
   auto& explorer = hand.explorer;
   explorer.speed_m_per_s = 1e-3 * url.take_number("speed-mm", 1e3 * explorer.speed_m_per_s, 1.0, 500.0);

@@ -29,6 +29,17 @@ struct HandOptions {
   double max_force_N = 3.3;
   double rate_hz = 1000.0;
   int degrees_of_freedom = 3;
+  /// A handle that turns and takes torques; the hand holds it upright, and tilts it slowly to and fro.
+  bool has_torque = false;
+  double max_torque_Nm = 0.2;
+  double device_inertia_kg_m2 = 5e-5;
+  double device_rotational_damping_Nm_s = 1e-4;
+  double hand_inertia_kg_m2 = 1e-4;
+  double hand_rotational_damping_Nm_s = 0.01;
+  double hand_rotational_stiffness_Nm = 1.0;
+  /// How far and how often the hand tilts it.
+  double tilt_rad = 0.3;
+  double tilt_hz = 0.4;
   ExplorerOptions explorer;
 };
 
@@ -44,6 +55,7 @@ class SimulatedHand final : public Device {
   const Traits& traits() const noexcept override { return traits_; }
   Reading read() noexcept override;
   void write(Vector<DeviceFrame> force_N) noexcept override;
+  void write_torque(Vector<DeviceFrame> torque_Nm) noexcept override { torque_Nm_ = torque_Nm.v; }
   void stop() noexcept override;
   void cut_force() noexcept override { cut_.store(true, std::memory_order_release); }
 
@@ -55,6 +67,7 @@ class SimulatedHand final : public Device {
   void place(Vec3 position_m) noexcept;
 
  private:
+  void turn(Vec3 motor_Nm, double dt_s) noexcept;
   void move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept;
 
   HandOptions options_;
@@ -65,6 +78,12 @@ class SimulatedHand final : public Device {
   Vec3 goal_m_;
   /// A ring of forces on their way; the next to act stands at delayed_.
   std::array<Vec3, kMostDelay + 1> on_the_way_N_{};
+  std::array<Vec3, kMostDelay + 1> on_the_way_Nm_{};
+  /// Of the next write().
+  Vec3 torque_Nm_;
+  Rotation rotation_ = kNotTurned;
+  Vec3 angular_velocity_rad_per_s_;
+  double turning_s_ = 0.0;
   std::size_t delayed_ = 0;
   /// The motors were cut: what was on its way to them is gone.
   std::atomic<bool> cut_{false};

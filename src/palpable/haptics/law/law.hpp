@@ -10,7 +10,7 @@
 namespace palpable::haptics {
 
 /// The force laws, ours and the papers' (docs/laws.md says what each does and where it fails).
-enum class Law : std::uint8_t { proxy, tracing, groove, grid, rolling, penalty, averaged, sobel };
+enum class Law : std::uint8_t { proxy, tracing, groove, grid, rolling, penalty, averaged, sobel, tool };
 
 /// What can be set of a law. A law reads only those of its own description; a value that is not given comes
 /// from the scene's material or is the description's default.
@@ -29,6 +29,9 @@ struct LawParameters {
   std::optional<double> dynamic_friction;
   /// Radius of the ball that touches; its centre is the hand's position. 0 = a point.
   std::optional<double> radius_m;
+  /// Of `tool`: the radius of its round end, and how far below the hand the end's centre is.
+  std::optional<double> tool_radius_m;
+  std::optional<double> tool_length_m;
   /// 0: along the exact gradient of the potential; 1: along the surface's normal (force shading).
   std::optional<double> force_shading;
   /// Of `tracing`: 1, bounded by a speed gate and a tank of energy; 0, eq. 8 as it is printed.
@@ -86,7 +89,7 @@ struct LawDescription {
   std::span<const LawParameter> parameters;
   /// The parameter that sets how strong the law is: a stiffness or a force.
   std::optional<double> LawParameters::*strength = nullptr;
-  /// 2: acts in the plane and is felt on every device; 3: needs three axes.
+  /// 2: acts in the plane and is felt on every device; 3: needs three axes; 6: needs torque too.
   int degrees_of_freedom = 3;
   /// The force is the gradient of a potential where damping, friction and force shading are 0.
   bool conservative = false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/device/device.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,9 @@ struct Hand {
   Point<SceneFrame> position;
   Vector<SceneFrame> velocity_m_per_s;
   double dt_s = 0.001;
+  /// How a handle is turned, scene from tool, and how fast; of devices with torque.
+  device::Rotation rotation = device::kNotTurned;
+  Vector<SceneFrame> angular_velocity_rad_per_s = {};
 };
 
 /// What a law renders at one tick, before caps, ramps and passivity.
@@ -28,6 +32,10 @@ struct LawOutput {
   /// The part of the force that this energy makes: minus its gradient, without dampers. 0 where none is
   /// stored.
   Vector<SceneFrame> spring_N;
+  /// About the hand's position, and the part of it that the stored energy makes: minus its derivative by the
+  /// turn.
+  Vector<SceneFrame> torque_Nm;
+  Vector<SceneFrame> spring_torque_Nm;
   bool contact = false;
   bool has_proxy = false;
   /// Index of the material or region touched.

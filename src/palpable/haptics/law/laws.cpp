@@ -10,6 +10,7 @@
 #include "palpable/haptics/law/proxy.hpp"
 #include "palpable/haptics/law/rolling.hpp"
 #include "palpable/haptics/law/sobel.hpp"
+#include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/law/tracing.hpp"
 
 #include <algorithm>
@@ -22,8 +23,8 @@ namespace palpable::haptics {
 namespace {
 
 /// A new law is one line here. The first that renders a kind of model is that kind's default.
-constexpr std::array kLaws{&kProxyLaw,   &kTracingLaw, &kGrooveLaw,   &kGridLaw,
-                           &kRollingLaw, &kPenaltyLaw, &kAveragedLaw, &kSobelLaw};
+constexpr std::array kLaws{&kProxyLaw,   &kTracingLaw,  &kGrooveLaw, &kGridLaw, &kRollingLaw,
+                           &kPenaltyLaw, &kAveragedLaw, &kSobelLaw,  &kToolLaw};
 
 bool renders(const LawDescription& law, const models::Scene& scene) {
   if (std::holds_alternative<std::shared_ptr<const models::Relief>>(scene.model)) return law.models.relief;

@@ -36,6 +36,8 @@ class PassivityObserver {
     /// The force that the motors held since the tick before, N, and the movement under it, m.
     Vector<DeviceFrame> held_force_N;
     Vector<DeviceFrame> moved_m;
+    /// What the held torque gave the hand over the turn since, J; 0 of devices without torque.
+    double turned_J = 0.0;
     double dt_s = 0.001;
     /// In the device's frame (LawOutput::stored_J / scene_from_device.scale), at the new position; NaN: the
     /// law has no potential.
@@ -60,7 +62,7 @@ class PassivityObserver {
 
   /// The balance after this step.
   double update(const Step& step) noexcept {
-    const double received_J = dot(step.held_force_N, step.moved_m);
+    const double received_J = dot(step.held_force_N, step.moved_m) + step.turned_J;
     count_work(step, received_J);
     if (std::isfinite(step.stored_J)) {
       count_balance(step, received_J);
@@ -95,7 +97,8 @@ class PassivityObserver {
 
   void count_balance(const Step& step, double received_J) noexcept {
     const double along = norm(step.held_force_N);
-    const double speed = along > 0.0 && step.dt_s > 0.0 ? received_J / (along * step.dt_s) : 0.0;
+    const double speed =
+        along > 0.0 && step.dt_s > 0.0 ? (received_J - step.turned_J) / (along * step.dt_s) : 0.0;
     reserve_J_ += step.damping_Ns_per_m * speed * speed * step.dt_s -
                   reserve_J_ * std::min(1.0, step.dt_s / kReserve_s);
     const double made_J = received_J + step.stored_J - stored_J_;
@@ -112,17 +115,22 @@ class PassivityObserver {
   double made_max_J_ = 0.0;
 };
 
-/// Takes the energy made, `made_J`, out again: a force that gives the hand energy is weakened by as much as
-/// gives `made_J` less in a tick, down to nothing. It only ever shortens the force: never a pull, never a
-/// push to a side. Unchanged where nothing was made or the hand is giving. Tick path.
+/// Takes the energy made, `made_J`, out again: a force (and torque) that gives the hand `gives_W` is weakened
+/// by as much as gives `made_J` less in a tick, down to nothing. The factor for both, 0 ... 1; 1 where
+/// nothing was made or the hand is giving. Tick path.
+inline double passivity_factor(double gives_W, double made_J, double dt_s) noexcept {
+  // At rest everything is rounding: no hand notices less than a nanojoule.
+  constexpr double kNegligible_J = 1e-9;
+  if (made_J <= kNegligible_J || gives_W <= 0.0) return 1.0;
+  return std::max(0.0, 1.0 - made_J / (dt_s * gives_W));
+}
+
+/// The same for a force alone: never a pull, never a push to a side. Tick path.
 inline Vector<DeviceFrame> control_passivity(Vector<DeviceFrame> force_N,
                                              Vector<DeviceFrame> velocity_m_per_s, double made_J,
                                              double dt_s) noexcept {
-  // At rest everything is rounding: no hand notices less than a nanojoule.
-  constexpr double kNegligible_J = 1e-9;
-  const double gives_W = dot(force_N, velocity_m_per_s);
-  if (made_J <= kNegligible_J || gives_W <= 0.0) return force_N;
-  return std::max(0.0, 1.0 - made_J / (dt_s * gives_W)) * force_N;
+  const double factor = passivity_factor(dot(force_N, velocity_m_per_s), made_J, dt_s);
+  return factor < 1.0 ? factor * force_N : force_N;
 }
 
 }  // namespace palpable::haptics

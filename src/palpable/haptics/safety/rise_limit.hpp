@@ -28,6 +28,10 @@ class RiseLimit {
     Vector<DeviceFrame> held_force_N;
     Vector<DeviceFrame> moved_m;
     double max_rise_N = 0.0;
+    /// What the held torque gave the hand over the turn since the last call, and what the spring's own torque
+    /// would have; 0 of devices without torque.
+    double turned_J = 0.0;
+    double spring_turned_J = 0.0;
   };
 
   Limited<DeviceFrame> limit(const Input& in) noexcept {
@@ -37,7 +41,8 @@ class RiseLimit {
       withheld_J_ = 0.0;
     }
     // What the spring took as stored and the hand did not give.
-    const double unpaid_J = has_spring ? dot(in.held_force_N, in.moved_m) + in.stored_J - stored_J_ : 0.0;
+    const double unpaid_J =
+        has_spring ? dot(in.held_force_N, in.moved_m) + in.turned_J + in.stored_J - stored_J_ : 0.0;
     const bool counts = was_limited_ || withheld_J_ > 0.0;
     if (counts) count(unpaid_J);
     if (has_spring) follow(in);
@@ -57,6 +62,10 @@ class RiseLimit {
   /// The motors hold nothing any more.
   void reset() noexcept { *this = {}; }
 
+  /// Another part of the same spring, a torque, was held back after limit().
+  void note_limited() noexcept { was_limited_ = true; }
+  /// The part of a spring that is rendered now.
+  double share() const noexcept { return share_; }
   double withheld_J() const noexcept { return withheld_J_; }
 
  private:
@@ -67,7 +76,7 @@ class RiseLimit {
 
   void follow(const Input& in) noexcept {
     const double spring_N = norm(in.spring_N);
-    const double out_m = dot(in.spring_N, in.moved_m) / spring_N;
+    const double out_m = (dot(in.spring_N, in.moved_m) + in.spring_turned_J) / spring_N;
     const double goal = out_m > 0.0 ? std::clamp(1.0 - withheld_J_ / in.stored_J, 0.0, share_) : 1.0;
     // A spring that stores U at a force f is 2 U / f deep.
     const double over_m = kFollowing * 2.0 * in.stored_J / spring_N;

@@ -32,6 +32,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
                                                      : options.max_pointer_speed_m_per_s),
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
+      has_torque_(device.traits().has_torque),
       ramp_(options.ramp_down_s, options.ramp_up_s),
       delay_(static_cast<std::size_t>(std::clamp(device.traits().delay_samples, 0, kMaxDelay))) {
   now_.begin(scene);
@@ -66,6 +67,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   observe(dt_s);
   if (!is_glitch) make_force(dt_s, valid && !paused_);
   send();
+  if (has_torque_) device_.write_torque(written_Nm_);
   device_.write(written_N_);
 
   sample_.t_s = t_s;
@@ -81,10 +83,18 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
 
 TickPipeline::Accepted TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
   moved_ = {};
+  turned_ = {};
   since_good_s_ += dt_s;
   if (reading.status != device::Status::ok) return Accepted::bad;
   const Point<DeviceFrame> place = reading.position;
-  if (std::isfinite(since_good_s_) ? !is_plausible(place) : !is_in_reach(place)) {
+  if (has_torque_ && !is_rotation(reading.rotation)) {
+    flags_ |= flag::kImplausible;
+    return Accepted::bad;
+  }
+  const bool plausible = std::isfinite(since_good_s_)
+                             ? is_plausible(place) && is_plausible_turn(reading.rotation)
+                             : is_in_reach(place);
+  if (!plausible) {
     const Accepted jump = judge_jump(place, dt_s);
     if (jump != Accepted::good) {
       flags_ |= flag::kImplausible;
@@ -97,7 +107,7 @@ TickPipeline::Accepted TickPipeline::accept(const device::Reading& reading, doub
   }
   implausible_ = 0;
   agreeing_ = 0;
-  take(place, dt_s);
+  take(reading, dt_s);
   return Accepted::good;
 }
 
@@ -114,6 +124,11 @@ bool TickPipeline::is_plausible(Point<DeviceFrame> place) const noexcept {
   return agreeing_ == 0 || norm(place - jumped_to_) >= from_last_m;
 }
 
+bool TickPipeline::is_plausible_turn(const device::Rotation& rotation) const noexcept {
+  if (!has_torque_ || !turn_.known()) return true;
+  return norm(turn_between(turn_.rotation(), rotation)) <= options_.max_turn_rad_per_s * since_good_s_;
+}
+
 TickPipeline::Accepted TickPipeline::judge_jump(Point<DeviceFrame> place, double dt_s) noexcept {
   ++implausible_;
   const bool agrees =
@@ -126,7 +141,8 @@ TickPipeline::Accepted TickPipeline::judge_jump(Point<DeviceFrame> place, double
                                                                                   : Accepted::bad;
 }
 
-void TickPipeline::take(Point<DeviceFrame> place, double dt_s) noexcept {
+void TickPipeline::take(const device::Reading& reading, double dt_s) noexcept {
+  const Point<DeviceFrame> place = reading.position;
   const bool first = !std::isfinite(since_good_s_);
   position_ = place;
   const double passed_s = first ? dt_s : since_good_s_;
@@ -134,6 +150,11 @@ void TickPipeline::take(Point<DeviceFrame> place, double dt_s) noexcept {
   const Point<DeviceFrame> before = fine_.place();
   const Point<DeviceFrame> now = fine_.update(place, velocity_m_per_s_, passed_s);
   if (!first) moved_ = now - before;
+  if (has_torque_) {
+    if (first) turn_.begin();
+    turn_.update(reading.rotation, passed_s);
+    turned_ = turn_.turned_rad();
+  }
   since_good_s_ = 0.0;
 }
 
@@ -143,6 +164,8 @@ void TickPipeline::drop_force() noexcept {
   uncontrolled_rise_.reset();
   written_N_ = {};
   uncontrolled_N_ = {};
+  written_Nm_ = {};
+  uncontrolled_Nm_ = {};
   sent_.fill({});
   velocity_.begin();
   shortened_ = ramped_ = true;
@@ -150,9 +173,13 @@ void TickPipeline::drop_force() noexcept {
 
 bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
   const auto& scene_from_device = side.scene->scene_from_device;
-  const Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
+  Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
+  if (has_torque_) {
+    hand.rotation = turned_by(scene_from_device, turn_.rotation());
+    hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, turn_.velocity_rad_per_s());
+  }
   const LawOutput output = side.scene->touchable->evaluate(hand, side.state);
-  if (!is_finite(output.force_N)) return false;
+  if (!is_finite(output.force_N) || !is_finite(output.torque_Nm)) return false;
   side.output = output;
   return true;
 }
@@ -162,6 +189,12 @@ Vector<DeviceFrame> TickPipeline::device_force_N(const Side& side,
   Vector<DeviceFrame> turned = rotate_force(side.device_from_scene, force_N);
   if (planar_) turned.v.z = 0.0;
   return turned;
+}
+
+Vector<DeviceFrame> TickPipeline::device_torque_Nm(const Side& side,
+                                                   Vector<SceneFrame> torque_Nm) const noexcept {
+  // A turn is as large in the scene as at the device, where lengths are 1 / scale as long: so is the torque.
+  return (1.0 / side.scene->scene_from_device.scale) * rotate_force(side.device_from_scene, torque_Nm);
 }
 
 double TickPipeline::device_stored_J() const noexcept {
@@ -189,6 +222,10 @@ bool TickPipeline::evaluate_laws(double dt_s) noexcept {
   }
   law_force_N_ = device_force_N(now_, now_.output.force_N);
   if (fading()) law_force_N_ += faded_ * (device_force_N(coming_, coming_.output.force_N) - law_force_N_);
+  if (!has_torque_) return true;
+  law_torque_Nm_ = device_torque_Nm(now_, now_.output.torque_Nm);
+  if (fading())
+    law_torque_Nm_ += faded_ * (device_torque_Nm(coming_, coming_.output.torque_Nm) - law_torque_Nm_);
   return true;
 }
 
@@ -198,6 +235,7 @@ void TickPipeline::begin_touch() noexcept {
   coming_.state = {};
   velocity_.begin();
   velocity_m_per_s_ = {};
+  turn_.begin();
   flags_ |= flag::kNewTouch;
 }
 
@@ -232,6 +270,7 @@ void TickPipeline::observe(double dt_s) noexcept {
   PassivityObserver::Step step;
   step.held_force_N = held().written_N;
   step.moved_m = moved_;
+  step.turned_J = dot(held().written_Nm, turned_);
   step.dt_s = dt_s;
   step.stored_J = device_stored_J();
   step.contact = contact || (fading() && coming_.output.contact);
@@ -239,7 +278,8 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.shortened = shortened_;
   step.ramped = ramped_;
   // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
-  if ((flags_ & flag::kFading) != 0) counts_.scene_change_J += dot(step.held_force_N, step.moved_m);
+  if ((flags_ & flag::kFading) != 0)
+    counts_.scene_change_J += dot(step.held_force_N, step.moved_m) + step.turned_J;
   const bool new_account =
       (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
   if (new_account) {
@@ -249,6 +289,7 @@ void TickPipeline::observe(double dt_s) noexcept {
   }
   observer_.update(step);
   step.held_force_N = held().uncontrolled_N;
+  step.turned_J = dot(held().uncontrolled_Nm, turned_);
   without_controller_.update(step);
 }
 
@@ -265,10 +306,16 @@ void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   in.moved_m = moved_;
   in.max_rise_N = options_.max_force_rate_N_per_s * risen_s;
   in.held_force_N = held().written_N;
+  if (has_torque_) {
+    in.turned_J = dot(held().written_Nm, turned_);
+    in.spring_turned_J = gain * dot(device_torque_Nm(now_, now_.output.spring_torque_Nm), turned_);
+  }
   const auto risen = rise_.limit(in);
   in.held_force_N = held().uncontrolled_N;
+  if (has_torque_) in.turned_J = dot(held().uncontrolled_Nm, turned_);
   uncontrolled_N_ = uncontrolled_rise_.limit(in).force_N;
   written_N_ = risen.force_N;
+  if (has_torque_) make_torque(gain, risen_s);
   if (gain > 0.0) control_energy(dt_s);
   counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
   if (capped.limited) flags_ |= flag::kForceCapped;
@@ -276,23 +323,40 @@ void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   if (gain < 1.0) flags_ |= flag::kRamping;
   if (paused_) flags_ |= flag::kPaused;
   ramped_ = gain < 1.0 || (fading() && !same_surface_);
-  shortened_ = ramped_ || (capped.limited && !has_spring);
+  shortened_ = ramped_ || (capped.limited && !has_spring) || torque_capped_;
+}
+
+void TickPipeline::make_torque(double gain, double risen_s) noexcept {
+  const auto capped = cap_force(law_torque_Nm_, device_.traits().max_torque_Nm);
+  const double max_rise_Nm = options_.max_torque_rate_Nm_per_s * risen_s;
+  const auto risen = cap_rise(rise_.share() * gain * capped.force_N, written_Nm_, max_rise_Nm);
+  written_Nm_ = risen.force_N;
+  const auto uncontrolled =
+      cap_rise(uncontrolled_rise_.share() * gain * capped.force_N, uncontrolled_Nm_, max_rise_Nm);
+  uncontrolled_Nm_ = uncontrolled.force_N;
+  // What is held back of a torque is held back of the same spring.
+  if (risen.limited) rise_.note_limited();
+  if (uncontrolled.limited) uncontrolled_rise_.note_limited();
+  torque_capped_ = capped.limited;
+  if (capped.limited) flags_ |= flag::kForceCapped;
+  if (risen.limited) flags_ |= flag::kRateCapped;
 }
 
 void TickPipeline::control_energy(double dt_s) noexcept {
   if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
-  const Vector<DeviceFrame> weakened =
-      control_passivity(written_N_, velocity_m_per_s_, observer_.made_J(), dt_s);
-  if (weakened == written_N_) return;
+  const double gives_W = dot(written_N_, velocity_m_per_s_) + dot(written_Nm_, turn_.velocity_rad_per_s());
+  const double factor = passivity_factor(gives_W, observer_.made_J(), dt_s);
+  if (factor >= 1.0) return;
   flags_ |= flag::kPassivityActed;
-  written_N_ = weakened;
+  written_N_ = factor * written_N_;
+  written_Nm_ = factor * written_Nm_;
   // From here it grows again no faster than any force.
   rise_.weakened_to(written_N_);
 }
 
 void TickPipeline::send() noexcept {
   newest_ = (newest_ + 1) % sent_.size();
-  sent_[newest_] = {written_N_, uncontrolled_N_};
+  sent_[newest_] = {written_N_, uncontrolled_N_, written_Nm_, uncontrolled_Nm_};
 }
 
 void TickPipeline::describe(const device::Reading& reading) noexcept {
@@ -305,6 +369,12 @@ void TickPipeline::describe(const device::Reading& reading) noexcept {
   sample_.raw_force_N = now_.output.force_N;
   sample_.written_force_N = rotate_force(scene_from_device, written_N_);
   sample_.energy_J = observer_.balance_J();
+  if (has_torque_) {
+    sample_.device_rotation = reading.rotation;
+    sample_.angular_velocity_rad_per_s = rotate_force(scene_from_device, turn_.velocity_rad_per_s());
+    sample_.raw_torque_Nm = now_.output.torque_Nm;
+    sample_.written_torque_Nm = rotate_force(scene_from_device, written_Nm_);
+  }
   sample_.label = now_.output.label;
   sample_.buttons = reading.buttons;
   sample_.scene_id = now_.scene->id;

@@ -8,6 +8,7 @@
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/safety/rise_limit.hpp"
 #include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/servo/turn.hpp"
 #include "palpable/haptics/servo/velocity.hpp"
 
 #include <array>
@@ -24,6 +25,8 @@ struct TickOptions {
   double max_force_N = std::numeric_limits<double>::infinity();
   /// Growth only; release is never delayed. The default lets a wall of 500 N/m met at 0.6 m/s through.
   double max_force_rate_N_per_s = 300.0;
+  /// The same of a torque: 0.1 m times the force's.
+  double max_torque_rate_Nm_per_s = 30.0;
   Passivity passivity = Passivity::control;
   /// One scene gives way to the next in this time.
   double fade_s = 0.15;
@@ -34,6 +37,8 @@ struct TickOptions {
   /// lasts it is a new touch. The second is for devices without motors, whose probe may be anywhere.
   double max_speed_m_per_s = 2.5;
   double max_pointer_speed_m_per_s = 8.0;
+  /// A handle that turned faster is likewise no hand's.
+  double max_turn_rad_per_s = 60.0;
   /// So many implausible readings in a row are taken for a glitch that may pass.
   int glitch_readings = 2;
   /// A reading further out than this many workspaces is no reading.
@@ -103,12 +108,15 @@ class TickPipeline {
   Accepted accept(const device::Reading& reading, double dt_s) noexcept;
   bool is_in_reach(Point<DeviceFrame> place) const noexcept;
   bool is_plausible(Point<DeviceFrame> place) const noexcept;
+  bool is_plausible_turn(const device::Rotation& rotation) const noexcept;
   Accepted judge_jump(Point<DeviceFrame> place, double dt_s) noexcept;
-  void take(Point<DeviceFrame> place, double dt_s) noexcept;
+  void take(const device::Reading& reading, double dt_s) noexcept;
   void drop_force() noexcept;
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
+  Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;
   double device_stored_J() const noexcept;
+  void make_torque(double gain, double risen_s) noexcept;
   void control_energy(double dt_s) noexcept;
   void send() noexcept;
   bool evaluate_laws(double dt_s) noexcept;
@@ -144,6 +152,11 @@ class TickPipeline {
   Point<DeviceFrame> position_;
   /// Since the tick before.
   Vector<DeviceFrame> moved_;
+  bool has_torque_;
+  bool torque_capped_ = false;
+  TurnEstimator turn_;
+  /// Since the tick before, rad.
+  Vector<DeviceFrame> turned_;
   /// Since the last good reading; infinite before the first.
   double since_good_s_ = std::numeric_limits<double>::infinity();
   /// Readings in a row that were not plausible, and how many of the last of them agree about where the hand
@@ -160,10 +173,15 @@ class TickPipeline {
   Vector<DeviceFrame> law_force_N_;
   Vector<DeviceFrame> uncontrolled_N_;
   Vector<DeviceFrame> written_N_;
+  Vector<DeviceFrame> law_torque_Nm_;
+  Vector<DeviceFrame> uncontrolled_Nm_;
+  Vector<DeviceFrame> written_Nm_;
   /// The last forces, for a device whose motors get them some ticks late; newest at newest_.
   struct Sent {
     Vector<DeviceFrame> written_N;
     Vector<DeviceFrame> uncontrolled_N;
+    Vector<DeviceFrame> written_Nm;
+    Vector<DeviceFrame> uncontrolled_Nm;
   };
   static constexpr int kMaxDelay = 15;
   std::array<Sent, kMaxDelay + 1> sent_{};

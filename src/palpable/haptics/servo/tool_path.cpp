@@ -30,6 +30,7 @@ ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool,
   ToolOutput sum;
   Hand hand;
   hand.dt_s = first ? kFirstTick_s : pose.t_s - *probe.last_s;
+  hand.rotation = pose.scene_from_tool.rotation;
   for (std::size_t i = 0; i < tool.size(); ++i) {
     hand.position = pose.scene_from_tool * tool[i].place;
     hand.velocity_m_per_s =
@@ -38,7 +39,8 @@ ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool,
     const LawOutput place = touchable.evaluate(hand, probe.states[i]);
     const Vector<SceneFrame> force = tool[i].share * place.force_N;
     sum.force_N += force;
-    sum.torque_Nm += cross(hand.position - Point<SceneFrame>{pose.scene_from_tool.translation_m}, force);
+    sum.torque_Nm += cross(hand.position - Point<SceneFrame>{pose.scene_from_tool.translation_m}, force) +
+                     tool[i].share * place.torque_Nm;
     if (i == 0 || (place.contact && !sum.contact)) sum.label = place.label;
     sum.contact = sum.contact || place.contact;
     sum.has_proxy = place.has_proxy && tool.size() == 1;

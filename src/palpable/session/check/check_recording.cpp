@@ -111,7 +111,10 @@ void Check::compare(const device::TouchSample& tick, const device::TouchSample& 
   }
   const bool same_state =
       same(tick.position.v, again.position.v) && same(tick.velocity_m_per_s.v, again.velocity_m_per_s.v) &&
-      (!tick.has(flag::kHasProxy) || same(tick.proxy.v, again.proxy.v)) && tick.flags == again.flags &&
+      (!tick.has(flag::kHasProxy) || same(tick.proxy.v, again.proxy.v)) &&
+      same(tick.angular_velocity_rad_per_s.v, again.angular_velocity_rad_per_s.v) &&
+      same(tick.raw_torque_Nm.v, again.raw_torque_Nm.v) &&
+      same(tick.written_torque_Nm.v, again.written_torque_Nm.v) && tick.flags == again.flags &&
       tick.label == again.label && tick.scene_id == again.scene_id && tick.status == again.status;
   if (!same_state) findings_.add(FindingKind::state, tick, 0.0);
   report_.differing += equal && same_state ? 0 : 1;
@@ -145,8 +148,7 @@ void Check::check_air(const device::TouchSample& tick, const RecordedTouch& touc
   const double size_N = norm(tick.written_force_N);
   if (!known || size_N < kForceInAir_N) return;
   const haptics::HapticScene* scene = scenes_.scene(tick.scene_id);
-  const bool in_air =
-      scene != nullptr ? is_in_free_air(*scene->touchable, before_, tick) : !tick.has(flag::kContact);
+  const bool in_air = scene != nullptr ? is_in_free_air(*scene, before_, tick) : !tick.has(flag::kContact);
   if (in_air) findings_.add(FindingKind::free_air, tick, size_N);
 }
 

@@ -3,6 +3,7 @@
 #include "palpable/session/check/check_recording.hpp"
 
 #include "palpable/device/recording/recording.hpp"
+#include "palpable/recipes/field_recipe.hpp"
 #include "palpable/session/touch/headless.hpp"
 
 #include <algorithm>
@@ -118,6 +119,31 @@ TEST(CheckRecording, GoesOnThroughAChangeOfScene) {
   EXPECT_TRUE(report.is_clean()) << said(report);
   EXPECT_EQ(report.recomputed, report.ticks);
   EXPECT_EQ(report.scene_hashes.size(), 2U);
+}
+
+TEST(CheckRecording, RecomputesForceAndTorqueOfATool) {
+  recipes::FieldRecipe recipe;
+  recipe.field.resolution = 48;
+  models::Superquadric ball;
+  ball.size_m = {0.03, 0.03, 0.015};
+  auto made = recipes::field_from_superquadrics({ball}, recipe, {});
+  ASSERT_TRUE(made) << made.error().sentence();
+  const auto scene = std::make_shared<const models::Scene>(std::move(made->scene));
+  auto options = recorded_touch_of(3.0, "tool.rec");
+  options.device_url = "sim:?torque=1&seed=3&tilt=0.5";
+  options.settings.law.law = haptics::Law::tool;
+  const auto statistics = touch_headless(makes({scene}), options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  EXPECT_EQ(statistics->servo.allocations_in_ticks, 0U);
+  const auto report = checked(options.recording, {scene});
+  EXPECT_EQ(report.recomputed, report.ticks) << said(report);
+  EXPECT_EQ(report.differing, 0U) << said(report);
+  EXPECT_EQ(report.laws, std::vector<std::string>{"tool"});
+  EXPECT_GT(report.contact_ticks, 100U);
+  const auto recording = *device::read_recording(options.recording);
+  EXPECT_TRUE(
+      std::any_of(recording.ticks.begin(), recording.ticks.end(),
+                  [](const device::TouchSample& tick) { return norm(tick.written_torque_Nm) > 1e-4; }));
 }
 
 TEST(CheckRecording, FindsOneForceThatWasChangedInOneBit) {

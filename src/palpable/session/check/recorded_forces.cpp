@@ -3,6 +3,7 @@
 #include "palpable/session/check/recorded_forces.hpp"
 
 #include "palpable/haptics/safety/limits.hpp"
+#include "palpable/haptics/servo/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -120,13 +121,15 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
   if (observer_.made_J() > kEnergyMade_J) findings_.add(FindingKind::energy_made, tick, observer_.made_J());
 }
 
-bool is_in_free_air(const haptics::Touchable& touchable, const device::TouchSample& before,
+bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample& before,
                     const device::TouchSample& tick) {
   constexpr double kSpacing_m = 1e-4;
   constexpr double kMostPlaces = 400.0;
   const auto is_clear = [&](Vec3 place) {
     haptics::TouchState state;
-    return !touchable.evaluate({{place}, {}, tick.dt_s}, state).contact;
+    haptics::Hand hand{{place}, {}, tick.dt_s};
+    hand.rotation = haptics::turned_by(scene.scene_from_device, tick.device_rotation);
+    return !scene.touchable->evaluate(hand, state).contact;
   };
   const auto is_way_clear = [&](Vec3 from, Vec3 to) {
     const double steps = std::clamp(std::ceil(norm(to - from) / kSpacing_m), 1.0, kMostPlaces);

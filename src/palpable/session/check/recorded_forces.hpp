@@ -75,7 +75,7 @@ inline constexpr double kForceInAir_N = 1e-3;
 
 /// Whether the hand, its way since the tick before and the way to its proxy are all clear of the surface:
 /// then nothing is there that could push. For laws of contact.
-bool is_in_free_air(const haptics::Touchable& touchable, const device::TouchSample& before,
+bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample& before,
                     const device::TouchSample& tick);
 
 }  // namespace palpable::session

@@ -4,6 +4,7 @@
 
 #include "palpable/device/recording/replay.hpp"
 #include "palpable/haptics/servo/real_time.hpp"
+#include "palpable/haptics/servo/turn.hpp"
 
 #include <utility>
 
@@ -88,8 +89,11 @@ const device::TouchSample* ReplayedTouch::step(const device::TouchSample& record
   return sample;
 }
 
-haptics::Hand recorded_hand(const device::TouchSample& recorded) {
-  return {recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
+haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene) {
+  haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
+  hand.rotation = haptics::turned_by(scene.scene_from_device, recorded.device_rotation);
+  hand.angular_velocity_rad_per_s = recorded.angular_velocity_rad_per_s;
+  return hand;
 }
 
 std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& recorded) {
@@ -107,7 +111,7 @@ std::optional<haptics::LawOutput> ReplayedLaw::step(const device::TouchSample& r
   const haptics::HapticScene* scene = scenes_.scene(recorded.scene_id);
   if (scene == nullptr) return std::nullopt;
   const haptics::ServoArithmetic arithmetic;
-  return scene->touchable->evaluate(recorded_hand(recorded), state_);
+  return scene->touchable->evaluate(recorded_hand(recorded, *scene), state_);
 }
 
 }  // namespace palpable::session

@@ -61,6 +61,6 @@ class ReplayedLaw {
 };
 
 /// What a law was asked at a recorded tick.
-haptics::Hand recorded_hand(const device::TouchSample& recorded);
+haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene);
 
 }  // namespace palpable::session

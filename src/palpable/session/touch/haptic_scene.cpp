@@ -4,6 +4,7 @@
 
 #include "palpable/describe/numbers.hpp"
 #include "palpable/haptics/law/texture.hpp"
+#include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 
 #include <algorithm>
@@ -60,12 +61,34 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
   }
 }
 
+/// What the fingers that hold a handle add to its rotational damping at least: an assumption, in the spirit
+/// of haptics::kLeastHandDamping_Ns_per_m.
+constexpr double kLeastHandRotationalDamping_Nm_s = 0.004;
+
+/// The device as a place of a tool far from the hand meets it: its damping there is the handle's rotational
+/// one over the lever's square, where that is less.
+device::Traits at_lever(device::Traits device, const haptics::LawParameters& law, double scale) {
+  if (law.law != haptics::Law::tool) return device;
+  haptics::ToolShape shape;
+  shape.radius_m = law.tool_radius_m.value_or(shape.radius_m);
+  shape.length_m = law.tool_length_m.value_or(shape.length_m);
+  const double lever_m = (shape.length_m + shape.radius_m) / scale;
+  const double rotational =
+      std::isfinite(device.rotational_damping_Nm_s) ? device.rotational_damping_Nm_s : 0.0;
+  const double there_Ns_per_m = (rotational + kLeastHandRotationalDamping_Nm_s) / (lever_m * lever_m) -
+                                haptics::kLeastHandDamping_Ns_per_m;
+  const double own = std::isfinite(device.damping_Ns_per_m) ? device.damping_Ns_per_m : 0.0;
+  device.damping_Ns_per_m = std::min(own, there_Ns_per_m);
+  return device;
+}
+
 /// Lowers what the person or the materials ask for to what the device can render without making energy.
 void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
                PreparedScene& prepared) {
   auto& law = prepared.law;
   const haptics::LawDescription& description = haptics::description_of(law.law);
   if (!description.is_contact) return;
+  const device::Traits held_device = at_lever(device, law, scale);
   std::string lowered;
   for (auto& material : scene.materials) {
     const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
@@ -75,7 +98,7 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
     // A texture makes its wall stiffer.
     const double stiffening =
         description.renders_textures ? haptics::texture_stiffening(material.texture) : 1.0;
-    const auto safe = haptics::safe_contact(device, rate_hz, scale, stiffening * stiffness, damping);
+    const auto safe = haptics::safe_contact(held_device, rate_hz, scale, stiffening * stiffness, damping);
     material.stiffness_N_per_m = safe.stiffness_N_per_m / stiffening;
     material.damping_Ns_per_m = safe.damping_Ns_per_m;
     if (safe.bound != haptics::StiffnessBound::none && lowered.empty())
@@ -148,7 +171,12 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
       prepared.notices.push_back(other_law_words(prepared.law.law, laws.front(), scene));
     replace_law(prepared.law, laws.front());
   }
-  if (device.degrees_of_freedom < haptics::description_of(prepared.law.law).degrees_of_freedom) {
+  if (haptics::description_of(prepared.law.law).degrees_of_freedom == 6 && !device.has_torque) {
+    prepared.notices.push_back("The device has no torque, so the law is " +
+                               std::string(haptics::name_of(laws.front())) + " instead of tool.");
+    replace_law(prepared.law, laws.front());
+  }
+  if (device.degrees_of_freedom < std::min(3, haptics::description_of(prepared.law.law).degrees_of_freedom)) {
     const haptics::Law planar = passive_planar_law(laws);
     prepared.notices.push_back("The device moves in the plane only, so the law is " +
                                std::string(haptics::name_of(planar)) + " instead of " +
