@@ -83,6 +83,50 @@ TEST_F(Touch, AsPublishedByMoustakasStoresDistanceAndForceInADenseField) {
       {"make", path("ball.json"), "--resolution", "32", "--as-published", "moustakas", "-o", path("m.palp")});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(palpable({"info", path("m.palp"), "--json"}).json()["kind"], "dense-field");
+  const Outcome again =
+      palpable({"touch", path("m.palp"), "--headless", "--seconds", "0.5", "--as-published", "moustakas"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(Touch, AsPublishedByParkIsFeltAgainFromItsSavedGrid) {
+  const std::string sample = PALPABLE_SAMPLES "/sculpture_";
+  const Outcome made =
+      palpable({"make", sample + "left.png", sample + "right.png", "--calibration", sample + "calib.txt",
+                "--as-published", "park", "--grid-points", "60", "-o", path("park.palp")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("is a product"));
+  EXPECT_EQ(palpable({"info", path("park.palp"), "--json"}).json()["kind"], "grid");
+  const Outcome again =
+      palpable({"touch", path("park.palp"), "--headless", "--seconds", "0.5", "--as-published", "park"});
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST_F(Touch, LimitsAreOffOnlyAsPublished) {
+  const Outcome ours = palpable(
+      {"touch", path("left.png"), path("right.png"), "--headless", "--seconds", "0.2", "--unlimited"});
+  EXPECT_EQ(ours.exit_code, 2);
+  EXPECT_THAT(ours.err, HasSubstr("--as-published"));
+}
+
+TEST_F(Touch, CheckRecomputesWhatWasRecordedAndFindsWhatWasChanged) {
+  const Outcome made =
+      palpable({"make", path("left.png"), path("right.png"), "--method", "fast", "-o", path("scene.palp")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const Outcome touched = palpable(
+      {"touch", path("scene.palp"), "--headless", "--seconds", "1", "--record", path("check.rec"), "--json"});
+  ASSERT_EQ(touched.exit_code, 0) << touched.err;
+  // The scene is the one that the recorded command names.
+  const Outcome checked = palpable({"check", path("check.rec"), "--json"});
+  ASSERT_EQ(checked.exit_code, 0) << checked.out;
+  EXPECT_TRUE(checked.json()["clean"]);
+  EXPECT_EQ(checked.json()["recomputed"]["ticks"], checked.json()["ticks"]);
+  auto bytes = read_text(path("check.rec"));
+  bytes[bytes.size() / 2] ^= 1;
+  write_text(path("changed.rec"), bytes);
+  const Outcome changed = palpable({"check", path("changed.rec"), path("scene.palp")});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_THAT(changed.out, HasSubstr("the file is damaged"));
+  EXPECT_EQ(palpable({"check", path("scene.palp")}).exit_code, 3);
 }
 
 TEST_F(Touch, PrintsItsMeasurementsWhenInterrupted) {
