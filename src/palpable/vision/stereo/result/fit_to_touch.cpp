@@ -126,9 +126,14 @@ using Margin = std::pair<double, FitReason>;
 
 /// Scores from distinct points; with few of them, both matching directions must agree better.
 std::vector<Margin> geometry_margins(const FitToTouch& fit, const FitThresholds& at) {
-  if (fit.points.count < at.points)
-    return {{margin(fit.agreement, at.agreement_without_points, 0.05), FitReason::few_points},
-            {margin(fit.depth_range_px, at.range_without_points_px, 1.0), FitReason::no_parallax}};
+  if (fit.points.count < at.points) {
+    std::vector<Margin> margins{
+        {margin(fit.agreement, at.agreement_without_points, 0.05), FitReason::few_points},
+        {margin(fit.depth_range_px, at.range_without_points_px, 1.0), FitReason::no_parallax}};
+    if (fit.points.count >= at.least_points)
+      margins.emplace_back(margin(fit.points.confirmed, at.confirmed, 0.2), FitReason::different_places);
+    return margins;
+  }
   return {{margin(fit.points.confirmed, at.confirmed, 0.1), FitReason::different_places},
           {margin(fit.points.off_plane, at.off_plane, 0.01), FitReason::no_parallax}};
 }

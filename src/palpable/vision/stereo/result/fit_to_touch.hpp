@@ -37,11 +37,13 @@ enum class FitReason : std::uint8_t {
 /// The same as a clause, for people.
 std::string_view words_of(FitReason reason);
 
-/// The thresholds of the verdict. Chosen on seeds 1 and 2 of bench/pair_set.cpp (264 pairs, good and spoilt),
-/// so that what is fit ranks depths with a correlation of at least 0.7.
+/// The thresholds of the verdict. Chosen on seeds 1, 2, 5 and 6 of bench/pair_set.cpp (528 pairs, good and
+/// spoilt), so that what is fit ranks depths with a correlation of at least 0.7.
 struct FitThresholds {
   /// With fewer distinct points, agreement and the range of disparities decide. 1 … 10000.
   int points = 16;
+  /// With fewer than these, the points decide nothing. 1 … 10000.
+  int least_points = 5;
   /// Share of them that the dense match confirms. 0 … 1.
   double confirmed = 0.6;
   /// Share of the confirmed points off the dominant plane. 0 … 1.
