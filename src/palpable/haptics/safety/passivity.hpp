@@ -47,17 +47,20 @@ class PassivityObserver {
     bool contact = false;
     /// The held force was shortened by a ramp or a change of scene, or by the cap of a law without a spring.
     bool shortened = false;
-    /// By a ramp or a change of scene: on purpose, and not the law's doing.
-    bool ramped = false;
+    /// By a change of scene: on purpose, and not the law's doing.
+    bool scene_changes = false;
   };
 
+  /// How a new account begins. From no force: the ramp stands at zero, as in free air.
+  enum class Beginning { from_no_force, in_contact };
+
   /// Another scene, or a new touch: what is stored now is where counting goes on from.
-  void begin(double stored_J) noexcept {
+  void begin(double stored_J, Beginning beginning) noexcept {
     balance_J_ = std::min(balance_J_, 0.0);
     made_J_ = 0.0;
     stored_J_ = std::isfinite(stored_J) ? stored_J : 0.0;
     work_J_ = 0.0;
-    began_in_air_ = false;
+    began_in_air_ = beginning == Beginning::from_no_force;
   }
 
   /// The balance after this step.
@@ -82,8 +85,7 @@ class PassivityObserver {
 
  private:
   void count_work(const Step& step, double received_J) noexcept {
-    // Where nothing is stored, a ramp gives what it gives for nothing, and it counts.
-    if (step.ramped && std::isfinite(step.stored_J)) began_in_air_ = false;
+    if (step.scene_changes && std::isfinite(step.stored_J)) began_in_air_ = false;
     if (began_in_air_) work_J_ += received_J;
     if (!began_in_air_) work_J_ = 0.0;
     // What was given to a spring may come back after a tick without force; where no energy is stored, nothing

@@ -9,8 +9,8 @@
 
 namespace palpable::haptics {
 
-/// Lets a force grow only so fast (cap_rise), and stays passive. While the growth of a spring's force is held
-/// back, the hand presses against less than the spring, gives less than the spring takes as stored, and would
+/// Lets a force grow only so fast (cap_rise), and stays passive, also under the ramp of a touch's beginning. While
+/// the growth of a spring's force is held back, the hand presses against less than the spring, gives less than the spring takes as stored, and would
 /// get the whole back. So what was withheld, H of U stored, is counted until the contact ends, and a hand
 /// that moves out meets (1 - H/U) of the spring, which gives back U - H. The share follows the movement, out
 /// and in, over a twentieth of the depth: a hand at rest meets the whole spring, and nothing chatters. Tick
@@ -28,6 +28,8 @@ class RiseLimit {
     Vector<DeviceFrame> held_force_N;
     Vector<DeviceFrame> moved_m;
     double max_rise_N = 0.0;
+    /// The ramp holds the spring back: what it stores grows without the hand's work.
+    bool ramping = false;
     /// What the held torque gave the hand over the turn since the last call, and what the spring's own torque
     /// would have; 0 of devices without torque.
     double turned_J = 0.0;
@@ -43,7 +45,7 @@ class RiseLimit {
     // What the spring took as stored and the hand did not give.
     const double unpaid_J =
         has_spring ? dot(in.held_force_N, in.moved_m) + in.turned_J + in.stored_J - stored_J_ : 0.0;
-    const bool counts = was_limited_ || withheld_J_ > 0.0;
+    const bool counts = in.ramping || was_limited_ || withheld_J_ > 0.0;
     if (counts) count(unpaid_J);
     if (has_spring) follow(in);
     Limited<DeviceFrame> risen = cap_rise(share_ * in.force_N, force_N_, in.max_rise_N);

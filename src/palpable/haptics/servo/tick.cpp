@@ -168,7 +168,8 @@ void TickPipeline::drop_force() noexcept {
   uncontrolled_Nm_ = {};
   sent_.fill({});
   velocity_.begin();
-  shortened_ = ramped_ = true;
+  shortened_ = true;
+  scene_changes_ = false;
 }
 
 bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
@@ -276,15 +277,19 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
-  step.ramped = ramped_;
+  step.scene_changes = scene_changes_;
   // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
   if ((flags_ & flag::kFading) != 0)
     counts_.scene_change_J += dot(step.held_force_N, step.moved_m) + step.turned_J;
   const bool new_account =
       (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
   if (new_account) {
-    observer_.begin(step.stored_J);
-    without_controller_.begin(step.stored_J);
+    using Beginning = PassivityObserver::Beginning;
+    // A potential that holds everywhere may be high where the touch begins.
+    const bool from_no_force = (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight;
+    const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
+    observer_.begin(step.stored_J, beginning);
+    without_controller_.begin(step.stored_J, beginning);
     return;
   }
   observer_.update(step);
@@ -305,6 +310,7 @@ void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   in.stored_J = has_spring ? gain * device_stored_J() : std::numeric_limits<double>::quiet_NaN();
   in.moved_m = moved_;
   in.max_rise_N = options_.max_force_rate_N_per_s * risen_s;
+  in.ramping = gain < 1.0;
   in.held_force_N = held().written_N;
   if (has_torque_) {
     in.turned_J = dot(held().written_Nm, turned_);
@@ -322,8 +328,8 @@ void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   if (risen.limited) flags_ |= flag::kRateCapped;
   if (gain < 1.0) flags_ |= flag::kRamping;
   if (paused_) flags_ |= flag::kPaused;
-  ramped_ = gain < 1.0 || (fading() && !same_surface_);
-  shortened_ = ramped_ || (capped.limited && !has_spring) || torque_capped_;
+  scene_changes_ = fading() && !same_surface_;
+  shortened_ = scene_changes_ || gain < 1.0 || torque_capped_;
 }
 
 void TickPipeline::make_torque(double gain, double risen_s) noexcept {

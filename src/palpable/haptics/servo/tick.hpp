@@ -192,7 +192,7 @@ class TickPipeline {
   const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }
   /// The held force was shortened by a ramp or a fade, or by the cap of a law without a spring.
   bool shortened_ = true;
-  bool ramped_ = true;
+  bool scene_changes_ = false;
   bool paused_ = false;
   bool force_was_cut_ = false;
   bool healthy_ = true;
