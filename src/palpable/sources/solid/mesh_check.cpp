@@ -70,8 +70,8 @@ Result<void> check_stl(std::span<const std::byte> file) {
                   (stated - kStlHeader) / kStlTriangle, stated, file.size()));
 }
 
-/// The first index of "7/1/3"; nothing for what is no number.
-std::optional<long long> index_of(std::string_view word) {
+/// The vertex of "7/1/3"; nothing for what is no number.
+std::optional<long long> face_corner_of(std::string_view word) {
   long long index = 0;
   const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), index);
   if (fault != std::errc{} || (end != word.data() + word.size() && *end != '/')) return std::nullopt;
@@ -137,7 +137,7 @@ class ObjCheck {
     int corners = 0;
     for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#';
          word = next_word(rest)) {
-      const auto index = index_of(word);
+      const auto index = face_corner_of(word);
       if (!index || *index == 0 || -*index > vertices_) return false;
       if (*index > highest_) highest_ = *index, line_of_highest_ = line_number_;
       use(*index > 0 ? *index : vertices_ + 1 + *index);
