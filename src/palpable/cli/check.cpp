@@ -68,8 +68,11 @@ std::string_view name_of(device::RecordingEnd end) {
   }
 }
 
+/// Forces of which none was recomputed say nothing about themselves.
+bool is_judged(const CheckReport& report) { return report.recomputed + report.law_recomputed > 0; }
+
 bool is_clean(const CheckReport& report, const CheckArguments& arguments) {
-  return report.is_clean() && !(arguments.strict && report.missed > 0);
+  return is_judged(report) && report.is_clean() && !(arguments.strict && report.missed > 0);
 }
 
 Json finding_json(const session::Finding& finding) {
@@ -86,6 +89,7 @@ Json finding_json(const session::Finding& finding) {
 
 Json report_json(const CheckReport& report, const CheckArguments& arguments) {
   Json json{{"clean", is_clean(report, arguments)},
+            {"judged", is_judged(report)},
             {"problems", report.problems},
             {"format", report.session.format},
             {"made_by", report.session.made_by},
@@ -160,7 +164,10 @@ std::string text_of(const CheckReport& report, const CheckArguments& arguments) 
                                                       ? listed - static_cast<std::size_t>(arguments.list)
                                                       : 0);
   if (rest > 0) text += fmt::format("        and {} more (--list N, --json).\n", rest);
-  text += is_clean(report, arguments) ? "Clean.\n" : "Not clean.\n";
+  if (!is_judged(report) && report.is_clean())
+    text += "Not judged: no force could be recomputed; name the scene that was touched.\n";
+  else
+    text += is_clean(report, arguments) ? "Clean.\n" : "Not clean.\n";
   return text;
 }
 
@@ -191,7 +198,8 @@ void add_check(Program& program) {
       "  palpable check touch.rec\n"
       "  palpable check touch.rec room.palp\n"
       "  palpable check touch.rec room.palp --json\n"
-      "Exit code 0: clean; 1: not clean. Missed ticks are the machine's and count only with --strict.",
+      "Exit code 0: clean; 1: not clean, or nothing could be recomputed. Missed ticks are the machine's and "
+      "count only with --strict.",
       [arguments](Console& console) { return check(*arguments, console); });
   options.argument("RECORDING", arguments->recording, "The recording");
   options.optional_arguments(

@@ -55,6 +55,7 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
   session::TouchSettings settings;
   settings.law = *law;
   settings.law_is_chosen = published.has_value() || !arguments.law.law.empty();
+  settings.law_is_required = published.has_value();
   if (published) apply_published(*published, settings.law);
   if (!settings.law.radius_m) settings.law.radius_m = published ? 0.0 : session::default_law().radius_m;
   if (!arguments.unlimited) return settings;

@@ -104,7 +104,7 @@ TEST(PassivityController, NeverPullsAndNeverPushesToASide) {
 
 TEST(PassivityObserver, CountsThePlainWorkOfAContactWithoutAPotential) {
   PassivityObserver observer;
-  observer.begin(0.0);
+  observer.begin(0.0, PassivityObserver::Beginning::from_no_force);
   PassivityObserver::Step step;
   step.stored_J = std::numeric_limits<double>::quiet_NaN();
   observer.update(step);
@@ -120,20 +120,21 @@ TEST(PassivityObserver, CountsThePlainWorkOfAContactWithoutAPotential) {
   EXPECT_NEAR(observer.made_max_J(), 1e-3, 1e-15);
 }
 
-TEST(PassivityObserver, CountsWhatARampGivesWhereNoEnergyIsStored) {
-  PassivityObserver observer;
-  PassivityObserver::Step step;
-  step.stored_J = std::numeric_limits<double>::quiet_NaN();
-  step.contact = true;
-  step.ramped = true;
-  // After a stall the hand is inside and the force comes up from zero.
-  observer.update(step);
-  for (int k = 1; k <= 10; ++k) {
-    step.held_force_N = {{0.0, 0.0, 0.1 * k}};
-    step.moved_m = {{0.0, 0.0, 1e-4}};
-    observer.update(step);
+TEST(PassivityObserver, CountsWhatATouchGivesThatBeganInsideWithoutForce) {
+  for (const double stored_J : {std::numeric_limits<double>::quiet_NaN(), 0.01}) {
+    PassivityObserver observer;
+    observer.begin(stored_J, PassivityObserver::Beginning::from_no_force);
+    PassivityObserver::Step step;
+    step.stored_J = stored_J;
+    step.contact = true;
+    step.shortened = true;
+    for (int k = 1; k <= 10; ++k) {
+      step.held_force_N = {{0.0, 0.0, 0.1 * k}};
+      step.moved_m = {{0.0, 0.0, 1e-4}};
+      observer.update(step);
+    }
+    EXPECT_NEAR(observer.made_max_J(), 5.5e-4, 1e-9);
   }
-  EXPECT_NEAR(observer.made_max_J(), 5.5e-4, 1e-9);
 }
 
 TEST(PassivityController, OnlyTakesEnergyOut) {

@@ -9,12 +9,12 @@
 
 namespace palpable::haptics {
 
-/// Lets a force grow only so fast (cap_rise), and stays passive, also under the ramp of a touch's beginning. While
-/// the growth of a spring's force is held back, the hand presses against less than the spring, gives less than the spring takes as stored, and would
-/// get the whole back. So what was withheld, H of U stored, is counted until the contact ends, and a hand
-/// that moves out meets (1 - H/U) of the spring, which gives back U - H. The share follows the movement, out
-/// and in, over a twentieth of the depth: a hand at rest meets the whole spring, and nothing chatters. Tick
-/// path; no allocation.
+/// Lets a force grow only so fast (cap_rise), and stays passive, also under the ramp of a touch's beginning.
+/// While the growth of a spring's force is held back, the hand presses against less than the spring, gives
+/// less than the spring takes as stored, and would get the whole back. So what was withheld, H of U stored,
+/// is counted until the contact ends, and a hand that moves out meets (1 - H/U) of the spring, which gives
+/// back U - H. The share follows the movement, out and in, over a twentieth of the depth: a hand at rest
+/// meets the whole spring, and nothing chatters. Tick path; no allocation.
 class RiseLimit {
  public:
   struct Input {

@@ -75,6 +75,71 @@ TEST(RiseLimit, MakesNoEnergyInRandomImpacts) {
   }
 }
 
+/// A guided hand: in free air, `deep_m` deep from `in_s` to `out_s`, in free air again. Its movements last 20
+/// ms.
+struct Guided {
+  double in_s = 0.0;
+  double out_s = 0.4;
+  double deep_m = 0.005;
+  /// When the touch stops for a tick that comes 20 ms late; never below 0.
+  double stall_s = -1.0;
+};
+struct Work {
+  /// What the hand received in all, and what was said of it.
+  double received_J = 0.0;
+  double said_J = 0.0;
+  double deepest_force_N = 0.0;
+};
+Work guided(const Guided& hand) {
+  ScriptedDevice device;
+  device.mutable_traits().max_force_N = 3.3;
+  const HapticScene scene{std::make_shared<SpringSurface>(flat, 500.0, 0.5), {}, 1};
+  TickOptions options;
+  Ring<TouchEvent> events(64);
+  TickPipeline tick(device, scene, options, events);
+  const auto z_at = [&](double t_s) {
+    const double in = std::clamp((t_s - hand.in_s) / 0.02, 0.0, 1.0);
+    const double out = std::clamp((t_s - hand.out_s) / 0.02, 0.0, 1.0);
+    return 0.002 - (0.002 + hand.deep_m) * (in - out);
+  };
+  Work work;
+  double t_s = 0.0, z = z_at(0.0), held_N = 0.0;
+  while (t_s < hand.out_s + 0.1) {
+    const bool stalls = hand.stall_s >= 0.0 && t_s <= hand.stall_s && t_s + kT_s > hand.stall_s;
+    const double dt_s = stalls ? 0.02 : kT_s;
+    t_s += dt_s;
+    const double next = z_at(t_s);
+    work.received_J += held_N * (next - z);
+    z = next;
+    device.reading.position.v = {0.0, 0.0, z};
+    tick.step(t_s, dt_s);
+    while (events.take()) {
+    }
+    held_N = device.written.back().z;
+    work.deepest_force_N = std::max(work.deepest_force_N, held_N);
+  }
+  work.said_J = tick.counts().made_max_J;
+  return work;
+}
+
+TEST(Ramp, GivesBackNoMoreThanTheHandGaveWhereverItBegan) {
+  for (const double deep_m : {0.001, 0.003, 0.007})
+    for (const double in_s : {-0.1, 0.0, 0.05, 0.15, 0.24})
+      for (const double out_s : {0.1, 0.3, 0.5}) {
+        const Work work = guided({in_s, out_s + std::max(in_s, 0.0), deep_m});
+        EXPECT_LE(work.received_J, 1e-6)
+            << deep_m << " m deep from " << in_s << " s to " << out_s << " s later";
+        EXPECT_GE(work.said_J, std::min(work.received_J, 1e-6));
+      }
+  // After a stall in free air and in contact.
+  for (const double stall_s : {0.35, 0.5})
+    EXPECT_LE(guided({0.4, 0.8, 0.005, stall_s}).received_J, 1e-6) << "stall at " << stall_s << " s";
+}
+
+TEST(Ramp, BringsARestingHandTheWholeSpring) {
+  EXPECT_NEAR(guided({-0.1, 0.5, 0.003}).deepest_force_N, 1.5, 0.05);
+}
+
 TEST(PassivityController, LetsNoSpringThrowAHandBackFaster) {
   // Undamped, the held spring makes energy; without controller it shows.
   double without = 0.0;

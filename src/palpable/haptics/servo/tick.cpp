@@ -30,6 +30,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
       planar_(device.traits().degrees_of_freedom < 3),
       max_speed_m_per_s_(device.traits().pushes_back ? options.max_speed_m_per_s
                                                      : options.max_pointer_speed_m_per_s),
+      period_s_(1.0 / std::max(known_or(device.traits().rate_hz, 1000.0), 1.0)),
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
       has_torque_(device.traits().has_torque),
@@ -119,7 +120,8 @@ bool TickPipeline::is_in_reach(Point<DeviceFrame> place) const noexcept {
 bool TickPipeline::is_plausible(Point<DeviceFrame> place) const noexcept {
   if (!is_in_reach(place)) return false;
   const double from_last_m = norm(place - position_);
-  if (from_last_m > max_speed_m_per_s_ * since_good_s_) return false;
+  // A late tick may be followed by an early one: the device moved for a period all the same.
+  if (from_last_m > max_speed_m_per_s_ * std::max(since_good_s_, period_s_)) return false;
   // Nearer to where it jumped to than to where it was: the jump lasts.
   return agreeing_ == 0 || norm(place - jumped_to_) >= from_last_m;
 }
@@ -132,7 +134,8 @@ bool TickPipeline::is_plausible_turn(const device::Rotation& rotation) const noe
 TickPipeline::Accepted TickPipeline::judge_jump(Point<DeviceFrame> place, double dt_s) noexcept {
   ++implausible_;
   const bool agrees =
-      is_in_reach(place) && (agreeing_ == 0 || norm(place - jumped_to_) <= max_speed_m_per_s_ * dt_s);
+      is_in_reach(place) &&
+      (agreeing_ == 0 || norm(place - jumped_to_) <= max_speed_m_per_s_ * std::max(dt_s, period_s_));
   agreeing_ = agrees ? agreeing_ + 1 : (is_in_reach(place) ? 1 : 0);
   jumped_to_ = place;
   if (agreeing_ > options_.glitch_readings) return Accepted::good;

@@ -137,6 +137,8 @@ class TickPipeline {
   double max_force_N_;
   bool planar_;
   double max_speed_m_per_s_;
+  /// Of the device, nominally.
+  double period_s_;
 
   Side now_;
   /// Its scene is null when nothing is fading in.

@@ -105,11 +105,11 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
     knows_place_ = true;
     since_place_s_ = 0.0;
   }
-  // A change of scene or a new touch begins a new account, as it does for the servo's own observer. So does a
-  // ramp: it comes up under a hand that may have sunk in while there was no force, and pushes it out on
-  // purpose.
-  if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading | flag::kRamping)) {
-    observer_.begin(0.0);
+  // A change of scene or a new touch begins a new account, as it does for the servo's own observer. A new
+  // touch begins without force, so that nothing may come back that the hand did not give.
+  using Beginning = haptics::PassivityObserver::Beginning;
+  if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading)) {
+    observer_.begin(0.0, tick.has(flag::kNewTouch) ? Beginning::from_no_force : Beginning::in_contact);
     return;
   }
   counts_work_ = true;

@@ -126,11 +126,15 @@ std::string kinds_of(const haptics::ModelKinds& models) {
   return describe::listed(kinds);
 }
 
-std::string other_law_words(haptics::Law asked, haptics::Law used, const models::Scene& scene) {
+std::string scenes_of_law_words(haptics::Law law, const models::Scene& scene) {
   const std::string kind = models::kind_of(scene.model);
-  return fmt::format("The law {} is for {}, not for {}: this scene is touched with the law {}.",
-                     haptics::name_of(asked), kinds_of(haptics::description_of(asked).models),
-                     kind.ends_with('s') ? kind : kind + "s", haptics::name_of(used));
+  return fmt::format("The law {} is for {}, not for {}", haptics::name_of(law),
+                     kinds_of(haptics::description_of(law).models), kind.ends_with('s') ? kind : kind + "s");
+}
+
+std::string other_law_words(haptics::Law asked, haptics::Law used, const models::Scene& scene) {
+  return fmt::format("{}: this scene is touched with the law {}.", scenes_of_law_words(asked, scene),
+                     haptics::name_of(used));
 }
 
 /// Of the scene's laws the one that is passive and needs two axes only.
@@ -167,6 +171,9 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   prepared.law = settings.law;
   const auto laws = haptics::laws_for(scene);
   if (std::find(laws.begin(), laws.end(), prepared.law.law) == laws.end()) {
+    if (settings.law_is_required)
+      return Error{
+          ErrorCode::usage, scenes_of_law_words(prepared.law.law, scene) + ", and no other will do", {}};
     if (settings.law_is_chosen)
       prepared.notices.push_back(other_law_words(prepared.law.law, laws.front(), scene));
     replace_law(prepared.law, laws.front());

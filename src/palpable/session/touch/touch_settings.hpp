@@ -30,6 +30,8 @@ struct TouchSettings {
   haptics::LawParameters law = default_law();
   /// Whether somebody asked for this law: only then is it said where a scene has to be touched with another.
   bool law_is_chosen = false;
+  /// No other law will do, as where a paper's is to be felt: a scene that it is not for is refused.
+  bool law_is_required = false;
   /// A relief's height is multiplied by this, -4…4; negative engraves, 0 is flat.
   double depth = 1.0;
   Limits limits = Limits::of_device;
