@@ -63,6 +63,23 @@ TEST_F(BadInput, ATextFileNamedPngIsRefused) {
   expect_refused(palpable({"depth", path("left.png"), path("text.png"), "-o", path("d.pfm")}), "text.png");
 }
 
+TEST_F(BadInput, ARecordingIsNoScene) {
+  write_text(path("touch.rec"), "PALPREC1 and more");
+  expect_refused(palpable({"info", path("touch.rec")}), "touch.rec", "recording of a touch");
+}
+
+TEST_F(BadInput, AFolderOfManyPicturesIsNamedByItsFirst) {
+  std::filesystem::create_directory(path("many"));
+  for (int i = 0; i < 12; ++i)
+    std::filesystem::copy_file(path("left.png"), path("many/" + std::to_string(100 + i) + ".png"));
+  const Outcome outcome = palpable({"make", path("many"), "-o", path("out.palp")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(is_one_sentence(outcome.err));
+  EXPECT_THAT(outcome.err, HasSubstr("100.png and 11 more"));
+  EXPECT_THAT(outcome.err, HasSubstr("not supported yet"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("111.png")));
+}
+
 TEST_F(BadInput, ATruncatedPictureIsRefused) {
   const std::string whole = read_text(path("left.png"));
   write_text(path("cut.png"), whole.substr(0, whole.size() / 2));

@@ -245,6 +245,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
 }
 
 Result<SceneFile> decode_scene(std::span<const std::byte> file) {
+  if (has_magic(file, "PALPREC")) return invalid_input("is the recording of a touch, not a scene");
   auto members = unzip(file);
   if (!members) return std::move(members).error();
   const auto text = members->extract(kDescription);

@@ -45,6 +45,8 @@ class Ramp {
     value_ = wanted ? std::min(1.0, value_ + dt_s / up_s_) : std::max(0.0, value_ - dt_s / down_s_);
     return value_;
   }
+  /// To 1 at once: for a hand in free air, whose force is 0 anyway.
+  void finish() noexcept { value_ = 1.0; }
   /// To 0 at once.
   void reset() noexcept { value_ = 0.0; }
   double value() const noexcept { return value_; }

@@ -301,10 +301,21 @@ void TickPipeline::observe(double dt_s) noexcept {
   without_controller_.update(step);
 }
 
+bool TickPipeline::is_free() const noexcept {
+  const auto nothing = [](const LawOutput& output) {
+    return !output.contact && output.force_N == Vector<SceneFrame>{} &&
+           output.torque_Nm == Vector<SceneFrame>{};
+  };
+  return nothing(now_.output) && (!fading() || nothing(coming_.output));
+}
+
 void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   const auto capped = cap_force(law_force_N_, max_force_N_);
   // After a stall the ramp begins as after any other start: it has not risen while nobody ticked.
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
+  // A spring that came up under a hand that pressed already would give back what the hand did not give; so
+  // the ramp is only for hands that are in contact where their touch begins.
+  if (wanted && is_free()) ramp_.finish();
   const double gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
   const bool has_spring = now_.energy == EnergyModel::spring && (!fading() || same_surface_);
   RiseLimit::Input in;

@@ -123,6 +123,7 @@ class TickPipeline {
   void fade(double dt_s) noexcept;
   void end_fade() noexcept;
   void observe(double dt_s) noexcept;
+  bool is_free() const noexcept;
   void make_force(double dt_s, bool wanted) noexcept;
   void begin_touch() noexcept;
   void describe(const device::Reading& reading) noexcept;

@@ -34,12 +34,25 @@ bool has_regions(const MakeOptions& options, const sources::Input& input) {
          (input.kind == InputKind::stereo || input.kind == InputKind::depth);
 }
 
+/// A folder may hold thousands of pictures.
+std::string few_names_of(const std::vector<std::filesystem::path>& files) {
+  constexpr std::size_t kNamed = 2;
+  if (files.size() <= kNamed) return names_of(files);
+  return files.front().string() + " and " + std::to_string(files.size() - 1) + " more";
+}
+
 Error cannot_become(const sources::Input& input) {
+  if (input.kind == InputKind::video)
+    return {
+        ErrorCode::usage,
+        "are more pictures than a pair: videos and sequences of pictures are not supported yet; give the two "
+        "pictures of a pair",
+        few_names_of(input.files), Reason::unexpected_input_kind};
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
               " cannot be made into that: give a stereo pair, a depth map, a mesh, points with normals or a "
               "scene",
-          names_of(input.files), Reason::unexpected_input_kind};
+          few_names_of(input.files), Reason::unexpected_input_kind};
 }
 
 /// Whether this input can become the kind of scene that is asked for, before any of it is read.
