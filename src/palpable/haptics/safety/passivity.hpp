@@ -39,14 +39,16 @@ class PassivityObserver {
     /// What the held torque gave the hand over the turn since, J; 0 of devices without torque.
     double turned_J = 0.0;
     double dt_s = 0.001;
-    /// In the device's frame (LawOutput::stored_J / scene_from_device.scale), at the new position; NaN: the
-    /// law has no potential.
+    /// In the device's frame (LawOutput::stored_J / scene_from_device.scale), at the new position, without
+    /// what a rise limit withholds; NaN: the law has no potential.
     double stored_J = 0.0;
     /// The law's promise while in contact, N·s/m; 0 out of contact.
     double damping_Ns_per_m = 0.0;
     bool contact = false;
     /// The held force was shortened by a ramp or a change of scene, or by the cap of a law without a spring.
     bool shortened = false;
+    /// It is zero because the controller weakened it, not because the hand was in free air.
+    bool weakened = false;
     /// By a change of scene: on purpose, and not the law's doing.
     bool scene_changes = false;
   };
@@ -91,7 +93,7 @@ class PassivityObserver {
     // What was given to a spring may come back after a tick without force; where no energy is stored, nothing
     // may.
     const bool ends = !step.contact || !std::isfinite(step.stored_J);
-    if (ends && step.held_force_N == Vector<DeviceFrame>{}) {
+    if (ends && !step.weakened && step.held_force_N == Vector<DeviceFrame>{}) {
       began_in_air_ = true;
       work_J_ = 0.0;
     }

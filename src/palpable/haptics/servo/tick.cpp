@@ -276,11 +276,13 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.moved_m = moved_;
   step.turned_J = dot(held().written_Nm, turned_);
   step.dt_s = dt_s;
-  step.stored_J = device_stored_J();
+  // What is withheld of a spring does not come back.
+  const double stored_J = device_stored_J();
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
   step.scene_changes = scene_changes_;
+  step.weakened = held().weakened;
   // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
   if ((flags_ & flag::kFading) != 0)
     counts_.scene_change_J += dot(step.held_force_N, step.moved_m) + step.turned_J;
@@ -291,11 +293,14 @@ void TickPipeline::observe(double dt_s) noexcept {
     // A potential that holds everywhere may be high where the touch begins.
     const bool from_no_force = (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight;
     const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
-    observer_.begin(step.stored_J, beginning);
-    without_controller_.begin(step.stored_J, beginning);
+    observer_.begin(stored_J - rise_.withheld_J(), beginning);
+    without_controller_.begin(stored_J - uncontrolled_rise_.withheld_J(), beginning);
     return;
   }
+  step.stored_J = stored_J - rise_.withheld_J();
   observer_.update(step);
+  step.stored_J = stored_J - uncontrolled_rise_.withheld_J();
+  step.weakened = false;
   step.held_force_N = held().uncontrolled_N;
   step.turned_J = dot(held().uncontrolled_Nm, turned_);
   without_controller_.update(step);
@@ -376,7 +381,8 @@ void TickPipeline::control_energy(double dt_s) noexcept {
 
 void TickPipeline::send() noexcept {
   newest_ = (newest_ + 1) % sent_.size();
-  sent_[newest_] = {written_N_, uncontrolled_N_, written_Nm_, uncontrolled_Nm_};
+  sent_[newest_] = {written_N_, uncontrolled_N_, written_Nm_, uncontrolled_Nm_,
+                    (flags_ & flag::kPassivityActed) != 0};
 }
 
 void TickPipeline::describe(const device::Reading& reading) noexcept {

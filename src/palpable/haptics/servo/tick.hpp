@@ -185,6 +185,8 @@ class TickPipeline {
     Vector<DeviceFrame> uncontrolled_N;
     Vector<DeviceFrame> written_Nm;
     Vector<DeviceFrame> uncontrolled_Nm;
+    /// The controller weakened it.
+    bool weakened = false;
   };
   static constexpr int kMaxDelay = 15;
   std::array<Sent, kMaxDelay + 1> sent_{};

@@ -48,7 +48,7 @@ void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* 
   const Vector<DeviceFrame> force_N = rotate_force(place.inverse(), tick.written_force_N);
   check_force(tick, force_N);
   newest_ = (newest_ + 1) % kSent;
-  sent_[newest_] = force_N;
+  sent_[newest_] = {force_N, tick.has(flag::kPassivityActed)};
   if (touch != nullptr) check_work(tick, *touch);
 }
 
@@ -113,7 +113,9 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
     return;
   }
   counts_work_ = true;
-  step.held_force_N = sent_[(newest_ + 2 * kSent - 1 - delay_) % kSent];
+  const Sent& held = sent_[(newest_ + 2 * kSent - 1 - delay_) % kSent];
+  step.held_force_N = held.force_N;
+  step.weakened = held.weakened;
   step.dt_s = tick.dt_s;
   step.stored_J = std::numeric_limits<double>::quiet_NaN();
   step.contact = tick.has(flag::kContact);

@@ -62,7 +62,11 @@ class RecordedForces {
   bool knows_place_ = false;
   double since_place_s_ = 0.0;
   static constexpr std::size_t kSent = 16;
-  std::array<Vector<DeviceFrame>, kSent> sent_{};
+  struct Sent {
+    Vector<DeviceFrame> force_N;
+    bool weakened = false;
+  };
+  std::array<Sent, kSent> sent_{};
   std::size_t newest_ = 0;
   std::size_t delay_;
 };
