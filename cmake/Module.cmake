@@ -1,12 +1,13 @@
-# palpable_module(NAME x SOURCES … TESTS … USES modules… LINKS libraries…): one static library palpable_x, and its tests
-# in one program palpable_x_test. USES is checked against the table in Layers.cmake.
+# palpable_module(NAME x SOURCES … TESTS … USES modules… LINKS libraries… HEADERS libraries…): one static library
+# palpable_x, and its tests in one program palpable_x_test. USES is checked against the table in Layers.cmake. HEADERS are
+# libraries of headers only that its sources include: who uses the installed module does not need them.
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Install.cmake)
 include(GoogleTest)
 
 function(palpable_module)
-  cmake_parse_arguments(M "" "NAME" "SOURCES;TESTS;USES;LINKS;TEST_USES;TEST_LINKS" ${ARGN})
+  cmake_parse_arguments(M "" "NAME" "SOURCES;TESTS;USES;LINKS;HEADERS;TEST_USES;TEST_LINKS" ${ARGN})
   set(linked ${M_LINKS} ${M_TEST_LINKS})
   list(FILTER linked INCLUDE REGEX "^palpable_")
   list(TRANSFORM linked REPLACE "^palpable_" "")
@@ -25,6 +26,9 @@ function(palpable_module)
     target_link_libraries(palpable_${M_NAME} PUBLIC palpable_${used})
   endforeach()
   target_link_libraries(palpable_${M_NAME} PRIVATE ${M_LINKS})
+  foreach(library ${M_HEADERS})
+    target_link_libraries(palpable_${M_NAME} PRIVATE $<BUILD_INTERFACE:${library}>)
+  endforeach()
   if(M_NAME IN_LIST PALPABLE_COMPONENTS)
     palpable_install(${M_NAME} "${M_USES}" "${M_LINKS}")
   endif()
