@@ -82,7 +82,7 @@ it('by keys: added, moved alone, sonified, and removed', async () => {
   await page.keyboard.press('n');
   await says(page, 'One probe. Probe 1: centre, at the middle');
   await page.keyboard.press('2');
-  await says(page, 'Probe 2 put down');
+  await says(page, 'Probe 2 added');
   await countIs(page, 2);
   await page.keyboard.press('Shift+ArrowRight');
   await page.keyboard.press('Shift+ArrowRight');
@@ -96,7 +96,7 @@ it('by keys: added, moved alone, sonified, and removed', async () => {
   await keepPicture(page, 'two-probes', true);
   expect(await violations(page)).toEqual([]);
   await page.keyboard.press('Delete');
-  await says(page, 'Probe 2 taken away. The keys move probe 1.');
+  await says(page, 'Probe 2 removed. The keys move probe 1.');
   await countIs(page, 1);
   await page.keyboard.press('Delete');
   await says(page, 'The first probe stays.');

@@ -175,7 +175,7 @@ describe('the page where something is amiss', () => {
     await page.waitForFunction(() => document.getElementById('spoken')?.textContent !== '');
     await page.locator('#stage').focus();
     await page.keyboard.press('Home'); // other tests have left the probe elsewhere
-    expect(await page.locator('#view-note').textContent()).toMatch(/WebGL.*Touch, sound and words work/);
+    expect(await page.locator('#view-note').textContent()).toMatch(/WebGL.*Touch, sound and speech work/);
     // On a busy machine the words of one step may be out of date before their turn comes.
     const spoken = page.locator('#spoken').filter({ hasText: 'millimetre' });
     for (let k = 0; k < 20 && !(await spoken.isVisible()); ++k) {

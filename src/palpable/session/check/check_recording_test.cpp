@@ -12,6 +12,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace palpable::session {
 namespace {
@@ -32,8 +33,9 @@ std::shared_ptr<const models::Scene> waves(double height_m) {
   return std::make_shared<const models::Scene>(std::move(scene));
 }
 
+/// Tests run beside each other, each in a process of its own.
 std::filesystem::path in_temp(std::string_view name) {
-  return std::filesystem::path(testing::TempDir()) / name;
+  return std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + "-" + std::string(name));
 }
 
 HeadlessOptions recorded_touch_of(double seconds, std::string_view name) {
