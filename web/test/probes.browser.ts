@@ -99,7 +99,7 @@ it('by keys: added, moved alone, sonified, and removed', async () => {
   await says(page, 'Probe 2 removed. The keys move probe 1.');
   await countIs(page, 1);
   await page.keyboard.press('Delete');
-  await says(page, 'The first probe stays.');
+  await says(page, 'The first probe cannot be removed.');
 });
 
 it('by the panel: every control has a name, and the choice is heard', async () => {

@@ -291,7 +291,8 @@ void TickPipeline::observe(double dt_s) noexcept {
   if (new_account) {
     using Beginning = PassivityObserver::Beginning;
     // A potential that holds everywhere may be high where the touch begins.
-    const bool from_no_force = (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight;
+    const bool from_no_force =
+        (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight && device_.traits().pushes_back;
     const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
     observer_.begin(stored_J - rise_.withheld_J(), beginning);
     without_controller_.begin(stored_J - uncontrolled_rise_.withheld_J(), beginning);
@@ -329,7 +330,8 @@ void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   in.stored_J = has_spring ? gain * device_stored_J() : std::numeric_limits<double>::quiet_NaN();
   in.moved_m = moved_;
   in.max_rise_N = options_.max_force_rate_N_per_s * risen_s;
-  in.ramping = gain < 1.0;
+  // Without motors nothing comes back to a hand.
+  in.ramping = gain < 1.0 && device_.traits().pushes_back;
   in.held_force_N = held().written_N;
   if (has_torque_) {
     in.turned_J = dot(held().written_Nm, turned_);

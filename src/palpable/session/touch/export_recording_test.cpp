@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace palpable::session {
 namespace {
@@ -34,7 +35,7 @@ namespace fs = std::filesystem;
 
 /// Written in pieces, as a recorder does.
 fs::path recorded(const device::Recording& recording) {
-  const fs::path file = fs::path(testing::TempDir()) / "export.rec";
+  const fs::path file = fs::path(testing::TempDir()) / (std::to_string(getpid()) + "-export.rec");
   auto writer = device::RecordingWriter::create(file, "{}");
   EXPECT_TRUE(writer);
   for (std::size_t i = 0; i < recording.ticks.size(); ++i) {
