@@ -6,12 +6,10 @@
 #include "palpable/haptics/servo/test_touch.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -19,14 +17,12 @@
 namespace palpable::haptics {
 namespace {
 
-using namespace std::chrono_literals;
-
-/// A hand held 2 mm under a wall. Says on standard error when it is stopped, and whether it was pushed before
-/// and not at the last.
-class TellingDevice final : public device::Device {
+/// A hand held 2 mm under a wall. Prints on standard error that it was stopped if it was pushed before and
+/// the last force was zero.
+class ReportingDevice final : public device::Device {
  public:
-  TellingDevice() {
-    traits_.name = "telling";
+  ReportingDevice() {
+    traits_.name = "reporting";
     reading_.position.v = {0.0, 0.0, -0.002};
   }
   const device::Traits& traits() const noexcept override { return traits_; }
@@ -59,7 +55,7 @@ class TellingDevice final : public device::Device {
 
 struct Wall {
   explicit Wall(bool crash = false) {
-    auto owned = std::make_unique<TellingDevice>();
+    auto owned = std::make_unique<ReportingDevice>();
     owned->crash_when_pushed = crash;
     device = owned.get();
     ServoOptions options;
@@ -72,7 +68,7 @@ struct Wall {
     device->pushed.wait(false);
     return device->pushed;
   }
-  TellingDevice* device = nullptr;
+  ReportingDevice* device = nullptr;
   std::unique_ptr<ServoLoop> loop;
 };
 
@@ -110,7 +106,7 @@ TEST_F(ZeroForceDeathTest, IsWrittenWhenTheServoItselfCrashes) {
       {
         write_zero_force_on_crash();
         const Wall wall(true);
-        std::this_thread::sleep_for(60s);
+        pause();  // Until the signal comes.
       },
       testing::KilledBySignal(SIGABRT), "zero force");
 }
@@ -124,7 +120,7 @@ TEST_F(ZeroForceDeathTest, IsWrittenBeforeEverySignalThatEndsTheProgram) {
           const Wall wall;
           // To the process: any thread may get it, the servo's own too.
           if (wall.comes_to_push()) kill(getpid(), number);
-          std::this_thread::sleep_for(60s);
+          pause();  // Until the signal comes.
         },
         testing::KilledBySignal(number), "zero force")
         << number;

@@ -13,7 +13,7 @@
 
 namespace palpable::sculpt {
 
-/// What becomes of walls that a field is too coarse for: it rounds what is thinner than two finest cells by
+/// How walls thinner than a field can represent are treated: it rounds what is thinner than two finest cells by
 /// up to a quarter of a cell a side, and loses what is thinner than half of one.
 struct WallOptions {
   /// Thinner walls become about this thick, in finest cells: two of them keep the field's rounding inside the

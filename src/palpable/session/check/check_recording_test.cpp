@@ -4,7 +4,7 @@
 
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/recipes/field_recipe.hpp"
-#include "palpable/session/touch/headless.hpp"
+#include "palpable/session/touch/test_session.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,7 @@ namespace palpable::session {
 namespace {
 
 std::shared_ptr<const models::Scene> waves(double height_m) {
-  Raster<float> samples(100, 80);
-  for (int y = 0; y < 80; ++y)
-    for (int x = 0; x < 100; ++x)
-      samples(x, y) = static_cast<float>(height_m * (1.0 + std::sin(0.15 * x) * std::cos(0.11 * y)) / 2.0);
-  auto relief = models::Relief::from_samples(std::move(samples), 0.001);
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Relief>(std::move(*relief));
+  models::Scene scene = hilly_scene(height_m);
   models::Material material;
   material.texture.kind = models::TouchTexture::Kind::bumps;
   material.texture.pitch_m = 0.002;
@@ -39,10 +33,7 @@ std::filesystem::path in_temp(std::string_view name) {
 }
 
 HeadlessOptions recorded_touch_of(double seconds, std::string_view name) {
-  HeadlessOptions options;
-  options.seconds = seconds;
-  options.session.servo.realtime_priority = 0;
-  options.session.servo.memory = haptics::Memory::leave;
+  HeadlessOptions options = unprivileged(seconds);
   options.device_url = "sim:?speed-mm=200&delay=1&seed=3";
   options.recording = in_temp(name);
   return options;

@@ -8,6 +8,7 @@
 #include "palpable/haptics/servo/tick.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
 #include "palpable/session/touch/recorder.hpp"
+#include "palpable/session/touch/test_session.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -20,22 +21,7 @@ namespace palpable::session {
 namespace {
 
 std::shared_ptr<const models::Scene> hills(double height_m) {
-  Raster<float> samples(100, 80);
-  for (int y = 0; y < 80; ++y)
-    for (int x = 0; x < 100; ++x)
-      samples(x, y) = static_cast<float>(height_m * (1.0 + std::sin(0.15 * x) * std::cos(0.11 * y)) / 2.0);
-  auto relief = models::Relief::from_samples(std::move(samples), 0.001);
-  models::Scene scene;
-  scene.model = std::make_shared<const models::Relief>(std::move(*relief));
-  return std::make_shared<const models::Scene>(std::move(scene));
-}
-
-HeadlessOptions quiet(double seconds) {
-  HeadlessOptions options;
-  options.seconds = seconds;
-  options.session.servo.realtime_priority = 0;
-  options.session.servo.memory = haptics::Memory::leave;
-  return options;
+  return std::make_shared<const models::Scene>(hilly_scene(height_m));
 }
 
 Result<void> two_scenes(const DeliverScene& deliver, const Work&) {
@@ -45,7 +31,7 @@ Result<void> two_scenes(const DeliverScene& deliver, const Work&) {
 }
 
 TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
-  auto options = quiet(2.0);
+  auto options = unprivileged(2.0);
   options.recording = std::filesystem::path(testing::TempDir()) / "headless.rec";
   const auto statistics = touch_headless(two_scenes, options, {});
   ASSERT_TRUE(statistics) << statistics.error().sentence();
@@ -68,7 +54,7 @@ TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
 }
 
 TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {
-  auto options = quiet(1.5);
+  auto options = unprivileged(1.5);
   options.recording = std::filesystem::path(testing::TempDir()) / "explorer.rec";
   options.walk = {{0.0, {0.02, 0.01, std::numbers::pi / 2.0}}};
   const auto statistics = touch_headless(two_scenes, options, {});
@@ -118,7 +104,7 @@ TEST(TouchHeadless, SaysWhyNoSceneCame) {
   const auto fails = [](const DeliverScene&, const Work&) -> Result<void> {
     return invalid_input("is no picture", "a.txt");
   };
-  const auto statistics = touch_headless(fails, quiet(1.0), {});
+  const auto statistics = touch_headless(fails, unprivileged(1.0), {});
   ASSERT_FALSE(statistics);
   EXPECT_EQ(statistics.error().sentence(), "a.txt: is no picture");
 }
@@ -133,14 +119,14 @@ TEST(TouchHeadless, EndsAtOnceWhenInterruptedAndTellsTheMaker) {
     told = true;
     return Work::interrupted();
   };
-  const auto statistics = touch_headless(waits, quiet(1000.0), work);
+  const auto statistics = touch_headless(waits, unprivileged(1000.0), work);
   ASSERT_FALSE(statistics);
   EXPECT_EQ(statistics.error().code, ErrorCode::interrupted);
   EXPECT_TRUE(told);
 }
 
 TEST(TouchHeadless, RefusesADeviceThatDoesNotExist) {
-  auto options = quiet(1.0);
+  auto options = unprivileged(1.0);
   options.device_url = "falcn:";
   const auto statistics = touch_headless(two_scenes, options, {});
   ASSERT_FALSE(statistics);
