@@ -13,8 +13,8 @@
 
 namespace palpable::sculpt {
 
-/// How walls thinner than a field can represent are treated: it rounds what is thinner than two finest cells by
-/// up to a quarter of a cell a side, and loses what is thinner than half of one.
+/// How walls thinner than a field can represent are treated: it rounds what is thinner than two finest cells
+/// by up to a quarter of a cell a side, and loses what is thinner than half of one.
 struct WallOptions {
   /// Thinner walls become about this thick, in finest cells: two of them keep the field's rounding inside the
   /// wall. 0 … 8; 0 = every wall as it is.
