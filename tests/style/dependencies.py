@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Fails, and names them, if docs/dependencies.md and packages/*.txt do not list the same Debian packages, or if CMake looks
-for a library that no source includes. Run in the project's root."""
+"""Fails, and names them, if docs/dependencies.md and packages/*.txt do not list the same Debian packages, if CMake looks
+for a library that no source includes, or if other modules include a library than the document says. Run in the project's root."""
 import re
 import subprocess
 import sys
@@ -44,5 +44,17 @@ for line in Path("packages/build.txt").read_text().splitlines():
         wrong.append(f"tests/style/dependencies.py: {line} has no header to look for")
     elif name in headers and f"<{headers[name]}" not in sources:
         wrong.append(f"packages/build.txt: no source includes <{headers[name]}…>, so {line} is not needed")
+
+# The column "modules" of the first table.
+def modules_including(header):
+    files = subprocess.run(["git", "grep", "-lF", f"<{header}", "--", "src/palpable"], capture_output=True, text=True).stdout.split()
+    return {file.split("/")[2] for file in files if not file.endswith("_test.cpp")}
+
+
+for cell, modules in re.findall(r"^\| ([^|]+?) \| [^|]+ \| ([a-z, ]+) \| [^|]+ \|$", Path("docs/dependencies.md").read_text(), re.M):
+    names = {name.removesuffix("-dev") for word in re.findall(r"[a-z0-9][a-z0-9.+{},-]*", cell) for name in expanded(word.strip(","))}
+    users = set().union(*(modules_including(headers[name]) for name in names & set(headers)))
+    if users and users != set(modules.split(", ")):
+        wrong.append(f"docs/dependencies.md: {cell} is included by {', '.join(sorted(users))}, not by {modules}")
 if wrong:
     sys.exit("\n".join(wrong))
