@@ -1,8 +1,8 @@
 # Fails if a program needs a shared library that is not on the list of those that the servo's side may link: the language's
-# and the system's own, and libusb for devices. None of them is a vision library or under the GPL.
+# and the system's own, zlib, and libusb for devices. None of them is a vision library or under the GPL.
 # Run: cmake -DPROGRAM=<file> -P cmake/CheckLinks.cmake
 cmake_minimum_required(VERSION 3.25)
-set(allowed "^(linux-vdso|ld-linux-[a-z0-9-]+|libc|libm|libstdc\\+\\+|libgcc_s|libpthread|libdl|librt|libusb-1\\.0|libudev|libcap"
+set(allowed "^(linux-vdso|ld-linux-[a-z0-9-]+|libc|libm|libstdc\\+\\+|libgcc_s|libz|libpthread|libdl|librt|libusb-1\\.0|libudev|libcap"
             "|libasan|libubsan|libtsan|libgcov)\\.so")
 string(JOIN "" allowed ${allowed})
 

@@ -63,7 +63,7 @@ set(PALPABLE_MAY_USE_sculpt/superquadric triangles points)
 set(PALPABLE_ROOMS_device simulated pointer recording drivers)
 set(PALPABLE_MAY_USE_device/drivers simulated pointer recording)
 
-set(PALPABLE_ROOMS_haptics safety law servo)
+set(PALPABLE_ROOMS_haptics safety law servo guardian)
 set(PALPABLE_MAY_USE_haptics/servo safety law)
 
 set(PALPABLE_ROOMS_session make touch check)

@@ -17,7 +17,7 @@ function(palpable_web)
   set(packages ${web}/node_modules/.palpable-lock)
   add_custom_command(
     OUTPUT ${packages}
-    COMMAND sh -c "cmp -s package-lock.json node_modules/.palpable-lock || '${PALPABLE_NPM}' ci --ignore-scripts --no-audit --no-fund --loglevel=error"
+    COMMAND sh -c "cmp -s package-lock.json node_modules/.palpable-lock || '${PALPABLE_NPM}' ci --ignore-scripts --no-audit --no-fund --loglevel=error || { echo \"palpable: the page's packages could not be fetched: npm needs the network, or a filled cache, the first time\"; exit 1; }"
     COMMAND ${CMAKE_COMMAND} -E copy package-lock.json node_modules/.palpable-lock
     DEPENDS ${web}/package-lock.json
     WORKING_DIRECTORY ${web}

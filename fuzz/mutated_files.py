@@ -25,7 +25,7 @@ from whole import contradiction
 MEMORY_BYTES = 2 << 30
 SECONDS = 10
 # Another program may have the processor.
-PATIENCE_S = 60
+PATIENCE_S = 600
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
 
 

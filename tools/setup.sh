@@ -5,6 +5,9 @@
 
 say() { printf 'palpable: %s\n' "$*" >&2; }
 
+# Not empty: sudo is used without asking (./run -y, ./test -y); in continuous integration (CI is set) too.
+assume_yes=
+
 give_up() {
   say "$*"
   exit 1
@@ -38,7 +41,9 @@ apt_install() {
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || give_up "these packages are missing, and there is no sudo to install them with: $*"
     root=(sudo -n)
-    if [ -t 0 ] && [ -t 2 ]; then
+    if [ -n "${CI-}" ] || [ -n "$assume_yes" ]; then
+      sudo -n true 2>/dev/null || root=(sudo)
+    elif [ -t 0 ] && [ -t 2 ]; then
       root=(sudo)
       local answer
       read -r -p "palpable: may sudo install these Debian packages? $* [Y/n] " answer >&2
@@ -55,8 +60,10 @@ apt_install() {
     return
   fi
   say "refreshing apt's package lists"
-  "${root[@]}" "${apt[@]}" update >&2 || give_up "apt cannot refresh its package lists (see above)"
-  "${root[@]}" "${apt[@]}" install -y --no-install-recommends "$@" >&2 || give_up "apt cannot install the packages (see above)"
+  "${root[@]}" "${apt[@]}" update >&2 ||
+    give_up "apt cannot refresh its package lists (see above); without a network install these packages first: $*"
+  "${root[@]}" "${apt[@]}" install -y --no-install-recommends "$@" >&2 ||
+    give_up "apt cannot install the packages (see above); without a network install these first: $*"
 }
 
 # install_packages GROUP…: installs what is missing of the groups' packages. A stamp of the lists and of dpkg's own
@@ -76,6 +83,9 @@ install_packages() {
 build() {
   local preset=$1 folder=build/$1
   shift
+  if [ -d "$folder" ] && [ ! -w "$folder" ]; then
+    give_up "$PWD/$folder was built by $(stat -c %U "$folder") and cannot be written by $(id -un): build a clone of your own, git clone '$PWD'"
+  fi
   if [ ! -f "$folder/build.ninja" ]; then
     say "configuring ($preset)"
     cmake --preset "$preset" >&2 || give_up "cmake cannot configure the project (see above)"
@@ -88,7 +98,9 @@ build() {
 
 # Only one script at a time installs and builds; a second one waits.
 take_turns() {
-  mkdir -p build/.setup
+  if ! mkdir -p build/.setup 2>/dev/null || ! { : >>build/.setup/lock; } 2>/dev/null; then
+    give_up "$PWD/build cannot be written by $(id -un) (the clone belongs to $(stat -c %U .)): build a clone of your own, git clone '$PWD'"
+  fi
   exec {turn}>build/.setup/lock
   flock -n "$turn" || { say "waiting for another ./run or ./test to finish building"; flock "$turn"; }
 }

@@ -67,6 +67,23 @@ expect 'after it the program is not started' [ ! -s "$room/out" ]
 expect 'after it the reason is shown' grep -q 'error: broken' "$room/err"
 rm "$room/broken"
 
+: >"$room/calls"
+printf 'absent2\n' >>"$room/project/packages/run.txt"
+stand_in dpkg-query <<<'[ "${*: -1}" = absent2 ] && [ ! -e '"$room"'/installed2 ] || printf installed'
+run -y info
+expect 'with -y the argument is not the program'"'"'s' [ "$(<"$room/out")" = "<$room><info>" ]
+expect 'with -y sudo is used without asking' grep -q '^sudo .*install -y --no-install-recommends absent2$' "$room/calls"
+touch "$room/installed2"
+stand_in dpkg-query <<<'[ "${*: -1}" = absent ] && [ ! -e '"$room"'/installed ] || printf installed'
+
+mv "$room/project/build" "$room/built"
+: >"$room/project/build"
+run info
+expect 'a clone that cannot be written is a failure' [ $? -eq 1 ]
+expect 'a message says what to do instead' grep -q 'build a clone of your own' "$room/err"
+rm "$room/project/build"
+mv "$room/built" "$room/project/build"
+
 printf 'absent\n' >>"$room/project/packages/run.txt"
 rm "$room/installed"
 run

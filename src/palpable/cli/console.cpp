@@ -42,9 +42,10 @@ void on_patience_over(int /*number*/) {
   _exit(static_cast<int>(ErrorCode::interrupted));
 }
 
-/// The first one asks the work to end and gives it time. The second one is the system's own answer; but never
-/// with a force left on somebody's hand.
+/// The first one takes the force from every hand, asks the work to end and gives it time. The second one has
+/// the system's own action, after every servo has written zero force.
 void on_interrupt(int number) {
+  haptics::end_every_servo(0);
   if (!interrupt_flag.exchange(true, std::memory_order_relaxed)) {
     constexpr int kMicroseconds = 1000;
     const itimerval patience{{0, 0}, {0, kWorkPatience_ms * kMicroseconds}};

@@ -7,6 +7,7 @@
 #include "palpable/cli/sample_scene.hpp"
 #include "palpable/cli/touch_by_keys.hpp"
 #include "palpable/cli/view_options.hpp"
+#include "palpable/core/build_id.hpp"
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/kept_rate.hpp"
@@ -319,7 +320,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   }
   plan.options.seed = console.options().seed;
   plan.options.command = console.options().command;
-  plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION;
+  plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION + " (build " + build_id() + ")";
   constexpr double kRate_Hz = 1000.0;
   plan.options.servo.rate_hz =
       arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);

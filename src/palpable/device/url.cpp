@@ -66,6 +66,11 @@ std::string DeviceUrl::take_word(const std::string& name, const std::vector<std:
   return allowed.front();
 }
 
+std::string DeviceUrl::take_text(const std::string& name) {
+  const auto option = options_.extract(name);
+  return option.empty() ? std::string() : option.mapped();
+}
+
 Result<void> DeviceUrl::finish() const {
   if (!first_error_.empty()) return Error{ErrorCode::usage, first_error_, url_};
   if (!options_.empty())

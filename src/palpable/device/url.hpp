@@ -26,6 +26,8 @@ class DeviceUrl {
   double take_number(const std::string& name, double otherwise, double least, double most);
   /// The option as one of `allowed`; the first of them where it is not given.
   std::string take_word(const std::string& name, const std::vector<std::string>& allowed);
+  /// The option as it stands; empty where it is not given.
+  std::string take_text(const std::string& name);
   /// An error if a value was wrong or an option remains; say it before using what was taken.
   Result<void> finish() const;
 

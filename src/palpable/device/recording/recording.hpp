@@ -37,8 +37,8 @@ struct Recording {
 };
 
 /// Reads a whole recording. A file that ends early or is damaged further on gives what stands before, with
-/// complete = false. Errors (invalid_input): not a recording, a newer version, a damaged header, larger than
-/// 4 GB.
+/// complete = false. Errors (invalid_input): not a recording, a newer version, a damaged header, more ticks
+/// than there is memory for.
 Result<Recording> read_recording(const std::filesystem::path& file);
 /// The same from memory; `name` is for the errors' place.
 Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::string& name);
@@ -85,8 +85,8 @@ class RecordingReader {
 /// path; one thread.
 class RecordingWriter {
  public:
-  /// Replaces an old file of that name, and holds an advisory lock on it while it writes. Errors (failed):
-  /// cannot be created; another writer holds the lock.
+  /// Replaces an old file of that name once the header is written, and holds an advisory lock on the file
+  /// while it writes. Errors (failed): cannot be created; another writer holds the lock.
   static Result<std::unique_ptr<RecordingWriter>> create(const std::filesystem::path& file,
                                                          const std::string& header_json);
   ~RecordingWriter();
@@ -106,6 +106,7 @@ class RecordingWriter {
   Result<void> write_turns(std::span<const TouchSample> ticks);
   Result<void> write_fades(std::span<const TouchSample> ticks);
   Result<void> write_chunk(std::uint32_t kind, std::span<const std::byte> payload);
+  Result<void> write_bytes(std::span<const std::byte> bytes);
 
   std::filesystem::path file_;
   std::FILE* stream_ = nullptr;

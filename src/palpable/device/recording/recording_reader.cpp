@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/crc32.hpp"
-#include "palpable/core/read_file.hpp"
+#include "palpable/core/memory.hpp"
 #include "palpable/device/recording/recording.hpp"
 #include "palpable/device/recording/recording_decoder.hpp"
 #include "palpable/device/recording/recording_format.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -17,7 +18,6 @@ namespace palpable::device {
 namespace {
 
 namespace format = recording_format;
-constexpr std::uintmax_t kMostFile_bytes = std::uintmax_t{4} << 30U;
 /// More than any chunk that a writer makes: what claims to be larger is damage.
 constexpr std::uint32_t kMostChunk_bytes = format::kMostTicks * format::kTick_bytes;
 
@@ -71,12 +71,6 @@ Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::s
   while (!recording.complete && in.left() > 0)
     if (next_chunk(in, chunk) != RecordingEnd::not_yet || !decoder.take(chunk, recording)) break;
   return recording;
-}
-
-Result<Recording> read_recording(const std::filesystem::path& file) {
-  auto bytes = read_file(file, kMostFile_bytes);
-  if (!bytes) return std::move(bytes).error();
-  return parse_recording(*bytes, file.string());
 }
 
 struct RecordingReader::Impl {
@@ -151,6 +145,32 @@ const Recording* RecordingReader::next() {
   if (it.end == RecordingEnd::not_yet && it.piece.complete)
     it.end = it.done < it.size ? RecordingEnd::more_after_end : RecordingEnd::complete;
   return it.end == RecordingEnd::not_yet ? &it.piece : nullptr;
+}
+
+Result<Recording> read_recording(const std::filesystem::path& file) {
+  auto reader = RecordingReader::open(file);
+  if (!reader) return std::move(reader).error();
+  std::error_code none;
+  const auto needed = static_cast<double>(std::filesystem::file_size(file, none)) / format::kTick_bytes *
+                      static_cast<double>(sizeof(TouchSample));
+  const auto available = available_memory_bytes();
+  constexpr double kGigabyte = 1e9;
+  if (available && needed > static_cast<double>(*available))
+    return invalid_input("needs " + std::to_string(std::lround(std::ceil(needed / kGigabyte))) +
+                             " GB of memory as a whole, and there are " +
+                             std::to_string(std::lround(static_cast<double>(*available) / kGigabyte)) +
+                             "; as .csv it is exported in small parts",
+                         file.string());
+  Recording recording;
+  recording.header_json = (*reader)->header_json();
+  while (const Recording* piece = (*reader)->next()) {
+    recording.scenes.insert(recording.scenes.end(), piece->scenes.begin(), piece->scenes.end());
+    recording.ticks.insert(recording.ticks.end(), piece->ticks.begin(), piece->ticks.end());
+    recording.further.insert(recording.further.end(), piece->further.begin(), piece->further.end());
+  }
+  recording.complete = (*reader)->end() == RecordingEnd::complete;
+  recording.lost = (*reader)->lost();
+  return recording;
 }
 
 RecordingEnd RecordingReader::end() const { return impl_->end; }

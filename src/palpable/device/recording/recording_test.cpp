@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/device/recording/recording.hpp"
 
-#include "palpable/core/crc32.hpp"
+#include "palpable/core/atomic_file.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/device/drivers/open.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <random>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -50,13 +52,6 @@ std::filesystem::path written(std::uint64_t ticks, std::string_view name) {
   EXPECT_TRUE((*writer)->write(std::span(all.begin() + half, all.end())));
   EXPECT_TRUE((*writer)->finish(4));
   return file;
-}
-
-TEST(Crc32, IsTheOneOfZipAndPng) {
-  const std::string_view digits = "123456789";
-  EXPECT_EQ(crc32(std::as_bytes(std::span(digits.data(), digits.size()))), 0xCBF43926U);
-  const auto begin = crc32(std::as_bytes(std::span(digits.data(), 4)));
-  EXPECT_EQ(crc32(std::as_bytes(std::span(digits.data() + 4, 5)), begin), 0xCBF43926U);
 }
 
 TEST(Recording, ComesBackToTheLastBit) {
@@ -178,6 +173,61 @@ TEST(Replay, GivesTheRecordedPositionsAgainAndIsStaleAfterThem) {
     EXPECT_EQ(reading.buttons, 2U);
   }
   EXPECT_EQ((*device)->read().status, Status::stale);
+}
+
+TEST(Replay, GivesEveryPositionOfARecordingThatIsLongerThanItReadsAhead) {
+  constexpr std::uint64_t kTicks = 100'000;
+  auto device = open_device("replay:" + written(kTicks, "long.rec").string(), {});
+  ASSERT_TRUE(device) << device.error().sentence();
+  for (std::uint64_t n = 0; n < kTicks;) {
+    const auto reading = (*device)->read();
+    // Asked faster than a servo would: what is not there yet comes later, and in its order.
+    if (!reading.recorded) {
+      std::this_thread::yield();
+      continue;
+    }
+    ASSERT_EQ(reading.position, tick_number(n).device_position) << n;
+    ++n;
+  }
+  EXPECT_FALSE((*device)->read().recorded);
+}
+
+TEST(Replay, RefusesARecordingThatIsDamagedAndTakesOneThatWasInterrupted) {
+  const auto file = written(100, "cut_or_damaged.rec");
+  auto bytes = *read_file(file);
+  bytes.resize(bytes.size() - 5);
+  ASSERT_TRUE(write_file_atomically(file, bytes));
+  EXPECT_TRUE(open_device("replay:" + file.string(), {}));
+  bytes[bytes.size() / 2] ^= std::byte{1};
+  ASSERT_TRUE(write_file_atomically(file, bytes));
+  const auto damaged = open_device("replay:" + file.string(), {});
+  ASSERT_FALSE(damaged);
+  EXPECT_NE(damaged.error().message.find("damaged"), std::string::npos);
+}
+
+TEST(Recording, IsNotReplacedWhileAnotherIsBeingWrittenIntoIt) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "busy.rec";
+  auto first = RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(first) << first.error().sentence();
+  const auto second = RecordingWriter::create(file, "{}");
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().message.find("another recording"), std::string::npos);
+  ASSERT_TRUE((*first)->finish(0));
+  EXPECT_TRUE(RecordingWriter::create(file, "{}"));
+}
+
+TEST(Recording, ReplacesTheOldOneOnlyWithAReadableFile) {
+  const auto file = written(10, "old.rec");
+  const auto old = *read_file(file);
+  // A reader that has the old file open keeps it: it was not emptied, but replaced.
+  std::FILE* open = std::fopen(file.c_str(), "rb");
+  ASSERT_NE(open, nullptr);
+  auto writer = RecordingWriter::create(file, "{}");
+  ASSERT_TRUE(writer);
+  std::vector<std::byte> kept(old.size() + 1);
+  EXPECT_EQ(std::fread(kept.data(), 1, kept.size(), open), old.size());
+  std::fclose(open);
+  EXPECT_TRUE(read_recording(file)) << "readable from its first moment on";
 }
 
 TEST(Replay, RefusesARecordingWithoutATick) {

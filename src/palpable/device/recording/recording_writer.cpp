@@ -1,5 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/core/byte_reader.hpp"
 #include "palpable/core/byte_writer.hpp"
 #include "palpable/core/crc32.hpp"
 #include "palpable/device/recording/recording.hpp"
@@ -18,6 +20,7 @@ namespace palpable::device {
 namespace {
 
 namespace format = recording_format;
+namespace fs = std::filesystem;
 
 void put(ByteWriter& out, Vec3 v) {
   out.f64(v.x);
@@ -56,31 +59,58 @@ bool is_turned(const TouchSample& tick) {
          tick.raw_torque_Nm.v != Vec3{} || tick.written_torque_Nm.v != Vec3{};
 }
 
+void put_chunk(ByteWriter& out, std::uint32_t kind, std::span<const std::byte> payload) {
+  out.u32(kind);
+  out.u32(static_cast<std::uint32_t>(payload.size()));
+  out.u32(crc32(payload));
+  out.text(as_text(payload));
+}
+
+Error cannot_be_written(const std::filesystem::path& file) {
+  return {ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file.string()};
+}
+
+Error locked(const std::filesystem::path& file) {
+  return {ErrorCode::failed, "cannot be written: another recording is being written into it", file.string()};
+}
+
+/// A recording under way holds a lock on its file. Errors: failed.
+Result<void> check_not_locked(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return {};
+  const bool is_locked = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return is_locked ? Result<void>(locked(file)) : Result<void>();
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::filesystem::path& file,
                                                                  const std::string& header_json) {
+  if (auto free = check_not_locked(file); !free) return std::move(free).error();
+  ByteWriter start;
+  start.text(format::kMagic);
+  put_chunk(start, format::kHeader, std::as_bytes(std::span(header_json)));
+  // The old recording stays until this one is readable. A device or a pipe holds none.
+  std::error_code none;
+  const bool is_stream = fs::exists(file, none) && !fs::is_regular_file(file, none);
+  if (!is_stream)
+    if (auto written = write_file_atomically(file, start.bytes()); !written)
+      return std::move(written).error();
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor < 0) return cannot_be_written(file);
   std::unique_ptr<RecordingWriter> writer(new RecordingWriter);
   writer->file_ = file;
-  const auto failed = [&file](const char* why) {
-    return Error{ErrorCode::failed, std::string("cannot be written: ") + why, file.string()};
-  };
-  constexpr mode_t kReadableByAll = 0666;
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kReadableByAll);
-  if (descriptor < 0) return failed(std::strerror(errno));
-  writer->stream_ = ::fdopen(descriptor, "wb");
+  writer->stream_ = ::fdopen(descriptor, "ab");
   if (writer->stream_ == nullptr) {
+    const Error error = cannot_be_written(file);
     ::close(descriptor);
-    return failed(std::strerror(errno));
+    return error;
   }
-  // Held until the stream is closed. Emptied only then, so that a recording under way stays.
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-    return failed("another recording is being written into it");
-  static_cast<void>(!::ftruncate(descriptor, 0));  // a device or a pipe holds nothing
-  std::fwrite(format::kMagic.data(), 1, format::kMagic.size(), writer->stream_);
-  ByteWriter header;
-  header.text(header_json);
-  if (auto done = writer->write_chunk(format::kHeader, header.bytes()); !done) return std::move(done).error();
+  // Held until the stream is closed.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return locked(file);
+  if (is_stream)
+    if (auto written = writer->write_bytes(start.bytes()); !written) return std::move(written).error();
   return writer;
 }
 
@@ -141,20 +171,19 @@ Result<void> RecordingWriter::finish(std::uint64_t lost) {
   const bool flushed = fsync(fileno(stream_)) == 0;
   const bool closed = std::fclose(std::exchange(stream_, nullptr)) == 0;
   if (flushed && closed) return {};
-  return Error{ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file_.string()};
+  return cannot_be_written(file_);
 }
 
 Result<void> RecordingWriter::write_chunk(std::uint32_t kind, std::span<const std::byte> payload) {
-  ByteWriter head;
-  head.u32(kind);
-  head.u32(static_cast<std::uint32_t>(payload.size()));
-  head.u32(crc32(payload));
-  const auto bytes = head.bytes();
-  const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), stream_) == bytes.size() &&
-                     std::fwrite(payload.data(), 1, payload.size(), stream_) == payload.size() &&
-                     std::fflush(stream_) == 0;
-  if (whole) return {};
-  return Error{ErrorCode::failed, std::string("cannot be written: ") + std::strerror(errno), file_.string()};
+  ByteWriter chunk;
+  put_chunk(chunk, kind, payload);
+  return write_bytes(chunk.bytes());
+}
+
+Result<void> RecordingWriter::write_bytes(std::span<const std::byte> bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stream_) == bytes.size() && std::fflush(stream_) == 0)
+    return {};
+  return cannot_be_written(file_);
 }
 
 }  // namespace palpable::device

@@ -6,18 +6,70 @@
 #include "palpable/device/recording/traits_json.hpp"
 #include "palpable/device/url.hpp"
 
+#include <chrono>
+#include <cstdint>
+#include <string>
 #include <utility>
 
 namespace palpable::device {
+namespace {
 
-ReplayDevice::ReplayDevice(std::vector<TouchSample> ticks, const Traits& traits)
-    : traits_(traits), ticks_(std::move(ticks)) {
-  PALPABLE_CHECK(!ticks_.empty());
+/// Eight seconds at 4 kHz.
+constexpr std::size_t kAhead = std::size_t{1} << 15U;
+constexpr auto kReadPeriod = std::chrono::milliseconds(100);
+
+/// Whether the recording holds a tick, and nothing in it is damaged. One that was interrupted is good.
+Result<void> check_whole(const std::string& file) {
+  const auto reader = RecordingReader::open(file);
+  if (!reader) return reader.error();
+  std::uint64_t ticks = 0;
+  while (const Recording* piece = (*reader)->next()) ticks += piece->ticks.size();
+  if ((*reader)->end() == RecordingEnd::damaged)
+    return invalid_input("is a recording that is damaged after " + std::to_string(ticks) + " ticks", file);
+  if ((*reader)->end() == RecordingEnd::more_after_end)
+    return invalid_input("is a recording with something after the mark of its end", file);
+  if (ticks == 0) return invalid_input("is a recording without a tick", file);
+  return {};
+}
+
+}  // namespace
+
+ReplayDevice::ReplayDevice(std::unique_ptr<RecordingReader> reader, const Traits& traits)
+    : traits_(traits), reader_(std::move(reader)), ahead_(kAhead) {
+  // Full before the first tick, whatever the machine's load.
+  fill();
+  thread_ = std::thread([this] { read_ahead(); });
+}
+
+ReplayDevice::~ReplayDevice() {
+  ending_ = true;
+  thread_.join();
+}
+
+void ReplayDevice::read_ahead() {
+  while (!ending_.load(std::memory_order_relaxed)) {
+    std::this_thread::sleep_for(kReadPeriod);
+    fill();
+  }
+}
+
+/// Until the ring is full or the recording ends.
+void ReplayDevice::fill() {
+  while (true) {
+    while (piece_ == nullptr || next_ == piece_->ticks.size()) {
+      if (reader_->end() != RecordingEnd::not_yet) return;
+      piece_ = reader_->next();
+      next_ = 0;
+      if (piece_ == nullptr) return;
+    }
+    if (!ahead_.has_room()) return;
+    ahead_.put(recorded_reading(piece_->ticks[next_++]));
+  }
 }
 
 Reading ReplayDevice::read() noexcept {
-  if (next_ < ticks_.size()) return recorded_reading(ticks_[next_++]);
-  Reading ended = recorded_reading(ticks_.back());
+  if (const auto reading = ahead_.take()) return last_ = *reading;
+  Reading ended = last_;
   ended.status = Status::stale;
   ended.recorded.reset();
   return ended;
@@ -32,17 +84,17 @@ Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& o
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   if (url.path().empty())
     return Error{ErrorCode::usage, "needs the recording's file: replay:FILE", "replay:"};
-  auto recording = read_recording(url.path());
-  if (!recording) return std::move(recording).error();
-  if (recording->ticks.empty()) return invalid_input("is a recording without a tick", url.path());
-  auto traits = recorded_traits(recording->header_json);
+  if (auto whole = check_whole(url.path()); !whole) return std::move(whole).error();
+  auto reader = RecordingReader::open(url.path());
+  if (!reader) return std::move(reader).error();
+  auto traits = recorded_traits((*reader)->header_json());
   if (!traits) {
     traits.emplace();
     traits->rate_hz = options.rate_hz;
     traits->pushes_back = false;
   }
   traits->name = traits->name.empty() ? "replay" : "replay of " + traits->name;
-  return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(std::move(recording->ticks), *traits));
+  return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(*std::move(reader), *traits));
 }
 
 }  // namespace palpable::device

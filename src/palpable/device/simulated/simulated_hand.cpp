@@ -55,8 +55,11 @@ double rounded(double value, double step) { return step > 0.0 ? step * std::roun
 
 }  // namespace
 
-SimulatedHand::SimulatedHand(const HandOptions& options)
-    : options_(options), traits_(traits_of(options)), explorer_(options.explorer) {
+SimulatedHand::SimulatedHand(const HandOptions& options, std::unique_ptr<MotorFile> motors)
+    : options_(options),
+      motors_(std::move(motors)),
+      traits_(traits_of(options)),
+      explorer_(options.explorer) {
   PALPABLE_CHECK(options.device_mass_kg + options.arm_mass_kg > 0.0 && options.rate_hz > 0.0);
   PALPABLE_CHECK(options.delay_samples >= 0 && options.delay_samples <= kMostDelay);
   goal_m_ = explorer_.step({}, {}, 0.0);
@@ -87,6 +90,7 @@ void SimulatedHand::write(Vector<DeviceFrame> force_N) noexcept {
   const Vec3 motor_N = on_the_way_N_[delayed_ % size];
   const Vec3 motor_Nm = on_the_way_Nm_[delayed_ % size];
   delayed_ = (delayed_ + 1) % size;
+  if (motors_) motors_->write(motor_N);
 
   const double period_s = 1.0 / options_.rate_hz;
   const Vec3 goal_before = goal_m_;
@@ -131,6 +135,16 @@ void SimulatedHand::move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, 
 void SimulatedHand::stop() noexcept {
   on_the_way_N_.fill({});
   on_the_way_Nm_.fill({});
+  if (motors_) motors_->write({});
+}
+
+void SimulatedHand::cut_force() noexcept {
+  cut_.store(true, std::memory_order_release);
+  if (motors_) motors_->write({});
+}
+
+std::optional<ZeroWrite> SimulatedHand::zero_write() const {
+  return motors_ ? std::optional(motors_->zero_write()) : std::nullopt;
 }
 
 Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOptions& options) {
@@ -159,8 +173,15 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   explorer.script = script == "scan"     ? ExplorerOptions::Script::scan
                     : script == "random" ? ExplorerOptions::Script::random
                                          : ExplorerOptions::Script::hold;
+  const std::string motor_path = url.take_text("motors");
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
-  return std::unique_ptr<Device>(std::make_unique<SimulatedHand>(hand));
+  std::unique_ptr<MotorFile> motors;
+  if (!motor_path.empty()) {
+    auto created = MotorFile::create(motor_path);
+    if (!created) return std::move(created).error();
+    motors = *std::move(created);
+  }
+  return std::unique_ptr<Device>(std::make_unique<SimulatedHand>(hand, std::move(motors)));
 }
 
 }  // namespace palpable::device

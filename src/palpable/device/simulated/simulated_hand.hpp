@@ -4,6 +4,8 @@
 
 #include "palpable/device/device.hpp"
 #include "palpable/device/simulated/explorer.hpp"
+#include "palpable/device/simulated/motor_file.hpp"
+#include "palpable/device/zero_write.hpp"
 
 #include <array>
 #include <atomic>
@@ -46,18 +48,20 @@ struct HandOptions {
 /// A hand on a device, simulated in time steps of a tenth of a tick: each write() moves time on by one period
 /// of rate_hz, whatever the wall clock does, so that the same forces give the same movements, live or in a
 /// test. Semi-implicit Euler steps with exact stiction: the mass can stand still on its friction.
-class SimulatedHand final : public Device {
+class SimulatedHand final : public Device, public Guardable {
  public:
   static constexpr int kMostDelay = 8;
 
-  explicit SimulatedHand(const HandOptions& options);
+  /// `motors`: the force on the motors is written there too; may be null.
+  explicit SimulatedHand(const HandOptions& options, std::unique_ptr<MotorFile> motors = nullptr);
 
   const Traits& traits() const noexcept override { return traits_; }
   Reading read() noexcept override;
   void write(Vector<DeviceFrame> force_N) noexcept override;
   void write_torque(Vector<DeviceFrame> torque_Nm) noexcept override { torque_Nm_ = torque_Nm.v; }
   void stop() noexcept override;
-  void cut_force() noexcept override { cut_.store(true, std::memory_order_release); }
+  void cut_force() noexcept override;
+  std::optional<ZeroWrite> zero_write() const override;
 
   /// Where the hand wants to be, for the script `hold`.
   void set_goal(Vec3 goal_m) noexcept { explorer_.set_goal(goal_m); }
@@ -71,6 +75,7 @@ class SimulatedHand final : public Device {
   void move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, double dt_s) noexcept;
 
   HandOptions options_;
+  std::unique_ptr<MotorFile> motors_;
   Traits traits_;
   Explorer explorer_;
   Vec3 position_m_;

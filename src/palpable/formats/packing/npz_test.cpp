@@ -105,6 +105,14 @@ TEST(Zip, RefusesAnImpossibleSizeBeforeUnpacking) {
   EXPECT_NE(members.error().message.find("unpacks to more"), std::string::npos) << members.error().message;
 }
 
+TEST(Zip, RefusesBytesBetweenTheDirectoryAndItsRecord) {
+  auto file = *zip({{"a.txt", Bytes(1000, std::byte{7})}});
+  const std::size_t record = as_text(file).find("PK\x05\x06");
+  ASSERT_NE(record, std::string_view::npos);
+  file.insert(file.begin() + static_cast<std::ptrdiff_t>(record), 30, std::byte{0});
+  EXPECT_FALSE(unzip(file));
+}
+
 TEST(Npz, ReadsAFileOfNumPyItself) {
   const char* data = std::getenv("PALPABLE_DATA");
   if (data == nullptr) GTEST_SKIP() << "PALPABLE_DATA is not set";

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/formats/packing/zip.hpp"
 
+#include "palpable/core/byte_reader.hpp"
+
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
@@ -60,8 +63,25 @@ Result<Bytes> unpack(zip_t* archive, zip_uint64_t index, const zip_stat_t& state
   return bytes;
 }
 
+/// Whether the central directory ends where the record of its place and size begins (APPNOTE 4.3.16), which
+/// libzip does not ask. Archives of the 64-bit form state it elsewhere and are left to libzip.
+bool directory_is_in_place(std::span<const std::byte> file) {
+  constexpr std::size_t kRecord = 22, kLongestComment = 65535, kSizeAt = 12;
+  constexpr std::uint32_t kElsewhere = 0xFFFFFFFF;
+  if (file.size() < kRecord) return true;
+  const std::size_t last = file.size() - kRecord;
+  for (std::size_t back = 0; back <= std::min(last, kLongestComment); ++back) {
+    if (!has_magic(file, "PK\5\6", last - back)) continue;
+    ByteReader record(file.subspan(last - back + kSizeAt));
+    const std::uint32_t size = record.u32(), begin = record.u32();
+    return size == kElsewhere || begin == kElsewhere || std::uint64_t{begin} + size == last - back;
+  }
+  return true;
+}
+
 Result<Archive> open(std::span<const std::byte> file) {
   if (file.empty()) return invalid_input("is empty");
+  if (!directory_is_in_place(file)) return damaged("its directory is not where it states");
   ZipError error;
   Source source(zip_source_buffer_create(file.data(), file.size(), 0, error.get()));
   if (!source) return damaged(error.text());

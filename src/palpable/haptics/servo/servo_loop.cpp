@@ -4,6 +4,7 @@
 
 #include "palpable/core/allocations.hpp"
 #include "palpable/core/hand_off.hpp"
+#include "palpable/haptics/safety/guardian.hpp"
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
@@ -105,6 +106,7 @@ struct ServoLoop::Impl {
 
   const HapticScene& own(HapticScene scene);
 
+  Result<void> start_guardian();
   void serve();
   void tick_once(const Pacer::Wake& wake, double dt_s);
   void tick_further(double dt_s);
@@ -115,6 +117,8 @@ struct ServoLoop::Impl {
 
   const ServoOptions options;
   std::unique_ptr<device::Device> device;
+  /// Ends before the device is closed.
+  std::unique_ptr<Guardian> guardian;
 
   // From the servo to others.
   LatestValue<TouchSample> latest;
@@ -151,6 +155,18 @@ struct ServoLoop::Impl {
   std::thread servo;
   std::thread maintenance;
 };
+
+Result<void> ServoLoop::Impl::start_guardian() {
+  const auto* guardable = dynamic_cast<const device::Guardable*>(device.get());
+  const auto zero = guardable != nullptr ? guardable->zero_write() : std::nullopt;
+  if (!zero) return {};
+  auto started = Guardian::start(*zero);
+  if (!started)
+    return Error{ErrorCode::device, "its force cannot be guarded: " + started.error().message,
+                 device->traits().name};
+  guardian = *std::move(started);
+  return {};
+}
 
 void ServoLoop::Impl::serve() {
   const RunningServo self(*device);
@@ -264,6 +280,7 @@ Result<std::unique_ptr<ServoLoop>> ServoLoop::start(std::unique_ptr<device::Devi
   scene.touchable->touch_pages();
   auto impl = std::make_unique<Impl>(std::move(device), std::move(scene), options, std::move(further));
   impl->real_time.memory = options.memory == Memory::lock ? lock_memory() : "not locked (not asked for)";
+  if (auto guarded = impl->start_guardian(); !guarded) return std::move(guarded).error();
   impl->servo = std::thread([&it = *impl] { it.serve(); });
   impl->maintenance = std::thread([&it = *impl] { it.run_maintenance(); });
   return std::unique_ptr<ServoLoop>(new ServoLoop(std::move(impl)));

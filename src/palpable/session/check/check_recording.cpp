@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,10 @@ namespace {
 namespace flag = haptics::flag;
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+/// How far two values differ; infinite where one of them is not a finite number.
+double difference(double size) {
+  return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
+}
 bool same(Vec3 a, Vec3 b) { return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z); }
 
 void keep_once(std::vector<std::string>& list, std::string_view word) {
@@ -94,7 +99,7 @@ void Check::take(const device::TouchSample& tick) {
 
 bool Check::compare_force(FindingKind kind, const device::TouchSample& tick, Vec3 recorded_N, Vec3 again_N) {
   if (same(recorded_N, again_N)) return true;
-  const double size_N = norm(recorded_N - again_N);
+  const double size_N = difference(norm(recorded_N - again_N));
   report_.max_difference_N = std::max(report_.max_difference_N, size_N);
   findings_.add(kind, tick, size_N);
   return false;
@@ -106,7 +111,7 @@ void Check::compare(const device::TouchSample& tick, const device::TouchSample& 
   equal = compare_force(FindingKind::written_force, tick, tick.written_force_N.v, again.written_force_N.v) &&
           equal;
   if (!same(tick.energy_J, again.energy_J)) {
-    findings_.add(FindingKind::energy_balance, tick, std::abs(tick.energy_J - again.energy_J));
+    findings_.add(FindingKind::energy_balance, tick, difference(std::abs(tick.energy_J - again.energy_J)));
     equal = false;
   }
   const bool same_state =

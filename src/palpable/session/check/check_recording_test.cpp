@@ -178,6 +178,44 @@ TEST(CheckRecording, FindsStepsForcesInAirAndMissingTicksWithoutTheScene) {
   EXPECT_TRUE(found(report, FindingKind::not_recomputed)) << said(report);
 }
 
+TEST(CheckRecording, FindsTicksThatWereExchanged) {
+  const auto file = altered(one_touch(), "exchanged.rec", [](device::Recording& recording) {
+    std::rotate(recording.ticks.begin() + 50, recording.ticks.begin() + 60, recording.ticks.begin() + 100);
+  });
+  const auto report = checked(file, {waves(0.010)});
+  EXPECT_TRUE(found(report, FindingKind::damage)) << said(report);
+  EXPECT_NE(said(report).find("not in their order"), std::string::npos) << said(report);
+}
+
+TEST(CheckRecording, FindsATimeThatWasChanged) {
+  const auto file =
+      altered(one_touch(), "time.rec", [](device::Recording& recording) { recording.ticks[70].t_s += 1e-4; });
+  const auto report = checked(file, {waves(0.010)});
+  EXPECT_TRUE(found(report, FindingKind::damage)) << said(report);
+  EXPECT_NE(said(report).find("contradict"), std::string::npos) << said(report);
+}
+
+TEST(CheckRecording, SaysThatAForceIsNotAFiniteNumberInWords) {
+  const auto file = altered(one_touch(), "not-finite.rec", [](device::Recording& recording) {
+    recording.ticks[first_in_contact(recording)].written_force_N.v.y = std::nan("");
+  });
+  const std::string text = said(checked(file, {waves(0.010)}));
+  EXPECT_NE(text.find("not a finite number"), std::string::npos) << text;
+  EXPECT_EQ(text.find("nan"), std::string::npos) << text;
+}
+
+TEST(CheckRecording, RefusesAHeaderWithARateThatIsNone) {
+  for (const std::string rate : {"0", "-1000", "1e300"}) {
+    const auto file = in_temp("rate.rec");
+    ASSERT_TRUE((*device::RecordingWriter::create(
+                     file, R"({"format":1,"made_by":"palpable","seed":1,"rate_hz":)" + rate + "}"))
+                    ->finish(0));
+    const auto report = check_recording(file, {}, {});
+    ASSERT_FALSE(report) << rate;
+    EXPECT_NE(report.error().message.find("rate"), std::string::npos) << report.error().message;
+  }
+}
+
 TEST(CheckRecording, FindsEnergyThatARecordingShows) {
   // A hand that is pushed as it leaves, harder than it pressed.
   const auto file = altered(one_touch(), "energy.rec", [](device::Recording& recording) {

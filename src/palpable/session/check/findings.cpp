@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,11 +23,12 @@ constexpr std::array<FindingWords, kFindingKinds> kFindingWords{{
     {"law-force", "N", true, "the law's force differs from the recomputed one by {:.3g} N"},
     {"written-force", "N", true, "the written force differs from the recomputed one by {:.3g} N"},
     {"energy-balance", "J", true, "the energy balance differs from the recomputed one by {:.3g} J"},
-    {"state", "", true, "what else the ticks hold differs from the recomputed"},
+    {"state", "", true,
+     "other values of the ticks (position, velocity, proxy, flags) differ from the recomputed ones"},
     {"force-step", "N", true, "the force grew by {:.3g} N more than the rise limit allows"},
     {"force-cap", "N", true, "the force was {:.3g} N above the device's greatest"},
-    {"not-finite", "", true, "a force was written that is no number"},
-    {"free-air-force", "N", true, "{:.3g} N were written while the hand was clear of the surface"},
+    {"not-finite", "", true, "a force was written that is not a finite number"},
+    {"free-air-force", "N", true, "{:.3g} N were written while the hand did not touch the surface"},
     {"energy-made", "J", true, "the hand received {:.3g} J more than it gave"},
     {"damage", "", true, "the file is damaged"},
     {"lost-ticks", "ticks", true, "{:.0f} ticks are missing in the file"},
@@ -48,7 +50,10 @@ std::string sentence_of(const Finding& finding) {
       finding.ticks < 2 ? fmt::format("Tick {} ({:.3f} s)", finding.first_tick, finding.t_s)
                         : fmt::format("Ticks {} to {} (from {:.3f} s, {} of them)", finding.first_tick,
                                       finding.last_tick, finding.t_s, finding.ticks);
-  const std::string what = fmt::format(fmt::runtime(words_of(finding.kind).sentence), finding.size);
+  const std::string what =
+      std::isfinite(finding.size)
+          ? fmt::format(fmt::runtime(words_of(finding.kind).sentence), finding.size)
+          : fmt::format("{}: one of the two values is not a finite number", words_of(finding.kind).name);
   return fmt::format("{}: {}{}{}.", where, what, finding.detail.empty() ? "" : ": ", finding.detail);
 }
 

@@ -54,7 +54,8 @@ struct Finding {
   double t_s = 0.0;
   /// In how many of them.
   std::uint64_t ticks = 0;
-  /// The greatest: N, J, or periods, as unit_of(kind) says.
+  /// The greatest: N, J, or periods, as unit_of(kind) says; infinite where a value that was compared is not a
+  /// finite number.
   double size = 0.0;
   /// Why, where the kind does not say it all.
   std::string detail;

@@ -17,6 +17,9 @@ namespace flag = haptics::flag;
 /// Rounding of a force that was turned into the scene's frame and back.
 constexpr double kRounding_N = 1e-9;
 
+/// Times are sums of whole nanoseconds, as seconds.
+constexpr double kRounding_s = 1e-8;
+
 double max_allowed_N(const RecordedSession& session) {
   const double device_N =
       session.traits ? session.traits->max_force_N : std::numeric_limits<double>::infinity();
@@ -34,6 +37,7 @@ RecordedForces::RecordedForces(const RecordedSession& session, Findings& finding
     : session_(session),
       findings_(findings),
       max_allowed_N_(max_allowed_N(session)),
+      has_own_times_(session.device_url.starts_with("replay:")),
       fine_(resolution_m(session)),
       delay_(static_cast<std::size_t>(
           std::clamp(session.traits ? session.traits->delay_samples : 0, 0, static_cast<int>(kSent) - 1))) {}
@@ -52,13 +56,25 @@ void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* 
   if (touch != nullptr) check_work(tick, *touch);
 }
 
+bool RecordedForces::agree(double between_ticks_s, double period_s) const {
+  // A tick that comes soon after a late one is given this much (ServoLoop).
+  const double shortest_s = 0.1 / session_.rate_hz;
+  if (has_own_times_ || (period_s <= 1.001 * shortest_s && between_ticks_s <= period_s)) return true;
+  return std::abs(between_ticks_s - period_s) <= kRounding_s;
+}
+
 void RecordedForces::check_time(const device::TouchSample& tick) {
-  if (ticks_ > 0 && tick.tick != next_tick_) {
-    const double missing = tick.tick > next_tick_ ? static_cast<double>(tick.tick - next_tick_) : 0.0;
-    findings_.add(FindingKind::lost_ticks, tick, missing);
+  if (ticks_ > 0 && tick.tick < next_tick_) {
+    findings_.add(FindingKind::damage, tick, 0.0, "its ticks are not in their order");
     knows_before_ = knows_place_ = false;
+  } else if (ticks_ > 0 && tick.tick > next_tick_) {
+    findings_.add(FindingKind::lost_ticks, tick, static_cast<double>(tick.tick - next_tick_));
+    knows_before_ = knows_place_ = false;
+  } else if (ticks_ > 0 && !agree(tick.t_s - before_s_, tick.dt_s)) {
+    findings_.add(FindingKind::damage, tick, 0.0, "the times of its ticks contradict their periods");
   }
   next_tick_ = tick.tick + 1;
+  before_s_ = tick.t_s;
   periods_.record_ns(1e9 * tick.dt_s);
   const double missed = std::floor(tick.dt_s * session_.rate_hz) - 1.0;
   if (ticks_ == 0 || !(missed >= 1.0)) return;

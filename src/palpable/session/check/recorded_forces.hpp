@@ -40,16 +40,21 @@ class RecordedForces {
 
  private:
   void check_time(const device::TouchSample& tick);
+  /// Whether the time between two neighbouring ticks is the period that the later one states.
+  bool agree(double between_ticks_s, double period_s) const;
   void check_force(const device::TouchSample& tick, Vector<DeviceFrame> force_N);
   void check_work(const device::TouchSample& tick, const RecordedTouch& touch);
 
   const RecordedSession& session_;
   Findings& findings_;
   double max_allowed_N_;
+  /// A replay: after its end the times are those of the replaying loop.
+  bool has_own_times_;
   std::uint64_t ticks_ = 0;
   std::uint64_t contact_ticks_ = 0;
   std::uint64_t missed_ = 0;
   std::uint64_t next_tick_ = 0;
+  double before_s_ = 0.0;
   double max_force_N_ = 0.0;
   double max_step_N_ = 0.0;
   double duration_s_ = 0.0;

@@ -107,6 +107,10 @@ Result<RecordedSession> parse_header(const std::string& json) {
     RecordedSession session = session_from_json(HeaderJson::parse(json), json);
     if (session.format > kFormat)
       return invalid_input("is a recording of a newer format than this program reads");
+    constexpr double kMostRate_Hz = 100'000.0;
+    if (!(session.rate_hz > 0.0 && session.rate_hz <= kMostRate_Hz))
+      return invalid_input("is a recording whose header states a loop rate of " +
+                           std::to_string(session.rate_hz) + " Hz");
     return session;
   } catch (const HeaderJson::exception&) {
     return invalid_input("is a recording whose header cannot be read");

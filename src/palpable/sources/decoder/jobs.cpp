@@ -10,7 +10,7 @@
 #include "palpable/sources/picture/exr.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"
-#include "palpable/sources/solid/mesh_file.hpp"
+#include "palpable/sources/solid/mesh_parser.hpp"
 #include "palpable/sources/solid/mesh_reply.hpp"
 
 #include <exception>
@@ -41,7 +41,7 @@ std::vector<std::byte> decoded(Job job, Bytes file) {
     case Job::obj:
     case Job::stl:
     case Job::glb:
-      return reply_to(decode_mesh(file, std::string(isolated::name_of(job))));
+      return reply_to(parse_mesh(file, std::string(isolated::name_of(job))));
     case Job::tiff:
       return reply_to(decode_tiff(file));
     case Job::webp:

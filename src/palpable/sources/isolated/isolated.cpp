@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sources/isolated/isolated.hpp"
 
+#include "palpable/core/child_process.hpp"
 #include "palpable/core/memory.hpp"
 #include "palpable/sources/isolated/protocol.hpp"
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -19,7 +19,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -51,33 +50,9 @@ Error cannot_start(const std::string& why) {
 
 std::string reason_of(int number) { return std::generic_category().message(number); }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() { close(); }
-  int number() const { return number_; }
-  void close() {
-    if (number_ >= 0) ::close(std::exchange(number_, -1));
-  }
-
- private:
-  int number_;
-};
-
-/// Out of the way of the numbers that the decoder process begins with.
-Descriptor moved_up(Descriptor descriptor) {
-  constexpr int kFree = 16;
-  return Descriptor(descriptor.number() < 0 ? -1 : ::fcntl(descriptor.number(), F_DUPFD_CLOEXEC, kFree));
-}
-
 /// Memory that has a descriptor; sealed, so that the other process cannot change it.
 Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
-  Descriptor memory = moved_up(Descriptor(::memfd_create("palpable-input", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
+  Descriptor memory = passable(Descriptor(::memfd_create("palpable-input", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
   if (memory.number() < 0) return cannot_start(reason_of(errno));
   while (!file.empty()) {
     const ssize_t n = ::write(memory.number(), file.data(), file.size());
@@ -89,69 +64,13 @@ Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
   return memory;
 }
 
-bool is_program(const fs::path& path) { return ::access(path.c_str(), X_OK) == 0; }
-
-/// Beside the program that runs, as the build and a copied folder have it; else where it was installed.
 Result<fs::path> decoder_program() {
-  if (const char* named = std::getenv("PALPABLE_DECODER"); named != nullptr && *named != '\0')
-    return fs::path(named);
-  std::error_code none;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", none).parent_path() / kDecoderName;
-  if (is_program(beside)) return beside;
-  const fs::path installed = fs::path(PALPABLE_DECODER_FOLDER) / kDecoderName;
-  if (is_program(installed)) return installed;
-  return Error{
-      ErrorCode::failed,
-      fmt::format("cannot be read: the program {}, which reads this kind of file, is neither {} nor {} "
-                  "(PALPABLE_DECODER names another place)",
-                  kDecoderName, beside.string(), installed.string()),
-      {}};
-}
-
-class SpawnSettings {
- public:
-  SpawnSettings() {
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawnattr_init(&attributes);
-  }
-  SpawnSettings(const SpawnSettings&) = delete;
-  SpawnSettings& operator=(const SpawnSettings&) = delete;
-  ~SpawnSettings() {
-    ::posix_spawn_file_actions_destroy(&actions);
-    ::posix_spawnattr_destroy(&attributes);
-  }
-  posix_spawn_file_actions_t actions{};
-  posix_spawnattr_t attributes{};
-};
-
-/// Starts the decoder with exactly these descriptors, the default action for every signal, and a process
-/// group of its own, so that Ctrl-C reaches it through its parent's end only.
-Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int input, int reply,
-                    int alive) {
-  SpawnSettings settings;
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    ::posix_spawn_file_actions_addopen(&settings.actions, stream, "/dev/null", O_RDWR, 0);
-  ::posix_spawn_file_actions_adddup2(&settings.actions, input, kInputDescriptor);
-  ::posix_spawn_file_actions_adddup2(&settings.actions, reply, kReplyDescriptor);
-  ::posix_spawn_file_actions_adddup2(&settings.actions, alive, kAliveDescriptor);
-  ::posix_spawn_file_actions_addclosefrom_np(&settings.actions, kAliveDescriptor + 1);
-  sigset_t none, all;
-  sigemptyset(&none);
-  sigfillset(&all);
-  ::posix_spawnattr_setsigmask(&settings.attributes, &none);
-  ::posix_spawnattr_setsigdefault(&settings.attributes, &all);
-  ::posix_spawnattr_setpgroup(&settings.attributes, 0);
-  ::posix_spawnattr_setflags(&settings.attributes,
-                             POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  std::string name = program.string();
-  std::vector<char*> arguments{name.data()};
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t process = -1;
-  const int fault = ::posix_spawn(&process, name.c_str(), &settings.actions, &settings.attributes,
-                                  arguments.data(), environ);
-  if (fault != 0) return cannot_start(reason_of(fault));
-  return process;
+  auto program = helper_program(kDecoderName, "PALPABLE_DECODER", PALPABLE_DECODER_FOLDER);
+  if (program) return program;
+  return Error{ErrorCode::failed,
+               fmt::format("cannot be read: the program {}, which reads this kind of file, is missing: {}",
+                           kDecoderName, program.error().message),
+               {}};
 }
 
 /// Waits until nobody holds the other end any more; false after `patience`.
@@ -271,17 +190,18 @@ Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& lim
   if (!program) return program.error();
   auto input = sealed_copy(file);
   if (!input) return input.error();
-  const Descriptor reply = moved_up(Descriptor(::memfd_create("palpable-reply", MFD_CLOEXEC)));
-  std::array<int, 2> pipe{-1, -1};
-  if (reply.number() < 0 || ::pipe2(pipe.data(), O_CLOEXEC) != 0) return cannot_start(reason_of(errno));
-  const Descriptor alive(pipe[0]);
-  Descriptor its_end = moved_up(Descriptor(pipe[1]));
-  const auto process =
-      start(*program,
-            {std::string(kProtocolVersion), std::string(name_of(job)), std::to_string(limits.memory_bytes),
-             std::to_string(limits.result_bytes), std::to_string(limits.processor_time.count())},
-            input->number(), reply.number(), its_end.number());
-  if (!process) return process.error();
+  const Descriptor reply = passable(Descriptor(::memfd_create("palpable-reply", MFD_CLOEXEC)));
+  if (reply.number() < 0) return cannot_start(reason_of(errno));
+  auto pipe = make_pipe();
+  if (!pipe) return cannot_start(pipe.error().message);
+  auto& [alive, its_end] = *pipe;
+  static_assert(kInputDescriptor == 3 && kReplyDescriptor == 4 && kAliveDescriptor == 5);
+  const auto process = start_child(
+      *program,
+      {std::string(kProtocolVersion), std::string(name_of(job)), std::to_string(limits.memory_bytes),
+       std::to_string(limits.result_bytes), std::to_string(limits.processor_time.count())},
+      std::array{input->number(), reply.number(), its_end.number()});
+  if (!process) return cannot_start(process.error().message);
   its_end.close();
   const bool in_time = wait_for_end(alive.number(), limits.time);
   if (!in_time) ::kill(*process, SIGKILL);

@@ -8,55 +8,61 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace palpable::sources::isolated {
 namespace {
 
-constexpr float kMost8 = 255.0F, kMost16 = 65535.0F;
-
 /// How the samples travel: integers take a quarter or half of what floats take.
 enum class Coding : std::uint8_t { u8, u16, f32 };
 
+/// The samples of integer files, by their integers.
 template <class T>
-std::vector<T> integers(const std::vector<float>& samples, float most) {
-  std::vector<T> out(samples.size());
-  std::transform(samples.begin(), samples.end(), out.begin(),
-                 [most](float v) { return static_cast<T>(std::clamp(v, 0.0F, 1.0F) * most + 0.5F); });
-  return out;
+const std::vector<float>& sample_values() {
+  static const std::vector<float> kValues = [] {
+    constexpr std::size_t kMost = std::numeric_limits<T>::max();
+    std::vector<float> values(kMost + 1);
+    for (std::size_t k = 0; k <= kMost; ++k) values[k] = static_cast<float>(k) / static_cast<float>(kMost);
+    return values;
+  }();
+  return kValues;
 }
 
 template <class T>
-std::vector<float> floats(std::span<const std::byte> raw, float most) {
-  std::vector<float> out(raw.size() / sizeof(T));
-  const std::byte* at = raw.data();
-  for (float& v : out) {
-    T value{};
-    std::memcpy(&value, at, sizeof(T));
-    at += sizeof(T);
-    v = static_cast<float>(value) / most;
+std::vector<float> floats(std::span<const std::byte> raw) {
+  const std::vector<float>& values = sample_values<T>();
+  std::vector<float> out;
+  out.reserve(raw.size() / sizeof(T));
+  for (std::size_t k = 0; k + sizeof(T) <= raw.size(); k += sizeof(T)) {
+    T code{};
+    std::memcpy(&code, raw.data() + k, sizeof(T));
+    out.push_back(values[code]);
   }
   return out;
 }
 
+/// False, with nothing written, where a sample would not come back bit by bit.
 template <class T>
-bool are_integers(const std::vector<float>& samples, const std::vector<T>& coded, float most) {
-  return std::equal(samples.begin(), samples.end(), coded.begin(),
-                    [most](float v, T code) { return v == static_cast<float>(code) / most; });
-}
-
-/// True where the samples come back bit by bit.
-template <class T>
-bool put_integers(FlatWriter& reply, const std::vector<float>& samples, Coding coding, float most) {
-  const auto coded = integers<T>(samples, most);
-  if (!are_integers(samples, coded, most)) return false;
+bool put_integers(FlatWriter& reply, const std::vector<float>& samples, Coding coding) {
+  const std::vector<float>& values = sample_values<T>();
+  const float most = std::numeric_limits<T>::max();
+  std::vector<T> codes;
+  codes.reserve(samples.size());
+  for (const float v : samples) {
+    // Written so that NaN is refused.
+    if (!(v >= 0.0F && v <= 1.0F)) return false;
+    const auto code = static_cast<T>(v * most + 0.5F);
+    if (values[code] != v) return false;
+    codes.push_back(code);
+  }
   reply.put(coding);
-  reply.put_array(std::span<const T>(coded));
+  reply.put_array(std::span<const T>(codes));
   return true;
 }
 
 void put_samples(FlatWriter& reply, const Image& image) {
-  if (image.bits == 8 && put_integers<std::uint8_t>(reply, image.samples, Coding::u8, kMost8)) return;
-  if (image.bits == 16 && put_integers<std::uint16_t>(reply, image.samples, Coding::u16, kMost16)) return;
+  if (image.bits == 8 && put_integers<std::uint8_t>(reply, image.samples, Coding::u8)) return;
+  if (image.bits == 16 && put_integers<std::uint16_t>(reply, image.samples, Coding::u16)) return;
   reply.put(Coding::f32);
   reply.put_array(std::span<const float>(image.samples));
 }
@@ -64,9 +70,9 @@ void put_samples(FlatWriter& reply, const Image& image) {
 std::vector<float> get_samples(FlatReader& reply, std::uint64_t count) {
   switch (reply.get<Coding>()) {
     case Coding::u8:
-      return floats<std::uint8_t>(reply.get_bytes(count), kMost8);
+      return floats<std::uint8_t>(reply.get_bytes(count));
     case Coding::u16:
-      return floats<std::uint16_t>(reply.get_bytes(count * sizeof(std::uint16_t)), kMost16);
+      return floats<std::uint16_t>(reply.get_bytes(count * sizeof(std::uint16_t)));
     case Coding::f32:
       return reply.get_array<float>(count);
   }

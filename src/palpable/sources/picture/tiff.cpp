@@ -141,14 +141,23 @@ void place_block(const std::vector<std::byte>& raw, const Block& block, const La
   const std::size_t step = layout.planes_apart ? 1 : static_cast<std::size_t>(layout.channels);
   const std::uint32_t columns = std::min(block.width, layout.width - block.left);
   const std::uint32_t rows = std::min(block.height, layout.height - block.top);
+  std::array<float, 256> of_byte{};
+  for (std::size_t k = 0; layout.bits == 8 && k < of_byte.size(); ++k) {
+    const auto byte = static_cast<std::byte>(k);
+    of_byte[k] = sample_at(&byte, layout);
+  }
   for (std::size_t y = 0; y < rows; ++y) {
     const std::byte* from = raw.data() + y * block.width * step * sample_bytes;
     const std::size_t first =
         ((block.top + y) * layout.width + block.left) * static_cast<std::size_t>(layout.channels);
     float* to = image.samples.data() + first + (layout.planes_apart ? block.channel : 0);
-    for (std::size_t i = 0; i < columns * step;
-         ++i, from += sample_bytes, to += layout.planes_apart ? layout.channels : 1)
-      *to = sample_at(from, layout);
+    const std::size_t apart = layout.planes_apart ? static_cast<std::size_t>(layout.channels) : 1;
+    if (layout.bits == 8)
+      for (std::size_t i = 0; i < columns * step; ++i)
+        to[i * apart] = of_byte[std::to_integer<std::size_t>(from[i])];
+    else
+      for (std::size_t i = 0; i < columns * step; ++i)
+        to[i * apart] = sample_at(from + i * sample_bytes, layout);
   }
 }
 

@@ -169,6 +169,10 @@ Result<void> check_glb(std::span<const std::byte> file) {
   if (!reader.ok() || stated > file.size())
     return invalid_input(
         fmt::format("is a GLB file that is cut off: it states {} bytes and has {}", stated, file.size()));
+  // Its length is that of the whole file (glTF 2.0, 4.4.2).
+  if (stated < file.size())
+    return invalid_input(
+        fmt::format("is a damaged GLB file: it states {} bytes and has {}", stated, file.size()));
   return {};
 }
 

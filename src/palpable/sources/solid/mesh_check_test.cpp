@@ -64,9 +64,10 @@ TEST(MeshCheck, RefusesAnObjWhoseFacesNameVerticesThatThereAreNot) {
               HasSubstr("1 of its 4 vertices belong to no face"));
 }
 
-TEST(MeshCheck, RefusesAGlbShorterThanItStates) {
+TEST(MeshCheck, RefusesAGlbOfAnotherLengthThanItStates) {
   std::string glb = std::string("glTF\2\0\0\0", 8) + std::string("\x20\0\0\0", 4) + std::string(20, '\0');
   EXPECT_TRUE(checked(glb, "glb"));
+  EXPECT_THAT(refusal(glb + "more", "glb"), HasSubstr("it states 32 bytes and has 36"));
   glb.resize(24);
   EXPECT_THAT(refusal(glb, "glb"), HasSubstr("it states 32 bytes and has 24"));
 }

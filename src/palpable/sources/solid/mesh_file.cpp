@@ -9,12 +9,7 @@
 #include "palpable/sources/solid/mesh_reply.hpp"
 #include "palpable/sources/solid/ply_file.hpp"
 
-#include <new>
-
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
+#include <algorithm>
 
 namespace palpable::sources {
 namespace {
@@ -30,55 +25,13 @@ std::string ending_of(std::span<const std::byte> file, const std::filesystem::pa
   return is_named_stl(path) ? "stl" : "obj";
 }
 
-Result<Mesh> mesh_from(const aiScene& scene) {
-  Mesh mesh;
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    const aiMesh& part = *scene.mMeshes[m];
-    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D& p = part.mVertices[v];
-      mesh.vertices_m.push_back(
-          {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
-    }
-    for (unsigned f = 0; f < part.mNumFaces; ++f) {
-      const aiFace& face = part.mFaces[f];
-      if (face.mNumIndices != 3) continue;
-      mesh.triangles.push_back(
-          {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
-    }
-    if (mesh.triangles.size() > kMostTriangles)
-      return invalid_input("has more than 20 million triangles; simplify it first");
-  }
-  if (mesh.triangles.empty()) return invalid_input("is a mesh without triangles");
-  return mesh;
-}
-
 }  // namespace
 
 Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending) {
-  if (ending == "ply") {
-    auto mesh = decode_ply_mesh(file);
-    if (mesh && mesh->triangles.empty()) return invalid_input("is a mesh without triangles");
-    return mesh;
-  }
-  if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
-  // The reader's own words name its functions, and mean nothing to a person.
-  const Error unreadable = invalid_input(
-      "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
-  try {
-    Assimp::Importer importer;
-    // Lines and points are no surface; nodes' transforms are applied to their vertices.
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
-    const aiScene* scene = importer.ReadFileFromMemory(
-        file.data(), file.size(),
-        aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices, ending.c_str());
-    if (scene == nullptr) return unreadable;
-    return mesh_from(*scene);
-  } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::failed, "needs more memory than there is", {}};
-  } catch (const std::exception&) {
-    return unreadable;
-  }
+  if (ending != "ply") return isolated::decode_mesh(file, ending);
+  auto mesh = decode_ply_mesh(file);
+  if (mesh && mesh->triangles.empty()) return invalid_input("is a mesh without triangles");
+  return mesh;
 }
 
 Result<MeshFile> read_mesh(const std::filesystem::path& path) {
@@ -88,7 +41,7 @@ Result<MeshFile> read_mesh(const std::filesystem::path& path) {
     return invalid_input("is CityJSON, which is not read here yet: give an OBJ, PLY, STL or GLB file",
                          path.string());
   const std::string ending = ending_of(*file, path);
-  auto mesh = ending == "ply" ? decode_mesh(*file, ending) : isolated::decode_mesh(*file, ending);
+  auto mesh = decode_mesh(*file, ending);
   if (!mesh) {
     mesh.error().place = path.string();
     return mesh.error();

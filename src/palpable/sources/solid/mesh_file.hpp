@@ -24,9 +24,8 @@ struct MeshFile {
 /// no triangle, or has over 20 million.
 Result<MeshFile> read_mesh(const std::filesystem::path& path);
 
-/// The same in memory, in this process: for files that are trusted, and for the decoder process, where
-/// read_mesh() has all but PLY parsed (isolated/isolated.hpp). `ending` names the format ("obj", "ply",
-/// "stl", "glb"). Errors without a place.
+/// The same in memory. All but PLY is parsed in the decoder process (isolated/isolated.hpp). `ending` names
+/// the format ("obj", "ply", "stl", "glb"). Errors without a place.
 Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending);
 
 /// What a format says: glTF (glb) has y up and metres; STL has z up, as 3D printers and CAD programs use it;

@@ -1,0 +1,16 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/crc32.hpp"
+
+#include <zlib.h>
+
+namespace palpable {
+
+std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
+  // zlib takes a null pointer for a question after the first value.
+  if (bytes.empty()) return before;
+  return static_cast<std::uint32_t>(
+      ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace palpable

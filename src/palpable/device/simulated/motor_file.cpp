@@ -1,0 +1,61 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/simulated/motor_file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <ctime>
+#include <new>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace palpable::device {
+
+struct MotorFile::Content {
+  std::atomic<std::uint64_t> writes;
+  std::atomic<std::int64_t> time_ns;
+  std::atomic<double> x_N, y_N, z_N;
+};
+
+Result<std::unique_ptr<MotorFile>> MotorFile::create(const std::filesystem::path& path) {
+  static_assert(sizeof(Content) == 40 && std::atomic<double>::is_always_lock_free);
+  const auto failed = [&path] {
+    return Error{ErrorCode::failed, "cannot be written: " + std::generic_category().message(errno),
+                 path.string()};
+  };
+  constexpr mode_t kReadableByAll = 0644;
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, kReadableByAll);
+  if (descriptor < 0) return failed();
+  void* memory = ::ftruncate(descriptor, sizeof(Content)) == 0
+                     ? ::mmap(nullptr, sizeof(Content), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0)
+                     : MAP_FAILED;
+  if (memory == MAP_FAILED) {
+    const Error error = failed();
+    ::close(descriptor);
+    return error;
+  }
+  return std::unique_ptr<MotorFile>(new MotorFile(descriptor, *new (memory) Content{}));
+}
+
+MotorFile::~MotorFile() {
+  ::munmap(&content_, sizeof(Content));
+  ::close(descriptor_);
+}
+
+void MotorFile::write(Vec3 force_N) noexcept {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  content_.x_N = force_N.x;
+  content_.y_N = force_N.y;
+  content_.z_N = force_N.z;
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  content_.time_ns = now.tv_sec * kNanoseconds + now.tv_nsec;
+  content_.writes.fetch_add(1);
+}
+
+ZeroWrite MotorFile::zero_write() const { return {descriptor_, std::vector<std::byte>(sizeof(Content))}; }
+
+}  // namespace palpable::device

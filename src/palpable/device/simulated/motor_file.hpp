@@ -1,0 +1,39 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/vec3.hpp"
+#include "palpable/device/zero_write.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace palpable::device {
+
+/// The force that a simulated device's motors hold, in a file that is mapped into memory: it can be read
+/// while the program runs and after it was killed, as the force of real motors can be felt. The file holds,
+/// in the machine's byte order, the number of writes (u64), the monotonic time of the last one (i64, ns) and
+/// its force (3 x f64, N).
+class MotorFile {
+ public:
+  /// Replaces the file. Errors: failed.
+  static Result<std::unique_ptr<MotorFile>> create(const std::filesystem::path& path);
+  ~MotorFile();
+  MotorFile(const MotorFile&) = delete;
+  MotorFile& operator=(const MotorFile&) = delete;
+
+  /// Any thread; in the tick too, since it is a store to memory.
+  void write(Vec3 force_N) noexcept;
+  ZeroWrite zero_write() const;
+
+ private:
+  struct Content;
+  MotorFile(int descriptor, Content& content) : descriptor_(descriptor), content_(content) {}
+
+  int descriptor_;
+  Content& content_;
+};
+
+}  // namespace palpable::device

@@ -1,0 +1,79 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/haptics/safety/guardian.hpp"
+
+#include "palpable/core/read_file.hpp"
+#include "palpable/device/simulated/motor_file.hpp"
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace palpable::haptics {
+namespace {
+
+class GuardianTest : public testing::Test {
+ protected:
+  void SetUp() override { motors = *device::MotorFile::create(file); }
+  void TearDown() override { std::filesystem::remove(file); }
+  bool all_zero() const {
+    const auto bytes = read_file(file);
+    return bytes && !bytes->empty() &&
+           std::all_of(bytes->begin(), bytes->end(), [](std::byte byte) { return byte == std::byte{0}; });
+  }
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("guardian-" + std::to_string(getpid()));
+  std::unique_ptr<device::MotorFile> motors;
+};
+
+TEST_F(GuardianTest, LeavesTheForceAloneWhileItsProgramLives) {
+  const auto guardian = Guardian::start(motors->zero_write());
+  ASSERT_TRUE(guardian) << guardian.error().message;
+  motors->write({0.0, 0.0, 2.0});
+  EXPECT_FALSE(all_zero());
+}
+
+TEST_F(GuardianTest, WritesZeroWhenItsProgramIsKilled) {
+  // The guardian of a program that has ended becomes this one's child.
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const pid_t program = fork();
+  ASSERT_GE(program, 0);
+  if (program == 0) {
+    auto guardian = Guardian::start(motors->zero_write());
+    if (!guardian) _exit(1);
+    motors->write({0.0, 0.0, 2.0});
+    std::raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(program, &status, 0), program);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_GT(wait(&status), 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_TRUE(all_zero());
+}
+
+TEST_F(GuardianTest, WritesZeroAndEndsWithItsOwner) {
+  auto guardian = Guardian::start(motors->zero_write());
+  ASSERT_TRUE(guardian) << guardian.error().message;
+  const pid_t process = (*guardian)->process();
+  motors->write({1.0, 0.0, 0.0});
+  guardian->reset();
+  EXPECT_TRUE(all_zero());
+  EXPECT_NE(kill(process, 0), 0);
+}
+
+TEST_F(GuardianTest, IsAnErrorWhereItsProgramIsMissing) {
+  setenv("PALPABLE_GUARDIAN", "/no/such/guardian", 1);
+  const auto guardian = Guardian::start(motors->zero_write());
+  unsetenv("PALPABLE_GUARDIAN");
+  EXPECT_FALSE(guardian);
+}
+
+}  // namespace
+}  // namespace palpable::haptics

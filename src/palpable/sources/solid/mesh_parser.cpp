@@ -1,0 +1,65 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/solid/mesh_parser.hpp"
+
+#include "palpable/sources/solid/mesh_check.hpp"
+#include "palpable/sources/solid/ply_file.hpp"
+
+#include <exception>
+#include <new>
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+namespace palpable::sources {
+namespace {
+
+Result<Mesh> mesh_from(const aiScene& scene) {
+  Mesh mesh;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    const auto first = static_cast<std::uint32_t>(mesh.vertices_m.size());
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      const aiVector3D& p = part.mVertices[v];
+      mesh.vertices_m.push_back(
+          {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+    }
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      const aiFace& face = part.mFaces[f];
+      if (face.mNumIndices != 3) continue;
+      mesh.triangles.push_back(
+          {first + face.mIndices[0], first + face.mIndices[1], first + face.mIndices[2]});
+    }
+    if (mesh.triangles.size() > kMostTriangles)
+      return invalid_input("has more than 20 million triangles; simplify it first");
+  }
+  if (mesh.triangles.empty()) return invalid_input("is a mesh without triangles");
+  return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> parse_mesh(std::span<const std::byte> file, const std::string& ending) {
+  if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
+  // The reader's own words name its functions, and mean nothing to a person.
+  const Error unreadable = invalid_input(
+      "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
+  try {
+    Assimp::Importer importer;
+    // Lines and points are no surface; nodes' transforms are applied to their vertices.
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
+    const aiScene* scene = importer.ReadFileFromMemory(
+        file.data(), file.size(),
+        aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices, ending.c_str());
+    if (scene == nullptr) return unreadable;
+    return mesh_from(*scene);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::failed, "needs more memory than there is", {}};
+  } catch (const std::exception&) {
+    return unreadable;
+  }
+}
+
+}  // namespace palpable::sources
