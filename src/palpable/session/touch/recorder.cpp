@@ -15,6 +15,9 @@ namespace {
 
 /// How often the ring is emptied. A program that is killed loses at most this much of its recording.
 constexpr auto kInterval = std::chrono::milliseconds(50);
+/// So many ticks are written at once: after a long wait for the processor or the disk they take no more
+/// memory than ever.
+constexpr std::size_t kTogether = 512;
 
 }  // namespace
 
@@ -53,13 +56,19 @@ void Recorder::Impl::write_what_came() {
     const std::lock_guard lock(mutex);
     noted.swap(scenes);
   }
+  const bool went_well = outcome.has_value();
   // Scenes first: a tick may already be in the new scene.
   for (const auto& scene : noted)
     if (outcome) outcome = writer->write(scene);
-  ticks.clear();
-  while (const auto sample = loop->take_recorded()) ticks.push_back(*sample);
-  const bool went_well = outcome.has_value();
-  if (went_well && !ticks.empty()) outcome = writer->write(ticks);
+  do {
+    ticks.clear();
+    while (ticks.size() < kTogether)
+      if (const auto sample = loop->take_recorded())
+        ticks.push_back(*sample);
+      else
+        break;
+    if (outcome && !ticks.empty()) outcome = writer->write(ticks);
+  } while (ticks.size() == kTogether);
   if (went_well && !outcome) {
     const std::lock_guard lock(mutex);
     fault = outcome.error();

@@ -6,6 +6,7 @@
 #include "palpable/core/read_file.hpp"
 #include "palpable/sources/depth/depth_file.hpp"
 #include "palpable/sources/picture/exif.hpp"
+#include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"

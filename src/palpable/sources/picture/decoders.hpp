@@ -10,10 +10,11 @@
 
 namespace palpable::sources {
 
-// One function a file format, for picture.cpp and the fuzzers. All ask check_picture_size() before they take
+// One function a file format. All ask check_picture_size() before they take
 // memory and give invalid_input, without a place, for what is damaged, cut off or not supported. None applies
 // an orientation except BMP and TGA, whose row order is a part of their pixels' layout. TIFF and WebP are
-// parsed by libraries of others: picture.cpp calls them in the decoder process (picture_reply.hpp).
+// parsed by libraries of others and belong to the decoder process alone: picture.cpp asks it
+// (picture_reply.hpp).
 
 /// Grey or RGB, with or without alpha, of 8 or 16 bit integers or 32-bit floats, in strips or tiles;
 /// everything else that libtiff knows (palettes, YCbCr, fax) as 8-bit RGBA.

@@ -91,8 +91,6 @@ bool holds(const std::vector<std::string>& names, std::string_view name) {
 
 }  // namespace
 
-bool is_exr(std::span<const std::byte> file) { return has_magic(file, "\x76\x2F\x31\x01"); }
-
 Result<Image> decode_exr(std::span<const std::byte> file) {
   return decode(file, [](const std::vector<std::string>& names) -> std::vector<std::string> {
     if (holds(names, "R") && holds(names, "G") && holds(names, "B"))

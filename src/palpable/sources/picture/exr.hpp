@@ -11,8 +11,6 @@
 
 namespace palpable::sources {
 
-bool is_exr(std::span<const std::byte> file);
-
 /// The colours of an OpenEXR file: R, G, B with A where it is there, or Y; floats as they are (linear light).
 /// Its data window is the picture. Errors: invalid_input for damage, deep files, no such channels, more than
 /// kMaxPixels.

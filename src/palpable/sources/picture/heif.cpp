@@ -96,14 +96,6 @@ void apply_representation(const heif_image_handle* primary, heif_item_id id, Pho
 
 void load_heif_plugins() { heif_init(nullptr); }
 
-bool is_heif(std::span<const std::byte> file) {
-  constexpr std::array<std::string_view, 8> kBrands{"heic", "heix", "hevc", "heim",
-                                                    "heis", "mif1", "msf1", "avif"};
-  return has_magic(file, "ftyp", 4) &&
-         std::any_of(kBrands.begin(), kBrands.end(),
-                     [&](std::string_view brand) { return has_magic(file, brand, 8); });
-}
-
 Result<Image> decode_heif(std::span<const std::byte> file) {
   const auto opened = open(file);
   if (!opened) return opened.error();

@@ -6,6 +6,7 @@
 #include "palpable/sources/input/input.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/picture/picture_reply.hpp"
 
 #include <array>
 #include <cmath>
@@ -80,12 +81,12 @@ TEST_F(Heif, PictureIsReadWithItsAlpha) {
   EXPECT_EQ(image->width, kWidth);
   EXPECT_NEAR(255 * image->pixel(20, 20)[0], 180, 4);
   EXPECT_NEAR(255 * image->pixel(20, 20)[3], ramp(20), 4);
-  EXPECT_FALSE(*depth_in_heif(as_bytes(file)));
+  EXPECT_FALSE(*isolated::depth_in_heif(as_bytes(file)));
 }
 
 TEST_F(Heif, AuxiliaryDepthIsReadBesideThePicture) {
   const std::string file = with_depth();
-  const auto depth = depth_in_heif(as_bytes(file));
+  const auto depth = isolated::depth_in_heif(as_bytes(file));
   ASSERT_TRUE(depth) << depth.error().message;
   ASSERT_TRUE(*depth);
   EXPECT_EQ((*depth)->coding, PhotoDepth::Coding::nearness);

@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/sources/picture/exif.hpp"
+#include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"
 

@@ -39,9 +39,6 @@ Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file)
 /// Whether a photograph, JPEG or HEIF, announces depth inside; its pixels are not decoded.
 bool announces_depth(std::span<const std::byte> file);
 
-/// Whether the bytes begin a HEIF picture (HEIC or AVIF brands are told apart by libheif itself).
-bool is_heif(std::span<const std::byte> file);
-
 /// Loads what libheif keeps in files of its own. Needed once, before the first of the functions below, where
 /// files can no longer be opened later.
 void load_heif_plugins();

@@ -9,7 +9,7 @@
 #include "palpable/formats/picture/png.hpp"
 #include "palpable/sources/picture/decoders.hpp"
 #include "palpable/sources/picture/exif.hpp"
-#include "palpable/sources/picture/exr.hpp"
+#include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"
 

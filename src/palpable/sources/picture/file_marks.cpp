@@ -1,0 +1,23 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/picture/file_marks.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace palpable::sources {
+
+bool is_heif(std::span<const std::byte> file) {
+  constexpr std::array<std::string_view, 8> kBrands{"heic", "heix", "hevc", "heim",
+                                                    "heis", "mif1", "msf1", "avif"};
+  return has_magic(file, "ftyp", 4) &&
+         std::any_of(kBrands.begin(), kBrands.end(),
+                     [&](std::string_view brand) { return has_magic(file, brand, 8); });
+}
+
+bool is_exr(std::span<const std::byte> file) { return has_magic(file, "\x76\x2F\x31\x01"); }
+
+}  // namespace palpable::sources
