@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/hints.hpp"
+#include "palpable/cli/parameter_groups.hpp"
 #include "palpable/cli/say_aloud.hpp"
 #include "palpable/cli/stereo_options.hpp"
 #include "palpable/draw/marks_view.hpp"
@@ -34,7 +35,9 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
   auto method = stereo_method(arguments.stereo);
   if (!method) return method.error();
   if (arguments.stereo.method.empty()) method = vision::StereoMethod::fast;
-  const auto options = stereo_options(arguments.stereo, *method);
+  SettableOptions settable;
+  const auto options =
+      stereo_options(arguments.stereo, *method, parameters_of(*find_group("verdict"), settable));
   if (!options) return options.error();
   const auto ready = read_pair(arguments.stereo, console.work());
   if (!ready) return ready.error();
@@ -43,7 +46,7 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
   std::vector<Note> notes = ready->notes;
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   for (const Note& note : notes) console.note(note);
-  const vision::FitToTouch fit = vision::fit_to_touch(ready->pair, *match, console.work());
+  const vision::FitToTouch fit = vision::fit_to_touch(ready->pair, *match, console.work(), settable.verdict);
   const std::string sentence = vision::sentence_of(fit);
   if (!arguments.output.empty())
     if (const auto written =

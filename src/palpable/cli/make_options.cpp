@@ -252,7 +252,7 @@ Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
 Result<void> set_given(const MakeArguments& arguments, session::Recipes& recipes,
                        sculpt::ShapeSetOptions& shapes) {
   if (arguments.stereo.parameters.empty()) return {};
-  SettableOptions settable{recipes, shapes};
+  SettableOptions settable{recipes, shapes, {}};
   const vision::StereoMethod method = recipes.stereo.method.value_or(recipes::default_method());
   std::vector<Parameter> known = vision::parameters_of(settable.recipes.stereo.options, method);
   for (const ParameterGroup& group : parameter_groups())

@@ -33,13 +33,19 @@ constexpr std::array kGroups{
                    [](SettableOptions& o) {
                      auto parameters = sculpt::parameters_of(o.recipes.field.field);
                      append_parameters(parameters, "walls", sculpt::parameters_of(o.recipes.field.walls));
+                     append_parameters(parameters, "cloud", sculpt::parameters_of(o.recipes.field.cloud));
                      return parameters;
                    }},
+    ParameterGroup{"fusion", "The fusion of several depth maps",
+                   "a ball that simulated cameras see, with noise",
+                   [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.fusion); }},
     ParameterGroup{"sheet", "The relief of an open mesh", "a printed map",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.sheet); }},
     ParameterGroup{"shapes", "Superquadrics fitted to points (fit-shapes)",
                    "superquadrics seen from one side, with noise of 1 %",
-                   [](SettableOptions& o) { return sculpt::parameters_of(o.shapes); }}};
+                   [](SettableOptions& o) { return sculpt::parameters_of(o.shapes); }},
+    ParameterGroup{"verdict", "When a pair is fit to touch (fit)", "generated pairs, good and degraded",
+                   [](SettableOptions& o) { return vision::parameters_of(o.verdict); }}};
 
 }  // namespace
 

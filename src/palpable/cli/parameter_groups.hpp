@@ -6,6 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/recipes/shapes_recipe.hpp"
 #include "palpable/session/make/make_scene.hpp"
+#include "palpable/vision/stereo/result/fit_to_touch.hpp"
 
 #include <functional>
 #include <span>
@@ -19,6 +20,7 @@ namespace palpable::cli {
 struct SettableOptions {
   session::Recipes recipes;
   sculpt::ShapeSetOptions shapes;
+  vision::FitThresholds verdict;
 };
 
 /// The parameters of one step between an input and its scene.

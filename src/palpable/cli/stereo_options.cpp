@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -119,10 +120,12 @@ Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments) {
                "--method"};
 }
 
-Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method) {
+Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method,
+                                             std::vector<Parameter> more) {
   vision::StereoOptions options;
   options.max_disparity_px = arguments.max_disparity_px;
-  const std::vector<Parameter> known = vision::parameters_of(options, method);
+  std::vector<Parameter> known = vision::parameters_of(options, method);
+  std::move(more.begin(), more.end(), std::back_inserter(known));
   if (const auto set = set_parameters(arguments.parameters, known, vision::name_of(method)); !set)
     return set.error();
   if (const auto ok = vision::check(options, method); !ok)

@@ -65,7 +65,8 @@ Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);
 
 /// The options of this method as --max-disparity and --set say. Errors: usage, for an unknown name, a value
 /// that is no number, or one out of its range.
-Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method);
+Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method,
+                                             std::vector<Parameter> more = {});
 
 /// The options of every method: --max-disparity, and --set with the method's name before the parameter's:
 /// "best.smoothness.largest_step=2". Errors: as stereo_options().

@@ -28,7 +28,7 @@ std::string method_name(vision::ContourMethod method) {
   return "contours";
 }
 
-/// Junctions of grooves feel rough and have a name, so that fingers and ears find them.
+/// Junctions of grooves get a rough material with a name, so that fingers and ears find them.
 void mark_junctions(models::Scene& scene, const models::BoundaryMap& map,
                     const sculpt::GrooveOptions& grooves) {
   constexpr double kRadius_m = 0.0015;

@@ -19,7 +19,8 @@ struct ContoursRecipe {
   vision::ContourOptions contours;
   sculpt::BoundaryMapOptions map;
   sculpt::GrooveOptions grooves;
-  /// A larger picture is reduced first: 2000 pixels across a hand's breadth are finer than a finger.
+  /// Larger pictures are reduced to this number of pixels: 2000 pixels over the width of a hand are finer
+  /// than touch.
   std::size_t most_pixels = std::size_t{4} << 20U;
 };
 

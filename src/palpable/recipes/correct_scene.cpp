@@ -16,7 +16,7 @@
 namespace palpable::recipes {
 namespace {
 
-/// As the field was built: its resolution follows from its cells.
+/// The options that the field was built with; its resolution follows from its cells.
 sculpt::FieldOptions options_of(const models::Field& field) {
   const Vec3 size = field.most_m - field.least_m;
   sculpt::FieldOptions options;
@@ -56,11 +56,11 @@ Result<CorrectedScene> correct_scene(const models::Scene& scene, Mesh measured,
                  fmt::format("nothing of the measured surface lies within {:g} mm of the field's surface",
                              1000.0 * options.reach_m),
                  {}};
-  if (after->sampled_anew)
+  if (after->rebuilt)
     corrected.made.notes.emplace_back(
-        "The corrected solid reaches out of the field's box, or earlier corrections have left too much "
-        "behind "
-        "deep inside: the field was sampled anew.");
+        "The corrected solid leaves the field's box, or earlier corrections have left too large an error "
+        "deep "
+        "inside: the whole field was sampled again.");
   const sculpt::Box box = sculpt::bounds_of(surface.adapted());
   auto whole = models::field_of(std::move(after->field), box.least_m, box.most_m);
   if (!whole) return whole.error();

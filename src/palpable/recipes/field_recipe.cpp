@@ -44,9 +44,9 @@ Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> sha
 Result<MadeScene> field_from_level_set(const LevelSet& set, const FieldRecipe& recipe, const Work& work) {
   auto surface = sculpt::surface_of_level_set(set, work);
   if (!surface) return surface.error();
-  // Between grid points an edge is displaced by about so much.
-  constexpr double kOfAVoxel = 0.1;
-  auto solid = solid_of_contour(std::move(*surface), kOfAVoxel * norm(set.steps_m[0]), recipe);
+  // Interpolation between grid points displaces an edge by about this share of a voxel.
+  constexpr double kVoxelError = 0.1;
+  auto solid = solid_of_contour(std::move(*surface), kVoxelError * norm(set.steps_m[0]), recipe);
   if (!solid) return solid.error();
   return field_scene(*std::move(solid), "level-set", recipe, work);
 }

@@ -20,11 +20,11 @@ namespace palpable::recipes {
 
 /// How a solid's distance is stored.
 enum class FieldStorage {
-  /// Finely where it needs to be known (models::DistanceField): small, exact and smooth.
+  /// An octree of smooth pieces (models::DistanceField): small, exact and smooth.
   adaptive,
-  /// At every point of a lattice, for comparison.
+  /// The distance at every point of a lattice, for comparison.
   dense,
-  /// As Moustakas et al. 2007 stored it at first: by fast marching, distance and force at every point.
+  /// The first representation of Moustakas et al. 2007: distance and force at every point, by fast marching.
   paper
 };
 
@@ -34,23 +34,24 @@ struct FieldRecipe {
   sculpt::PlacementOptions placement;
   sculpt::FieldOptions field;
   FieldStorage storage = FieldStorage::adaptive;
-  /// Of a mesh: walls too thin for the field's cells. Dense fields keep them as they are.
+  /// Of a mesh: how walls that are too thin for the field's cells are treated. Dense fields keep them
+  /// unchanged.
   sculpt::WallOptions walls;
   /// Of points: their surface.
   sculpt::CloudOptions cloud;
 };
 
 // Each of these is long work for any thread: all threads are used, progress is reported, cancel is polled.
-// Errors have no place: invalid_input for values that bound no solid, usage for options out of range, failed
-// for a field that needs too much memory, interrupted.
+// Errors have no place: invalid_input for values that enclose no solid, usage for options out of range,
+// failed for a field that needs too much memory, interrupted.
 
-/// The field of the solid that a mesh means (sculpt::solid_from_mesh()).
+/// The field of the solid that a mesh encloses (sculpt::solid_from_mesh()).
 Result<MadeScene> field_from_mesh(Mesh mesh, const FieldRecipe& recipe, const Work& work);
 
-/// The same from points on a solid's surface; normals are estimated where the cloud has none, with a note.
+/// The same from points on a solid's surface. Missing normals are estimated, with a note.
 Result<MadeScene> field_from_points(PointCloud cloud, const FieldRecipe& recipe, const Work& work);
 
-/// The exact distance of superquadrics, which stay in the scene as its primitives.
+/// The field of the exact distance of superquadrics, which are also stored in the scene as its primitives.
 Result<MadeScene> field_from_superquadrics(std::vector<models::Superquadric> shapes,
                                            const FieldRecipe& recipe, const Work& work);
 

@@ -18,8 +18,8 @@ namespace {
 
 using WorldFromCamera = Transform<models::InputFrame, CameraFrame>;
 
-/// First the one, which neither scales nor moves, then the other.
-SceneFromInput then(const SceneFromInput& turn, const SceneFromInput& place) {
+/// First `turn`, a pure rotation, then `place`.
+SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place) {
   return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
 
@@ -48,17 +48,17 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
   const double voxel_m = norm(set->steps_m[0]);
   notes.emplace_back(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", given.size(),
                                  given.size() == 1 ? " was" : "s were", 1000.0 * voxel_m));
-  // The noise of depth cameras is no finer.
-  constexpr double kOfAVoxel = 0.5;
+  // The noise of depth cameras is at least this share of a voxel.
+  constexpr double kVoxelError = 0.5;
   // Depth cameras' metres are known, and y is up by now.
   FieldRecipe field = recipe.field;
   field.placement.default_size = sculpt::DefaultSize::own;
   field.placement.convention = {AxisDirection::plus_y, LengthUnit::metre};
   if (field.placement.size_m && field.placement.lay == sculpt::Lay::automatic)
     field.placement.lay = sculpt::Lay::upright;
-  auto solid = solid_of_contour(std::move(*surface), kOfAVoxel * voxel_m, field);
+  auto solid = solid_of_contour(std::move(*surface), kVoxelError * voxel_m, field);
   if (!solid) return solid.error();
-  solid->scene_from_input = then(upright, solid->scene_from_input);
+  solid->scene_from_input = composed(upright, solid->scene_from_input);
   solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
   return field_scene(*std::move(solid), "depth", recipe.field, work);
 }

@@ -28,8 +28,8 @@ struct FusedDepthRecipe {
   FieldRecipe field;
 };
 
-/// The field of the solid that several depth maps saw, closed by what is filled behind. The scene is the
-/// poses' world, turned by right angles where its cameras do not look along -z with y up
+/// The field of the solid that several depth maps show, closed by filling behind the surfaces. The scene is
+/// the poses' world, rotated by right angles if its cameras do not look along -z with y up
 /// (scene_rotation_for). Long work, any thread. Errors, without a place: as sculpt::fused_depth() and
 /// field_from_level_set().
 Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& views, const FusedDepthRecipe& recipe,

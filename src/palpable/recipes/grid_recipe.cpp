@@ -16,10 +16,10 @@
 namespace palpable::recipes {
 namespace {
 
-/// Wild values do not decide how large a scene is: this share is left out at each end.
-constexpr double kWildShare = 0.005;
+/// Share of outliers that is excluded at each end of the scene's extent.
+constexpr double kOutlierShare = 0.005;
 
-/// The camera that is assumed where none is known: 2 atan(1/2) = 53 degrees wide.
+/// The camera that is assumed if none is known: 2 atan(1/2) = 53 degrees wide.
 StereoRig assumed_rig(const Raster<float>& disparity_px) {
   const int w = disparity_px.width(), h = disparity_px.height();
   return {Pinhole{1.0 * w, 1.0 * w, 0.5 * (w - 1), 0.5 * (h - 1), w, h}, 0.1, 0.0};
@@ -33,10 +33,10 @@ struct Range {
 };
 
 Range range_of(std::vector<float>& values) {
-  return {double{quantile_of(values, kWildShare)}, double{quantile_of(values, 1.0 - kWildShare)}};
+  return {double{quantile_of(values, kOutlierShare)}, double{quantile_of(values, 1.0 - kOutlierShare)}};
 }
 
-/// Where the seen points lie, in the camera's frame.
+/// The extent of the seen points, in the camera's frame.
 struct SeenBox {
   Range x, y, z;
 };
@@ -56,7 +56,7 @@ SeenBox box_of(const DepthMap& depth) {
   return {range_of(x), range_of(y), range_of(z)};
 }
 
-/// The highest occupied point of every column, as a relief over the same places.
+/// The highest occupied point of every column, as a relief.
 Result<models::Relief> seen_from_above(const models::Occupancy& o) {
   Raster<float> heights(o.counts[0], o.counts[1], 0.0F);
   for (int y = 0; y < o.counts[1]; ++y)
@@ -81,8 +81,8 @@ Result<MadeScene> grid_from_disparity(DisparityMap disparity, const GridRecipe& 
   auto depth = *depth_from_disparity(disparity);
   const SeenBox seen = box_of(depth);
   if (!(seen.x.width() > 0.0 && seen.y.width() > 0.0 && seen.z.width() > 0.0))
-    return invalid_input("leaves nothing to fill a grid with");
-  // Lower ends of the range are farther: what is wild lies beyond them.
+    return invalid_input("has no pixel left to fill a grid from");
+  // Larger depths are farther; those beyond the range are outliers.
   for (float& z : depth.depth_m.values())
     if (!(z >= static_cast<float>(seen.z.least) && z <= static_cast<float>(seen.z.most)))
       z = std::numeric_limits<float>::quiet_NaN();
@@ -93,7 +93,7 @@ Result<MadeScene> grid_from_disparity(DisparityMap disparity, const GridRecipe& 
   scene_from_camera.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};
   scene_from_camera.scale = scale;
   scene_from_camera.translation_m = scale * Vec3{-seen.x.middle(), seen.y.middle(), seen.z.most};
-  // As wide as whole spacings, so that the lattice's middle is the scene's.
+  // A whole number of spacings, so that the lattice's middle is the scene's.
   const Vec3 size = scale * Vec3{seen.x.width(), seen.y.width(), seen.z.width()};
   const double spacing_m = std::max({size.x, size.y, size.z}) / recipe.occupancy.resolution;
   const auto half = [&](double side) { return 0.5 * spacing_m * std::round(side / spacing_m + 0.5); };
@@ -119,7 +119,7 @@ Result<MadeScene> grid_from_pair(const vision::StereoPair& pair, const StereoRec
                                  const ReliefRecipe& regions, const GridRecipe& recipe, const Work& work) {
   auto treated = treated_pair(pair, stereo, regions, work);
   if (!treated) return treated.error();
-  // What is labelled is ground or background.
+  // Labelled pixels are ground or background.
   const auto& labels = treated->regions.labels;
   auto& disparity_px = treated->disparity.disparity_px;
   const bool ground_goes = regions.ground == vision::GroundTreatment::remove;

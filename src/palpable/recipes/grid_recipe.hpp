@@ -16,8 +16,8 @@ namespace palpable::recipes {
 enum class GridFilling {
   /// Under the relief.
   under_relief,
-  /// Away from the camera, behind the points that a pair's camera sees, at their places in space; without
-  /// ground and background where these are removed (Park & Howard 2012, 4 and 5).
+  /// Away from the camera, behind the points that a pair's camera sees, at their positions in space; ground
+  /// and background may be removed first (Park & Howard 2012, 4 and 5).
   from_camera
 };
 
@@ -25,7 +25,7 @@ enum class GridFilling {
 struct GridRecipe {
   sculpt::OccupancyOptions occupancy;
   GridFilling filling = GridFilling::under_relief;
-  /// What the grid fits into, when it is filled from the camera; in its own proportions.
+  /// The box that the grid is fitted into with its own proportions, if it is filled from the camera.
   Vec3 size_m{0.10, 0.10, 0.05};
 };
 
@@ -34,10 +34,10 @@ struct GridRecipe {
 /// range; interrupted.
 Result<MadeScene> grid_from_relief(MadeScene made, const GridRecipe& recipe, const Work& work);
 
-/// The volume behind what a matched pair's left camera sees (GridFilling::from_camera). `disparity`: NaN
-/// where nothing is to be filled. Where its rig is unknown, a camera is assumed that sees as wide as far
-/// away, and a note says so. Long work, any thread. Errors, without a place: invalid_input where nothing is
-/// known; as grid_from_relief().
+/// The volume behind the surface that a matched pair's left camera sees (GridFilling::from_camera).
+/// `disparity`: NaN = not filled. If its rig is unknown, a camera with a width of view equal to the distance
+/// is assumed, and a note says so. Long work, any thread. Errors, without a place: invalid_input if no
+/// disparity is known; as grid_from_relief().
 Result<MadeScene> grid_from_disparity(DisparityMap disparity, const GridRecipe& recipe, const Work& work);
 
 /// The same from the pair itself: matched, and without its ground and background where `regions` removes

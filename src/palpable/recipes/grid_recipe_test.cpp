@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Two posts as wide in the picture, the left one twice as far away; beside them, above the middle, a far
-/// strip that makes the box wide.
+/// Two posts of equal width in the picture, the left one twice as far away; beside them, above the middle, a
+/// far strip that makes the box wide.
 DisparityMap two_posts() {
   const int w = 200, h = 150;
   DisparityMap map{Raster<float>(w, h, kUnknown), StereoRig{Pinhole{200, 200, 99.5, 74.5, w, h}, 0.1, 0.0}};
@@ -46,8 +46,8 @@ TEST(GridFromDisparity, PutsPointsWhereTheCameraSawThemAndFillsAwayFromIt) {
   ASSERT_TRUE(made) << made.error().sentence();
   const auto& grid = std::get<std::shared_ptr<const models::Grid>>(made->scene.model)->occupancy;
   const auto counts = grid.counts();
-  // At the far post's depth the rays of the near one have spread to the same width; at its own front it is
-  // half as wide as the far one is.
+  // At the far post's depth the rays through the near one have spread to the same width; at its own front it
+  // is half as wide as the far one.
   const int far = static_cast<int>(std::lround(-grid.origin_m().z / grid.spacing_m()));
   int near = counts[2] - 1;
   while (near > 0 && widths(grid, near).right == 0) --near;
@@ -89,7 +89,7 @@ TEST(GridFromDisparity, AssumesACameraAndSaysSo) {
   EXPECT_EQ(made->notes.front().reason, Reason::needs_calibration);
 }
 
-TEST(GridFromDisparity, RefusesAPictureOfWhichNothingIsLeft) {
+TEST(GridFromDisparity, RefusesAPictureWithoutAKnownPixel) {
   DisparityMap map = two_posts();
   for (float& d : map.disparity_px.values()) d = kUnknown;
   const auto made = grid_from_disparity(map, {}, {});

@@ -9,11 +9,11 @@
 
 namespace palpable::recipes {
 
-/// What every recipe returns. scene.source.method names the recipe and its method; where the values came from
-/// (scene.source.inputs and made_by) is for the caller to fill in.
+/// The result of every recipe. scene.source.method names the recipe and its method; the caller fills in
+/// where the values came from (scene.source.inputs and made_by).
 struct MadeScene {
   models::Scene scene;
-  /// What the person should know of the input or the result.
+  /// Notes for the person about the input or the result.
   std::vector<Note> notes;
 };
 

@@ -9,8 +9,8 @@
 
 namespace palpable::recipes {
 
-/// What a person should know about where a solid in `box` was placed: what was assumed of its unit and its
-/// up, its scale, and that it lies flat. Nothing where it keeps its place, or where all of it was asked for.
+/// Notes for the person about the placement of a solid in `box`: assumptions about its unit and its up, its
+/// scale, and that it lies flat. Empty if the solid keeps its place or everything was given.
 std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
                                   const sculpt::PlacementOptions& options);
 

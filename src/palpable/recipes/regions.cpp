@@ -16,12 +16,12 @@
 namespace palpable::recipes {
 namespace {
 
-/// Materials of a scene whose regions were told apart; they feel alike, and have names.
-enum Region : std::uint8_t { kThings, kGround, kBackground };
+/// Materials of the regions of a scene; they feel alike, but have names.
+enum Region : std::uint8_t { kObjects, kGround, kBackground };
 
 void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region) {
   if (scene.labels.empty()) {
-    scene.labels = Raster<std::uint8_t>(mask.width(), mask.height(), kThings);
+    scene.labels = Raster<std::uint8_t>(mask.width(), mask.height(), kObjects);
     scene.materials.resize(3);
     scene.materials[kGround].name = "ground";
     scene.materials[kBackground].name = "background";
@@ -30,7 +30,7 @@ void mark(models::Scene& scene, const Raster<std::uint8_t>& mask, Region region)
     if (mask.values()[i] != 0) scene.labels.values()[i] = region;
 }
 
-/// The ground, where something asks for it, and a note of it.
+/// The ground, if the recipe needs it, with a note.
 std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const SeenPicture& seen,
                                         const ReliefRecipe& recipe, const Work& work,
                                         std::vector<Note>& notes) {
@@ -39,7 +39,7 @@ std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const See
   work.report(0.9, "finding the ground");
   auto ground =
       vision::find_ground(seen.picture, disparity.disparity_px, work, seen.origin, recipe.ground_options);
-  // A plane that is everywhere has nothing on it: it must not swallow the background that is asked for.
+  // A plane that covers the whole picture has no objects on it and must not include the background.
   constexpr double kEverywhere = 0.95;
   if (ground && !wanted && ground->share > kEverywhere) return std::nullopt;
   if (ground)
@@ -53,7 +53,7 @@ std::optional<vision::Ground> ground_of(const DisparityMap& disparity, const See
   return ground;
 }
 
-/// The background, where it is to be removed, and a note of it.
+/// The background, if it is to be removed, with a note.
 std::optional<vision::Background> background_of(const DisparityMap& disparity,
                                                 const std::optional<vision::Ground>& ground,
                                                 const SeenPicture& seen, const ReliefRecipe& recipe,
@@ -66,14 +66,15 @@ std::optional<vision::Background> background_of(const DisparityMap& disparity,
     notes.emplace_back(
         fmt::format("The background covers {:.0f} % of the picture.", 100.0 * background->share));
   else
-    notes.emplace_back(ground ? "There is no background to remove: everything stands on the ground."
-                              : "There is no background to remove: nothing is clearly behind the rest.");
+    notes.emplace_back(
+        ground ? "There is no background to remove: everything stands on the ground."
+               : "There is no background to remove: no part of the picture is clearly behind the rest.");
   return background;
 }
 
-/// Nearness in the shape of disparity, so that the finders' bounds in pixels hold: of depth its inverse, as
-/// two cameras side by side would see it. What is nearest, but for a half percent that may be wild, has
-/// kNearest_px; a map whose rig is known stays as it is.
+/// Depth as disparity, so that the limits in pixels of the search for ground and background hold: the
+/// inverse of depth, as two cameras side by side would see it. The nearest depth, without the nearest half
+/// percent as outliers, gets kNearest_px. A map with a known rig does not change.
 DisparityMap parallax_of(const std::variant<DepthMap, DisparityMap>& depth) {
   constexpr double kNearest_px = 256.0, kWild = 0.005;
   const auto* metres = std::get_if<DepthMap>(&depth);
@@ -95,7 +96,7 @@ DisparityMap parallax_of(const std::variant<DepthMap, DisparityMap>& depth) {
   return map;
 }
 
-/// Parallax as a grey picture, for depth that came without colour.
+/// Parallax as a grey picture, for depth without colour.
 Raster<Rgb8> grey_of(const DisparityMap& parallax) {
   Raster<Rgb8> out(parallax.disparity_px.width(), parallax.disparity_px.height());
   for (std::size_t i = 0; i < out.count(); ++i) {
@@ -139,7 +140,7 @@ void treat_regions(DepthInput& input, const ReliefRecipe& recipe, const Work& wo
   DisparityMap treated = with_regions_treated(parallax, seen, recipe, work, regions, notes);
   if (regions.labels.empty()) return;
   const auto* metres = std::get_if<DepthMap>(&input.depth);
-  // Heights above the ground are no depths any more, and have no camera.
+  // Heights above the ground are not depths and have no camera.
   if (metres == nullptr || !treated.rig) {
     input.depth = std::move(treated);
     return;

@@ -23,8 +23,8 @@ namespace palpable::recipes {
 enum class Texture {
   /// The input's own: of a pair the left one.
   left,
-  /// Of a pair: the scene as seen from between the cameras, made from both pictures and the depth (Shi & Pai
-  /// 1997); the relief is shaped from there too.
+  /// Of a pair: the view from between the cameras, synthesised from both pictures and the depth (Shi & Pai
+  /// 1997). The relief has the shape of that view too.
   front,
   none
 };
@@ -54,19 +54,19 @@ struct StereoRecipe {
   vision::StereoOptions options;
 };
 
-/// Depth as it was measured, rendered or drawn.
+/// Depth that was measured, rendered or drawn.
 struct DepthInput {
-  /// Metres where they are known; else disparity or nearness, of which only the shape counts.
+  /// Metres if they are known; else disparity or nearness, of which only the shape is used.
   std::variant<DepthMap, DisparityMap> depth;
   /// The picture of the same pixels.
   std::optional<Image> colour;
 };
 
-/// The stereo method with the smallest errors of those that there are.
+/// The stereo method with the smallest errors.
 vision::StereoMethod default_method();
 
-/// The methods for a touch that is to begin at once, in their order: a fast one and then default_method(), or
-/// the one that is given.
+/// The methods for a touch that begins at once, in their order: a fast one and then default_method(), or
+/// only the given one.
 std::vector<vision::StereoMethod> progressive_methods(const StereoRecipe& stereo);
 
 /// A relief from a rectified pair. Long work: reports progress, polls cancel. Any thread. Errors: as

@@ -19,7 +19,7 @@ namespace palpable::recipes {
 /// Points on the surfaces of a scene, and where they were seen from.
 struct SeenPoints {
   std::vector<Vec3> points_m;
-  /// Object of each point, 1 … 255; empty where they are not told apart.
+  /// Object of each point, 1 … 255; empty if objects are not distinguished.
   std::vector<std::uint8_t> labels;
   /// The camera, where there was one.
   std::optional<Point<SceneFrame>> camera;
@@ -27,13 +27,14 @@ struct SeenPoints {
 
 struct FittedShapes {
   sculpt::ShapeSet set;
-  /// Points that the input gave.
+  /// Number of points in the input.
   std::size_t points = 0;
 };
 
-/// The points of a depth map's pixels. The camera is in the origin and looks along -z, y up. `labels`: empty,
-/// or of the map's size: 0 is left out, objects of different labels share no shape. Errors: invalid_input
-/// with Reason::needs_calibration for a map without its camera, and for labels of another size.
+/// The points of a depth map's pixels. The camera is at the origin and looks along -z, y up. `labels`:
+/// empty, or of the map's size; pixels of label 0 are omitted, objects of different labels share no shape.
+/// Errors: invalid_input with Reason::needs_calibration for a map without its camera, and for labels of
+/// another size.
 Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Raster<float>>& labels);
 
 /// Superquadrics fitted to points (sculpt::fit_superquadrics()). Long work, any thread. Errors: as there.

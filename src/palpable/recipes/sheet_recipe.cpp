@@ -19,7 +19,7 @@ using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
 
 constexpr Vec3 kDefaultSize_m{0.10, 0.10, 0.015};
 
-/// Takes out triangles with a vertex that is not finite: they have no place in a box. How many.
+/// Removes triangles with a vertex that is not finite; returns their number.
 std::size_t drop_unplaced(Mesh& mesh) {
   return std::erase_if(mesh.triangles, [&](const auto& t) {
     return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
@@ -37,7 +37,7 @@ AxisDirection towards_person(const Mesh& mesh, const sculpt::Placement& automati
   const bool one_way = norm(facing) > kFacesOneWay;
   if (options.lay == Lay::automatic && one_way) {
     const AxisDirection side = nearest_axis_direction(facing);
-    // A map whose triangles are wound the other way is seen from above all the same.
+    // A map whose triangles are wound the other way is still seen from above.
     return dot(unit_vector(side), unit_vector(up)) != 0.0 ? up : side;
   }
   return automatic.lay == Lay::flat ? up : sculpt::front_of(up);

@@ -13,15 +13,16 @@ namespace palpable::recipes {
 
 /// How a mesh becomes a relief of one of its sides.
 struct SheetRecipe {
-  /// Where no size is given: 100 x 100 mm and 15 mm high, or its own where the side that is seen suits a
-  /// hand. `lay` flat: what is seen from above; upright: from the front; automatic: the side that an open
-  /// sheet faces, and of other meshes as sculpt::placement_of() lays them.
+  /// Default size: 100 x 100 mm and 15 mm high, or its own if the visible side suits a hand. `lay` flat:
+  /// seen from above; upright: from the front; automatic: the side that an open sheet faces, and other
+  /// meshes as sculpt::placement_of() lays them.
   sculpt::PlacementOptions placement;
   sculpt::SheetOptions sheet;
 };
 
-/// The relief of what is seen of a mesh from one side. Long work: all threads, polls cancel. Errors have no
-/// place: invalid_input for a mesh without extent, usage for options out of range, interrupted.
+/// The relief of the part of a mesh that is visible from one side. Long work: all threads, polls cancel.
+/// Errors have no place: invalid_input for a mesh without extent, usage for options out of range,
+/// interrupted.
 Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const Work& work);
 
 }  // namespace palpable::recipes

@@ -18,7 +18,7 @@
 namespace palpable::recipes {
 namespace {
 
-/// Of the finite vertices that a triangle uses.
+/// The bounding box of the finite vertices of triangles.
 Result<sculpt::Box> box_of(const Mesh& mesh) {
   std::optional<sculpt::Box> box;
   for (const auto& t : mesh.triangles)
@@ -36,7 +36,7 @@ struct Placed {
   std::vector<Note> notes;
 };
 
-/// Moves a mesh to its place.
+/// Transforms a mesh into the scene.
 Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   const auto box = box_of(mesh);
   if (!box) return box.error();
@@ -48,7 +48,7 @@ Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   return Placed{transform, placement_notes(*placement, *box, options)};
 }
 
-/// Refuses what is known to be too large from its extent alone, before anything else is done.
+/// Refuses a field that is too large by its extent alone, before any other work.
 Result<void> check_size(const sculpt::Box& box, const FieldRecipe& recipe) {
   if (recipe.storage == FieldStorage::adaptive) return {};
   const auto lattice = sculpt::lattice_around(box, dense_options(recipe));
@@ -67,7 +67,8 @@ models::Superquadric placed(models::Superquadric shape, const SceneFromInput& tr
   return shape;
 }
 
-/// The greatest error is of one place: of a mesh that was repaired badly it shows what the 99 % hide.
+/// States the greatest error too: in a badly repaired mesh a few places may be far off although 99 % are
+/// not.
 std::string note_on(const models::FieldErrors& errors) {
   return fmt::format(
       "The field's measured error near the surface is at most {:.0f} um; 99 % of it is below {:.1f} um.",
@@ -117,7 +118,7 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   if (!cell_m) return cell_m.error();
   if (const auto free_bytes = available_memory_bytes())
     if (auto refused = sculpt::mesh_too_large(mesh.triangles.size(), *free_bytes)) return *std::move(refused);
-  // The dense fields are for comparison: they keep the triangles as they are.
+  // Dense fields, which are for comparison, keep the triangles unchanged.
   sculpt::FacetOptions facets;
   if (recipe.storage == FieldStorage::adaptive)
     facets.rounding_m = sculpt::facet_rounding_m(*box, recipe.field);
@@ -171,7 +172,7 @@ Result<StoredField> stored_field(const Solid& solid, const FieldRecipe& recipe, 
   sculpt::FieldOptions field_options = recipe.field;
   if (field_options.max_error_m == 0.0 && solid.exact_to_m > 0.0)
     field_options.max_error_m = solid.exact_to_m;
-  // Parts, tree and the table that finds equal leaves exist at the same time.
+  // Parts, tree and the hash table of leaves exist at the same time.
   constexpr std::size_t kWhileBuilding = 4;
   if (const auto free_bytes = available_memory_bytes())
     field_options.most_bytes = std::min(field_options.most_bytes, *free_bytes / kWhileBuilding);

@@ -20,27 +20,27 @@ namespace palpable::recipes {
 
 using SceneFromInput = Transform<SceneFrame, models::InputFrame>;
 
-/// What a field is sampled from, as it stands in the scene.
+/// The source of a field, in the scene's frame.
 struct Solid {
   std::unique_ptr<sculpt::DistanceSource> distance;
   std::vector<Note> notes;
   SceneFromInput scene_from_input;
-  /// How exactly the input itself describes its surface, metres; 0 = as exactly as is asked for.
+  /// Accuracy of the input's own surface, metres; 0 = exact.
   double exact_to_m = 0.0;
-  /// As they stand in the scene, where it consists of some.
+  /// The superquadrics that the solid consists of, in the scene's frame; may be empty.
   std::vector<models::Superquadric> primitives;
 };
 
-/// A mesh, repaired as it needs.
+/// The solid of a mesh, repaired if necessary.
 Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work);
 Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldRecipe& recipe);
-/// From a contour of voxels, which describes its surface to `exact_to_m` of the input.
+/// The solid of a contoured surface whose accuracy is `exact_to_m`, in units of the input.
 Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecipe& recipe);
 
 /// The lattice of a dense field.
 sculpt::DenseFieldOptions dense_options(const FieldRecipe& recipe);
 
-/// A solid's field, and in words how it is stored.
+/// A solid's field, and how it is stored, in words.
 struct StoredField {
   models::Model model;
   std::string method;

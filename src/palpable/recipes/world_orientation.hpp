@@ -10,9 +10,9 @@
 
 namespace palpable::recipes {
 
-/// Row-major rotation from the world that camera poses are given in to the scene: by right angles, so that on
-/// average the cameras look away from the person (along -z) and their pictures' upward direction is y. Worlds
-/// in which they do already are kept. Poses: world from camera, camera x right, y down, z forward.
+/// Row-major rotation by right angles from the world of the camera poses to the scene, so that on average
+/// the cameras look away from the person (along -z) and their pictures' upward direction is y. The identity
+/// if they do already. Poses: world from camera, camera x right, y down, z forward.
 std::array<double, 9> scene_rotation_for(
     std::span<const Transform<models::InputFrame, CameraFrame>> world_from_cameras);
 

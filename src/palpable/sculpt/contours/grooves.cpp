@@ -15,8 +15,8 @@
 namespace palpable::sculpt {
 namespace {
 
-/// Distance in pixels of `lines` to the nearest line, on a grid `scale` times finer. Interpolated between the
-/// pixels' exact distances, so that a line has no width of its own.
+/// Distance in pixels to the nearest line, on a grid `scale` times finer. It is interpolated between the
+/// pixels' exact distances, so that a line itself has no width.
 cv::Mat distance_to_lines(const Raster<float>& lines, double scale) {
   cv::Mat none(lines.height(), lines.width(), CV_8U, cv::Scalar(255));
   for (int y = 0; y < lines.height(); ++y)

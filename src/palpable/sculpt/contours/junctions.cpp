@@ -57,7 +57,7 @@ class BranchCounter {
   struct Arc {
     double first, last;
   };
-  /// In their order; none of a circle that was reached all around.
+  /// In order of their angles; empty if the whole circle was reached.
   std::vector<Arc> arcs_reached() const {
     std::vector<Arc> arcs;
     const std::size_t count = ring_.size();

@@ -26,15 +26,15 @@ struct JunctionOptions {
   /// Lines are dilated by this many pixels, so that gaps of twice as many, as thinning leaves them at
   /// junctions, count as line. 0 … 8.
   int bridged_px = 1;
-  /// Arcs with less than this between them are one branch: the two sides of a stroke, which dilation joins
-  /// here and there. Chosen on rings drawn with strokes of 2 to 6 px. 0 … 90 degrees.
+  /// Arcs with a gap of less than this angle are one branch: the two edges of a stroke, which dilation joins
+  /// in places. Chosen on rings drawn with strokes of 2 to 6 px. 0 … 90 degrees.
   double least_angle_degrees = 30.0;
 };
 std::vector<Parameter> parameters_of(JunctionOptions& options);
 
-/// The junctions of one-pixel-wide lines (`line` > 0): places from which the lines themselves lead to at
-/// least so many different arcs of the circle around; lines that only pass by do not count. Places closer to
-/// each other than the radius are one junction. The options must be in their ranges.
+/// The junctions of one-pixel-wide lines (`line` > 0): places whose connected lines reach at least
+/// `least_branches` separate arcs of the circle around them. Lines that only pass nearby do not count.
+/// Places closer to each other than the radius are one junction. The options must be in their ranges.
 std::vector<Junction> find_junctions(const Raster<float>& line, const JunctionOptions& options);
 
 /// A label picture of `line`'s size: `label` in discs of `radius_px` round the junctions, 0 elsewhere.

@@ -13,18 +13,18 @@
 namespace palpable::sculpt {
 namespace {
 
-/// Beside each other first, then at the corners.
+/// The four direct neighbours first, then the diagonal ones.
 constexpr std::array<Pixel, 8> kStepsToNeighbours{
     {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
 bool touching(Pixel a, Pixel b) { return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1; }
 
-/// Takes pixels off the lines as they are followed.
+/// Follows lines pixel by pixel and marks the visited pixels.
 class Tracer {
  public:
-  explicit Tracer(const Raster<float>& line) : line_(line), taken_(line.width(), line.height()) {}
+  explicit Tracer(const Raster<float>& line) : line_(line), visited_(line.width(), line.height()) {}
 
-  bool is_open(Pixel p) const { return is_line(p) && taken_(p.x, p.y) == 0; }
+  bool is_open(Pixel p) const { return is_line(p) && visited_(p.x, p.y) == 0; }
 
   /// Neighbours in the line that are not neighbours of each other: 1 at an end, 2 along a line.
   int branches(Pixel p) const {
@@ -40,15 +40,16 @@ class Tracer {
     return runs;
   }
 
-  /// The line from `first` on, as far as untaken pixels lead, and to the taken one that it meets.
+  /// The line that begins at `first`: its connected unvisited pixels, and the visited pixel at its end, if
+  /// any.
   std::vector<Pixel> follow(Pixel first) {
-    std::vector<Pixel> way;
+    std::vector<Pixel> line_pixels;
     for (std::optional<Pixel> at = first; at; at = next(*at)) {
-      taken_(at->x, at->y) = 1;
-      way.push_back(*at);
+      visited_(at->x, at->y) = 1;
+      line_pixels.push_back(*at);
     }
-    if (const auto joint = met(way)) way.push_back(*joint);
-    return way;
+    if (const auto joint = visited_neighbour(line_pixels)) line_pixels.push_back(*joint);
+    return line_pixels;
   }
 
  private:
@@ -58,13 +59,13 @@ class Tracer {
       if (const Pixel q{p.x + step.x, p.y + step.y}; is_open(q)) return q;
     return std::nullopt;
   }
-  /// A taken pixel beside the way's end that is not of its own last pixels.
-  std::optional<Pixel> met(const std::vector<Pixel>& way) const {
-    const Pixel end = way.back();
+  /// A visited pixel beside the line's end that is not one of the line's own last pixels.
+  std::optional<Pixel> visited_neighbour(const std::vector<Pixel>& line_pixels) const {
+    const Pixel end = line_pixels.back();
     for (const Pixel step : kStepsToNeighbours) {
       const Pixel q{end.x + step.x, end.y + step.y};
-      const std::size_t own = std::min<std::size_t>(way.size(), 3);
-      const bool is_own = std::any_of(way.end() - static_cast<std::ptrdiff_t>(own), way.end(),
+      const std::size_t own = std::min<std::size_t>(line_pixels.size(), 3);
+      const bool is_own = std::any_of(line_pixels.end() - static_cast<std::ptrdiff_t>(own), line_pixels.end(),
                                       [&](Pixel p) { return p.x == q.x && p.y == q.y; });
       if (is_line(q) && !is_own) return q;
     }
@@ -72,10 +73,10 @@ class Tracer {
   }
 
   const Raster<float>& line_;
-  Raster<std::uint8_t> taken_;
+  Raster<std::uint8_t> visited_;
 };
 
-/// Distance of p from the piece a … b.
+/// Distance of p from the segment a … b.
 double distance_from(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 along = b - a;
   const double length2 = dot(along, along);
@@ -83,7 +84,7 @@ double distance_from(Vec3 p, Vec3 a, Vec3 b) {
   return norm(p - (a + t * along));
 }
 
-/// Marks the points of first … last that a simplified line needs.
+/// Marks the points between `first` and `last` that the simplified line keeps (Douglas & Peucker 1973).
 void keep_needed(const std::vector<Vec3>& points, std::size_t first, std::size_t last, double tolerance_m,
                  std::vector<bool>& kept) {
   std::size_t farthest = first;
@@ -138,17 +139,18 @@ std::vector<Polyline> outline_polylines(const Raster<float>& line, double pixel_
   Tracer tracer(line);
   std::vector<Polyline> out;
   const auto trace = [&](Pixel first) {
-    const std::vector<Pixel> way = tracer.follow(first);
+    const std::vector<Pixel> line_pixels = tracer.follow(first);
     Polyline found;
-    found.closed = way.size() > 3 && touching(way.front(), way.back());
-    for (const Pixel p : way)
+    found.closed = line_pixels.size() > 3 && touching(line_pixels.front(), line_pixels.back());
+    for (const Pixel p : line_pixels)
       found.points.push_back(
           {(p.x - 0.5 * (line.width() - 1)) * pixel_m, (0.5 * (line.height() - 1) - p.y) * pixel_m, 0.0});
     found.points = simplified(smoothed(found.points, found.closed), options.tolerance_m);
     if (found.points.size() > 1 && length_of(found) >= options.least_length_m)
       out.push_back(std::move(found));
   };
-  // Ends first, so that open lines are followed whole; then what is left: closed lines.
+  // Open lines first, from their ends, so that each is followed as a whole. The pixels that remain form
+  // closed lines.
   for (const bool at_ends : {true, false})
     for (int y = 0; y < line.height(); ++y)
       for (int x = 0; x < line.width(); ++x)

@@ -11,17 +11,16 @@
 namespace palpable::sculpt {
 
 struct OutlineOptions {
-  /// Lines shorter than this are left out: a finger does not find them. 0 … 0.1 m.
+  /// Shorter lines are omitted, since a finger does not find them. 0 … 0.1 m.
   double least_length_m = 0.004;
-  /// A line's points are dropped while it stays this close to all of them (Douglas & Peucker 1973). 0 … 0.01
-  /// m.
+  /// Greatest distance of an omitted point from the simplified line (Douglas & Peucker 1973). 0 … 0.01 m.
   double tolerance_m = 0.0002;
 };
 std::vector<Parameter> parameters_of(OutlineOptions& options);
 
-/// One-pixel-wide lines (`line` > 0) as polylines in the scene's plane, each pixel in one of them, which
-/// begin and end at ends and junctions; the raster is centred on the origin, y up. The options must be in
-/// their ranges.
+/// One-pixel-wide lines (`line` > 0) as polylines in the scene's plane. Each pixel belongs to one polyline;
+/// polylines begin and end at line ends and junctions. The raster is centred on the origin, y up. The
+/// options must be in their ranges.
 std::vector<Polyline> outline_polylines(const Raster<float>& line, double pixel_m,
                                         const OutlineOptions& options = {});
 

@@ -11,12 +11,13 @@ SolidChange change_of(const CorrectedSurface& surface, double cell_m, const Corr
   SolidChange change;
   change.triangles = surface.changed();
   change.step_m = surface.greatest_step_m();
-  // Half a cell farther the field's window still reaches, and facets sag.
+  // A margin of a cell: leaves are fitted to samples half a cell beyond their border, and facets lie below
+  // the curved surface.
   const double within_m = options.transition_m + change.step_m + cell_m;
-  if (options.volume == CorrectedVolume::everywhere || surface.pulled.empty() ||
+  if (options.volume == CorrectedVolume::everywhere || surface.matched.empty() ||
       change.step_m > 0.5 * within_m)
     return change;
-  change.around = surface.pulled_surface();
+  change.around = surface.matched_surface();
   change.within_m = within_m;
   return change;
 }
@@ -39,8 +40,8 @@ Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measur
     after.solid.emplace(after.surface.adapted());
   }
   const Box box = after.solid->bounds();
-  after.sampled_anew = !after.field.contains(box.least_m) || !after.field.contains(box.most_m);
-  if (!after.sampled_anew) {
+  after.rebuilt = !after.field.contains(box.least_m) || !after.field.contains(box.most_m);
+  if (!after.rebuilt) {
     auto field = updated_field(after.field, *after.solid,
                                change_of(after.surface, after.field.cell_m(), correction), options, work);
     if (!field) return field.error();
@@ -48,7 +49,7 @@ Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measur
       after.field = **std::move(field);
       return after;
     }
-    after.sampled_anew = true;
+    after.rebuilt = true;
   }
   auto field = field_from_source(*after.solid, options, work);
   if (!field) return field.error();

@@ -15,26 +15,27 @@
 
 namespace palpable::sculpt {
 
-/// A field and the predicted surface that it is corrected by. Hand it on (std::move): a copy costs more than
-/// a small correction.
+/// A field and the predicted surface that it is corrected by. Pass it by std::move: a copy costs more than a
+/// small correction.
 struct CorrectedField {
   models::DistanceField field;
   CorrectedSurface surface;
-  /// The surface as it stands, ready to be asked; made by the first correction, and moved by each.
+  /// The corrected surface as a distance source: made by the first correction, updated by the later ones.
   std::optional<SmoothSurface> solid = std::nullopt;
-  /// Whether the last correction could not be followed in part, so that all of the field was sampled anew: it
-  /// reached out of the grid, or the field no longer fits the solid far from the surface.
-  bool sampled_anew = false;
+  /// Whether the last correction could not be applied to a part of the field, so that the whole field was
+  /// sampled again: the corrected surface left the grid, or the field far from the surface no longer matches
+  /// it.
+  bool rebuilt = false;
 };
 
-/// What the last correction of a surface changed of its solid, in a field of cells that long. Near what was
-/// measured means: no farther than the transition, the longest way that the surface moved now and two cells;
-/// where the surface moved by more than half of that, and where nothing was measured, everywhere.
+/// What the last correction changed in the solid of a field whose cells have the side `cell_m`. The change
+/// is limited to the neighbourhood of the measured surface: the transition, the greatest displacement and
+/// two cells. It is unlimited if the surface moved by more than half of that or nothing was measured.
 SolidChange change_of(const CorrectedSurface& surface, double cell_m, const CorrectionOptions& options);
 
-/// Force-field correction of Moustakas et al. 2007: the surface goes to what was measured
-/// (correct_surface()), and the field is sampled again only in cells of options.volume where what changed is
-/// the nearest; the others stay as they are to the bit. `before.surface` is the field's own, predicted or
+/// Force-field correction of Moustakas et al. 2007: the surface moves onto the measured one
+/// (correct_surface()), and only cells of options.volume whose nearest triangle changed are sampled again;
+/// the others stay identical bit by bit. `before.surface` is the surface of `before.field`, predicted or
 /// already corrected. Errors: as correct_surface() and field_from_source().
 Result<CorrectedField> corrected_field(CorrectedField before, const Mesh& measured,
                                        const CorrectionOptions& correction, const FieldOptions& options,

@@ -47,7 +47,7 @@ Mesh measured(double radius_m) {
   return mesh;
 }
 
-/// Where the surface is met, from the middle outwards.
+/// The radius at which a ray from the middle leaves the solid.
 double radius_along(const models::DistanceField& field, Vec3 direction) {
   double low = 0.5 * kRadius_m, high = 1.2 * kRadius_m;
   for (int step = 0; step < 40; ++step) {
@@ -59,7 +59,7 @@ double radius_along(const models::DistanceField& field, Vec3 direction) {
 
 class FieldCorrection : public testing::TestWithParam<double> {};
 
-TEST_P(FieldCorrection, ReachesWhatWasMeasuredSmoothlyAndLeavesTheRestToTheBit) {
+TEST_P(FieldCorrection, ReachesTheMeasuredSurfaceSmoothlyAndKeepsTheRestBitByBit) {
   const double radius_m = (1.0 + GetParam()) * kRadius_m;
   const CorrectedField before = ball();
   const auto after = corrected_field(before, measured(radius_m), {kReach_m, kTransition_m}, options(), {});
@@ -137,11 +137,11 @@ Mesh cap(double out_m) {
 /// The solid that a field was corrected to.
 const DistanceSource& solid_of(const CorrectedField& field) { return *field.solid; }
 
-TEST(FieldCorrection, TellsTheCorrectedDistanceNearTheSurfaceAndGoesOverIntoTheOldOneSmoothly) {
+TEST(FieldCorrection, GivesTheCorrectedDistanceNearTheSurfaceAndBlendsSmoothlyIntoTheOldOne) {
   const CorrectedField before = ball();
   const auto after = corrected_field(before, cap(0.0005), {kReach_m, kTransition_m}, options(), {});
   ASSERT_TRUE(after) << after.error().sentence();
-  ASSERT_FALSE(after->sampled_anew);
+  ASSERT_FALSE(after->rebuilt);
   const double within_m = kTransition_m + 0.0005 + 2.0 * before.field.cell_m();
   double last_m = 0.0;
   for (double depth_m = -0.001; depth_m < 0.018; depth_m += 0.00005) {
@@ -155,7 +155,7 @@ TEST(FieldCorrection, TellsTheCorrectedDistanceNearTheSurfaceAndGoesOverIntoTheO
     if (depth_m > within_m) {
       EXPECT_NEAR(is.distance_m, before.field.sample(p).distance_m, 4e-5) << depth_m;
     }
-    // Deeper is deeper, all the way.
+    // The depth increases along the whole path.
     if (depth_m > 0.0 && depth_m < 0.015) {
       EXPECT_LT(is.distance_m, last_m) << depth_m;
       EXPECT_GT(is.gradient.z, 0.4) << depth_m;
@@ -164,7 +164,7 @@ TEST(FieldCorrection, TellsTheCorrectedDistanceNearTheSurfaceAndGoesOverIntoTheO
   }
 }
 
-TEST(FieldCorrection, TellsTheCorrectedDistanceEverywhereIfItIsAskedTo) {
+TEST(FieldCorrection, GivesTheCorrectedDistanceEverywhereIfThatIsTheVolume) {
   CorrectionOptions correction{kReach_m, kTransition_m, CorrectedVolume::everywhere};
   const auto after = corrected_field(ball(), cap(0.0005), correction, options(), {});
   ASSERT_TRUE(after) << after.error().sentence();
@@ -173,13 +173,13 @@ TEST(FieldCorrection, TellsTheCorrectedDistanceEverywhereIfItIsAskedTo) {
   EXPECT_NEAR(after->field.sample(p).distance_m, solid_of(*after).at(p, hint).distance_m, 2e-4);
 }
 
-TEST(FieldCorrection, IsMadeAnewWhereManySmallCorrectionsAddUp) {
+TEST(FieldCorrection, IsBuiltAgainIfManySmallCorrectionsAddUp) {
   CorrectedField field = ball();
   bool anew = false;
   for (int step = 1; step <= 12 && !anew; ++step) {
     auto next = corrected_field(std::move(field), cap(-0.0009 * step), {0.02, 0.002}, options(), {});
     ASSERT_TRUE(next) << next.error().sentence();
-    anew = next->sampled_anew;
+    anew = next->rebuilt;
     field = *std::move(next);
   }
   EXPECT_TRUE(anew);

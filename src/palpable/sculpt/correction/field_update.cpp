@@ -21,11 +21,11 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 struct Resampled {
   DistanceField field;
-  /// As the source's hints tell it.
+  /// From the source's hints (DistanceSource::Hint).
   double greatest_difference_m = 0.0;
 };
 
-/// The tree's cells that `earlier` lets change, sampled from `source`.
+/// The field with those cells of its tree sampled from `source` that `earlier` does not exclude.
 Result<Resampled> resampled(const DistanceField& field, const DistanceSource& source, const Earlier& earlier,
                             const FitBounds& bounds, const FieldOptions& options, const Work& work) {
   const auto branches = branches_of(source, field.grid(), bounds, options, &earlier, work);
@@ -41,21 +41,20 @@ Result<Resampled> resampled(const DistanceField& field, const DistanceSource& so
   return Resampled{*std::move(updated), greatest_m};
 }
 
-/// Where changed triangles, old and new, may be the nearest.
-class Nearest {
+/// Whether changed triangles, old or new, may be the nearest ones.
+class ChangedTriangles {
  public:
-  Nearest(const DistanceField& field, const SolidChange& change, const FitBounds& bounds)
+  ChangedTriangles(const DistanceField& field, const SolidChange& change, const FitBounds& bounds)
       : field_(field), change_(change), bounds_(bounds), triangles_(change.triangles) {}
 
-  /// Where they are farther than the surface, the nearest place did not change. A smooth surface bulges
-  /// beyond its triangles, by less than half a cell where their corners lie a few cells apart.
+  /// If they are farther away than the surface, the nearest point did not change. A smooth surface bulges
+  /// beyond its triangles by less than half a cell if their corners are a few cells apart.
   bool changed_at(Vec3 place_m, double distance_m) const {
     return within(place_m,
                   (1.0 + 2.0 * TriangleTree::kNearestSlack) * std::abs(distance_m) + 0.5 * field_.cell_m());
   }
-  /// How much farther they are than the surface changes by at most 2 per metre; and the earlier field tells
-  /// the earlier distance as far as its own bounds allow (leaf_fit.cpp), or, where an earlier change was not
-  /// followed, as one like this may have left it.
+  /// The difference of both distances changes by at most 2 per metre. The earlier field's distance is
+  /// correct within its own bounds (leaf_fit.cpp), or within the error that an earlier blend may have left.
   bool is_far(Vec3 centre_m, double half_m) const {
     const double distance_m = std::abs(field_.sample(centre_m).distance_m);
     const double error_m =
@@ -80,11 +79,11 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
   const Box box = source.bounds();
   if (!field.contains(box.least_m) || !field.contains(box.most_m))
     return Error{
-        ErrorCode::failed, "the changed solid reaches out of the field's box: build the field anew", {}};
+        ErrorCode::failed, "the changed solid leaves the field's box: build the whole field again", {}};
   const models::FieldGrid& grid = field.grid();
   FitBounds bounds = bounds_for(options.resolution * grid.cell_m, grid.cell_m, options);
   bounds.bound_m = field.errors().bound_m;
-  const Nearest nearest(field, change, bounds);
+  const ChangedTriangles nearest(field, change, bounds);
   Earlier earlier{field.tree(), {}, {}};
   if (!std::isfinite(change.within_m)) {
     earlier.changed_at = [&](Vec3 from_origin_m, double distance_m) {
@@ -103,7 +102,7 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
   };
   earlier.changed_at = [&](Vec3 from_origin_m, double distance_m) {
     const Vec3 place_m = grid.origin_m + from_origin_m;
-    // More than an edge is rounded by: a quick answer for most of what moved.
+    // More than the rounding of an edge: a quick test that decides most moved places.
     const double differs_m = std::abs(distance_m - field.sample(place_m).distance_m);
     return differs_m > 0.5 * grid.cell_m ||
            (within(place_m, change.within_m) && nearest.changed_at(place_m, distance_m));
@@ -112,8 +111,8 @@ Result<std::optional<DistanceField>> updated_field(const DistanceField& field, c
     const Vec3 place_m = grid.origin_m + centre_m;
     return !within(place_m, change.within_m + std::sqrt(3.0) * half_m) || nearest.is_far(place_m, half_m);
   };
-  // phi's slope is 1.5 / (within - inside): with a difference of half of that way, a way inwards still leads
-  // deeper, by a quarter of its length at least.
+  // The slope of phi is 1.5 / (within - inside). With a difference of at most half of that width the
+  // distance still decreases inwards, with a slope of at least a quarter.
   const double most_m = std::max(0.0, change.within_m - 3.0 * change.step_m);
   const double inside_m = std::min(most_m, bounds.inside_m);
   const BlendedSource blended(

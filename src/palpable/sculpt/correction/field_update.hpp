@@ -14,27 +14,29 @@
 
 namespace palpable::sculpt {
 
-/// By what a solid differs from the one that a field was made of, and how far from there the field follows.
+/// The difference between a solid and the one that a field was made from, and the region in which the field
+/// is updated.
 struct SolidChange {
-  /// The triangles that changed, at least one, as they were and as they are.
+  /// The triangles that changed, at least one, before and after the change.
   Mesh triangles;
-  /// Farther than within_m from this surface (at least one triangle, which may have no extent) nothing is
-  /// touched. Not looked at where within_m is infinite.
+  /// Places farther than within_m from this surface do not change. At least one triangle, which may be
+  /// degenerate. Not used if within_m is infinite.
   Mesh around;
   double within_m = std::numeric_limits<double>::infinity();
-  /// The longest way that the surface moved.
+  /// The greatest displacement of the surface.
   double step_m = 0.0;
 };
 
-/// The field of a solid that changed: only cells where a changed triangle is the nearest are sampled again
-/// from `source`, the solid as it is. All other cells keep their contents to the bit. The bound is the
+/// The field of a solid that changed. Only cells whose nearest triangle may have changed are sampled again
+/// from `source`, the changed solid; all other cells stay identical bit by bit. The error bound is the
 /// field's own, and its errors stay those measured when it was built.
 ///
-/// With a finite within_m (the bounding volume of Moustakas et al. 2007) distances are the solid's own as far
-/// from the surface as the field's bound is promised, if within_m allows that, and go over smoothly into the
-/// earlier field's from there to within_m. The field stays the potential of its force. Nothing is returned
-/// where they differ so much that a way inwards might not lead deeper: then the field must be made anew.
-/// Errors: failed for a solid that leaves the field's grid; else as field_from_source().
+/// With a finite within_m (the bounding volume of Moustakas et al. 2007) the distance is that of the changed
+/// solid as far from the surface as the field's bound holds, if within_m allows that. From there to within_m
+/// it blends smoothly into the earlier field's distance, so the field stays the potential of its force.
+/// nullopt if the two distances differ so much that the blend might not decrease inwards: then the whole
+/// field must be built again. Errors: failed for a solid that leaves the field's grid; else as
+/// field_from_source().
 Result<std::optional<models::DistanceField>> updated_field(const models::DistanceField& field,
                                                            const DistanceSource& source,
                                                            const SolidChange& change,

@@ -20,7 +20,7 @@ Mesh boxes(double height_m) {
                   box_mesh({0.01, -0.01, 0.0}, {0.03, 0.01, height_m}));
 }
 
-TEST(UpdatedField, FollowsWhatChangedAndKeepsTheRestToTheBit) {
+TEST(UpdatedField, FollowsTheChangeAndKeepsTheRestBitByBit) {
   FieldOptions options;
   options.resolution = 128;
   const Mesh low = boxes(0.018), high = boxes(0.02);

@@ -18,17 +18,17 @@
 namespace palpable::sculpt {
 
 struct SampleNetwork {
-  struct Way {
+  struct Edge {
     std::uint32_t to = 0;
     double length_m = 0.0;
   };
   std::vector<Vec3> normals;
-  /// Sample i's neighbours are ways[begin[i]] ... ways[begin[i + 1] - 1].
+  /// Sample i's neighbours are edges[begin[i]] ... edges[begin[i + 1] - 1].
   std::vector<std::uint32_t> begin;
-  std::vector<Way> ways;
+  std::vector<Edge> edges;
 
-  std::span<const Way> from(std::uint32_t i) const {
-    return {ways.data() + begin[i], begin[i + 1] - begin[i]};
+  std::span<const Edge> from(std::uint32_t i) const {
+    return {edges.data() + begin[i], begin[i + 1] - begin[i]};
   }
 };
 
@@ -43,24 +43,25 @@ SampleNetwork network_of(const Mesh& mesh) {
     const Vec3 twice = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
     for (const std::uint32_t i : t) {
       n.normals[i] += twice;
-      // Each edge of a closed mesh runs once in each direction.
+      // In a closed mesh each edge occurs once in each direction.
       ++n.begin[i + 1];
     }
   }
   for (Vec3& normal : n.normals) normal = unit(normal);
   for (std::size_t i = 1; i < n.begin.size(); ++i) n.begin[i] += n.begin[i - 1];
-  n.ways.resize(3 * mesh.triangles.size());
+  n.edges.resize(3 * mesh.triangles.size());
   std::vector<std::uint32_t> next(n.begin.begin(), n.begin.end() - 1);
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = t[k], b = t[(k + 1) % 3];
-      n.ways[next[a]++] = {b, norm(mesh.vertices_m[b] - mesh.vertices_m[a])};
+      n.edges[next[a]++] = {b, norm(mesh.vertices_m[b] - mesh.vertices_m[a])};
     }
   return n;
 }
 
-/// Where the line p + t d meets a triangle (Moller & Trumbore 1997), its borders included.
-std::optional<double> meets(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
+/// The parameter t at which the line p + t d meets a triangle, border included (Moller & Trumbore
+/// 1997).
+std::optional<double> intersection(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
   constexpr double kBorder = 1e-9;
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
@@ -75,15 +76,16 @@ std::optional<double> meets(Vec3 p, Vec3 d, Vec3 a, Vec3 b, Vec3 c) {
   return dot(ac, q) / volume;
 }
 
-/// For each sample the shortest way along its normal to the measured surface, if there is one.
-std::vector<std::optional<double>> ways_to(const Mesh& measured, const CorrectedSurface& surface,
-                                           double reach_m, const Work& work) {
+/// For each sample the shortest signed distance along its normal to the measured surface, if there is one.
+std::vector<std::optional<double>> distances_along_normals(const Mesh& measured,
+                                                           const CorrectedSurface& surface, double reach_m,
+                                                           const Work& work) {
   const std::vector<Vec3>& samples = surface.predicted.vertices_m;
-  std::vector<std::optional<double>> ways(samples.size());
-  if (measured.triangles.empty()) return ways;
+  std::vector<std::optional<double>> distances(samples.size());
+  if (measured.triangles.empty()) return distances;
   const TriangleTree tree(measured);
   const Box whole = tree.bounds();
-  // A measured surface is a small part: only samples near it are looked at.
+  // A measured surface is usually a small part, so only samples near it are tested.
   std::vector<std::uint32_t> near;
   for (std::uint32_t i = 0; i < samples.size(); ++i) {
     const Vec3 low = samples[i] - whole.least_m, high = whole.most_m - samples[i];
@@ -99,48 +101,48 @@ std::vector<std::optional<double>> ways_to(const Mesh& measured, const Corrected
       std::optional<double> shortest;
       tree.visit_box(box.least_m, box.most_m, [&](std::uint32_t t) {
         const auto& c = measured.triangles[t];
-        const auto way = meets(samples[i], normal, measured.vertices_m[c[0]], measured.vertices_m[c[1]],
-                               measured.vertices_m[c[2]]);
-        if (!way || std::abs(*way) > reach_m) return;
-        if (!shortest || std::abs(*way) < std::abs(*shortest)) shortest = way;
+        const auto distance = intersection(samples[i], normal, measured.vertices_m[c[0]],
+                                           measured.vertices_m[c[1]], measured.vertices_m[c[2]]);
+        if (!distance || std::abs(*distance) > reach_m) return;
+        if (!shortest || std::abs(*distance) < std::abs(*shortest)) shortest = distance;
       });
-      ways[i] = shortest;
+      distances[i] = shortest;
     }
   });
-  return ways;
+  return distances;
 }
 
-/// Samples within a geodesic distance of one, by a walk over the mesh's edges that ends there. Edges zigzag,
-/// so the walk only tells who is connected; the distance itself is the arc over the chord that both normals
-/// say, exact on a sphere.
+/// The samples within a geodesic distance of one of them, by a search along the mesh's edges. Edges zigzag,
+/// so the length of a path only bounds the search. The distance itself is the length of an arc over the
+/// chord, whose angle follows from both normals; it is exact on a sphere.
 class Geodesic {
  public:
-  explicit Geodesic(const CorrectedSurface& surface)
-      : places_m_(surface.predicted.vertices_m),
+  Geodesic(const CorrectedSurface& surface, double longest_path)
+      : longest_path_(longest_path),
+        places_m_(surface.predicted.vertices_m),
         network_(*surface.network),
-        walked_(places_m_.size(), kFar) {}
+        path_m_(places_m_.size(), kFar) {}
 
-  /// Calls visit(sample) for those that may be within the radius: distance_m() tells.
+  /// Calls visit(sample) for samples that may be within the radius; distance_m() gives the exact distance.
   template <class Visit>
   void around(std::uint32_t from, double radius_m, Visit&& visit) {
-    constexpr double kZigzag = 1.25;
-    const auto reach = [&](std::uint32_t i, double walked) {
-      if (walked >= walked_[i] || walked > kZigzag * radius_m) return;
-      if (walked_[i] == kFar) seen_.push_back(i);
-      walked_[i] = walked;
-      open_.push_back({i, walked});
+    const auto reach = [&](std::uint32_t i, double path_m) {
+      if (path_m >= path_m_[i] || path_m > longest_path_ * radius_m) return;
+      if (path_m_[i] == kFar) seen_.push_back(i);
+      path_m_[i] = path_m;
+      open_.push_back({i, path_m});
     };
     reach(from, 0.0);
-    // Edges are about as long as each other: few are walked twice, first come first served.
+    // Edges have similar lengths, so a queue in order of arrival visits few samples twice.
     for (std::size_t k = 0; k < open_.size(); ++k) {
-      const SampleNetwork::Way here = open_[k];
-      if (here.length_m > walked_[here.to]) continue;
-      for (const SampleNetwork::Way& way : network_.from(here.to))
-        reach(way.to, here.length_m + way.length_m);
+      const SampleNetwork::Edge here = open_[k];
+      if (here.length_m > path_m_[here.to]) continue;
+      for (const SampleNetwork::Edge& edge : network_.from(here.to))
+        reach(edge.to, here.length_m + edge.length_m);
     }
     for (const std::uint32_t i : seen_) {
       if (squared_norm(places_m_[from] - places_m_[i]) < radius_m * radius_m) visit(i);
-      walked_[i] = kFar;
+      path_m_[i] = kFar;
     }
     seen_.clear();
     open_.clear();
@@ -154,23 +156,22 @@ class Geodesic {
 
  private:
   static constexpr double kFar = std::numeric_limits<double>::infinity();
+  double longest_path_;
   const std::vector<Vec3>& places_m_;
   const SampleNetwork& network_;
-  std::vector<double> walked_;
+  std::vector<double> path_m_;
   std::vector<std::uint32_t> seen_;
-  std::vector<SampleNetwork::Way> open_;
+  std::vector<SampleNetwork::Edge> open_;
 };
 
 Result<void> check(const Mesh& measured, const CorrectionOptions& options) {
-  if (!(options.reach_m > 0.0) || !(options.transition_m > 0.0) || !std::isfinite(options.reach_m) ||
-      !std::isfinite(options.transition_m))
-    return Error{ErrorCode::usage, "a correction's reach and transition must be above 0", {}};
+  if (auto valid = check_ranges(options); !valid) return valid;
   if (!std::all_of(measured.vertices_m.begin(), measured.vertices_m.end(),
                    [](Vec3 v) { return is_finite(v); }))
     return invalid_input("a vertex of the measured surface is not a finite number");
   for (const auto& t : measured.triangles)
     if (std::max({t[0], t[1], t[2]}) >= measured.vertices_m.size())
-      return invalid_input("a triangle of the measured surface names a vertex that does not exist");
+      return invalid_input("a triangle of the measured surface refers to a vertex that does not exist");
   return {};
 }
 
@@ -195,6 +196,13 @@ Vec3 transition(std::uint32_t y, const CorrectedSurface& s, Geodesic& geodesic, 
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(CorrectionOptions& o) {
+  return {
+      {"reach_m", &o.reach_m, {1e-6, 10.0}, "m", "greatest distance along a sample's normal"},
+      {"transition_m", &o.transition_m, {1e-6, 10.0}, "m", "width of the transition"},
+      {"longest_path", &o.longest_path, {1.0, 4.0}, "", "length of a path along edges over the transition"}};
+}
+
 Mesh CorrectedSurface::adapted() const {
   Mesh mesh = predicted;
   for (std::size_t i = 0; i < translations_m.size(); ++i) mesh.vertices_m[i] += translations_m[i];
@@ -202,11 +210,11 @@ Mesh CorrectedSurface::adapted() const {
 }
 
 Mesh CorrectedSurface::changed() const {
-  // What moved, and two rings around it: its triangles, and those with a corner in common.
+  // The moved samples and their neighbours: all triangles around them change, or their normals do.
   std::vector<bool> is_near(predicted.vertices_m.size());
   for (const Moved& m : moved) {
     is_near[m.sample] = true;
-    for (const SampleNetwork::Way& way : network->from(m.sample)) is_near[way.to] = true;
+    for (const SampleNetwork::Edge& edge : network->from(m.sample)) is_near[edge.to] = true;
   }
   Mesh now;
   std::vector<std::uint32_t> place(predicted.vertices_m.size(), std::numeric_limits<std::uint32_t>::max());
@@ -221,7 +229,7 @@ Mesh CorrectedSurface::changed() const {
     }
     now.triangles.push_back(t);
   }
-  // The same triangles once more, with what moved at its place before.
+  // The same triangles a second time, with the moved samples at their earlier places.
   const auto vertices = static_cast<std::uint32_t>(now.vertices_m.size());
   const std::size_t triangles = now.triangles.size();
   now.vertices_m.resize(2 * std::size_t{vertices});
@@ -236,23 +244,23 @@ Mesh CorrectedSurface::changed() const {
   return now;
 }
 
-Mesh CorrectedSurface::pulled_surface() const {
+Mesh CorrectedSurface::matched_surface() const {
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   Mesh mesh;
   std::vector<std::uint32_t> place(predicted.vertices_m.size(), kNone);
-  for (const std::uint32_t i : pulled) {
+  for (const std::uint32_t i : matched) {
     place[i] = static_cast<std::uint32_t>(mesh.vertices_m.size());
     mesh.vertices_m.push_back(predicted.vertices_m[i] + translations_m[i]);
   }
-  std::vector<bool> lone(pulled.size(), true);
+  std::vector<bool> is_isolated(matched.size(), true);
   for (const auto& t : predicted.triangles) {
     const std::array<std::uint32_t, 3> at{place[t[0]], place[t[1]], place[t[2]]};
     if (std::find(at.begin(), at.end(), kNone) != at.end()) continue;
     mesh.triangles.push_back(at);
-    for (const std::uint32_t i : at) lone[i] = false;
+    for (const std::uint32_t i : at) is_isolated[i] = false;
   }
-  for (std::uint32_t i = 0; i < lone.size(); ++i)
-    if (lone[i]) mesh.triangles.push_back({i, i, i});
+  for (std::uint32_t i = 0; i < is_isolated.size(); ++i)
+    if (is_isolated[i]) mesh.triangles.push_back({i, i, i});
   return mesh;
 }
 
@@ -278,49 +286,50 @@ Result<CorrectedSurface> correct_surface(CorrectedSurface s, const Mesh& measure
   if (auto valid = check(measured, options); !valid) return std::move(valid).error();
   s.moved.clear();
   const SampleNetwork& network = *s.network;
-  work.report(0.1, "meeting the measured surface");
-  const auto ways = ways_to(measured, s, options.reach_m, work);
+  work.report(0.1, "matching the measured surface");
+  const auto distances = distances_along_normals(measured, s, options.reach_m, work);
   const auto move_to = [&](std::size_t i, Vec3 translation) {
     if (s.translations_m[i] == translation) return;
     s.moved.push_back({static_cast<std::uint32_t>(i), s.translations_m[i]});
     s.translations_m[i] = translation;
   };
-  s.pulled.clear();
-  for (std::uint32_t i = 0; i < ways.size(); ++i) {
-    if (!ways[i]) continue;
+  s.matched.clear();
+  for (std::uint32_t i = 0; i < distances.size(); ++i) {
+    if (!distances[i]) continue;
     s.measured[i] = true;
-    move_to(i, *ways[i] * network.normals[i]);
-    s.pulled.push_back(i);
+    move_to(i, *distances[i] * network.normals[i]);
+    s.matched.push_back(i);
   }
   if (work.cancelled()) return Work::interrupted();
-  work.report(0.5, "following around it");
-  // What follows is reached from what was pulled across its border: samples with a neighbour that was not.
+  work.report(0.5, "moving the transition");
+  // The transition is searched from the border of the matched samples: those with a neighbour that is not
+  // matched.
   const auto at_border = [&](std::uint32_t i) {
     const auto around = network.from(i);
-    return std::any_of(around.begin(), around.end(), [&](const auto& way) { return !ways[way.to]; });
+    return std::any_of(around.begin(), around.end(), [&](const auto& edge) { return !distances[edge.to]; });
   };
   std::vector<std::uint32_t> border;
-  std::copy_if(s.pulled.begin(), s.pulled.end(), std::back_inserter(border), at_border);
-  std::vector<std::uint32_t> follows;
+  std::copy_if(s.matched.begin(), s.matched.end(), std::back_inserter(border), at_border);
+  std::vector<std::uint32_t> in_transition;
   {
-    Geodesic geodesic(s);
+    Geodesic geodesic(s, options.longest_path);
     std::vector<bool> known = s.measured;
     for (const std::uint32_t i : border)
       geodesic.around(i, options.transition_m, [&](std::uint32_t y) {
         if (known[y] || geodesic.distance_m(i, y) >= options.transition_m) return;
         known[y] = true;
-        follows.push_back(y);
+        in_transition.push_back(y);
       });
   }
-  std::sort(follows.begin(), follows.end());
-  std::vector<Vec3> translations(follows.size());
+  std::sort(in_transition.begin(), in_transition.end());
+  std::vector<Vec3> translations(in_transition.size());
   constexpr int kGrain = 256;
-  parallel_for(work, static_cast<int>(follows.size()), kGrain, [&](int begin, int end) {
-    Geodesic geodesic(s);
+  parallel_for(work, static_cast<int>(in_transition.size()), kGrain, [&](int begin, int end) {
+    Geodesic geodesic(s, options.longest_path);
     for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
-      translations[k] = transition(follows[k], s, geodesic, options.transition_m);
+      translations[k] = transition(in_transition[k], s, geodesic, options.transition_m);
   });
-  for (std::size_t k = 0; k < follows.size(); ++k) move_to(follows[k], translations[k]);
+  for (std::size_t k = 0; k < in_transition.size(); ++k) move_to(in_transition[k], translations[k]);
   if (work.cancelled()) return Work::interrupted();
   return s;
 }

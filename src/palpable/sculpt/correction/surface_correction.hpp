@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/mesh.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 
@@ -15,27 +16,33 @@ namespace palpable::sculpt {
 /// Where a correction gives the field new distances (field_update.hpp).
 enum class CorrectedVolume { near_measured, everywhere };
 
+/// How a surface is corrected. reach_m and transition_m depend on the measurement.
 struct CorrectionOptions {
-  /// How far along its normal a sample of the predicted surface looks for the measured one, outwards and
-  /// inwards, > 0.
+  /// Greatest distance along its normal, outwards or inwards, at which a sample of the predicted surface is
+  /// matched with the measured one. 1e-6 … 10 m.
   double reach_m = 0.01;
-  /// Width of the transition around what was measured: delta of Moustakas 2007, eq. 2; > 0.
+  /// Width of the transition around the measured part: delta of Moustakas 2007, eq. 2. 1e-6 … 10 m.
   double transition_m = 0.005;
   CorrectedVolume volume = CorrectedVolume::near_measured;
+  /// Paths along the mesh's edges are followed up to this multiple of the transition, since edges zigzag.
+  /// 1 … 4.
+  double longest_path = 1.25;
 };
 
-/// How a predicted surface's samples lie to each other: found once, for all corrections.
+std::vector<Parameter> parameters_of(CorrectionOptions& options);
+
+/// The neighbourhood graph of a predicted surface's samples: built once, for all corrections.
 struct SampleNetwork;
 
-/// A predicted surface on its way to what was measured.
+/// A predicted surface and its displacement towards the measured one.
 struct CorrectedSurface {
-  /// As predicted, closed; a sample a vertex.
+  /// As predicted, closed. Its vertices are the samples.
   Mesh predicted;
   /// Of `predicted`; never null.
   std::shared_ptr<const SampleNetwork> network;
-  /// Where each sample goes. 0 where nothing was measured near.
+  /// The displacement of each sample; 0 far from the measured surface.
   std::vector<Vec3> translations_m;
-  /// Whether a sample is of the set W: pulled onto the measured surface itself.
+  /// Whether a sample belongs to the set W: samples that lie on the measured surface itself.
   std::vector<bool> measured;
   /// A sample that the last correction moved, and its translation before that.
   struct Moved {
@@ -43,23 +50,23 @@ struct CorrectedSurface {
     Vec3 before_m;
   };
   std::vector<Moved> moved;
-  /// Samples that the last correction found on the measured surface, rising; moved or there already.
-  std::vector<std::uint32_t> pulled;
+  /// Samples that the last correction matched with the measured surface, moved or not; ascending.
+  std::vector<std::uint32_t> matched;
 
-  /// The surface as it stands.
+  /// The corrected surface.
   Mesh adapted() const;
-  /// The triangles that the last correction changed, as they were and as they are, with those that share a
-  /// corner with them, whose normals turned: only where one of them is the nearest does a field need another
-  /// look. Empty where nothing changed.
+  /// The triangles that the last correction changed, before and after it, with their neighbours that share a
+  /// vertex, whose normals changed. Only cells of a field for which one of these triangles is the nearest
+  /// have to be sampled again. Empty if nothing changed.
   Mesh changed() const;
-  /// What the last correction pulled onto the measured surface, as it stands: the triangles between samples
-  /// of `pulled`, and the others of them as triangles without extent.
-  Mesh pulled_surface() const;
-  /// The longest way that a sample moved at the last correction.
+  /// The part of the corrected surface that the last correction matched with the measured one: the triangles
+  /// between samples of `matched`. Samples without such a triangle are degenerate triangles.
+  Mesh matched_surface() const;
+  /// The greatest displacement of a sample by the last correction.
   double greatest_step_m() const;
 };
 
-/// Before any correction. Errors: invalid_input for a mesh that is not closed.
+/// A surface without a correction. Errors: invalid_input for a mesh that is not closed.
 Result<CorrectedSurface> predicted_surface(Mesh mesh);
 
 /// Force-field correction of Moustakas et al. 2007, on the surface that the field is then made of: samples
@@ -71,7 +78,7 @@ Result<CorrectedSurface> predicted_surface(Mesh mesh);
 /// would show between samples. Correcting again with more data
 /// keeps what was measured before (a later measurement of the same sample replaces it) and recomputes
 /// translations only within the transition of the samples that changed. Errors: usage for options out of
-/// range, invalid_input for a measured mesh that names vertices it does not have or holds NaN, interrupted.
+/// range, invalid_input for a measured mesh that refers to missing vertices or contains NaN, interrupted.
 Result<CorrectedSurface> correct_surface(CorrectedSurface surface, const Mesh& measured,
                                          const CorrectionOptions& options, const Work& work);
 

@@ -40,7 +40,7 @@ CorrectedSurface corrected(double by, double cut_m = 0.0) {
   return *std::move(made);
 }
 
-TEST(SurfaceCorrection, PullsHalfASphereOntoALargerAndASmallerOne) {
+TEST(SurfaceCorrection, MovesHalfASphereOntoALargerAndASmallerOne) {
   for (const double by : {0.1, -0.1}) {
     const CorrectedSurface s = corrected(by);
     const Mesh adapted = s.adapted();
@@ -54,7 +54,7 @@ TEST(SurfaceCorrection, PullsHalfASphereOntoALargerAndASmallerOne) {
         EXPECT_NEAR(norm(v) / kRadius, 1.0 + by, 0.005);
         ++pulled;
       }
-      // Beyond the transition nothing has moved, to the bit.
+      // Beyond the transition every sample is identical bit by bit.
       if (arc > 0.5 * 3.14159265 * kRadius + 0.0062) {
         EXPECT_EQ(s.translations_m[i], Vec3{});
       }
@@ -85,7 +85,7 @@ TEST(SurfaceCorrection, LeavesNeitherStepNorCrease) {
     EXPECT_LE(std::abs(radius[b + 1] - 2.0 * radius[b] + radius[b - 1]), 1.3 * most) << b;
 }
 
-TEST(SurfaceCorrection, AddsLaterMeasurementsWithoutTouchingTheRest) {
+TEST(SurfaceCorrection, AddsLaterMeasurementsWithoutChangingTheRest) {
   const CorrectedSurface first = corrected(0.1, 0.012);
   Mesh below = cap(1.1 * kRadius, 0.012);
   for (Vec3& v : below.vertices_m) v = {v.x, -v.y, -v.z};
@@ -100,7 +100,7 @@ TEST(SurfaceCorrection, AddsLaterMeasurementsWithoutTouchingTheRest) {
   EXPECT_NEAR(changed.least_m.z, -1.1 * kRadius, 2e-4);
 }
 
-TEST(SurfaceCorrection, RefusesWhatItCannotUse) {
+TEST(SurfaceCorrection, RefusesInvalidMeshesAndOptions) {
   Mesh open = sphere(kRadius, 0.002);
   open.triangles.pop_back();
   EXPECT_FALSE(predicted_surface(open));

@@ -25,7 +25,7 @@ constexpr std::uint32_t kNoNeighbour = 0xFFFFFFFFU;
 
 using Neighbours = std::array<std::uint32_t, kNormalNeighbours>;
 
-/// The nearest others, where they are expected about `guess_m` away; kNoNeighbour where there are no more.
+/// The nearest other points, which are expected about `guess_m` away; kNoNeighbour if there are fewer.
 Neighbours nearest(const PointIndex& index, Vec3 p, std::uint32_t self, double guess_m, double most_m) {
   std::vector<std::pair<double, std::uint32_t>> found;
   for (double radius_m = guess_m;; radius_m *= 1.6) {
@@ -43,7 +43,7 @@ Neighbours nearest(const PointIndex& index, Vec3 p, std::uint32_t self, double g
   return neighbours;
 }
 
-/// Across the plane through a place and its neighbours; its side is open.
+/// The normal of the plane fitted to a point and its neighbours; its sign is undetermined.
 Vec3 normal_of(const std::vector<Vec3>& places, std::uint32_t self, const Neighbours& neighbours) {
   Vec3 mean = places[self];
   double count = 1.0;
@@ -67,24 +67,27 @@ Vec3 normal_of(const std::vector<Vec3>& places, std::uint32_t self, const Neighb
   return is_finite(normal) ? normal : Vec3{0.0, 0.0, 1.0};
 }
 
-/// Turns normals to one side, part by part, and gives each point its part.
-class Turning {
+/// Orients the normals of each connected part consistently.
+class NormalOrientation {
  public:
-  Turning(PointCloud& cloud, const std::vector<Neighbours>& neighbours)
-      : cloud_(cloud), neighbours_(neighbours), backwards_(cloud.places_m.size()), done_(backwards_.size()) {
-    // Whom a point is near to need not be whom it has near.
+  NormalOrientation(PointCloud& cloud, const std::vector<Neighbours>& neighbours)
+      : cloud_(cloud),
+        neighbours_(neighbours),
+        nearest_to_(cloud.places_m.size()),
+        done_(nearest_to_.size()) {
+    // The relation "is among the nearest" is not symmetric, so both directions are stored.
     for (std::uint32_t i = 0; i < neighbours_.size(); ++i)
       for (const std::uint32_t other : neighbours_[i])
-        if (other != kNoNeighbour) backwards_[other].push_back(i);
+        if (other != kNoNeighbour) nearest_to_[other].push_back(i);
   }
 
   void run() {
     for (std::uint32_t i = 0; i < done_.size(); ++i)
-      if (!done_[i]) turn_part(i);
+      if (!done_[i]) orient_part(i);
   }
 
  private:
-  void turn_part(std::uint32_t first) {
+  void orient_part(std::uint32_t first) {
     std::vector<std::uint32_t> part;
     waiting_.emplace(0.0, first, first);
     while (!waiting_.empty()) {
@@ -96,7 +99,7 @@ class Turning {
       Vec3& n = cloud_.normals[i];
       if (dot(n, cloud_.normals[from]) < 0.0) n = -n;
       for (const std::uint32_t other : neighbours_[i]) offer(i, other);
-      for (const std::uint32_t other : backwards_[i]) offer(i, other);
+      for (const std::uint32_t other : nearest_to_[i]) offer(i, other);
     }
     if (!faces_out(part))
       for (const std::uint32_t i : part) cloud_.normals[i] = -cloud_.normals[i];
@@ -107,26 +110,26 @@ class Turning {
     waiting_.emplace(1.0 - std::abs(dot(cloud_.normals[from], cloud_.normals[to])), to, from);
   }
 
-  /// Whether the extreme places of a part face the way in which they are extreme, on the whole.
+  /// Whether most of a part's normals at its extreme points in 26 directions agree with the direction.
   bool faces_out(const std::vector<std::uint32_t>& part) const {
     double out = 0.0;
     for (int k = 0; k < 27; ++k) {
       if (k == 13) continue;
       const int row = k / 3 % 3, layer = k / 9;
-      const Vec3 way = unit({k % 3 - 1.0, row - 1.0, layer - 1.0});
+      const Vec3 direction = unit({k % 3 - 1.0, row - 1.0, layer - 1.0});
       const auto farthest = std::max_element(part.begin(), part.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return dot(way, cloud_.places_m[a]) < dot(way, cloud_.places_m[b]);
+        return dot(direction, cloud_.places_m[a]) < dot(direction, cloud_.places_m[b]);
       });
-      out += dot(way, cloud_.normals[*farthest]);
+      out += dot(direction, cloud_.normals[*farthest]);
     }
     return out >= 0.0;
   }
 
-  /// How much the normals bend, the place, and the one that it is turned like.
+  /// The angle's measure between two normals, the point, and the neighbour that determines its sign.
   using Step = std::tuple<double, std::uint32_t, std::uint32_t>;
   PointCloud& cloud_;
   const std::vector<Neighbours>& neighbours_;
-  std::vector<std::vector<std::uint32_t>> backwards_;
+  std::vector<std::vector<std::uint32_t>> nearest_to_;
   std::vector<bool> done_;
   std::priority_queue<Step, std::vector<Step>, std::greater<>> waiting_;
 };
@@ -157,7 +160,7 @@ Result<PointCloud> with_normals(PointCloud cloud, const Work& work) {
     }
   });
   if (work.cancelled()) return Work::interrupted();
-  Turning(cloud, neighbours).run();
+  NormalOrientation(cloud, neighbours).run();
   return cloud;
 }
 

@@ -16,13 +16,11 @@ namespace palpable::sculpt {
 namespace {
 
 constexpr std::size_t kFewest = 16;
-/// A point's share of the surface is judged by the distance to so many others.
-constexpr std::size_t kNeighbours = 8;
-
 Result<void> check(const PointCloud& cloud) {
   if (cloud.places_m.size() < kFewest) return invalid_input("holds fewer than 16 points");
   if (cloud.normals.size() != cloud.places_m.size())
-    return invalid_input("holds points without normals, which do not say where the solid is: add nx, ny, nz");
+    return invalid_input(
+        "holds points without normals, which say on which side the solid is: add nx, ny, nz");
   const auto finite = [](Vec3 v) { return is_finite(v); };
   if (!std::all_of(cloud.places_m.begin(), cloud.places_m.end(), finite) ||
       !std::all_of(cloud.normals.begin(), cloud.normals.end(), finite))
@@ -45,26 +43,27 @@ bool on_a_plane(const std::vector<Vec3>& places) {
   return !(std::abs(dot(normal, d - a)) > 1e-3 * norm(b - a));
 }
 
-/// Distance to the k-th neighbour, where the neighbours are expected about `guess_m` away.
-double reach_of(const PointIndex& index, Vec3 p, double guess_m, double most_m) {
+/// Distance to the k-th neighbour, which is expected about `guess_m` away.
+double reach_of(const PointIndex& index, Vec3 p, std::size_t k, double guess_m, double most_m) {
   std::vector<double> squared;
   for (double radius_m = guess_m;; radius_m *= 2.0) {
     squared.clear();
     index.within(p, radius_m, [&](std::uint32_t, double s) { squared.push_back(s); });
-    if (squared.size() > kNeighbours) break;
+    if (squared.size() > k) break;
     if (radius_m > most_m) return most_m;
   }
-  const auto at = squared.begin() + kNeighbours;
+  const auto at = squared.begin() + static_cast<std::ptrdiff_t>(k);
   std::nth_element(squared.begin(), at, squared.end());
   return std::sqrt(*at);
 }
 
-/// Each point as a small triangle of the surface around it, so that a tree over them winds.
-Mesh shingles(const PointCloud& cloud, const std::vector<double>& reaches_m) {
+/// Each point as a small triangle in its tangent plane with the area that it represents, for the winding
+/// number.
+Mesh point_triangles(const PointCloud& cloud, const std::vector<double>& reaches_m, std::size_t neighbours) {
   Mesh mesh;
   for (std::size_t i = 0; i < cloud.places_m.size(); ++i) {
     const Vec3 n = unit(cloud.normals[i]);
-    const double area_m2 = std::numbers::pi * reaches_m[i] * reaches_m[i] / static_cast<double>(kNeighbours);
+    const double area_m2 = std::numbers::pi * reaches_m[i] * reaches_m[i] / static_cast<double>(neighbours);
     const Vec3 other = std::abs(n.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
     const Vec3 u = unit(cross(n, other)), v = cross(n, u);
     // An equilateral triangle of circumradius r has the area 3 sqrt(3) / 4 r^2.
@@ -79,11 +78,16 @@ Mesh shingles(const PointCloud& cloud, const std::vector<double>& reaches_m) {
   return mesh;
 }
 
-/// The solid as a function: the tangent planes' mean where points are near, else by the winding number.
+/// The solid as a function: near points the mean of their tangent planes, elsewhere the winding number.
 class CloudSolid {
  public:
-  CloudSolid(const PointCloud& cloud, const PointIndex& index, const TriangleTree& shingles, double radius_m)
-      : cloud_(cloud), index_(index), shingles_(shingles), radius_m_(radius_m) {}
+  CloudSolid(const PointCloud& cloud, const PointIndex& index, const TriangleTree& point_triangles,
+             double radius_m, const CloudOptions& options)
+      : cloud_(cloud),
+        index_(index),
+        point_triangles_(point_triangles),
+        radius_m_(radius_m),
+        options_(options) {}
 
   models::FieldSample at(Vec3 p) const {
     double weights = 0.0, height_m = 0.0;
@@ -97,11 +101,9 @@ class CloudSolid {
       weights += w;
       ++count;
     });
-    constexpr int kEnough = 3;
-    constexpr double kAgreed = 0.3;
-    if (count >= kEnough && weights > 0.0 && norm(normal) > kAgreed * weights)
+    if (count >= options_.least_points && weights > 0.0 && norm(normal) > options_.least_agreement * weights)
       return {height_m / weights, unit(normal)};
-    const auto value = [&](Vec3 q) { return 2.0 * radius_m_ * (0.5 - shingles_.winding(q)); };
+    const auto value = [&](Vec3 q) { return 2.0 * radius_m_ * (0.5 - point_triangles_.winding(q)); };
     const double step_m = 0.25 * radius_m_;
     const double here = value(p);
     const Vec3 slope{value(p + Vec3{step_m, 0, 0}) - here, value(p + Vec3{0, step_m, 0}) - here,
@@ -112,13 +114,28 @@ class CloudSolid {
  private:
   const PointCloud& cloud_;
   const PointIndex& index_;
-  const TriangleTree& shingles_;
+  const TriangleTree& point_triangles_;
   double radius_m_;
+  const CloudOptions& options_;
 };
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(CloudOptions& o) {
+  return {
+      {"resolution", &o.resolution, {8, 4096}, "cubes", "cubes of the surface along the longest side"},
+      {"neighbours", &o.neighbours, {3, 100}, "", "neighbours that measure the spacing of the points"},
+      {"radius_spacings",
+       &o.radius_spacings,
+       {1.0, 20.0},
+       "spacings",
+       "radius of the mean of tangent planes"},
+      {"least_points", &o.least_points, {1, 100}, "", "points that this mean needs"},
+      {"least_agreement", &o.least_agreement, {0.0, 1.0}, "", "length of their mean normal that it needs"}};
+}
+
 Result<Mesh> surface_of_cloud(const PointCloud& cloud, const CloudOptions& options, const Work& work) {
+  if (const auto valid = check_ranges(options); !valid) return valid.error();
   if (const auto valid = check(cloud); !valid) return valid.error();
   PointCloud points = cloud;
   for (Vec3& n : points.normals) n = unit(n);
@@ -127,25 +144,27 @@ Result<Mesh> surface_of_cloud(const PointCloud& cloud, const CloudOptions& optio
   const double longest_m = std::max({size.x, size.y, size.z});
   if (on_a_plane(points.places_m))
     return invalid_input("holds points that lie on one plane or line, which enclose no volume");
-  work.report(0.0, "looking at the points");
+  work.report(0.0, "measuring the spacing of the points");
   const double guess_m = longest_m / std::sqrt(static_cast<double>(points.places_m.size()));
   const PointIndex index(points.places_m, 2.0 * guess_m);
+  const auto neighbours = static_cast<std::size_t>(options.neighbours);
   std::vector<double> reaches_m(points.places_m.size());
   parallel_for(work, static_cast<int>(reaches_m.size()), 256, [&](int begin, int end) {
     for (int i = begin; i < end && !work.cancelled(); ++i)
       reaches_m[static_cast<std::size_t>(i)] =
-          reach_of(index, points.places_m[static_cast<std::size_t>(i)], guess_m, longest_m);
+          reach_of(index, points.places_m[static_cast<std::size_t>(i)], neighbours, guess_m, longest_m);
   });
   if (work.cancelled()) return Work::interrupted();
   std::vector<double> sorted = reaches_m;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
-  // Eight neighbours lie within about 1.6 spacings of an evenly sampled surface.
-  const double spacing_m = std::max(*middle / 1.6, longest_m / 2048.0);
-  // An isolated point is not given all the empty space around it.
+  // On an evenly sampled surface n neighbours lie within about sqrt(n / pi) spacings, 8 of them within 1.6.
+  const double reach_spacings = 1.6 * std::sqrt(options.neighbours / 8.0);
+  const double spacing_m = std::max(*middle / reach_spacings, longest_m / 2048.0);
+  // Limits the area of isolated points.
   for (double& reach : reaches_m) reach = std::min(reach, 4.0 * *middle);
-  const TriangleTree tree(shingles(points, reaches_m));
-  const CloudSolid solid(points, index, tree, 2.5 * spacing_m);
+  const TriangleTree tree(point_triangles(points, reaches_m, neighbours));
+  const CloudSolid solid(points, index, tree, options.radius_spacings * spacing_m, options);
   const double margin_m = 4.0 * spacing_m + 0.05 * longest_m;
   box.least_m -= Vec3{margin_m, margin_m, margin_m};
   box.most_m += Vec3{margin_m, margin_m, margin_m};

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/points/depth_fusion.hpp"
 
-#include "palpable/sculpt/points/fused_numbers.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 
 #include <algorithm>
@@ -19,9 +18,9 @@ namespace {
 
 constexpr int kSide = LevelSet::kSide;
 
-/// One map, and how a place of the scene is found in it.
-struct Sight {
-  const DepthMap* map = nullptr;
+/// A depth map with its camera's pose.
+struct PosedMap {
+  const DepthMap* depth = nullptr;
   Transform<CameraFrame, SceneFrame> camera_from_scene;
 };
 
@@ -31,10 +30,7 @@ bool counts(float depth_m, const FusionOptions& options) {
 }
 
 Result<void> check(std::span<const DepthView> views, const FusionOptions& options) {
-  if (options.resolution < 16 || options.resolution > 512)
-    return Error{ErrorCode::usage, "depth is fused in 16 to 512 voxels along the longest side", {}};
-  if (!(options.truncation_voxels >= 1.0 && options.truncation_voxels <= 64.0))
-    return Error{ErrorCode::usage, "distances are truncated at 1 to 64 voxels", {}};
+  if (auto valid = check_ranges(options); !valid) return valid;
   for (const DepthView& view : views) {
     if (view.depth == nullptr || !view.depth->camera)
       return invalid_input("states no camera, without which its depth has no width", {},
@@ -46,7 +42,7 @@ Result<void> check(std::span<const DepthView> views, const FusionOptions& option
   return {};
 }
 
-/// Around all places that were seen.
+/// The bounding box of all seen points.
 std::optional<Box> seen_box(std::span<const DepthView> views, const FusionOptions& options) {
   std::optional<Box> box;
   for (const DepthView& view : views) {
@@ -65,20 +61,20 @@ std::optional<Box> seen_box(std::span<const DepthView> views, const FusionOption
   return box;
 }
 
-/// What the maps say of one place.
-class Voices {
+/// Accumulates what the maps measure at one voxel.
+class VoxelAccumulator {
  public:
-  Voices(const FusionOptions& options, double truncation_m, double fill_m)
+  VoxelAccumulator(const FusionOptions& options, double truncation_m, double fill_m)
       : options_(options), truncation_m_(truncation_m), fill_m_(fill_m) {}
 
-  void ask(const Sight& sight, Vec3 p) {
-    const Pinhole& camera = *sight.map->camera;
-    const Vec3 c = (sight.camera_from_scene * Point<SceneFrame>{p}).v;
+  void add(const PosedMap& map, Vec3 p) {
+    const Pinhole& camera = *map.depth->camera;
+    const Vec3 c = (map.camera_from_scene * Point<SceneFrame>{p}).v;
     if (!(c.z > 0.0)) return;
     const double right = c.x / c.z, down = c.y / c.z;
     const double u = std::round(camera.fx * right + camera.cx), v = std::round(camera.fy * down + camera.cy);
     if (!(u >= 1.0 && v >= 1.0 && u < camera.width - 1.0 && v < camera.height - 1.0)) return;
-    const Raster<float>& depth = sight.map->depth_m;
+    const Raster<float>& depth = map.depth->depth_m;
     const int x = static_cast<int>(u), y = static_cast<int>(v);
     const float here = depth(x, y);
     if (!counts(here, options_)) return;
@@ -88,26 +84,26 @@ class Voices {
       near_behind_ = near_behind_ || along_m > -fill_m_;
       return;
     }
-    // At a depth discontinuity, a pixel may have the depth of the other side.
+    // At a depth discontinuity a pixel may have the depth of the other side.
     for (const float neighbour : {depth(x - 1, y), depth(x + 1, y), depth(x, y - 1), depth(x, y + 1)})
       if (!(std::abs(neighbour - here) < static_cast<float>(truncation_m_))) return;
     const double distance_m = std::min(along_m, truncation_m_);
     sum_m_ += distance_m;
     squares_m2_ += distance_m * distance_m;
-    ++told_;
+    ++measured_;
   }
 
   float value(std::size_t maps) const {
-    if (told_ > 0) return static_cast<float>(sum_m_ / told_);
+    if (measured_ > 0) return static_cast<float>(sum_m_ / measured_);
     const bool solid = near_behind_ || 2 * behind_ > maps;
     return static_cast<float>(solid ? -truncation_m_ : truncation_m_);
   }
-  /// Of that value, squared; negative where fewer than two maps have a value.
-  float noise2_m2() const {
-    if (told_ < 2) return -1.0F;
-    const double mean_m = sum_m_ / told_;
-    const double variance_m2 = std::max(0.0, squares_m2_ / told_ - mean_m * mean_m);
-    return static_cast<float>(variance_m2 / (told_ - 1));
+  /// The variance of that value; negative if fewer than two maps measured it.
+  float variance_m2() const {
+    if (measured_ < 2) return -1.0F;
+    const double mean_m = sum_m_ / measured_;
+    const double of_one_m2 = std::max(0.0, squares_m2_ / measured_ - mean_m * mean_m);
+    return static_cast<float>(of_one_m2 / (measured_ - 1));
   }
 
  private:
@@ -116,22 +112,21 @@ class Voices {
   double fill_m_;
   double sum_m_ = 0.0;
   double squares_m2_ = 0.0;
-  int told_ = 0;
+  int measured_ = 0;
   std::size_t behind_ = 0;
   bool near_behind_ = false;
 };
 
-/// Blocks in which something is solid, and their neighbours, so that the surface lies in blocks on both its
-/// sides.
-std::vector<LevelSet::Block> blocks_of(const FusedNumbers& numbers, const std::array<int, 3>& count) {
+/// Blocks that contain solid voxels, and their neighbours, so that blocks cover both sides of the surface.
+std::vector<LevelSet::Block> blocks_of(const FusedDistances& fused, const std::array<int, 3>& count) {
   const auto index = [&](int i, int j, int k) {
     return static_cast<std::size_t>((k * count[1] + j) * count[0] + i);
   };
   std::vector<bool> solid(index(0, 0, count[2]));
-  for (int x = 0; x < numbers.size[0]; ++x)
-    for (int y = 0; y < numbers.size[1]; ++y)
-      for (int z = 0; z < numbers.size[2]; ++z)
-        if (numbers.distance_m[numbers.index(x, y, z)] < 0.0F)
+  for (int x = 0; x < fused.size[0]; ++x)
+    for (int y = 0; y < fused.size[1]; ++y)
+      for (int z = 0; z < fused.size[2]; ++z)
+        if (fused.distance_m[fused.index(x, y, z)] < 0.0F)
           solid[index(x / kSide, y / kSide, z / kSide)] = true;
   const auto near_solid = [&](int i, int j, int k) {
     for (int z = std::max(0, k - 1); z <= std::min(count[2] - 1, k + 1); ++z)
@@ -148,27 +143,36 @@ std::vector<LevelSet::Block> blocks_of(const FusedNumbers& numbers, const std::a
         LevelSet::Block& block = blocks.emplace_back();
         block.corner = {kSide * i, kSide * j, kSide * k};
         for (int n = 0; n < kSide * kSide * kSide; ++n)
-          block.values[static_cast<std::size_t>(n)] = numbers.distance_m[numbers.index(
-              block.corner[0] + n / (kSide * kSide), block.corner[1] + n / kSide % kSide,
-              block.corner[2] + n % kSide)];
+          block.values[static_cast<std::size_t>(n)] =
+              fused.distance_m[fused.index(block.corner[0] + n / (kSide * kSide),
+                                           block.corner[1] + n / kSide % kSide, block.corner[2] + n % kSide)];
       }
   return blocks;
 }
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(FusionOptions& o) {
+  std::vector<Parameter> parameters{
+      {"resolution", &o.resolution, {16, 512}, "voxels", "voxels along the longest side"},
+      {"truncation_voxels", &o.truncation_voxels, {1.0, 64.0}, "voxels", "truncation of distances"},
+      {"fill_share", &o.fill_share, {0.0, 1.0}, "", "depth behind a surface that one map fills"}};
+  append_parameters(parameters, "smoothing", parameters_of(o.smoothing));
+  return parameters;
+}
+
 Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptions& options,
                              const Work& work) {
   if (const auto valid = check(views, options); !valid) return valid.error();
   const auto box = seen_box(views, options);
-  if (!box) return invalid_input("holds no depth that counts, and neither do the others");
+  if (!box) return invalid_input("has no depth in the range from near to far, nor has any other map");
   const Vec3 size = box->size_m();
   const double voxel_m = std::max({size.x, size.y, size.z}) / options.resolution;
   if (!(voxel_m > 0.0 && voxel_m < 1e3)) return invalid_input("holds depths of no finite extent");
   const double truncation_m = options.truncation_voxels * voxel_m;
   const double fill_m = options.fill_share * options.resolution * voxel_m;
-  std::vector<Sight> sights;
-  for (const DepthView& view : views) sights.push_back({view.depth, view.scene_from_camera.inverse()});
+  std::vector<PosedMap> maps;
+  for (const DepthView& view : views) maps.push_back({view.depth, view.scene_from_camera.inverse()});
 
   LevelSet set;
   set.background = static_cast<float>(truncation_m);
@@ -179,36 +183,36 @@ Result<LevelSet> fused_depth(std::span<const DepthView> views, const FusionOptio
     return static_cast<int>(std::ceil((extent + 2.0 * margin_m) / voxel_m / kSide)) + 1;
   };
   const std::array<int, 3> count{blocks(size.x), blocks(size.y), blocks(size.z)};
-  FusedNumbers numbers;
-  for (std::size_t axis = 0; axis < 3; ++axis) numbers.size[axis] = kSide * count[axis];
-  const std::size_t voxels = numbers.index(numbers.size[0], 0, 0);
-  numbers.distance_m.resize(voxels);
-  numbers.noise2_m2.resize(voxels);
+  FusedDistances fused;
+  for (std::size_t axis = 0; axis < 3; ++axis) fused.size[axis] = kSide * count[axis];
+  const std::size_t voxels = fused.index(fused.size[0], 0, 0);
+  fused.distance_m.resize(voxels);
+  fused.variance_m2.resize(voxels);
   std::atomic<int> done{0};
-  // What is filled behind ends a little beyond what was seen.
+  // The filled volume ends a truncation distance beyond the seen points.
   const auto in_side = [&](double v, double least_m, double most_m) {
     return v >= least_m - truncation_m && v <= most_m + truncation_m;
   };
-  parallel_for(work, numbers.size[0], 1, [&](int begin, int end) {
+  parallel_for(work, fused.size[0], 1, [&](int begin, int end) {
     for (int x = begin; x < end && !work.cancelled(); ++x) {
-      for (int y = 0; y < numbers.size[1]; ++y)
-        for (int z = 0; z < numbers.size[2]; ++z) {
+      for (int y = 0; y < fused.size[1]; ++y)
+        for (int z = 0; z < fused.size[2]; ++z) {
           const Vec3 p = set.origin_m + voxel_m * Vec3{1.0 * x, 1.0 * y, 1.0 * z};
-          Voices voices(options, truncation_m, fill_m);
+          VoxelAccumulator voxel(options, truncation_m, fill_m);
           if (in_side(p.x, box->least_m.x, box->most_m.x) && in_side(p.y, box->least_m.y, box->most_m.y) &&
               in_side(p.z, box->least_m.z, box->most_m.z))
-            for (const Sight& sight : sights) voices.ask(sight, p);
-          numbers.distance_m[numbers.index(x, y, z)] = voices.value(sights.size());
-          numbers.noise2_m2[numbers.index(x, y, z)] = voices.noise2_m2();
+            for (const PosedMap& map : maps) voxel.add(map, p);
+          fused.distance_m[fused.index(x, y, z)] = voxel.value(maps.size());
+          fused.variance_m2[fused.index(x, y, z)] = voxel.variance_m2();
         }
-      work.report(0.9 * static_cast<double>(++done) / numbers.size[0], "fusing the depth maps");
+      work.report(0.9 * static_cast<double>(++done) / fused.size[0], "fusing the depth maps");
     }
   });
   if (work.cancelled()) return Work::interrupted();
-  work.report(0.9, "smoothing what the maps' noise left");
-  smooth(numbers, truncation_m, options.noise_m, work);
+  work.report(0.9, "smoothing the remaining noise");
+  smooth(fused, truncation_m, options.smoothing, work);
   if (work.cancelled()) return Work::interrupted();
-  set.blocks = blocks_of(numbers, count);
+  set.blocks = blocks_of(fused, count);
   return set;
 }
 

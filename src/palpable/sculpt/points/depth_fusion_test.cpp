@@ -62,8 +62,7 @@ Seen ball_from(const std::vector<double>& angles_rad, double noise_m) {
 }
 
 /// Root mean square of the fused surface's distance from the ball, where the cameras saw it (|y| small).
-std::optional<double> error_m(const Seen& seen) {
-  FusionOptions options;
+std::optional<double> error_m(const Seen& seen, FusionOptions options = {}) {
   options.resolution = 64;
   const auto set = fused_depth(seen.views, options, Work{});
   if (!set) return std::nullopt;
@@ -93,6 +92,15 @@ TEST(FusedDepth, AveragesNoiseOverTheFrames) {
   const auto once = error_m(ball_from(few, 0.002)), four_times = error_m(ball_from(often, 0.002));
   ASSERT_TRUE(once && four_times);
   EXPECT_LT(*four_times, 0.65 * *once);
+}
+
+TEST(FusedDepth, IsSmoothedByItsParameters) {
+  FusionOptions rough;
+  rough.smoothing.passes = 0;
+  const Seen seen = ball_from({0.0, 1.571, 3.142, 4.712}, 0.002);
+  const auto smooth_error = error_m(seen), rough_error = error_m(seen, rough);
+  ASSERT_TRUE(smooth_error && rough_error);
+  EXPECT_GT(*rough_error, 1.1 * *smooth_error);
 }
 
 TEST(FusedDepth, FillsBehindWhatOneViewSawAndLeavesTheRestEmpty) {
@@ -134,6 +142,11 @@ TEST(FusedDepth, RefusesMapsWithoutCameraSizeOrDepth) {
   FusionOptions far;
   far.near_m = 10.0;
   EXPECT_FALSE(fused_depth(seen.views, far, Work{}));
+  FusionOptions coarse;
+  coarse.resolution = 8;
+  const auto refused = fused_depth(seen.views, coarse, Work{});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::usage);
   seen.maps[0].camera->width = 100;
   EXPECT_FALSE(fused_depth(seen.views, {}, Work{}));
   seen.maps[0].camera.reset();

@@ -15,8 +15,7 @@
 
 namespace palpable::sculpt {
 
-/// Which of many places lie near one: sorted into cubes once. Immutable; any thread. The places (finite) must
-/// outlive it.
+/// A hash grid for range queries over points. Immutable; any thread. The points (finite) must outlive it.
 class PointIndex {
  public:
   PointIndex(std::span<const Vec3> places_m, double cube_m) : places_(places_m), cube_m_(cube_m) {
@@ -32,7 +31,7 @@ class PointIndex {
     }
   }
 
-  /// Calls visit(index) for every place in the box and for some around it.
+  /// Calls visit(index) for every point in the box, and for some outside it.
   template <class Visit>
   void in_box(Vec3 least_m, Vec3 most_m, Visit&& visit) const {
     const Cell low = cell(least_m), high = cell(most_m);
@@ -45,7 +44,7 @@ class PointIndex {
         }
   }
 
-  /// Calls visit(index, squared distance) for every place within `radius_m` of `p`.
+  /// Calls visit(index, squared distance) for every point within `radius_m` of `p`.
   template <class Visit>
   void within(Vec3 p, double radius_m, Visit&& visit) const {
     const Vec3 reach{radius_m, radius_m, radius_m};
@@ -62,7 +61,7 @@ class PointIndex {
             static_cast<std::int64_t>(std::floor(p.y / cube_m_)),
             static_cast<std::int64_t>(std::floor(p.z / cube_m_))};
   }
-  /// Far cubes may share a key: whoever visits looks at the places themselves.
+  /// Distant cubes may share a key, so visitors must compare the points themselves.
   static std::uint64_t key(Cell c) {
     const auto bits = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & 0x1FFFFFU; };
     return bits(c[2]) << 42U | bits(c[1]) << 21U | bits(c[0]);

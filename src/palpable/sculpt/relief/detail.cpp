@@ -22,7 +22,7 @@ cv::Mat as_mat(const Raster<float>& raster) {
   return m;
 }
 
-/// Brought to 0 ... height.
+/// Scaled linearly to 0 … height.
 Raster<float> stretched(const cv::Mat& values, double height_m) {
   double low = 0.0;
   double high = 0.0;
@@ -49,10 +49,10 @@ cv::Mat blurred(const cv::Mat& values, double sigma) {
   return out;
 }
 
-/// A length that is the same share of every picture.
+/// A length in pixels, given as a share of the picture's longer side.
 double share_of(const cv::Mat& values, double share) { return share * std::max(values.cols, values.rows); }
 
-/// The nearness less a share of its local mean: what is left of a level is 1 / compression of it.
+/// The nearness minus a share of its local mean, so that a uniform level is compressed by `compression`.
 cv::Mat chiu(const cv::Mat& nearness, double compression, const ChiuOptions& options) {
   const cv::Mat mean = blurred(nearness, std::max(1.0, share_of(nearness, options.mean_scale)));
   return nearness - mean * (1.0 - 1.0 / compression);
@@ -97,7 +97,7 @@ cv::Mat bilateral(const cv::Mat& nearness, double compression, const BilateralOp
          detail;
 }
 
-/// Each height's rank among all, mixed with the height itself.
+/// The rank of each height among all heights, mixed with the height itself.
 cv::Mat histogram(const cv::Mat& nearness, const HistogramOptions& options) {
   const auto bins = static_cast<std::size_t>(options.bins);
   const double per_bin = options.bins;

@@ -13,25 +13,26 @@
 
 namespace palpable::sculpt {
 
-/// How depth of a large range becomes a relief of a small one (docs/relief.md shows them side by side). All
-/// but the last follow Gomez 2012, chapter 9, with additive base and detail instead of ratios, which depth
-/// does not have.
+/// How a large range of depth is mapped to a relief of small height (docs/relief.md shows all operators).
+/// All but `relief` follow Gomez 2012, chapter 9, with additive base and detail instead of ratios, which
+/// depth does not have.
 enum class DetailOperator {
-  /// Ours: compresses slopes instead of heights, tames silhouettes, keeps the order of layers and the slope
-  /// limit.
+  /// Our own: compresses slopes instead of heights, limits silhouettes, and preserves the order of layers
+  /// and the slope limit.
   relief,
   linear,
   logarithm,
   cube_root,
   /// Y / (Y + 1), Y in units of the mean.
   normal,
-  /// A share of the local mean is taken away everywhere alike (Chiu et al. 1993).
+  /// Subtracts a share of the local mean (Chiu et al. 1993).
   chiu,
-  /// Local means in windows that shrink where the ground is busy, mapped; the rest added (Ashikhmin 2002).
+  /// Compresses local means, in windows that are small where the depth varies, and adds the rest (Ashikhmin
+  /// 2002).
   ashikhmin,
   /// An edge-preserving base is compressed by a curve, detail added (Durand & Dorsey 2002).
   bilateral,
-  /// Histogram equalisation: each height gets the room that its pixels need.
+  /// Histogram equalisation: each height gets a range proportional to its number of pixels.
   histogram
 };
 
@@ -44,13 +45,13 @@ inline constexpr std::array kDetailOperators{
 std::string_view name_of(DetailOperator detail);
 std::optional<DetailOperator> detail_operator_from(std::string_view name);
 
-/// What an operator works towards.
+/// The wanted result of an operator.
 struct DetailTarget {
   double pixel_m = 0.001;
   /// Of the finished relief, from its lowest to its highest place.
   double height_m = 0.015;
   double steepest_slope = 3.0;
-  /// How many times higher the relief would be in its own proportions: the operators with base and detail
+  /// Height of the scene in its own proportions over that of the relief: operators with base and detail
   /// compress by this. > 1; 10 is usual for a table-top scene on a palm-sized relief.
   double compression = 10.0;
 };

@@ -8,7 +8,7 @@
 
 namespace palpable::sculpt {
 
-// The numbers that the detail operators (detail.hpp) work with. Ranges are those of parameters_of().
+// Parameters of the detail operators (detail.hpp). parameters_of() gives the ranges.
 
 /// Of DetailOperator::relief. Its defaults were chosen by the measures of `score relief` on stereo pairs with
 /// known depth (docs/relief.md); the record does not say on which.
@@ -17,14 +17,14 @@ struct GradientDomainOptions {
   /// second; 0 ... 20 mm.
   double least_step_m = 0.0006;
   double greatest_step_m = 0.0030;
-  /// Where differences do not add up around a loop, a silhouette's step may change to between these shares of
-  /// itself; 0 ... 1 and 1 ... 100.
+  /// If differences are inconsistent around a loop, a silhouette's step may change to between these shares
+  /// of its size; 0 … 1 and 1 … 100.
   double step_least_share = 0.3;
   double step_greatest_share = 6.0;
-  /// Steps within so many pixels of each other add up (1 ... 31), and count so many pixels around (0 ... 32).
+  /// Steps within this window add up (1 … 31 px), and count within this distance (0 … 32 px).
   int step_window_px = 5;
   int step_reach_px = 6;
-  /// A silhouette is steeper than so many times the slope limit; 1 ... 20.
+  /// A silhouette is steeper than this multiple of the slope limit; 1 … 20.
   double silhouette_slope = 2.0;
   /// Weight of a silhouette's difference in the least-squares solution; others have 1. 0 ... 1.
   double silhouette_weight = 0.05;
@@ -32,16 +32,15 @@ struct GradientDomainOptions {
   /// than the second are detail.
   double gain_scale = 0.08;
   double detail_scale = 0.04;
-  /// Detail keeps this share of its height where the order of heights allows it; 0 ... 1.
+  /// Detail keeps this share of its height if the order of heights allows it; 0 … 1.
   double detail_gain = 0.30;
-  /// Slopes below this are not felt (rise over run): where the scene has no steeper one, the relief may lean
-  /// as much either way. 0 ... 1.
+  /// Slopes below this are not felt (rise over run): if the scene has no steeper slope nearby, the relief
+  /// may slope as much either way. 0 … 1.
   double unfelt_slope = 0.02;
   /// Over-relaxation of each round, 1 ... 2, and the number of rounds, 1 ... 1000.
   double relaxation = 1.6;
   int rounds = 28;
-  /// The gain is corrected for the wanted height every so many rounds (1 ... 1000), up to that round (0 ...
-  /// 1000).
+  /// The gain is adjusted to the wanted height every n rounds (1 … 1000), until this round (0 … 1000).
   int correction_interval = 4;
   int last_corrected_round = 20;
 };

@@ -13,15 +13,15 @@
 namespace palpable::sculpt {
 namespace {
 
-// The operator works on the scene in its own proportions, R, which is `compression` times too high, and looks
-// for the relief h whose slopes are R's, weakened: what is smooth over a wide neighbourhood by a gain that
-// falls where the ground is steep on the large, the rest (detail) by one gain everywhere, so that its forms
-// stay what they were. Silhouettes (steps that no slope limit could hold) are set to low steps, in proportion
-// to each other wherever they lie so close that their ramps would meet, and hardly weighed, so that what does
-// not add up gathers there (Weyrich et al. 2007). Every difference between neighbours keeps R's sign, and the
-// slope limit, by ADMM with a Poisson solution in each round (Boyd et al. 2011, section 5; the Poisson
-// equation by the discrete cosine transform). Between the first rounds the gain is corrected, until the
-// relief is as high as it may be.
+// The input R is the scene in its own proportions, `compression` times too high. The result is the relief h
+// whose gradient is nearest to a compressed gradient of R. The smooth part of the gradient, a mean over a
+// wide neighbourhood, is multiplied by a gain that decreases with the large-scale slope; the rest (detail)
+// by one gain everywhere, which preserves its shape. Silhouettes (steps beyond any slope limit) become low
+// steps, proportional to each other where their ramps would overlap, with a low weight, so that
+// inconsistencies of the gradient field are absorbed there (Weyrich et al. 2007). The sign of each
+// difference and the slope limit are constraints, which ADMM satisfies with a Poisson solution in each round
+// (Boyd et al. 2011, section 5; the Poisson equation by the discrete cosine transform). In the first rounds
+// the gain is adjusted until the relief has the wanted height.
 
 constexpr double kLeastKnee = 0.005;
 constexpr double kGreatestKnee = 20.0;
@@ -41,7 +41,7 @@ Differences differences(const cv::Mat& z) {
   return d;
 }
 
-/// Finds the surface whose differences are nearest to given ones, with level borders.
+/// Solves for the surface whose differences are nearest to given ones, with level borders.
 class PoissonSolver {
  public:
   explicit PoissonSolver(cv::Size size)
@@ -79,7 +79,7 @@ class PoissonSolver {
   cv::Mat inverse_;
 };
 
-/// What each difference should be, how much that counts, and what it may be.
+/// For each difference the wanted value, its weight, and its bounds.
 struct Goal {
   Differences wanted;
   Differences weight;
@@ -87,8 +87,8 @@ struct Goal {
   Differences high;
 };
 
-/// Means of what is not at a silhouette, over `share` of the picture's longer side. Wide means are taken on a
-/// small copy.
+/// Means of the values outside silhouettes, over `share` of the picture's longer side. Wide means are
+/// computed on a reduced copy.
 cv::Mat level_mean(const cv::Mat& values, const cv::Mat& level, double share) {
   const double sigma = std::max(1.5, share * std::max(values.cols, values.rows));
   const double scale = std::min(1.0, 4.0 / sigma);
@@ -103,19 +103,19 @@ cv::Mat level_mean(const cv::Mat& values, const cv::Mat& level, double share) {
   return mean;
 }
 
-/// The scene's differences, and what decides how each is treated.
-struct Ground {
+/// The scene's differences, and the quantities that determine their treatment.
+struct SceneDifferences {
   Differences own;
   /// 0 at silhouettes, 1 elsewhere.
   Differences level;
-  /// The same forms without their detail.
+  /// The differences without detail.
   Differences base;
-  /// How steep the ground is on the large.
+  /// The large-scale slope.
   cv::Mat large_slope;
-  /// The silhouettes' steps that add up near a pixel.
+  /// The sum of silhouettes' steps near each pixel.
   cv::Mat steps;
-  /// How much a difference may be turned round where nothing slopes.
-  cv::Mat lean;
+  /// Allowed slope against the sign of the scene's, if nothing slopes nearby.
+  cv::Mat tolerated_m;
 };
 
 /// 0 at silhouettes: differences above `steep` beside a pixel whose slope (over both of its neighbours, so
@@ -139,9 +139,9 @@ Differences levels(const Differences& own, double silhouette, double steep) {
   return level;
 }
 
-/// How high the silhouettes' steps near each pixel are together: the steps of a short window, and round each
-/// as far as its ramp may reach.
-cv::Mat crowded_steps(const Ground& g, const GradientDomainOptions& options) {
+/// The sum of the silhouettes' steps near each pixel: over a short window, extended to the reach of their
+/// ramps.
+cv::Mat crowded_steps(const SceneDifferences& g, const GradientDomainOptions& options) {
   const int window_px = options.step_window_px, reach_px = options.step_reach_px;
   cv::Mat x;
   cv::Mat y;
@@ -154,18 +154,19 @@ cv::Mat crowded_steps(const Ground& g, const GradientDomainOptions& options) {
   return cv::max(steps, here);
 }
 
-/// `felt_m` where neighbours all round a pixel differ by less than that, 0 elsewhere.
-cv::Mat unfelt_lean(const cv::Mat& slope_m, double felt_m) {
+/// `felt_m` if all neighbours of a pixel differ by less than that, else 0.
+cv::Mat unfelt_slopes(const cv::Mat& slope_m, double felt_m) {
   const auto felt = static_cast<float>(felt_m);
   cv::Mat steepest;
   cv::dilate(slope_m, steepest, cv::Mat::ones(3, 3, CV_8U));
-  cv::Mat lean = cv::Mat::zeros(slope_m.size(), CV_32F);
-  lean.setTo(felt, steepest < felt);
-  return lean;
+  cv::Mat tolerated_m = cv::Mat::zeros(slope_m.size(), CV_32F);
+  tolerated_m.setTo(felt, steepest < felt);
+  return tolerated_m;
 }
 
-Ground survey(const cv::Mat& scene, const DetailTarget& target, const GradientDomainOptions& options) {
-  Ground g;
+SceneDifferences analysed(const cv::Mat& scene, const DetailTarget& target,
+                          const GradientDomainOptions& options) {
+  SceneDifferences g;
   g.own = differences(scene);
   g.level = levels(g.own, options.silhouette_slope * target.steepest_slope * target.pixel_m,
                    target.steepest_slope * target.pixel_m);
@@ -173,14 +174,14 @@ Ground survey(const cv::Mat& scene, const DetailTarget& target, const GradientDo
             level_mean(g.own.y, g.level.y, options.detail_scale)};
   cv::Mat slope;
   cv::magnitude(g.own.x, g.own.y, slope);
-  g.lean = unfelt_lean(slope, options.unfelt_slope * target.pixel_m);
+  g.tolerated_m = unfelt_slopes(slope, options.unfelt_slope * target.pixel_m);
   g.large_slope = level_mean(slope / target.pixel_m, g.level.x.mul(g.level.y), options.gain_scale);
   g.steps = crowded_steps(g, options);
   return g;
 }
 
-/// What is free in a goal: `knee` is the slope on the large at which the base's gain has fallen to a half;
-/// the silhouettes' steps grow with it.
+/// The free parameters of a goal. `knee` is the large-scale slope at which the base's gain is one half; the
+/// silhouettes' steps increase with it.
 struct Strength {
   float knee;
   float step_m;
@@ -192,8 +193,8 @@ Strength strength_at(double knee, const GradientDomainOptions& options) {
               std::min(options.greatest_step_m, options.least_step_m * (1.0 + 4.0 * std::sqrt(knee))))};
 }
 
-/// One direction's part of the goal.
-void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, const Ground& g,
+/// The goal of the differences in one direction.
+void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, const SceneDifferences& g,
               Strength strength, const DetailTarget& target, const GradientDomainOptions& options,
               cv::Mat& wanted, cv::Mat& weight, cv::Mat& low, cv::Mat& high) {
   for (cv::Mat* m : {&wanted, &weight, &low, &high}) m->create(own.size(), CV_32F);
@@ -209,12 +210,12 @@ void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, con
       const float size = std::abs(d);
       const bool silhouette = level.at<float>(y, x) == 0.0F;
       const float gain = 1.0F / (1.0F + g.large_slope.at<float>(y, x) / strength.knee);
-      const float lean = g.lean.at<float>(y, x);
+      const float tolerated_m = g.tolerated_m.at<float>(y, x);
       const float smooth = base.at<float>(y, x);
       const float step =
           size * std::min(1.0F / compression, strength.step_m / std::max(g.steps.at<float>(y, x), 1e-9F));
-      const float most = silhouette ? step_at_most * step : std::clamp(size, lean, steepest);
-      const float least = silhouette ? step_at_least * step : -lean;
+      const float most = silhouette ? step_at_most * step : std::clamp(size, tolerated_m, steepest);
+      const float least = silhouette ? step_at_least * step : -tolerated_m;
       const float eased = gain * smooth + std::max(gain, detail_gain) * (d - smooth);
       const float sign = std::copysign(1.0F, d);
       wanted.at<float>(y, x) = sign * std::clamp(silhouette ? step : sign * eased, least, most);
@@ -224,7 +225,7 @@ void set_goal(const cv::Mat& own, const cv::Mat& level, const cv::Mat& base, con
     }
 }
 
-Goal goal_for(const Ground& g, double knee, const DetailTarget& target,
+Goal goal_for(const SceneDifferences& g, double knee, const DetailTarget& target,
               const GradientDomainOptions& options) {
   Goal goal;
   const Strength strength = strength_at(knee, options);
@@ -242,8 +243,8 @@ double range_of(const cv::Mat& z) {
   return high - low;
 }
 
-/// The knee at which the relief is as high as it may be, found on a small picture without the rounds: its
-/// height grows with the knee.
+/// The knee at which the relief has the wanted height, by bisection on a reduced picture without the rounds:
+/// the height increases with the knee.
 double knee_for_height(const cv::Mat& scene, const DetailTarget& target,
                        const GradientDomainOptions& options) {
   constexpr int kSmall = 160;
@@ -254,18 +255,18 @@ double knee_for_height(const cv::Mat& scene, const DetailTarget& target,
   DetailTarget coarse = target;
   coarse.pixel_m = target.pixel_m * scene.cols / small.cols;
   const PoissonSolver poisson(small.size());
-  const Ground ground = survey(small, coarse, options);
+  const SceneDifferences scene_differences = analysed(small, coarse, options);
   double low = std::log(kLeastKnee);
   double high = std::log(kGreatestKnee);
   for (int k = 0; k < 12; ++k) {
     const double middle = 0.5 * (low + high);
-    const Goal goal = goal_for(ground, std::exp(middle), coarse, options);
+    const Goal goal = goal_for(scene_differences, std::exp(middle), coarse, options);
     (range_of(poisson.solve(goal.wanted)) > target.height_m ? high : low) = middle;
   }
   return std::exp(0.5 * (low + high));
 }
 
-/// A round's new differences and multipliers, one direction.
+/// The differences and multipliers of a new round, in one direction.
 void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, const cv::Mat& low,
              const cv::Mat& high, float relaxation, cv::Mat& chosen, cv::Mat& multiplier) {
   for (int y = 0; y < own.rows; ++y) {
@@ -277,10 +278,10 @@ void project(const cv::Mat& own, const cv::Mat& wanted, const cv::Mat& weight, c
     auto* c = chosen.ptr<float>(y);
     auto* m = multiplier.ptr<float>(y);
     for (int x = 0; x < own.cols; ++x) {
-      const float onward = relaxation * o[x] + (1.0F - relaxation) * c[x];
-      const float free = (w[x] * t[x] + onward + m[x]) / (w[x] + 1.0F);
+      const float relaxed = relaxation * o[x] + (1.0F - relaxation) * c[x];
+      const float free = (w[x] * t[x] + relaxed + m[x]) / (w[x] + 1.0F);
       c[x] = std::max(l[x], std::min(u[x], free));
-      m[x] += onward - c[x];
+      m[x] += relaxed - c[x];
     }
   }
 }
@@ -296,9 +297,9 @@ Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, cons
     std::fill(result.values().begin(), result.values().end(), 0.0F);
     return result;
   }
-  const Ground ground = survey(scene, target, options);
+  const SceneDifferences scene_differences = analysed(scene, target, options);
   double knee = knee_for_height(scene, target, options);
-  Goal goal = goal_for(ground, knee, target, options);
+  Goal goal = goal_for(scene_differences, knee, target, options);
   const PoissonSolver poisson(scene.size());
   Differences chosen{goal.wanted.x.clone(), goal.wanted.y.clone()};
   Differences multiplier{cv::Mat::zeros(scene.size(), CV_32F), cv::Mat::zeros(scene.size(), CV_32F)};
@@ -309,9 +310,9 @@ Result<Raster<float>> gradient_domain_relief(const Raster<float>& nearness, cons
     relief = poisson.solve({chosen.x - multiplier.x, chosen.y - multiplier.y});
     const Differences own = differences(relief);
     if (round <= options.last_corrected_round && round % options.correction_interval == 0) {
-      const double lacking = target.height_m / std::max(range_of(relief), 1e-9);
-      knee = std::clamp(knee * std::clamp(std::pow(lacking, 1.5), 0.5, 2.0), kLeastKnee, kGreatestKnee);
-      goal = goal_for(ground, knee, target, options);
+      const double missing = target.height_m / std::max(range_of(relief), 1e-9);
+      knee = std::clamp(knee * std::clamp(std::pow(missing, 1.5), 0.5, 2.0), kLeastKnee, kGreatestKnee);
+      goal = goal_for(scene_differences, knee, target, options);
     }
     project(own.x, goal.wanted.x, goal.weight.x, goal.low.x, goal.high.x, relaxation, chosen.x, multiplier.x);
     project(own.y, goal.wanted.y, goal.weight.y, goal.low.y, goal.high.y, relaxation, chosen.y, multiplier.y);

@@ -71,7 +71,7 @@ TEST(MapDetail, ReliefShowsDetailThatLinearMappingFlattens) {
   EXPECT_GT(wave_height(*relief), 3.0F * wave_height(*linear));
 }
 
-TEST(MapDetail, ReliefKeepsTheOrderOfStepsInACrowd) {
+TEST(MapDetail, ReliefKeepsTheOrderOfAdjacentSteps) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(0.0F, 1.0F);
   Raster<float> steps(96, 96);
@@ -93,7 +93,7 @@ TEST(MapDetail, ReliefKeepsTheOrderOfStepsInACrowd) {
       turned += given * ((*relief)(x + 1, y) - (*relief)(x, y)) <= 0.0F ? 1 : 0;
     }
   EXPECT_GT(edges, 30);
-  // A low step beside high ones comes out very low, and the rounds end before the last of them is settled.
+  // A low step beside high ones becomes very low, and the rounds end before the last of these converge.
   EXPECT_LE(turned, edges / 30);
 }
 
@@ -118,13 +118,13 @@ TEST(MapDetail, HandlesTheSmallestAndOddSizes) {
   }
 }
 
-TEST(DetailOperators, HaveNamesThatLeadBack) {
+TEST(DetailOperators, HaveNamesThatConvertBothWays) {
   for (const DetailOperator detail : kDetailOperators)
     EXPECT_EQ(detail_operator_from(name_of(detail)), detail);
   EXPECT_FALSE(detail_operator_from("no such operator"));
 }
 
-TEST(DetailOptions, ChangeWhatTheirOperatorMakes) {
+TEST(DetailOptions, ChangeTheResultOfTheirOperator) {
   const auto heights = [](DetailOperator detail, const DetailOptions& options) {
     return map_detail(box_before_wall(), detail, target(), options, {});
   };

@@ -22,7 +22,7 @@ std::vector<Parameter> parameters_of(FlattenOptions& o) {
 
 namespace {
 
-/// A plane and what a quadratic surface adds to it, over coordinates from -1 to 1.
+/// A plane plus a quadratic surface, over coordinates from -1 to 1.
 class Ground {
  public:
   Ground(const vision::DisparityPlane& plane, const Raster<float>& values, double most_bend)
@@ -31,11 +31,11 @@ class Ground {
   double at(int x, int y) const {
     return plane_.at(x, y) + std::clamp(terms_at(x, y).dot(bend_), -most_bend_, most_bend_);
   }
-  /// Fits the bend to the values that lie within `tolerance` of the ground as it is.
+  /// Fits the quadratic surface to the values within `tolerance` of the current ground.
   void fit(const Raster<float>& values, double tolerance) {
     Matrix sums = Matrix::Zero();
     Terms right = Terms::Zero();
-    // Each value is one of very many: a part of them is enough.
+    // A sample of the many values is enough.
     const int step = std::max(1, std::max(values.width(), values.height()) / 512);
     for (int y = 0; y < values.height(); y += step)
       for (int x = 0; x < values.width(); x += step) {
@@ -44,7 +44,7 @@ class Ground {
         sums += terms * terms.transpose();
         right += (values(x, y) - plane_.at(x, y)) * terms;
       }
-    // Where only a strip of ground is seen, what it does not decide stays flat.
+    // Ridge regression: terms that a narrow strip of ground does not determine stay near 0.
     constexpr double kLittle = 1e-4;
     sums.diagonal().array() += kLittle * std::max(1.0, sums(0, 0));
     bend_ = sums.ldlt().solve(right);
@@ -73,7 +73,7 @@ std::optional<Raster<float>> heights_above_ground(const models::Relief& relief, 
   PALPABLE_CHECK(check_ranges(options));
   const double range_m = relief.highest_m() - relief.lowest_m();
   if (!(range_m > 0.0)) return std::nullopt;
-  // The finder's tolerances are pixels of disparity: its inlier tolerance is made the tolerance here.
+  // find_back_plane() has tolerances in pixels of disparity, so heights are scaled to its inlier tolerance.
   const vision::GroundPlaneOptions search;
   const double unit_m = options.tolerance_share * range_m / search.tolerance_px;
   Raster<float> scaled = relief.samples_m();
@@ -90,7 +90,7 @@ std::optional<Raster<float>> heights_above_ground(const models::Relief& relief, 
   const auto all = static_cast<double>(scaled.count());
   if (on < options.least_share * all || under > options.most_under_share * all) return std::nullopt;
   Ground ground(found->plane, scaled, options.most_bend * search.tolerance_px);
-  // From far to near: at first the plane may be off by the bend itself.
+  // With decreasing tolerances: at first the plane may deviate by the bend itself.
   for (const double tolerances : {4.0, 2.0, 1.0, 1.0})
     if (options.most_bend > 0.0) ground.fit(scaled, tolerances * search.tolerance_px);
   for (int y = 0; y < scaled.height(); ++y)

@@ -12,8 +12,8 @@
 namespace palpable::sculpt {
 
 struct FlattenOptions {
-  /// A relief has a ground where this share of its samples lies on one plane, and at most this share under
-  /// it. 0 … 1 each.
+  /// A relief has a ground if at least this share of its samples lies on one plane, and at most this share
+  /// under it. 0 … 1 each.
   double least_share = 0.25;
   double most_under_share = 0.05;
   /// Samples that are at most this share of the relief's height from the plane lie on it. 0.001 … 0.5.
@@ -24,10 +24,10 @@ struct FlattenOptions {
 };
 std::vector<Parameter> parameters_of(FlattenOptions& options);
 
-/// Heights of a relief's samples above its own ground, m: the plane, level or tilted, that most of it lies
-/// on, bent as a quadratic surface where its samples are: how depth becomes height bends a table's plane.
-/// Samples on the ground or under it are 0. nullopt where no plane holds enough, or Work is cancelled. The
-/// options must be in their ranges.
+/// Heights of a relief's samples above its own ground, m. The ground is the plane, level or tilted, on which
+/// most samples lie, plus a quadratic surface, since the mapping of depth to height bends planes. Samples on
+/// or under the ground are 0. nullopt if no plane contains enough samples, or Work is cancelled. The options
+/// must be in their ranges.
 std::optional<Raster<float>> heights_above_ground(const models::Relief& relief, const Work& work,
                                                   const FlattenOptions& options = {});
 

@@ -29,7 +29,7 @@ Raster<float> pull(const Raster<float>& fine) {
   return coarse;
 }
 
-/// The coarse raster between its values, at the place of a fine pixel.
+/// The coarse raster interpolated at a fine pixel.
 float between(const Raster<float>& coarse, int x, int y) {
   const float u =
       std::clamp(0.5F * static_cast<float>(x) - 0.25F, 0.0F, static_cast<float>(coarse.width() - 1));

@@ -18,8 +18,8 @@ struct OccupancyOptions {
   int resolution = 160;
 };
 
-/// The volume under a relief, down to its base z = 0, as a lattice of points: what a depth map seen from
-/// above becomes, filled away from the eye (Park & Howard 2012). Errors: usage for the resolution.
+/// The volume between a relief and its base z = 0 as a lattice of points: a depth map seen from above,
+/// filled away from the camera (Park & Howard 2012). Errors: usage for the resolution.
 Result<models::Occupancy> occupancy_from_relief(const models::Relief& relief,
                                                 const OccupancyOptions& options);
 
@@ -29,10 +29,10 @@ struct DepthView {
   Transform<SceneFrame, CameraFrame> scene_from_camera;
 };
 
-/// The volume behind the surfaces that one or several depth maps saw, inside the box least_m ... most_m: a
-/// point is occupied if some map saw a surface in front of it (at most `fill_m` in front, where that is
-/// above 0) and none saw through it. Errors: usage for the resolution or an empty box; invalid_input for a
-/// map without a camera, or of another size than it.
+/// The volume behind the surfaces of one or several depth maps, inside the box least_m … most_m. A point is
+/// occupied if some map has a surface in front of it (at most `fill_m` in front, if that is above 0) and no
+/// map sees through it. Errors: usage for the resolution or an empty box; invalid_input for a map without a
+/// camera, or of another size than it.
 struct VolumeBox {
   Vec3 least_m;
   Vec3 most_m;

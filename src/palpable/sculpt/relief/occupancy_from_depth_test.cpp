@@ -35,7 +35,7 @@ std::size_t count_of(const models::Occupancy& o) {
   return count;
 }
 
-TEST(OccupancyFromDepth, FillsAwayFromTheEyeAndCarvesWithMoreViews) {
+TEST(OccupancyFromDepth, FillsAwayFromTheCameraAndCarvesWithMoreViews) {
   const DepthMap map = ball_seen(600.0);
   const VolumeBox box{{-0.015, -0.015, -0.015}, {0.015, 0.015, 0.015}, 0.0};
   const std::vector<DepthView> one{{&map, kFront}};
@@ -43,7 +43,7 @@ TEST(OccupancyFromDepth, FillsAwayFromTheEyeAndCarvesWithMoreViews) {
   const auto filled = occupancy_from_depth(one, box, {60}, Work{});
   const auto carved = occupancy_from_depth(both, box, {60}, Work{});
   ASSERT_TRUE(filled && carved);
-  // From both sides the ball is left, but for what its own horizon hides.
+  // Two opposite views leave the ball, and the part behind each view's horizon.
   const double points = 4.0 / 3.0 * 3.14159265 * 20.0 * 20.0 * 20.0;
   EXPECT_NEAR(static_cast<double>(count_of(*carved)), points, 0.06 * points);
   EXPECT_GT(count_of(*filled), 1.2 * points);
@@ -66,7 +66,7 @@ TEST(OccupancyFromDepth, FillsUnderARelief) {
   EXPECT_LT(grid->sample({0.001, 0.002, 0.005}).depth_m, 0.0);
 }
 
-TEST(OccupancyFromDepth, RefusesWhatItCannotFill) {
+TEST(OccupancyFromDepth, RefusesInvalidBoxesAndMaps) {
   DepthMap blind = ball_seen(600.0);
   const VolumeBox box{{-0.015, -0.015, -0.015}, {0.015, 0.015, 0.015}, 0.0};
   const std::vector<DepthView> views{{&blind, kFront}};

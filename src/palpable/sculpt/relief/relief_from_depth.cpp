@@ -63,7 +63,7 @@ struct Window {
   double high;
 };
 
-/// The 0.5th and 99.5th percentile of the known values: single wild values do not decide the range.
+/// The 0.5th and 99.5th percentile of the known values, without outliers.
 Window percentile_window(const Raster<float>& values) {
   std::vector<float> known;
   known.reserve(values.count());
@@ -77,16 +77,16 @@ Window percentile_window(const Raster<float>& values) {
   return {at(0.005), at(0.995)};
 }
 
-/// The window held and stretched to 0 (far) ... 1 (near). A window without width gives a level 0.
+/// Clamps values to the window and maps it to 0 (far) … 1 (near). An empty window gives 0.
 void stretch(Raster<float>& nearness, Window window) {
   const double range = window.high - window.low;
   for (float& v : nearness.values()) {
-    const double held = std::clamp(double{v}, window.low, window.high);
-    v = range > 0.0 ? static_cast<float>((held - window.low) / range) : 0.0F;
+    const double clamped = std::clamp(double{v}, window.low, window.high);
+    v = range > 0.0 ? static_cast<float>((clamped - window.low) / range) : 0.0F;
   }
 }
 
-/// By a Gaussian of this full width at half its height; below a third of a pixel it does nothing.
+/// Gaussian smoothing of this full width at half maximum; below a third of a pixel nothing is done.
 void smooth(Raster<float>& heights, double width_px) {
   constexpr double kWidthOfDeviation = 2.3548;
   constexpr double kLeast_px = 1.0 / 3.0;
@@ -126,7 +126,7 @@ Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window windo
 
   work.report(0.8, "limiting slopes");
   models::limit_slope(*heights, pixel_m, options.steepest_slope);
-  // A mean of slopes is no steeper than the steepest of them: the limit holds.
+  // A mean of slopes is no steeper than the steepest one, so the limit still holds.
   if (options.smooth_m > 0.0) smooth(*heights, options.smooth_m / pixel_m);
   if (work.cancelled()) return Work::interrupted();
   const float lowest = *std::min_element(heights->values().begin(), heights->values().end());
@@ -168,7 +168,7 @@ Result<models::Relief> checked_relief(Raster<float> nearness, std::optional<doub
 
 Result<models::Relief> relief_from_depth(const DepthMap& depth, const ReliefOptions& options,
                                          const Work& work) {
-  // Nearness is the negated depth; what is not in front of the camera is unknown.
+  // Nearness is the negated depth; depths that are not positive are unknown.
   Raster<float> nearness = depth.depth_m;
   for (float& z : nearness.values()) z = std::isfinite(z) && z > 0.0F ? -z : std::nanf("");
   const auto negated = [](std::optional<double> end) { return end ? std::optional(-*end) : end; };

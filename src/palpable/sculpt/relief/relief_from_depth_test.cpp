@@ -24,7 +24,7 @@ DepthMap hill(int width, int height) {
   return map;
 }
 
-TEST(ReliefFromDepth, RaisesWhatIsNearAndKeepsTheAspectRatio) {
+TEST(ReliefFromDepth, RaisesNearPartsAndKeepsTheAspectRatio) {
   const auto relief = relief_from_depth(hill(200, 100), {}, {});
   ASSERT_TRUE(relief);
   EXPECT_NEAR(relief->width_m(), 0.100, 1e-9);
@@ -34,7 +34,7 @@ TEST(ReliefFromDepth, RaisesWhatIsNearAndKeepsTheAspectRatio) {
   EXPECT_GT(relief->sample(0, 0).z_m, relief->sample(0.04, 0.02).z_m);
 }
 
-TEST(ReliefFromDepth, HeightIsLinearInDisparityWhereThatIsAskedFor) {
+TEST(ReliefFromDepth, HeightIsLinearInDisparityIfRequested) {
   DisparityMap map{Raster<float>(100, 50), StereoRig{Pinhole{100, 100, 50, 25, 100, 50}, 0.1, 0.0}};
   for (int y = 0; y < 50; ++y)
     for (int x = 0; x < 100; ++x) map.disparity_px(x, y) = static_cast<float>(10 + x);
@@ -52,7 +52,7 @@ TEST(ReliefFromDepth, HeightIsLinearInDisparityWhereThatIsAskedFor) {
   EXPECT_GT(by_depth->samples_m()(30, 20), by_disparity->samples_m()(30, 20) + 0.002F);
 }
 
-TEST(ReliefFromDepth, EngravesWhatIsNear) {
+TEST(ReliefFromDepth, EngravesNearParts) {
   ReliefOptions options;
   options.sense = Sense::engrave;
   const auto relief = relief_from_depth(hill(200, 100), options, {});
@@ -71,7 +71,7 @@ TEST(ReliefFromDepth, ObeysTheGivenSize) {
   EXPECT_NEAR(relief->highest_m(), 0.030, 1e-6);
 }
 
-TEST(ReliefFromDepth, SmoothsAwayWhatIsNarrowerThanTheDeviceCanPlaceAHandOn) {
+TEST(ReliefFromDepth, SmoothsAwayFeaturesNarrowerThanTheDevicesAccuracy) {
   DepthMap waves;
   waves.depth_m = Raster<float>(160, 120);
   for (int y = 0; y < 120; ++y)
@@ -92,7 +92,7 @@ TEST(ReliefFromDepth, SmoothsAwayWhatIsNarrowerThanTheDeviceCanPlaceAHandOn) {
   EXPECT_EQ(relief_from_depth(waves, options, {}).error().code, ErrorCode::usage);
 }
 
-TEST(ReliefFromDepth, TakesStripesOfNoiseAndHolesOverHalfThePicture) {
+TEST(ReliefFromDepth, AcceptsStripesOfNoiseAndHolesOverHalfThePicture) {
   std::mt19937 random(11);
   std::uniform_real_distribution<float> depth(0.1F, 30.0F);
   DepthMap wild;
@@ -142,7 +142,7 @@ TEST(ReliefFromDepth, SurvivesHolesSpikesAndASingleLevel) {
   EXPECT_EQ(flat->highest_m(), 0.0);
 }
 
-TEST(ReliefFromDepth, RefusesWhatHoldsNoDepthAndOptionsOutOfRange) {
+TEST(ReliefFromDepth, RefusesMapsWithoutDepthAndOptionsOutOfRange) {
   DepthMap nothing;
   nothing.depth_m = Raster<float>(40, 40, kUnknownDepth);
   EXPECT_EQ(relief_from_depth(nothing, {}, {}).error().code, ErrorCode::invalid_input);
@@ -166,7 +166,7 @@ TEST(ReliefFromDepth, StopsWhenCancelled) {
   EXPECT_EQ(relief_from_depth(hill(40, 40), {}, work).error().code, ErrorCode::interrupted);
 }
 
-TEST(ReliefFromDepth, AveragesDownWhatIsTooLarge) {
+TEST(ReliefFromDepth, ReducesLargePictures) {
   ReliefOptions options;
   options.most_pixels_on_a_side = 64;
   const auto relief = relief_from_depth(hill(200, 100), options, {});
@@ -212,7 +212,7 @@ TEST(SceneFromPicture, PutsThePicturesCentreAtTheOriginAndTurnsItUp) {
   EXPECT_GT((t * Point<models::InputFrame>{{0, 0, 0}}).v.y, 0.0);
 }
 
-TEST(CloseHoles, FillsAPlaneAlmostExactlyAndKeepsWhatIsKnown) {
+TEST(CloseHoles, FillsAPlaneAlmostExactlyAndKeepsKnownValues) {
   Raster<float> plane(64, 48);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 64; ++x) plane(x, y) = static_cast<float>(x) + 2.0F * static_cast<float>(y);

@@ -16,7 +16,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Empty where a vertex is not there or not finite.
+/// nullopt if a vertex is missing or not finite.
 std::optional<Corners> corners_of(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   Corners corners;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -45,8 +45,8 @@ std::optional<Extent> extent_of(const Mesh& mesh) {
   return extent;
 }
 
-/// Twice the signed area of (a, b, p) in the plane z = 0. The same number with the opposite sign for (b, a,
-/// p), so that two triangles leave no gap along the edge that they share.
+/// Twice the signed area of (a, b, p) in the plane z = 0. (b, a, p) gives exactly the opposite number, so
+/// two triangles leave no gap along a shared edge.
 double edge(Vec3 a, Vec3 b, double x, double y) {
   const bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
   if (swapped) std::swap(a, b);
@@ -54,20 +54,20 @@ double edge(Vec3 a, Vec3 b, double x, double y) {
   return swapped ? -area : area;
 }
 
-/// Raises the heights to the triangle on every line that meets it.
-struct Raiser {
+/// Rasterises triangles: the greatest height on the vertical line through each pixel.
+struct TriangleRasteriser {
   Raster<float>& heights;
   double left_m, top_m, pixel_m;
 
   double x_m(int column) const { return left_m + (column + 0.5) * pixel_m; }
   double y_m(int row) const { return top_m - (row + 0.5) * pixel_m; }
-  /// The first pixel whose middle is not before `from_m`, and the one behind the last not after `to_m`, both
-  /// a pixel wider than rounding could move them.
+  /// The first and one past the last pixel whose centre lies between from_m and to_m, with a margin of one
+  /// pixel for rounding.
   std::pair<int, int> pixels(double from_m, double to_m, int count) const {
-    const auto held = [&](double pixel) {
+    const auto clamped = [&](double pixel) {
       return static_cast<int>(std::clamp(pixel, 0.0, static_cast<double>(count)));
     };
-    return {held(std::floor(from_m / pixel_m - 0.5)), held(std::ceil(to_m / pixel_m - 0.5) + 1.0)};
+    return {clamped(std::floor(from_m / pixel_m - 0.5)), clamped(std::ceil(to_m / pixel_m - 0.5) + 1.0)};
   }
 
   void to(Corners t, int first_row, int last_row) const {
@@ -87,8 +87,8 @@ struct Raiser {
         const double a = edge(t[1], t[2], x, y), b = edge(t[2], t[0], x, y), c = edge(t[0], t[1], x, y);
         if (!(a >= 0.0 && b >= 0.0 && c >= 0.0)) continue;
         const auto z = static_cast<float>((a * t[0].z + b * t[1].z + c * t[2].z) / (a + b + c));
-        float& held = heights(i, j);
-        if (!(held >= z)) held = z;
+        float& clamped = heights(i, j);
+        if (!(clamped >= z)) clamped = z;
       }
   }
 };
@@ -115,8 +115,7 @@ Vec3 mean_facing(const Mesh& mesh) {
 }
 
 bool is_open_sheet(const Mesh& mesh) {
-  // Between a plane (1) and a half ball (0.5): the steepest that still faces one way are slopes of about 45
-  // degrees.
+  // Between a plane (1) and a half ball (0.5); a surface with slopes of up to about 45 degrees is above it.
   constexpr double kFacesOneWay = 0.75;
   constexpr double kFlat = 1e-6;
   const auto extent = extent_of(mesh);
@@ -129,12 +128,12 @@ bool is_open_sheet(const Mesh& mesh) {
 Result<Raster<float>> heights_from_above(const Mesh& mesh, double left_m, double top_m, double pixel_m,
                                          int width, int height, const Work& work) {
   Raster<float> heights(width, height, std::numeric_limits<float>::quiet_NaN());
-  const Raiser raiser{heights, left_m, top_m, pixel_m};
-  // Each thread has rows of its own; a height is the greatest of all triangles', in whatever order.
+  const TriangleRasteriser rasteriser{heights, left_m, top_m, pixel_m};
+  // Each thread has its own rows. The greatest height does not depend on the order of triangles.
   constexpr int kRows = 64;
   parallel_for(work, height, kRows, [&](int begin, int end) {
     for (const auto& triangle : mesh.triangles)
-      if (const auto corners = corners_of(mesh, triangle)) raiser.to(*corners, begin, end);
+      if (const auto corners = corners_of(mesh, triangle)) rasteriser.to(*corners, begin, end);
   });
   if (work.cancelled()) return Work::interrupted();
   return heights;

@@ -66,7 +66,7 @@ TEST(HeightsFromAbove, AreTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(std::ranges::equal(one->values(), two->values()));
 }
 
-TEST(OpenSheet, IsWhatFacesOneWay) {
+TEST(OpenSheet, FacesMostlyOneWay) {
   EXPECT_TRUE(is_open_sheet(sheet(0.1, 2, [](double, double) { return 0.0; })));
   EXPECT_TRUE(
       is_open_sheet(sheet(100.0, 20, [](double x, double y) { return 5.0 * std::sin(x / 9 + y / 7); })));
@@ -100,7 +100,7 @@ TEST(ReliefFromSheet, RaisesASheetOverItsBase) {
   EXPECT_NEAR(relief->sample(0.045, 0.0).z_m, 0.0, 1e-6);
 }
 
-TEST(ReliefFromSheet, RefusesWhatHasNoExtentFromAboveAndOptionsOutOfRange) {
+TEST(ReliefFromSheet, RefusesMeshesWithoutAnExtentFromAboveAndOptionsOutOfRange) {
   Mesh wall;
   wall.vertices_m = {{0, 0, 0}, {0, 0, 1}, {0, 0, 2}};
   wall.triangles = {{0, 1, 2}};

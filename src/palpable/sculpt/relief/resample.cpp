@@ -14,15 +14,15 @@
 namespace palpable::sculpt {
 namespace {
 
-/// Four neighbours along one axis and what each counts.
+/// Four neighbours along one axis and their weights.
 struct Taps {
   std::array<int, 4> at{};
   std::array<float, 4> weight{};
 };
 
-/// The bicubic patch of f, f_x, f_y, f_xy with central differences is the product of two cubic Hermite
-/// segments: each axis has the four weights that the two values and the two slopes come to. The printed
-/// vector of unknowns ends with f_yy, and the bilinear formula's last term lacks a factor y - y1.
+/// The bicubic patch of f, f_x, f_y, f_xy with central differences is a product of two cubic Hermite
+/// segments, so each axis has four weights. In the printed version the vector of unknowns ends with f_yy,
+/// and the bilinear formula's last term lacks a factor y - y1.
 std::array<float, 4> weights(Resampling resampling, double f) {
   if (resampling == Resampling::bilinear)
     return {0.0F, static_cast<float>(1.0 - f), static_cast<float>(f), 0.0F};
@@ -49,7 +49,7 @@ std::vector<Taps> taps(Resampling resampling, int from, int to) {
 }
 
 void smooth_for(Raster<float>& values, int width, int height) {
-  // A Gaussian of this share of the new spacing leaves a tenth of what the new samples cannot tell apart.
+  // A Gaussian with this share of the new spacing attenuates aliased frequencies to a tenth.
   constexpr double kShare = 0.5;
   const auto deviation = [](int from, int to) { return from > to ? kShare * from / to : 0.0; };
   const double x = deviation(values.width(), width);

@@ -9,22 +9,22 @@
 
 namespace palpable::sculpt {
 
-/// How a map of depths gets another number of samples (Gomez 2012, chapter 10).
+/// How a depth map is resampled (Gomez 2012, chapter 10).
 enum class Resampling {
   none,
-  /// Straight between the four samples around: continuous, with creases at each of them.
+  /// Bilinear between the four samples around: continuous, with creases at the samples.
   bilinear,
-  /// By the values, slopes and cross-derivatives of the four samples around (central differences over 4 x 4):
-  /// the slope is continuous too; at a step it swings over by up to 2/27 of it.
+  /// By the values, slopes and cross-derivatives of the four samples around (central differences over 4 x
+  /// 4): the slope is continuous too; at a step it overshoots by up to 2/27 of it.
   bicubic
 };
 
 std::string_view name_of(Resampling resampling);
 std::optional<Resampling> resampling_from(std::string_view name);
 
-/// `values` (all finite, at least 2 x 2) over the same rectangle with width x height samples, each at
-/// least 2. Samples stand at the middles of their pixels; the border goes on level. Where there become fewer,
-/// what is finer than the new samples is smoothed away first. `none` needs the size it has.
+/// Resamples `values` (all finite, at least 2 x 2) over the same rectangle to width x height samples, each
+/// at least 2. Samples are at pixel centres; beyond the border the surface is level. Before a reduction,
+/// frequencies above the new sampling rate are removed. `none` requires the same size.
 Raster<float> resampled(const Raster<float>& values, int width, int height, Resampling resampling);
 
 }  // namespace palpable::sculpt

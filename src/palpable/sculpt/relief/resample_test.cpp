@@ -24,7 +24,7 @@ TEST(Resample, KeepsAPlaneExactlyInsideTheBorder) {
   for (const auto kind : {Resampling::bilinear, Resampling::bicubic}) {
     const auto large = resampled(small, 48, 36, kind);
     const auto wanted = sampled(48, 36, plane);
-    // The border goes on level: the outermost samples' cells bend there.
+    // Beyond the border the surface is level, so the outermost samples' cells bend there.
     for (int y = 8; y < 28; ++y)
       for (int x = 8; x < 40; ++x) ASSERT_NEAR(large(x, y), wanted(x, y), 1e-6);
   }
@@ -46,19 +46,19 @@ TEST(Resample, IsThirdOrderWhereBilinearIsSecond) {
   EXPECT_LT(error(32, Resampling::bicubic), 0.2 * error(32, Resampling::bilinear));
 }
 
-TEST(Resample, SwingsOverAStepByNoMoreThanItSays) {
+TEST(Resample, OvershootsAStepByNoMoreThanStated) {
   const auto step = [](double u, double) { return u < 0.5 ? 0.0 : 1.0; };
   const auto large = resampled(sampled(16, 16, step), 160, 160, Resampling::bicubic);
   const auto [low, high] = std::minmax_element(large.values().begin(), large.values().end());
   EXPECT_GE(*low, -1.0F / 13.0F);
   EXPECT_LE(*high, 1.0F + 1.0F / 13.0F);
-  EXPECT_LT(*low, -0.02F) << "it does swing: bilinear is the one that does not";
+  EXPECT_LT(*low, -0.02F) << "bicubic overshoots, bilinear does not";
 }
 
-TEST(Resample, SmoothsAwayWhatFewerSamplesCannotCarry) {
+TEST(Resample, RemovesFrequenciesAboveTheNewSamplingRate) {
   const auto stripes = [](double u, double) { return std::sin(2.0 * M_PI * 30.0 * u); };
   const auto few = resampled(sampled(128, 16, stripes), 32, 4, Resampling::bicubic);
-  // At the border the stripes are cut, and what goes on level is no stripe.
+  // Not at the border, where the stripes are cut off and continue level.
   for (int y = 0; y < 4; ++y)
     for (int x = 2; x < 30; ++x) EXPECT_LT(std::abs(few(x, y)), 0.03F);
 }

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int kSide = models::kTextureSide;
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// Steeper than this is a mistake of a normal map, whose z is then all but 0.
+/// Least z of a normal: steeper slopes are errors of the normal map.
 constexpr double kFlattest = 0.05;
 
-/// One channel of the picture, or a mixture, at the tile's size.
+/// One channel of the picture, or a combination, at the tile's size.
 template <class Value>
 cv::Mat at_tile_size(const Image& picture, const Value& value) {
   cv::Mat whole(picture.height, picture.width, CV_64F);
@@ -37,11 +37,11 @@ cv::Mat spectrum_of(const cv::Mat& values) {
   return out;
 }
 
-/// Waves to the side at an index of a spectrum, negative for its later half.
+/// The frequency, in waves per side, at an index of a spectrum; negative in its later half.
 int waves_at(int index) { return index <= kSide / 2 ? index : index - kSide; }
 
-/// What a cubic B-spline's samples keep of a wave.
-double kept_by_spline(int waves) { return (2.0 + std::cos(kTurn * waves / kSide)) / 3.0; }
+/// The attenuation of a frequency by the sampled cubic B-spline.
+double spline_response(int waves) { return (2.0 + std::cos(kTurn * waves / kSide)) / 3.0; }
 
 /// Calls f(value, waves to the right, waves down) for every wave of a spectrum.
 template <class F>
@@ -116,7 +116,7 @@ Result<std::vector<float>> texture_tile(const Image& picture) {
                                               }));
   each_wave(spectrum, [](std::complex<double>& value, int u, int v) {
     const bool kept = (u != 0 || v != 0) && std::hypot(u, v) <= models::kPictureForms;
-    value = kept ? value / (kept_by_spline(u) * kept_by_spline(v)) : 0.0;
+    value = kept ? value / (spline_response(u) * spline_response(v)) : 0.0;
   });
   cv::Mat values;
   cv::dft(spectrum, values, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);

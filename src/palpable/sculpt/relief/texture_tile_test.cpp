@@ -64,7 +64,7 @@ TEST(TextureTile, OfANormalMapIsThatOfItsHeights) {
   EXPECT_GE(correlation(*of_heights, *of_normals), 0.999);
 }
 
-TEST(TextureTile, StandsHighWhereThePictureIsWhiteAndUpIsUp) {
+TEST(TextureTile, IsHighWhereThePictureIsWhiteWithItsUpUpwards) {
   // One bright blot in the upper right quarter.
   auto tile = texture_tile(grey_of(
       [](double x, double y) { return std::exp(-50.0 * (std::pow(x - 0.75, 2) + std::pow(y - 0.25, 2))); }));
@@ -81,7 +81,7 @@ TEST(TextureTile, StandsHighWhereThePictureIsWhiteAndUpIsUp) {
   EXPECT_NEAR(at_y / side, 0.75, 0.02);
 }
 
-TEST(TextureTile, HasNoFormFinerThanItsPitchAndNoSharperOne) {
+TEST(TextureTile, HasNoHigherFrequencyOrCurvatureThanItsPitchAllows) {
   // Stripes of a pixel and noise-like squares: all too fine, or sharp.
   const auto tile = texture_tile(grey_of([](double x, double y) {
     const int i = static_cast<int>(x * 128), j = static_cast<int>(y * 128);
@@ -99,7 +99,7 @@ TEST(TextureTile, HasNoFormFinerThanItsPitchAndNoSharperOne) {
   EXPECT_GE(bend, 0.1 * height * std::pow(kTurn / pitch, 2));
 }
 
-TEST(TextureTile, IsRefusedOfPicturesWithNothingToFeel) {
+TEST(TextureTile, IsRefusedForPicturesOfOneToneAndInvalidOnes) {
   EXPECT_FALSE(texture_tile(grey_of([](double, double) { return 0.4; })));
   EXPECT_FALSE(texture_tile(Image{4, 4, 1, 8, std::vector<float>(16, 0.1F)}));
   Image broken = grey_of(hills);

@@ -11,8 +11,8 @@ namespace palpable::sculpt {
 namespace {
 
 constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
-/// In the transition neither distance is right: a part of their difference is allowed (and
-/// some more of the direction), less towards both ends.
+/// In the transition neither distance is exact: an error of a part of their difference is allowed, and a
+/// larger one of the direction, both decreasing towards the ends.
 constexpr double kLoose = 0.05;
 
 }  // namespace
@@ -24,7 +24,7 @@ FieldSample BlendedSource::at(Vec3 place_m, Hint& hint) const {
   const FieldSample now = source_.at(place_m, hint);
   const double depth_m = std::abs(now.distance_m);
   const double whole = now.distance_m < 0.0 ? whole_.inside : whole_.outside;
-  // u <= whole, without looking for the nearest place of `around`.
+  // u <= whole, without a search for the nearest point of `around`.
   const double whole_from_m = within_m_ - depth_m * (1.0 - whole) / whole;
   if (whole_from_m > 0.0 && around_.any_within(place_m, whole_from_m, kNoPart)) return now;
   const FieldSample old = earlier_.sample(place_m);

@@ -8,11 +8,11 @@
 
 namespace palpable::sculpt {
 
-/// A solid's distance D near a surface, and an earlier field's E far from it, joined with a continuous
-/// gradient: E + phi(u) (D - E), u = |D| / (|D| + within - s), where s is the distance to the surface
-/// `around`. So the solid's own surface is where it is, wherever s < within; and under `around`, where s =
-/// |D|, u is the depth in parts of `within`. phi falls from 1 to 0 as a cubic, from u = `whole` on;
-/// where it does, the hint notes |D - E|.
+/// Blends a solid's distance D near a surface into an earlier field's distance E far from it, with a
+/// continuous gradient: E + phi(u) (D - E), u = |D| / (|D| + within - s), where s is the distance to the
+/// surface `around`. So the solid's surface is exact wherever s < within; below `around`, where s = |D|, u
+/// is the depth over `within`. phi is a cubic from 1 at u = `whole` to 0 at u = 1. The hint records the
+/// greatest |D - E| of the blend.
 class BlendedSource final : public DistanceSource {
  public:
   /// Up to this u the distance is the solid's own; 0 <= both < 1.

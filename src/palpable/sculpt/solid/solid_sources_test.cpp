@@ -65,6 +65,19 @@ TEST(CloudSurface, ClosesWhatTheCameraDidNotSee) {
   EXPECT_GT(solid->distance->at({0, 0, -0.032}, hint).distance_m, 0.0);
 }
 
+TEST(CloudSurface, HasTheResolutionOfItsOptions) {
+  const PointCloud cloud = cloud_of_a_ball(0.03, 4000, 0.0);
+  CloudOptions coarse;
+  coarse.resolution = 16;
+  const auto few = surface_of_cloud(cloud, coarse, {}), many = surface_of_cloud(cloud, {}, {});
+  ASSERT_TRUE(few && many);
+  EXPECT_LT(2 * few->triangles.size(), many->triangles.size());
+  coarse.neighbours = 2;
+  const auto refused = surface_of_cloud(cloud, coarse, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::usage);
+}
+
 TEST(CloudSurface, RefusesWhatEnclosesNothing) {
   EXPECT_FALSE(surface_of_cloud({}, {}, {}));
   PointCloud bare = cloud_of_a_ball(0.03, 100, 0.0);

@@ -21,7 +21,7 @@ class SuperquadricUnion final : public DistanceSource {
     const models::ClosestPoint near = models::closest_point(shapes_, {p});
     const Vec3 way = p - near.surface.v;
     const double length = norm(way);
-    // On the surface itself the way there has no direction.
+    // On the surface itself the direction to the nearest point is undefined.
     constexpr double kTouching_m = 1e-9;
     if (length < kTouching_m) return {near.distance_m, near.normal.v};
     return {near.distance_m, (near.distance_m < 0.0 ? -1.0 / length : 1.0 / length) * way};

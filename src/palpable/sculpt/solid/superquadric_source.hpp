@@ -11,9 +11,9 @@
 
 namespace palpable::sculpt {
 
-/// The union of superquadrics (at least one): Moustakas 2007's predicted field. Exact outside and where no
-/// two overlap; where they do, the deepest in any one (models/field/superquadric_distance.hpp). Errors:
-/// invalid_input, as models::check_superquadric().
+/// The union of superquadrics (at least one): Moustakas 2007's predicted field. Exact outside, and inside
+/// where only one contains the point; where several do, the depth in the deepest one
+/// (models/field/superquadric_distance.hpp). Errors: invalid_input, as models::check_superquadric().
 Result<std::unique_ptr<DistanceSource>> distance_of(std::span<const models::Superquadric> shapes);
 
 }  // namespace palpable::sculpt

@@ -20,7 +20,7 @@ using Corners = std::array<Vec3, 3>;
 /// Convex, in one triangle's plane, its corners in the triangle's sense.
 using Polygon = std::vector<Vec3>;
 
-/// On which sides of a piece of surface the solid lies.
+/// The sides of a piece of surface on which the solid lies.
 enum class Sides { surface, turned, inner, mixed };
 
 Corners corners_of(const Mesh& mesh, std::size_t triangle) {
@@ -29,10 +29,10 @@ Corners corners_of(const Mesh& mesh, std::size_t triangle) {
 }
 Vec3 normal_of(const Corners& c) { return unit(cross(c[1] - c[0], c[2] - c[0])); }
 
-/// Tests on both sides of a place of the surface whether the solid is there.
-class Looker {
+/// Tests whether the solid is on either side of a point of the surface.
+class SideTester {
  public:
-  Looker(const TriangleTree& tree, double size_m) : tree_(tree), lift_m_(2e-6 * size_m) {}
+  SideTester(const TriangleTree& tree, double size_m) : tree_(tree), lift_m_(2e-6 * size_m) {}
   Sides sides_at(Vec3 place, Vec3 normal) const {
     const bool front = tree_.winding(place + lift_m_ * normal) > 0.5;
     const bool back = tree_.winding(place - lift_m_ * normal) > 0.5;
@@ -54,8 +54,8 @@ struct Segment {
   Vec3 from, to;
 };
 
-/// Where another triangle meets the plane through `origin` across `normal`: nothing, a line, or, if it lies
-/// in the plane, its three edges.
+/// The intersection of another triangle with the plane through `origin` with `normal`: nothing, a segment,
+/// or, if it lies in the plane, its three edges.
 void add_crossing(const Corners& other, Vec3 origin, Vec3 normal, double touching_m,
                   std::vector<Segment>& segments) {
   std::array<double, 3> height{};
@@ -101,8 +101,7 @@ double length_inside(const Segment& s, const Polygon& polygon, Vec3 normal) {
   return std::max(0.0, to - from) * norm(way);
 }
 
-/// Both parts of a polygon that a plane across it makes; nothing if one of them would be thinner than
-/// `thinnest_m`.
+/// The two parts of a polygon cut by a plane; nullopt if one of them would be thinner than `thinnest_m`.
 std::optional<std::pair<Polygon, Polygon>> split(const Polygon& polygon, Vec3 origin, Vec3 across,
                                                  double thinnest_m) {
   std::vector<double> height;
@@ -133,7 +132,11 @@ std::optional<std::pair<Polygon, Polygon>> split(const Polygon& polygon, Vec3 or
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const TriangleTree& tree, double finest_m, double size_m)
-      : mesh_(mesh), tree_(tree), looker_(tree, size_m), finest_m_(finest_m), touching_m_(2e-7 * size_m) {}
+      : mesh_(mesh),
+        tree_(tree),
+        side_tester_(tree, size_m),
+        finest_m_(finest_m),
+        touching_m_(2e-7 * size_m) {}
 
   struct Sorted {
     std::vector<Corners> surface;
@@ -158,7 +161,7 @@ class Cutter {
   }
 
  private:
-  /// What the whole polygon is; where that is mixed, its surface parts are added to `pieces`.
+  /// Classifies the whole polygon; if it is mixed, its surface parts are added to `pieces`.
   Sides cut(const Polygon& polygon, const std::vector<Segment>& crossings,
             std::vector<Corners>& pieces) const {
     std::vector<Segment> inside;
@@ -175,14 +178,14 @@ class Cutter {
     }
     const Vec3 span = extent(polygon);
     const double widest_m = std::max({span.x, span.y, span.z});
-    // A small piece that few lines cross is cut along them: if its centre decided, a strip of it would be
-    // lost.
+    // A small piece with few crossing lines is cut along them: a decision by its centre would lose a strip
+    // of it.
     constexpr std::size_t kFew = 8, kMany = 48;
     const bool is_small = widest_m <= finest_m_;
     if (inside.empty() || (is_small && inside.size() > kFew))
-      return looker_.sides_at(middle(polygon), normal_);
+      return side_tester_.sides_at(middle(polygon), normal_);
     std::optional<std::pair<Polygon, Polygon>> parts;
-    // Very many lines are divided by place first, so that each is tried against few pieces.
+    // Many lines are first divided by position, so that each is tested against few pieces.
     if (inside.size() > kMany) {
       const Vec3 axis = span.x == widest_m   ? Vec3{1.0, 0.0, 0.0}
                         : span.y == widest_m ? Vec3{0.0, 1.0, 0.0}
@@ -218,7 +221,7 @@ class Cutter {
 
   const Mesh& mesh_;
   const TriangleTree& tree_;
-  Looker looker_;
+  SideTester side_tester_;
   double finest_m_;
   double touching_m_;
   Vec3 normal_;
@@ -240,7 +243,7 @@ Mesh mesh_of(const std::vector<Corners>& triangles) {
 }  // namespace
 
 bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t first_added, const Work& work) {
-  const Looker looker(tree, size_of(mesh));
+  const SideTester side_tester(tree, size_of(mesh));
   const std::size_t count = mesh.triangles.size();
   // What was added may cross what was there: both are tested at more places.
   std::vector<char> is_suspect(count);
@@ -256,11 +259,12 @@ bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t firs
       if (!is_own.load(std::memory_order_relaxed) || work.cancelled()) return;
       const Corners c = corners_of(mesh, i);
       const Vec3 normal = normal_of(c), middle = (c[0] + c[1] + c[2]) / 3.0;
-      bool fits = looker.sides_at(middle, normal) == Sides::surface;
+      bool fits = side_tester.sides_at(middle, normal) == Sides::surface;
       constexpr double kOutwards = 0.9;
       for (std::size_t k = 0; is_suspect[i] != 0 && fits && k < 3; ++k)
         for (const Vec3 border : {c[k], 0.5 * (c[k] + c[(k + 1) % 3])})
-          fits = fits && looker.sides_at(middle + kOutwards * (border - middle), normal) == Sides::surface;
+          fits =
+              fits && side_tester.sides_at(middle + kOutwards * (border - middle), normal) == Sides::surface;
       if (!fits) is_own = false;
     }
   });

@@ -14,7 +14,7 @@
 namespace palpable::sculpt {
 namespace {
 
-// Thicknesses between none and the least one that are told apart: each gets what it lacks of the least one.
+// Thin walls are thickened in this many steps of thickness: each gets what it lacks of the least thickness.
 constexpr int kSteps = 4;
 
 /// The middle of a triangle and a place near each of its corners.
@@ -30,12 +30,11 @@ std::array<Vec3, 3> corners_at(const Mesh& mesh, std::size_t triangle) {
   return {mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]};
 }
 
-/// A triangle counts where most of its places do.
+/// A triangle is thin if most of its sample points are.
 constexpr int kPlaces = 4, kMostPlaces = 3;
 
-/// The wall's thickness behind a triangle where that is less than `least_m`; else least_m. Half of it inside
-/// a thicker wall, this face is the nearest one; inside a thin wall it is the opposite face, or the wall is
-/// behind.
+/// The wall's thickness behind a triangle, at most `least_m`. At half of that depth inside a thicker wall,
+/// this face is the nearest one; inside a thin wall it is the opposite face, or the point is outside.
 double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint, const std::array<Vec3, 3>& c,
                         double least_m) {
   constexpr double kOpposite = 0.9, kTold = 0.02;
@@ -62,7 +61,7 @@ class SheetFinder {
   /// Adds those parts of one triangle, which is divided where they differ.
   void add(const std::array<Vec3, 3>& c, DistanceSource::Hint& hint,
            std::vector<std::array<Vec3, 3>>& sheets) const {
-    // What is larger may hold parts of both kinds that none of its places meets.
+    // Larger triangles may contain parts of both kinds between their sample points.
     constexpr double kLargest = 32.0, kSmallest = 1.0;
     const double longest_m = std::max({norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2])});
     const Vec3 normal = unit(cross(c[1] - c[0], c[2] - c[0]));
@@ -90,7 +89,7 @@ class SheetFinder {
   double finest_m_;
 };
 
-/// Triangles of which each side is to be moved by the same.
+/// Triangles whose sides are moved by the same distance.
 struct Layer {
   Layer(const Mesh& mesh, double by_m) : tree(mesh), added_m(by_m) {}
   TriangleTree tree;
@@ -136,9 +135,9 @@ class ThickenedSource final : public DistanceSource {
   }
 
  private:
-  /// Outside, the distance to the layer less what is added to it. Inside, deeper by what is added where the
-  /// layer is the nearest surface, falling to nothing where others are nearer by that much: without a step
-  /// between.
+  /// Outside: the distance to the layer minus the added thickness. Inside: deeper by the added thickness
+  /// near the layer, decreasing to 0 where other surfaces are nearer by that much, so that the distance is
+  /// continuous.
   static models::FieldSample thickened(const models::FieldSample& solid, Vec3 way, double added_m) {
     const double layer_m = norm(way);
     const Vec3 from_layer = layer_m > 0.0 ? way / layer_m : solid.gradient;

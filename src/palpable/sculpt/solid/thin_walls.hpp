@@ -13,11 +13,11 @@
 
 namespace palpable::sculpt {
 
-/// How walls thinner than a field can represent are treated: it rounds what is thinner than two finest cells
-/// by up to a quarter of a cell a side, and loses what is thinner than half of one.
+/// How thin walls are treated. A field rounds walls thinner than two finest cells by up to a quarter of a
+/// cell on each side, and loses those thinner than half of one.
 struct WallOptions {
-  /// Thinner walls become about this thick, in finest cells: two of them keep the field's rounding inside the
-  /// wall. 0 … 8; 0 = every wall as it is.
+  /// Thinner walls are thickened to about this, in finest cells: with two, the field's rounding stays inside
+  /// the wall. 0 … 8; 0 = walls do not change.
   double least_cells = 2.0;
 };
 std::vector<Parameter> parameters_of(WallOptions& options);

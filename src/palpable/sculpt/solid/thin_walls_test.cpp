@@ -109,7 +109,7 @@ TEST(ThinWalls, AreWhereTheyAreInTheField) {
   }
 }
 
-TEST(ThinWalls, AreNotSoughtInAWedge) {
+TEST(ThinWalls, AreNotFoundInAWedge) {
   // 30 degrees at its edge.
   Mesh wedge;
   wedge.vertices_m = {{0.0, 0.0, 0.0},   {0.0, 0.05, 0.0},     {0.05, 0.0, 0.0},

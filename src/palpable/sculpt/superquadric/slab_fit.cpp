@@ -18,7 +18,7 @@ struct Span {
   double length() const { return high - low; }
 };
 
-/// Where the middle 98 % of the points lie along a direction.
+/// The interval of the middle 98 % of the points along a direction.
 Span span_along(std::span<const Vec3> points, Vec3 axis) {
   std::vector<double> at;
   at.reserve(points.size());
@@ -32,6 +32,13 @@ Span span_along(std::span<const Vec3> points, Vec3 axis) {
 }
 
 }  // namespace
+
+std::vector<Parameter> parameters_of(SlabOptions& o) {
+  return {{"trials", &o.trials, {1, 1e6}, "", "random triples of points for a plane"},
+          {"sampled_points", &o.sampled_points, {1, 1e6}, "", "points that a plane is compared with"},
+          {"thickness", &o.thickness, {0.0001, 1.0}, "", "thickness of a slab over its longer side"},
+          {"directions", &o.directions, {1, 1000}, "", "directions that are tried for its sides"}};
+}
 
 Plane plane_through(std::span<const Vec3> points_m) {
   Vec3 middle;
@@ -56,21 +63,21 @@ double thickness_m(std::span<const Vec3> points_m) {
 }
 
 std::vector<std::size_t> members_of_largest_plane(std::span<const Vec3> points_m, double reach_m,
-                                                  double least_share, std::uint64_t seed) {
+                                                  double least_share, const SlabOptions& options,
+                                                  std::uint64_t seed) {
   const auto members_of = [&](const Plane& plane) {
     std::vector<std::size_t> members;
     for (std::size_t i = 0; i < points_m.size(); ++i)
       if (std::abs(plane.height_m(points_m[i])) <= reach_m) members.push_back(i);
     return members;
   };
-  constexpr int kTries = 200;
-  constexpr std::size_t kAsked = 500;
   std::mt19937_64 random(seed);
   const auto any = [&] { return points_m[random() % points_m.size()]; };
-  const std::size_t step = std::max<std::size_t>(1, points_m.size() / kAsked);
+  const std::size_t step =
+      std::max<std::size_t>(1, points_m.size() / static_cast<std::size_t>(options.sampled_points));
   Plane best;
   std::size_t most = 0;
-  for (int k = 0; k < kTries; ++k) {
+  for (int k = 0; k < options.trials; ++k) {
     const Vec3 a = any();
     const Vec3 normal = unit(cross(any() - a, any() - a));
     if (squared_norm(normal) == 0.0) continue;
@@ -91,7 +98,8 @@ std::vector<std::size_t> members_of_largest_plane(std::span<const Vec3> points_m
   return members;
 }
 
-models::Superquadric slab_of(std::span<const Vec3> points_m, const std::optional<Point<SceneFrame>>& eye) {
+models::Superquadric slab_of(std::span<const Vec3> points_m, const std::optional<Point<SceneFrame>>& eye,
+                             const SlabOptions& options) {
   const Plane plane = plane_through(points_m);
   Vec3 n = plane.normal;
   double front_m = plane.offset_m;
@@ -104,9 +112,8 @@ models::Superquadric slab_of(std::span<const Vec3> points_m, const std::optional
   double least_m2 = std::numeric_limits<double>::infinity();
   Vec3 u, v;
   Span along_u, along_v;
-  constexpr int kTurns = 45;
-  for (int k = 0; k < kTurns; ++k) {
-    const double angle = 0.5 * std::numbers::pi * k / kTurns;
+  for (int k = 0; k < options.directions; ++k) {
+    const double angle = 0.5 * std::numbers::pi * k / options.directions;
     const Vec3 a = std::cos(angle) * first + std::sin(angle) * second, b = cross(n, a);
     const Span sa = span_along(points_m, a), sb = span_along(points_m, b);
     if (sa.length() * sb.length() >= least_m2) continue;
@@ -115,8 +122,7 @@ models::Superquadric slab_of(std::span<const Vec3> points_m, const std::optional
   }
   models::Superquadric slab;
   const double longest_m = std::max(along_u.length(), along_v.length());
-  constexpr double kThickness = 0.02;
-  const double least_m = 1e-3 * longest_m, half_m = 0.5 * kThickness * longest_m;
+  const double least_m = 1e-3 * longest_m, half_m = 0.5 * options.thickness * longest_m;
   slab.size_m = {std::max(0.5 * along_u.length(), least_m), std::max(0.5 * along_v.length(), least_m),
                  half_m};
   slab.e1 = slab.e2 = models::kLeastExponent;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/frame.hpp"
+#include "palpable/core/parameters.hpp"
 #include "palpable/models/field/superquadric.hpp"
 
 #include <optional>
@@ -10,6 +11,19 @@
 #include <vector>
 
 namespace palpable::sculpt {
+
+/// How planes are found and slabs are shaped.
+struct SlabOptions {
+  /// Random triples of points that are tried, and points that each plane is compared with. 1 … 1e6 each.
+  int trials = 200;
+  int sampled_points = 500;
+  /// Thickness of a slab over its longer side. 0.0001 … 1.
+  double thickness = 0.02;
+  /// Directions that are tried for its sides, over a quarter turn. 1 … 1000.
+  int directions = 45;
+};
+
+std::vector<Parameter> parameters_of(SlabOptions& options);
 
 /// A plane n·p = offset, n a unit vector.
 struct Plane {
@@ -19,19 +33,21 @@ struct Plane {
   double height_m(Vec3 p) const { return dot(normal, p) - offset_m; }
 };
 
-/// The plane through the middle of at least three points that they are nearest to in the mean square.
+/// The least-squares plane of at least three points.
 Plane plane_through(std::span<const Vec3> points_m);
 
 /// Root mean square of the points' heights over their own plane.
 double thickness_m(std::span<const Vec3> points_m);
 
-/// The members of the plane that holds the most points within `reach_m`, found by trying planes through three
-/// of them (RANSAC, deterministic by `seed`); empty where it holds less than `least_share`.
+/// The points within `reach_m` of the plane with most such points (RANSAC, deterministic for a seed); empty
+/// if they are less than `least_share` of all.
 std::vector<std::size_t> members_of_largest_plane(std::span<const Vec3> points_m, double reach_m,
-                                                  double least_share, std::uint64_t seed);
+                                                  double least_share, const SlabOptions& options,
+                                                  std::uint64_t seed);
 
-/// A thin box whose front is the points' plane, in the smallest rectangle that holds 98 % of them along each
-/// side: 2 % as thick as long, behind the plane as seen from `eye`, or around it.
-models::Superquadric slab_of(std::span<const Vec3> points_m, const std::optional<Point<SceneFrame>>& eye);
+/// A thin box over the points' plane: the smallest rectangle that contains the middle 98 % of them along each
+/// side. Its front is the plane as seen from `eye`; without an eye the plane is in its middle.
+models::Superquadric slab_of(std::span<const Vec3> points_m, const std::optional<Point<SceneFrame>>& eye,
+                             const SlabOptions& options);
 
 }  // namespace palpable::sculpt

@@ -3,6 +3,7 @@
 #include "palpable/sculpt/superquadric/superquadric_cases.hpp"
 
 #include "palpable/models/field/superquadric_samples.hpp"
+#include "palpable/sculpt/superquadric/label_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +105,7 @@ FitView see(const Superquadric& truth, const Mesh& mesh, Draw& draw) {
   std::array<double, 9> reference{};
   const Parameters parameters = parameters_of(truth, reference);
   const ResidualsAt exact(parameters, reference, kPlainParameters);
-  std::vector<Sight> sights;
+  std::vector<LineOfSight> sights;
   for (int row = 0; row < kPixels; ++row)
     for (int column = 0; column < kPixels; ++column) {
       const Vec3 along{(column - middle) / focal, (row - middle) / focal, 1.0};
@@ -147,7 +148,7 @@ FitCase make_fit_case(unsigned seed, const FitCaseOptions& options) {
     const double y = draw.in(-half.y, half.y);
     made.points.push_back(middle + Vec3{x, y, draw.in(-half.z, half.z)});
   }
-  // Outliers stand anywhere in the list, as they do in a picture.
+  // Outliers are at random positions in the list, as in a picture.
   std::mt19937 shuffler(seed);
   std::shuffle(made.points.begin(), made.points.end(), shuffler);
   return made;

@@ -10,8 +10,8 @@
 
 namespace palpable::sculpt {
 
-/// Sampled points of a random shape with its true parameters: what fits are measured on. Lengths are about 1,
-/// whatever the unit.
+/// Sampled points of a random shape with its true parameters, for measuring fits. Lengths are about 1, in
+/// any unit.
 struct FitCase {
   models::Superquadric truth;
   std::vector<Vec3> points;
@@ -20,11 +20,11 @@ struct FitCase {
 };
 
 struct FitCaseOptions {
-  /// Points of the surface; outliers come on top, so that they are this share of all.
+  /// Points of the surface; outliers are added, so that they are this share of all points.
   int points = 800;
   double noise = 0.01;
   double outlier_share = 0.0;
-  /// All around, or what one eye sees from 6 units away.
+  /// Points from all sides, or those seen by one eye 6 units away.
   enum class Seen { whole, half } seen = Seen::whole;
   FitDeformation deformation = FitDeformation::none;
 };

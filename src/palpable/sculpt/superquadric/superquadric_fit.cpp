@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include <Eigen/Dense>
 #include <ceres/tiny_solver.h>
@@ -31,7 +32,8 @@ std::vector<T> thinned(std::span<const T> all, std::size_t most) {
   return some;
 }
 
-/// Residuals for Ceres' small dense solver: weights, and where lines of sight graze, are held while it runs.
+/// Residuals for Ceres' small dense solver. The weights, and the points where lines of sight touch, are fixed
+/// while it runs.
 struct WeightedResiduals {
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
@@ -70,13 +72,15 @@ double area_of(const Superquadric& s) {
   return 6.0 * (s.size_m.x * s.size_m.y + s.size_m.y * s.size_m.z + s.size_m.z * s.size_m.x);
 }
 
-/// Expectation and maximisation in turn (as Liu et al. 2022): points lie near the surface with Gaussian noise
-/// or anywhere in the evidence's box; how much each is believed weighs it in a few steps of
-/// Levenberg-Marquardt on the radial distance, made Euclidean to first order.
+/// Expectation and maximisation in turn (as Liu et al. 2022). A point is an inlier, near the surface with
+/// Gaussian noise, or an outlier, anywhere in the evidence's box. The probability of being an inlier weights
+/// it in a few steps of Levenberg-Marquardt on the radial distance, corrected to a Euclidean one to first
+/// order.
 class Refinement {
  public:
-  Refinement(const Evidence& evidence, double volume, int count)
+  Refinement(const Evidence& evidence, double volume, int count, const FitOptions& options)
       : evidence_(evidence),
+        options_(options),
         volume_(volume),
         count_(count),
         points_(evidence.points.size()),
@@ -88,36 +92,36 @@ class Refinement {
     }
   }
 
-  /// Ends early where the cost can no longer fall below `to_beat`, if each round gains twice what the last
-  /// one did.
+  /// Ends early if the cost does not change any more, or would not fall below `to_beat` even if each further
+  /// round gained more than the last one (FitSearchOptions::hoped_gain).
   void run(Candidate& c, int rounds, int steps, double to_beat = std::numeric_limits<double>::infinity()) {
+    const FitSearchOptions& search = options_.search;
     double noise = 0.0;
     double cost = std::numeric_limits<double>::infinity();
     for (int k = 0; k < rounds; ++k) {
       noise = c.noise;
       weigh(c);
-      // Settled: neither what is believed nor the shape moves any more.
-      const bool settled =
-          c.noise > 0.97 * noise && cost - c.cost < 1e-3 * static_cast<double>(points_.count());
+      const bool settled = c.noise > (1.0 - search.settled_noise) * noise &&
+                           cost - c.cost < search.settled_cost * static_cast<double>(points_.count());
       if (k > 0 && settled) return;
-      constexpr int kFirstSign = 3;
-      constexpr double kHope = 2.0;
-      if (k >= kFirstSign && c.cost - to_beat > kHope * (rounds - k) * std::max(cost - c.cost, 0.0)) return;
+      if (k >= search.hopeless_after &&
+          c.cost - to_beat > search.hoped_gain * (rounds - k) * std::max(cost - c.cost, 0.0))
+        return;
       cost = c.cost;
       improve(c, steps);
     }
     weigh(c);
   }
 
-  /// Share of the points that are believed to be of the surface, and their mean distance.
+  /// Share of inliers, and their mean distance.
   double inlier_share() const { return inliers_; }
   double error() const { return error_; }
 
  private:
   double area_seen(const Candidate& c) const { return (evidence_.eye ? 0.5 : 1.0) * area_of(c.shape); }
 
-  /// How much each point is believed, the noise that this leaves, and the cost that candidates are chosen by:
-  /// minus the logarithm of the evidence's likelihood.
+  /// Estimates each point's probability of being an inlier, the noise, and the candidate's cost: minus the
+  /// logarithm of the evidence's likelihood.
   void weigh(Candidate& c) {
     Matrix reference;
     const Parameters parameters = parameters_of(c.shape, reference);
@@ -125,6 +129,7 @@ class Refinement {
     const double inlier = (1.0 - c.outliers) / (kRoot2Pi * c.noise * area_seen(c));
     const double ratio = c.outliers / volume_ / inlier;
     const double narrow = -0.5 / (c.noise * c.noise);
+    const FitWeightOptions& weights = options_.weights;
     double sum = 0.0;
     double squares = 0.0;
     double lengths = 0.0;
@@ -133,7 +138,7 @@ class Refinement {
     here.radial_distances_of(points_, distances_);
     for (std::size_t i = 0; i < points_.count(); ++i) {
       const double r = distances_.euclidean_share[i] * distances_.radial[i];
-      // A point on the side that could not be seen is no point of this shape.
+      // A point on the hidden side is not a point of this shape.
       const bool seen = !evidence_.eye || here.faces(points_.at(i), distances_.outward.at(i), *evidence_.eye);
       const double near = seen ? std::exp(narrow * r * r) : 0.0;
       const double belief = near / (near + ratio);
@@ -143,11 +148,11 @@ class Refinement {
       squares += belief * r * r;
       lengths += belief * std::abs(r);
     }
-    if (sum > kFewestBelieved * all) {
-      // Far from the end, noise is mostly misfit and must not be believed: it is made to fall.
-      const double most = c.noise > kCoarse ? 0.85 * c.noise : c.noise;
-      c.noise = std::clamp(std::sqrt(squares / sum), kLeastNoise, most);
-      c.outliers = std::clamp(1.0 - sum / all, 0.01, 0.8);
+    if (sum > weights.least_inlier_share * all) {
+      // Coarse noise is mostly misfit, which must not become weight: it is reduced in each round.
+      const double most = c.noise > weights.coarse_noise ? weights.coarse_noise_factor * c.noise : c.noise;
+      c.noise = std::clamp(std::sqrt(squares / sum), std::min(weights.least_noise, most), most);
+      c.outliers = std::clamp(1.0 - sum / all, weights.least_outliers, weights.most_outliers);
       error_ = lengths / sum;
     }
     inliers_ = sum / all;
@@ -165,17 +170,16 @@ class Refinement {
     for (std::size_t i = 0; i < grazes.count(); ++i) {
       const double r = distances_.euclidean_share[i] * distances_.radial[i];
       const double near = std::exp(narrow * r * r);
-      constexpr double kStray = 0.1;
-      constexpr double kStrayCost = 1e-3;
-      const double belief = near / (near + kStray);
-      c.cost -= std::log((near + kStrayCost) / c.sight_noise);
+      const double belief = near / (near + options_.weights.stray_sights);
+      c.cost -= std::log((near + options_.weights.stray_sights_cost) / c.sight_noise);
       sum += belief;
       squares += belief * r * r;
       places_.set(first + i, grazes.at(i));
       weights_[first + i] = std::sqrt(belief) * distances_.euclidean_share[i];
     }
     if (sum > 0.1 * static_cast<double>(grazes.count()))
-      c.sight_noise = std::clamp(std::sqrt(squares / sum), kLeastNoise, c.sight_noise);
+      c.sight_noise = std::clamp(std::sqrt(squares / sum),
+                                 std::min(options_.weights.least_noise, c.sight_noise), c.sight_noise);
     for (std::size_t i = first; i < weights_.size(); ++i) weights_[i] /= c.sight_noise;
   }
 
@@ -198,14 +202,12 @@ class Refinement {
       c.shape = next;
   }
 
-  static constexpr double kLeastNoise = 1e-5;  // of the evidence's scale
-  static constexpr double kFewestBelieved = 0.02;
-  static constexpr double kCoarse = 0.04;
   const Evidence& evidence_;
+  const FitOptions& options_;
   double volume_;
   int count_;
   Columns points_;
-  Columns places_;  // the points, then where the lines of sight graze
+  Columns places_;  // the points, then the points where lines of sight touch the shape
   std::vector<double> weights_;
   RadialDistances distances_;
   double inliers_ = 1.0;
@@ -237,58 +239,67 @@ int count_for(FitDeformation deformation) {
 
 bool cheaper(const Candidate& a, const Candidate& b) { return a.cost < b.cost; }
 
-FittedSuperquadric fit_robustly(const Evidence& all, FitDeformation deformation) {
-  const double volume = volume_of(all.points);
-  constexpr std::size_t kFewPoints = 150;
-  constexpr std::size_t kFewSights = 36;
-  const Evidence some{thinned<Vec3>(all.points, kFewPoints), thinned<Sight>(all.outline, kFewSights),
-                      all.eye};
-  Refinement quick(some, volume, kPlainParameters);
-  auto candidates = starts_for(some);
-  for (Candidate& c : candidates) quick.run(c, 3, 2);
-  // Among outliers, and of half views, another round is needed to find out which of them converge.
-  constexpr double kManyOutliers = 0.1;
+/// The best of several starts, by a search over a part of the evidence.
+Candidate best_plain_shape(const Evidence& some, Refinement& quick, const FitOptions& options) {
+  const FitSearchOptions& search = options.search;
+  auto candidates = starts_for(some, options.starts);
+  for (Candidate& c : candidates) quick.run(c, search.start_rounds, search.start_steps);
+  // With many outliers, and for half views, another round is needed to see which candidates converge.
   const double outliers = std::min_element(candidates.begin(), candidates.end(), cheaper)->outliers;
-  if (some.eye || outliers > kManyOutliers)
-    for (Candidate& c : candidates) quick.run(c, 1, 2);
+  if (some.eye || outliers > search.many_outliers)
+    for (Candidate& c : candidates) quick.run(c, 1, search.start_steps);
   std::sort(candidates.begin(), candidates.end(), cheaper);
   Candidate best = candidates[0];
-  quick.run(best, 6, 3);
-  quick.run(candidates[1], 6, 3, best.cost);
+  quick.run(best, search.best_rounds, search.best_steps);
+  quick.run(candidates[1], search.best_rounds, search.best_steps, best.cost);
   if (candidates[1].cost < best.cost) best = candidates[1];
-  // From valley to valley, while that helps.
-  constexpr int kMostSwitches = 4;
-  for (int k = 0; k < kMostSwitches; ++k) {
+  // From one local minimum to the next, while the cost falls.
+  for (int k = 0; k < search.switches; ++k) {
     const double before = best.cost;
-    for (Candidate& other : switched(best)) {
-      quick.run(other, 8, 3, best.cost);
+    for (Candidate& other : switched(best, options.starts)) {
+      quick.run(other, search.switched_rounds, search.switched_steps, best.cost);
       if (other.cost < best.cost) best = other;
     }
-    if (best.cost > before - 1e-3 * static_cast<double>(some.points.size())) break;
+    if (best.cost > before - search.settled_cost * static_cast<double>(some.points.size())) break;
   }
-  if (deformation != FitDeformation::none) {
-    Refinement deforming(some, volume, count_for(deformation));
-    std::vector<Candidate> bodies = deformed(best, count_for(deformation));
-    for (Candidate& c : bodies) deforming.run(c, 4, 3);
-    std::sort(bodies.begin(), bodies.end(), cheaper);
-    constexpr std::size_t kPromising = 4;
-    bodies.resize(std::min(bodies.size(), kPromising));
-    best = bodies[0];
-    for (Candidate& c : bodies) {
-      deforming.run(c, 12, 4, best.cost);
-      if (c.cost < best.cost) best = c;
-    }
+  return best;
+}
+
+Candidate best_deformed_shape(const Evidence& some, double volume, const Candidate& plain,
+                              const FitOptions& options) {
+  const FitSearchOptions& search = options.search;
+  const int count = count_for(options.deformation);
+  Refinement deforming(some, volume, count, options);
+  std::vector<Candidate> bodies = deformed(plain, count, options.starts);
+  for (Candidate& c : bodies) deforming.run(c, search.deformed_rounds, search.deformed_steps);
+  std::sort(bodies.begin(), bodies.end(), cheaper);
+  bodies.resize(std::min(bodies.size(), static_cast<std::size_t>(search.deformed_kept)));
+  Candidate best = bodies[0];
+  for (Candidate& c : bodies) {
+    deforming.run(c, search.last_deformed_rounds, search.last_deformed_steps, best.cost);
+    if (c.cost < best.cost) best = c;
   }
-  constexpr std::size_t kEnoughSights = 240;
-  const Evidence every{all.points, thinned<Sight>(all.outline, kEnoughSights), all.eye};
-  Refinement whole(every, volume, count_for(deformation));
-  best.noise *= 1.5;
-  best.sight_noise *= 1.5;
-  whole.run(best, 6, 3);
+  return best;
+}
+
+FittedSuperquadric fit_robustly(const Evidence& all, const FitOptions& options) {
+  const FitSearchOptions& search = options.search;
+  const double volume = volume_of(all.points);
+  const Evidence some{thinned<Vec3>(all.points, static_cast<std::size_t>(search.points)),
+                      thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.sights)), all.eye};
+  Refinement quick(some, volume, kPlainParameters, options);
+  Candidate best = best_plain_shape(some, quick, options);
+  if (options.deformation != FitDeformation::none) best = best_deformed_shape(some, volume, best, options);
+  const Evidence every{
+      all.points, thinned<LineOfSight>(all.outline, static_cast<std::size_t>(search.last_sights)), all.eye};
+  Refinement whole(every, volume, count_for(options.deformation), options);
+  best.noise *= search.last_noise_factor;
+  best.sight_noise *= search.last_noise_factor;
+  whole.run(best, search.last_rounds, search.last_steps);
   return {best.shape, best.noise, whole.inlier_share(), whole.error()};
 }
 
-/// The papers' way: one start from the second moments, one run.
+/// The papers' method: one start from the second moments, one run.
 FittedSuperquadric fit_as_solina(const Evidence& all, FitDeformation deformation) {
   const Superquadric shape = start_from_moments(all.points);
   Matrix reference;
@@ -359,6 +370,7 @@ Result<Normalisation> normalisation_of(std::span<const Vec3> points) {
 
 Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
                                             const std::optional<FitView>& view, const FitOptions& options) {
+  if (auto valid = check(options); !valid) return std::move(valid).error();
   const auto normal = normalisation_of(points_m);
   if (!normal) return normal.error();
   Evidence evidence;
@@ -366,33 +378,16 @@ Result<FittedSuperquadric> fit_superquadric(std::span<const Vec3> points_m,
   for (const Vec3 p : points_m) evidence.points.push_back(normal->in(p));
   if (view) {
     evidence.eye = normal->in(view->eye.v);
-    for (const Sight& sight : view->outline)
+    for (const LineOfSight& sight : view->outline)
       evidence.outline.push_back({normal->in(sight.origin_m), sight.direction});
   }
   FittedSuperquadric fitted = options.method == FitMethod::solina
                                   ? fit_as_solina(evidence, options.deformation)
-                                  : fit_robustly(evidence, options.deformation);
+                                  : fit_robustly(evidence, options);
   fitted.shape = normal->out(fitted.shape);
   fitted.noise_m *= normal->scale;
   fitted.error_m *= normal->scale;
   return fitted;
-}
-
-std::vector<Sight> outline_of(const Raster<std::uint8_t>& labels, std::uint8_t label, const Pinhole& camera,
-                              const Transform<SceneFrame, CameraFrame>& scene_from_camera) {
-  std::vector<Sight> sights;
-  const Vec3 eye = (scene_from_camera * Point<CameraFrame>{}).v;
-  const auto add = [&](double x, double y) {
-    const Vec3 along{(x - camera.cx) / camera.fx, (y - camera.cy) / camera.fy, 1.0};
-    sights.push_back({eye, unit(scene_from_camera.rotate(along))});
-  };
-  for (int y = 0; y < labels.height(); ++y)
-    for (int x = 0; x < labels.width(); ++x) {
-      const bool here = labels(x, y) == label;
-      if (x + 1 < labels.width() && here != (labels(x + 1, y) == label)) add(x + 0.5, y);
-      if (y + 1 < labels.height() && here != (labels(x, y + 1) == label)) add(x, y + 0.5);
-    }
-  return sights;
 }
 
 }  // namespace palpable::sculpt

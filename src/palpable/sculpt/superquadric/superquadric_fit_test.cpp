@@ -31,7 +31,7 @@ Errors errors_of(const FitCaseOptions& options, int cases, const FitOptions& fit
   return {errors[errors.size() / 2], errors[errors.size() * 9 / 10]};
 }
 
-TEST(SuperquadricResiduals, KnowTheirDerivatives) {
+TEST(SuperquadricResiduals, HaveTheDerivativesOfFiniteDifferences) {
   for (const int count : {kPlainParameters, kTaperParameters, kBendParameters}) {
     FitCaseOptions options;
     options.deformation = count == kBendParameters    ? FitDeformation::taper_and_bend
@@ -110,7 +110,27 @@ TEST(SuperquadricFit, KeepsTheScaleAndPlaceOfItsPoints) {
             5e-6);
 }
 
-TEST(SuperquadricFit, RefusesWhatIsNoSolid) {
+TEST(SuperquadricFit, ObeysItsParametersAndRefusesThemOutOfRange) {
+  const FitCase c = make_fit_case(3, {});
+  FitOptions options;
+  for (const Parameter& p : parameters_of(options)) {
+    ASSERT_TRUE(set_parameter(p, p.get())) << p.name;
+    EXPECT_FALSE(set_parameter(p, p.range.most + 1.0)) << p.name;
+  }
+  options.starts.exponent = 1.3;
+  options.search.switches = 0;
+  options.search.settled_noise = options.search.settled_cost = 0.0;
+  const auto changed = fit_superquadric(c.points, c.view, options),
+             usual = fit_superquadric(c.points, c.view);
+  ASSERT_TRUE(changed && usual);
+  EXPECT_NE(changed->shape.e1, usual->shape.e1);
+  options.weights.least_outliers = 0.9;
+  const auto refused = fit_superquadric(c.points, c.view, options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::usage);
+}
+
+TEST(SuperquadricFit, RefusesPointsThatDetermineNoSolid) {
   std::vector<Vec3> flat;
   for (int i = 0; i < 100; ++i) flat.push_back({0.1 * (i % 10), 0.1 * (i / 10), 0.0});
   EXPECT_FALSE(fit_superquadric(flat, {}).has_value());

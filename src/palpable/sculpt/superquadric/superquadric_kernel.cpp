@@ -11,8 +11,8 @@
 namespace palpable::sculpt {
 namespace {
 
-// The library's exp and log work on one number at a time and would take nine tenths of a fit's time. These
-// are plain arithmetic, so the compiler works on four or eight points at once.
+// The library's exp and log process one number at a time and would take nine tenths of a fit's time. The
+// compiler vectorises these, for four or eight points at once.
 
 constexpr double kMagic = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves an integer in the low bits
 
@@ -79,7 +79,7 @@ struct Joined {
   const double small = r / sum;
   // With the larger share 1 / sum and the smaller r / sum: their x ln x together.
   const double entropy = -log_sum + small * below;
-  // Chosen before the division: a division in a branch would keep the loop from being vectorized.
+  // Selected before the division: a division in a branch would prevent vectorisation.
   const double first = d > 0.0 ? r : 1.0;
   return {(d > 0.0 ? b : a) + log_sum / power, first / sum, entropy};
 }
@@ -117,7 +117,7 @@ Powers powers_of(const models::Superquadric& s) {
   return {s.size_m.x, s.size_m.y, s.size_m.z, 2.0 / s.e2, 2.0 / s.e1};
 }
 
-// sqrt without errno: the compiler may then work on several at once.
+// A square root without errno, so that the compiler can vectorise it.
 [[gnu::always_inline]] inline double root(double x) { return fast_exp(0.5 * fast_log(x + 1e-300)); }
 
 }  // namespace
@@ -155,8 +155,8 @@ PALPABLE_VECTORIZE void radial_rows(const KernelShape& at, const Columns& places
   const std::array<double, 9> r = at.shape.scene_from_shape.rotation;
   const Vec3 t = at.shape.scene_from_shape.translation_m;
   const std::array<double, 9> m = at.turned;
-  const double e1_pace = at.e1_pace;
-  const double e2_pace = at.e2_pace;
+  const double e1_rate = at.e1_rate;
+  const double e2_rate = at.e2_rate;
   const std::size_t n = places.count();
   const double* __restrict px = places.x.data();
   const double* __restrict py = places.y.data();
@@ -207,8 +207,8 @@ PALPABLE_VECTORIZE void radial_rows(const KernelShape& at, const Columns& places
     j[6 * n + i] = -by_gauge * g.along_x;
     j[7 * n + i] = -by_gauge * g.along_y;
     j[8 * n + i] = -by_gauge * g.along_z;
-    j[9 * n + i] = by_gauge * g.by_e1 * e1_pace;
-    j[10 * n + i] = by_gauge * g.by_e2 * e2_pace;
+    j[9 * n + i] = by_gauge * g.by_e1 * e1_rate;
+    j[10 * n + i] = by_gauge * g.by_e2 * e2_rate;
   }
 }
 

@@ -42,12 +42,12 @@ void radial_distances(const models::Superquadric& shape, const Columns& local, R
 
 /// Weighted radial residuals of an undeformed shape with their derivatives by the eleven parameters
 /// (superquadric_residuals.hpp), column after column of `count` rows. `turned` is the right Jacobian of the
-/// small turn; e1_pace and e2_pace are the exponents' derivatives by their parameters. `jacobian` may be
+/// small rotation; e1_rate and e2_rate are the exponents' derivatives by their parameters. `jacobian` may be
 /// null. `places` are in the scene's frame.
 struct KernelShape {
   models::Superquadric shape;
   std::array<double, 9> turned;
-  double e1_pace, e2_pace;
+  double e1_rate, e2_rate;
 };
 void radial_rows(const KernelShape& at, const Columns& places, std::span<const double> weights,
                  double* residuals, double* jacobian);

@@ -69,7 +69,7 @@ Superquadric shape_from(const Parameters& p, const Matrix& reference) {
   const Transform<models::ShapeFrame, models::ShapeFrame> turn{rotation_by({p[3], p[4], p[5]}), {}, 1.0};
   s.scene_from_shape = before * turn;
   s.scene_from_shape.translation_m = {p[0], p[1], p[2]};
-  // The bend is a vector of curvature, held where the body would meet its centre of curvature.
+  // The bend is a vector of curvature, limited so that the body does not reach its centre of curvature.
   const double reach = std::hypot(s.size_m.x, s.size_m.y) * (1.0 + kMostTaper);
   const double most = std::min(0.95 / reach, 3.0 / s.size_m.z);
   s.bend_per_m = std::min(std::hypot(p[13], p[14]), most);
@@ -103,8 +103,8 @@ ResidualsAt::ResidualsAt(const Parameters& parameters, const Matrix& reference, 
       count_(count),
       turned_(right_jacobian({parameters[3], parameters[4], parameters[5]})) {
   const auto pace = [&](double e) { return (e - kLeast) * (1.0 - (e - kLeast) / kSpan); };
-  e1_pace_ = pace(shape_.e1);
-  e2_pace_ = pace(shape_.e2);
+  e1_rate_ = pace(shape_.e1);
+  e2_rate_ = pace(shape_.e2);
 }
 
 Vec3 ResidualsAt::local(Vec3 p) const {
@@ -166,7 +166,8 @@ void ResidualsAt::chain(Vec3 placed, Vec3 straight, Vec3 by_straight, const Gaug
   Vec3 by_local = by_straight;
   double by_log_z = 0.0;
   if (shape_.deformed() || count_ > kPlainParameters) {
-    // Undoing the deformation has no short derivative: differences, a step of 1e-6 of the size.
+    // The inverse of the deformation has no short derivative: central differences with a step of 1e-6 of the
+    // size.
     const double step = 1e-6 * shape_.size_m.z;
     const auto moved = [&](Vec3 by) {
       return dot(by_straight, (models::undeform(shape_, placed + by) - straight) / step);
@@ -213,8 +214,8 @@ void ResidualsAt::chain(Vec3 placed, Vec3 straight, Vec3 by_straight, const Gaug
   out.by[6] = by_gauge * g.by_log_size.x;
   out.by[7] = by_gauge * g.by_log_size.y;
   out.by[8] = by_gauge * g.by_log_size.z + by_log_z;
-  out.by[9] = by_gauge * g.by_e1 * e1_pace_;
-  out.by[10] = by_gauge * g.by_e2 * e2_pace_;
+  out.by[9] = by_gauge * g.by_e1 * e1_rate_;
+  out.by[10] = by_gauge * g.by_e2 * e2_rate_;
 }
 
 Residual ResidualsAt::radial_with_derivatives(Vec3 p) const {
@@ -243,9 +244,9 @@ Residual ResidualsAt::solina_with_derivatives(Vec3 p) const {
   return out;
 }
 
-Columns ResidualsAt::nearest_on(std::span<const Sight> sights) const {
-  // The gauge is convex along a line (nearly so when bent): its slope's zero is found by false position,
-  // halved where an end stays.
+Columns ResidualsAt::nearest_on(std::span<const LineOfSight> sights) const {
+  // The gauge is convex along a line (nearly so when bent). The zero of its slope is found by the Illinois
+  // variant of false position, which halves the value at a retained end.
   const std::size_t n = sights.size();
   const double reach = models::reach_m(shape_);
   struct Line {
@@ -319,7 +320,7 @@ bool ResidualsAt::faces(Vec3 place, Vec3 outward, Vec3 eye) const {
 void ResidualsAt::radial_rows_of(const Columns& places, std::span<const double> weights, double* residuals,
                                  double* jacobian) const {
   if (count_ == kPlainParameters) {
-    radial_rows({shape_, turned_, e1_pace_, e2_pace_}, places, weights, residuals, jacobian);
+    radial_rows({shape_, turned_, e1_rate_, e2_rate_}, places, weights, residuals, jacobian);
     return;
   }
   const std::size_t rows = places.count();

@@ -11,14 +11,14 @@
 
 namespace palpable::sculpt {
 
-/// A line of sight that grazes a solid: its outline in a picture.
-struct Sight {
+/// A line of sight that touches a solid: a point of its outline in a picture.
+struct LineOfSight {
   Vec3 origin_m;
   Vec3 direction;  // unit
 };
 
-/// The parameters of the fit: 11 numbers, 13 with taper, 15 with bend. The rotation is a small turn after a
-/// reference, half axes are logarithms, exponents and tapers pass through sigmoids, so there are no
+/// The parameters of the fit: 11 numbers, 13 with taper, 15 with bend. The rotation is a small rotation
+/// after a reference; half axes are logarithms; exponents and tapers pass through sigmoids. So there are no
 /// bounds.
 constexpr int kPlainParameters = 11;
 constexpr int kTaperParameters = 13;
@@ -37,7 +37,7 @@ struct Residual {
   std::array<double, kMostParameters> by{};
 };
 
-/// Residuals of points and lines of sight at one set of parameters. No state beyond it: any thread.
+/// Residuals of points and lines of sight at one set of parameters. Immutable: any thread.
 class ResidualsAt {
  public:
   ResidualsAt(const Parameters& parameters, const std::array<double, 9>& reference, int count);
@@ -49,9 +49,10 @@ class ResidualsAt {
   double solina(Vec3 p) const;
   Residual solina_with_derivatives(Vec3 p) const;
 
-  /// Where lines of sight come nearest to the shape (where the gauge is least): there the radial distance is
-  /// 0 for a line that grazes. By the envelope theorem the place's own motion does not count in derivatives.
-  Columns nearest_on(std::span<const Sight> sights) const;
+  /// The points of lines of sight nearest to the shape (where the gauge is least): there the radial distance
+  /// of a line that touches it is 0. By the envelope theorem the point's own motion does not count in
+  /// derivatives.
+  Columns nearest_on(std::span<const LineOfSight> sights) const;
 
   /// The radial distances of points from the shape.
   void radial_distances_of(const Columns& places, RadialDistances& out) const;
@@ -82,7 +83,7 @@ class ResidualsAt {
   Parameters parameters_;
   int count_;
   std::array<double, 9> turned_{};  // right Jacobian of the small turn
-  double e1_pace_, e2_pace_;        // d exponent / d parameter
+  double e1_rate_, e2_rate_;        // d exponent / d parameter
 };
 
 }  // namespace palpable::sculpt

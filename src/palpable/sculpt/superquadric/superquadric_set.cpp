@@ -5,7 +5,6 @@
 #include "palpable/models/field/superquadric_distance.hpp"
 #include "palpable/sculpt/points/point_index.hpp"
 #include "palpable/sculpt/superquadric/point_parts.hpp"
-#include "palpable/sculpt/superquadric/slab_fit.hpp"
 #include "palpable/sculpt/superquadric/superquadric_starts.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 
@@ -21,10 +20,6 @@ namespace {
 using models::SuperquadricDistance;
 
 constexpr std::size_t kFewest = 12;
-/// A fit uses at most so many points; more only cost time.
-constexpr std::size_t kKept = 6000;
-/// How many of a part's points a fit uses, and how many an error measure.
-constexpr std::size_t kFitted = 400, kMeasured = 250;
 
 /// A part of the points with its shape.
 struct Part {
@@ -44,21 +39,22 @@ class Splitter {
     diagonal_m_ = norm(size);
     spacing_m_ = diagonal_m_ / std::sqrt(static_cast<double>(points_.size()));
     index_.emplace(points_, 2.0 * spacing_m_);
-    tolerance_m_ =
-        options.tolerance_m > 0.0 ? options.tolerance_m : std::max(0.01 * diagonal_m_, 3.0 * noise_m());
+    tolerance_m_ = options.tolerance_m > 0.0 ? options.tolerance_m
+                                             : std::max(options.tolerance_share * diagonal_m_,
+                                                        options.tolerance_noises * noise_m());
   }
 
   Result<ShapeSet> run() {
     work_.report(0.0, "cutting the points into parts");
     for (Part& whole : connected()) cut(std::move(whole), 0);
     if (work_.cancelled()) return Work::interrupted();
-    // Joining settles what belongs together, giving points to their nearest shape where the cuts were.
-    constexpr int kRounds = 2;
-    for (int round = 0; round < kRounds; ++round) {
-      work_.report(0.4 + 0.3 * round, "joining parts that share a shape");
+    // Joining decides which parts belong together; assigning points to their nearest shape corrects the
+    // borders where parts were cut.
+    for (int round = 0; round < options_.rounds; ++round) {
+      work_.report(0.4 + 0.6 * round / options_.rounds, "joining parts that share a shape");
       join();
       if (work_.cancelled()) return Work::interrupted();
-      give_to_nearest();
+      assign_to_nearest();
     }
     join();
     if (work_.cancelled()) return Work::interrupted();
@@ -66,20 +62,20 @@ class Splitter {
   }
 
  private:
-  std::vector<Vec3> places_of(const Members& members, std::size_t most) const {
+  std::vector<Vec3> places_of(const Members& members, int most) const {
     std::vector<Vec3> places;
-    const std::size_t count = std::min(most, members.size());
+    const std::size_t count = std::min(static_cast<std::size_t>(most), members.size());
     places.reserve(count);
     for (std::size_t k = 0; k < count; ++k) places.push_back(points_[members[k * members.size() / count]]);
     return places;
   }
 
-  /// How far a point lies from the plane through its neighbours, in the middle of all.
+  /// Median distance of points from the plane fitted to their neighbours.
   double noise_m() const {
-    constexpr std::size_t kAsked = 400, kNeighbours = 8;
+    constexpr std::size_t kSampled = 400, kNeighbours = 8;
     std::vector<double> heights;
-    for (std::size_t k = 0; k < kAsked; ++k) {
-      const Vec3 p = points_[k * points_.size() / kAsked];
+    for (std::size_t k = 0; k < kSampled; ++k) {
+      const Vec3 p = points_[k * points_.size() / kSampled];
       std::vector<Vec3> near;
       index_->within(p, 3.0 * spacing_m_, [&](std::uint32_t i, double) { near.push_back(points_[i]); });
       if (near.size() >= kNeighbours) heights.push_back(thickness_m(near));
@@ -96,27 +92,28 @@ class Splitter {
     return sum / static_cast<double>(places.size());
   }
 
-  /// Fits what the members lie on: a slab where they are flat, else a superquadric.
+  /// Fits a slab if the members are flat, else a superquadric.
   void fit(Part& part) const {
-    const auto places = places_of(part.members, kFitted), asked = places_of(part.members, kMeasured);
+    const auto places = places_of(part.members, options_.fitted_points),
+               measured = places_of(part.members, options_.measured_points);
     part.error_m = std::numeric_limits<double>::infinity();
     if (places.size() < kFewest) return;
     if (thickness_m(places) < tolerance_m_) {
-      part.fit = {slab_of(places, eye_), 0.0, 1.0, 0.0};
-      part.error_m = error_of(part.fit.shape, asked);
+      part.fit = {slab_of(places, eye_, options_.slab), 0.0, 1.0, 0.0};
+      part.error_m = error_of(part.fit.shape, measured);
       return;
     }
     std::optional<FitView> view;
     if (eye_) view = FitView{*eye_, {}};
-    auto fitted = fit_superquadric(places, view);
+    auto fitted = fit_superquadric(places, view, options_.fit);
     if (!fitted) return;
     part.fit = *std::move(fitted);
-    part.error_m = error_of(part.fit.shape, asked);
+    part.error_m = error_of(part.fit.shape, measured);
     if (reaches_beyond(part.fit.shape, places)) part.error_m = std::numeric_limits<double>::infinity();
   }
 
-  /// Whether a body reaches far beyond its points: a little past them to the sides; behind what was seen of
-  /// it, of which nothing is known, not much farther than that is wide.
+  /// Whether a shape is much longer than its points along an axis (ShapeSetOptions::most_length), except for
+  /// its hidden side.
   bool reaches_beyond(const models::Superquadric& shape, std::span<const Vec3> places) const {
     Vec3 middle;
     for (const Vec3 p : places) middle += p / static_cast<double>(places.size());
@@ -133,23 +130,23 @@ class Splitter {
         least_m = std::min(least_m, dot(p, axis));
         most_m = std::max(most_m, dot(p, axis));
       }
-      constexpr double kAside = 1.3, kBehind = 3.0;
-      const double unseen_m = kBehind * across_m * std::abs(dot(axis, away));
-      if (2.0 * half_m[k] > kAside * (most_m - least_m) + unseen_m + 2.0 * tolerance_m_) return true;
+      const double hidden_m = options_.most_hidden_length * across_m * std::abs(dot(axis, away));
+      if (2.0 * half_m[k] > options_.most_length * (most_m - least_m) + hidden_m + 2.0 * tolerance_m_)
+        return true;
     }
     return false;
   }
 
   bool good(const Part& part) const { return part.error_m <= tolerance_m_; }
 
-  /// The pieces of some points of one label that hang together.
+  /// The connected pieces of some points of one label.
   std::vector<Part> pieces(const Members& members, std::uint8_t label) const {
     std::vector<Part> parts;
-    for (Members& piece : pieces_of(points_, members, 2.0 * spacing_m_))
+    for (Members& piece : pieces_of(points_, members, options_.gap_spacings * spacing_m_))
       parts.push_back({std::move(piece), label, {}});
     return parts;
   }
-  /// Points of one label that hang together.
+  /// The connected pieces of all points, label by label.
   std::vector<Part> connected() const {
     std::map<std::uint8_t, Members> of_label;
     for (std::uint32_t i = 0; i < points_.size(); ++i) of_label[label(i)].push_back(i);
@@ -160,13 +157,13 @@ class Splitter {
   }
   std::uint8_t label(std::uint32_t i) const { return labels_.empty() ? 0 : labels_[i]; }
 
-  /// Cuts a part until what is left fits: first what lies on a large plane from the plane, then across its
-  /// longest extent.
+  /// Cuts a part until each piece fits a shape: first along its largest plane, then across its longest
+  /// extent.
   void cut(Part part, int depth) {
     if (part.members.size() < kFewest || work_.cancelled()) return;
     fit(part);
-    constexpr std::size_t kFewestToCut = 48;
-    if (good(part) || depth == options_.most_cuts || part.members.size() < kFewestToCut) {
+    if (good(part) || depth == options_.most_cuts ||
+        part.members.size() < static_cast<std::size_t>(options_.least_cut_points)) {
       parts_.push_back(std::move(part));
       return;
     }
@@ -174,11 +171,12 @@ class Splitter {
     for (Members& half : halved(points_, part.members)) cut({std::move(half), part.label, {}}, depth + 1);
   }
 
-  /// Cuts a part that lies on a large plane in the plane and what is on it, which is no longer connected;
-  /// false where there is none.
+  /// Cuts a part into the points on its largest plane and the connected pieces of the others; false if no
+  /// plane holds enough points.
   bool cut_from_plane(const Part& part, int depth) {
-    const auto on = members_of_largest_plane(places_of(part.members, part.members.size()), tolerance_m_,
-                                             options_.least_plane_share, work_.seed);
+    const auto on =
+        members_of_largest_plane(places_of(part.members, static_cast<int>(part.members.size())), tolerance_m_,
+                                 options_.least_plane_share, options_.slab, work_.seed);
     if (on.empty() || on.size() + kFewest > part.members.size()) return false;
     Members flat, standing;
     for (std::size_t i = 0; i < part.members.size(); ++i) {
@@ -197,7 +195,7 @@ class Splitter {
       for (const std::uint32_t i : parts_[k].members) part_of[i] = k;
     std::map<std::pair<std::size_t, std::size_t>, int> meetings;
     for (std::uint32_t i = 0; i < points_.size(); ++i)
-      index_->within(points_[i], 2.0 * spacing_m_, [&](std::uint32_t j, double) {
+      index_->within(points_[i], options_.gap_spacings * spacing_m_, [&](std::uint32_t j, double) {
         const std::uint32_t a = part_of[i], b = part_of[j];
         constexpr auto kNone = std::numeric_limits<std::uint32_t>::max();
         if (a < b && b != kNone && parts_[a].label == parts_[b].label) ++meetings[{a, b}];
@@ -214,23 +212,24 @@ class Splitter {
     std::merge(a.members.begin(), a.members.end(), b.members.begin(), b.members.end(),
                std::back_inserter(both.members));
     fit(both);
-    // A part that nothing fitted before may not be made worse; one that fitted must fit again.
-    const auto bears = [&](const Part& part) {
+    // The common shape must fit a part that fitted before, and must not be worse for one that did not.
+    const auto is_acceptable = [&](const Part& part) {
       const double before_m = std::min(part.error_m, options_.most_tolerances * tolerance_m_);
-      return error_of(both.fit.shape, places_of(part.members, kMeasured)) <= std::max(tolerance_m_, before_m);
+      return error_of(both.fit.shape, places_of(part.members, options_.measured_points)) <=
+             std::max(tolerance_m_, before_m);
     };
-    if (!std::isfinite(both.error_m) || !bears(a) || !bears(b)) return std::nullopt;
+    if (!std::isfinite(both.error_m) || !is_acceptable(a) || !is_acceptable(b)) return std::nullopt;
     return both;
   }
 
-  /// Joins pairs, the best fitting first, until none is left that one shape fits.
+  /// Joins adjacent pairs that one shape fits, the best fitting first.
   void join() {
     std::map<std::pair<std::size_t, std::size_t>, Part> possible;
-    const auto look = [&](std::size_t a, std::size_t b) {
+    const auto consider = [&](std::size_t a, std::size_t b) {
       if (work_.cancelled()) return;
       if (auto both = joined(parts_[a], parts_[b])) possible.emplace(std::pair(a, b), *std::move(both));
     };
-    for (const auto& [a, b] : neighbours()) look(a, b);
+    for (const auto& [a, b] : neighbours()) consider(a, b);
     while (!possible.empty() && !work_.cancelled()) {
       const auto best = std::min_element(possible.begin(), possible.end(), [](const auto& p, const auto& q) {
         return p.second.error_m < q.second.error_m;
@@ -242,14 +241,14 @@ class Splitter {
         return p.first.first == a || p.first.first == b || p.first.second == a || p.first.second == b;
       });
       for (const auto& [c, d] : neighbours())
-        if (c == a || d == a) look(c, d);
+        if (c == a || d == a) consider(c, d);
     }
     std::erase_if(parts_, [](const Part& part) { return part.members.empty(); });
   }
 
-  /// Every point to the shape that it is nearest to, of its label; then all are fitted again, and what is
-  /// better is kept.
-  void give_to_nearest() {
+  /// Assigns each point to the nearest shape of its label and fits all shapes again; the better of old and
+  /// new shape is kept.
+  void assign_to_nearest() {
     std::vector<SuperquadricDistance> distances;
     std::vector<Members> members(parts_.size());
     std::vector<std::size_t> part;
@@ -274,7 +273,8 @@ class Splitter {
       again.label = parts_[k].label;
       again.members = std::move(members[k]);
       fit(again);
-      const double as_it_was_m = error_of(parts_[k].fit.shape, places_of(again.members, kMeasured));
+      const double as_it_was_m =
+          error_of(parts_[k].fit.shape, places_of(again.members, options_.measured_points));
       if (again.error_m > as_it_was_m) again.fit = parts_[k].fit, again.error_m = as_it_was_m;
       parts_[k] = std::move(again);
     }
@@ -316,29 +316,36 @@ class Splitter {
 }  // namespace
 
 std::vector<Parameter> parameters_of(ShapeSetOptions& o) {
-  return {{"tolerance_m",
-           &o.tolerance_m,
-           {0.0, 1000.0},
-           "m",
-           "mean distance that is good enough; 0 = as the points say"},
-          {"most_shapes", &o.most_shapes, {1, 256}, "", "greatest number of shapes"},
-          {"most_tolerances",
-           &o.most_tolerances,
-           {1.0, 100.0},
-           "tolerances",
-           "greatest distance that a point counts"},
-          {"most_cuts", &o.most_cuts, {1, 12}, "", "how often a part is cut at most"},
-          {"least_plane_share",
-           &o.least_plane_share,
-           {0.01, 1.0},
-           "",
-           "share of a part's points on a plane to cut along it"}};
+  std::vector<Parameter> parameters{
+      {"tolerance_m", &o.tolerance_m, {0.0, 1000.0}, "m", "mean distance that is good enough; 0 = estimated"},
+      {"tolerance_share", &o.tolerance_share, {0.0, 1.0}, "", "estimate: share of the points' diagonal"},
+      {"tolerance_noises", &o.tolerance_noises, {0.0, 100.0}, "", "estimate: multiple of the noise"},
+      {"most_shapes", &o.most_shapes, {1, 256}, "", "greatest number of shapes"},
+      {"most_tolerances", &o.most_tolerances, {1.0, 100.0}, "tolerances", "truncation of a point's distance"},
+      {"most_cuts", &o.most_cuts, {1, 12}, "", "greatest number of successive cuts of a part"},
+      {"least_cut_points", &o.least_cut_points, {12, 1e6}, "", "points that a part needs to be cut"},
+      {"least_plane_share",
+       &o.least_plane_share,
+       {0.01, 1.0},
+       "",
+       "share of a part's points on a plane to cut along it"},
+      {"gap_spacings", &o.gap_spacings, {0.5, 20.0}, "spacings", "points within this are connected"},
+      {"most_length", &o.most_length, {1.0, 10.0}, "", "length of a shape over that of its points"},
+      {"most_hidden_length", &o.most_hidden_length, {0.0, 100.0}, "", "the same for its hidden side"},
+      {"rounds", &o.rounds, {0, 100}, "", "rounds of joining parts and assigning points"},
+      {"used_points", &o.used_points, {12, 1e6}, "", "most points of all"},
+      {"fitted_points", &o.fitted_points, {12, 1e6}, "", "most points of a fit"},
+      {"measured_points", &o.measured_points, {12, 1e6}, "", "most points of an error"}};
+  append_parameters(parameters, "slab", parameters_of(o.slab));
+  append_parameters(parameters, "fit", parameters_of(o.fit));
+  return parameters;
 }
 
 Result<ShapeSet> fit_superquadrics(std::span<const Vec3> points_m, std::span<const std::uint8_t> labels,
                                    const std::optional<Point<SceneFrame>>& eye,
                                    const ShapeSetOptions& options, const Work& work) {
   if (const auto valid = check_ranges(options); !valid) return valid.error();
+  if (const auto valid = check(options.fit); !valid) return valid.error();
   if (!labels.empty() && labels.size() != points_m.size())
     return Error{ErrorCode::usage, "each point needs a label, or none has one", {}};
   if (points_m.size() < kFewest) return invalid_input("holds fewer than 12 points");
@@ -349,7 +356,7 @@ Result<ShapeSet> fit_superquadrics(std::span<const Vec3> points_m, std::span<con
     return invalid_input("holds points that are all at one place");
   std::vector<Vec3> points;
   std::vector<std::uint8_t> kept_labels;
-  for (const std::uint32_t i : thinned(points_m, kKept)) {
+  for (const std::uint32_t i : thinned(points_m, static_cast<std::size_t>(options.used_points))) {
     points.push_back(points_m[i]);
     if (!labels.empty()) kept_labels.push_back(labels[i]);
   }

@@ -5,6 +5,7 @@
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
+#include "palpable/sculpt/superquadric/slab_fit.hpp"
 #include "palpable/sculpt/superquadric/superquadric_fit.hpp"
 
 #include <cstdint>
@@ -14,21 +15,44 @@
 
 namespace palpable::sculpt {
 
+/// How points are divided among shapes. Defaults were chosen on superquadrics seen from one side, with noise
+/// of 1 % (superquadric_cases.hpp).
 struct ShapeSetOptions {
-  /// Mean distance of a shape's points to it that is good enough, metres; 0 = a hundredth of the points' box
-  /// diagonal, or three times their noise if that is more.
+  /// Mean distance of a shape's points to it that is good enough, metres; 0 = tolerance_share of the diagonal
+  /// of the points' box, or tolerance_noises times their noise if that is more. 0 … 1000 m; 0 … 1; 0 … 100.
   double tolerance_m = 0.0;
-  /// 1 ... 256.
+  double tolerance_share = 0.01;
+  double tolerance_noises = 3.0;
+  /// 1 … 256.
   int most_shapes = 24;
-  /// A point that lies farther from a shape than this many tolerances counts no more than that. 1 ... 100.
+  /// The distance of a point to a shape is truncated at this many tolerances. 1 … 100.
   double most_tolerances = 4.0;
-  /// A part is cut into two so often at most. 1 ... 12.
+  /// Greatest number of successive cuts of a part. 1 … 12.
   int most_cuts = 6;
-  /// A part of whose points this share lies on one plane is cut into the plane and what stands on it. > 0
-  /// ... 1.
+  /// A part with this share of its points on one plane is cut along the plane. 0.01 … 1.
   double least_plane_share = 0.3;
+  /// Parts with fewer points are not cut. 12 … 1e6.
+  int least_cut_points = 48;
+  /// Points within this many mean spacings are connected, and their parts adjacent. 0.5 … 20.
+  double gap_spacings = 2.0;
+  /// A shape may be this many times as long as its points; along the line of sight, where its far side is
+  /// hidden, it may be longer by this multiple of its points' greatest distance from the line. 1 … 10; 0 …
+  /// 100.
+  double most_length = 1.3;
+  double most_hidden_length = 3.0;
+  /// Rounds of joining parts and assigning points to their nearest shape. 0 … 100.
+  int rounds = 2;
+  /// Numbers of points that are used at most: of all; of a part, to fit a shape; and to measure its error.
+  /// 12 … 1e6 each.
+  int used_points = 6000;
+  int fitted_points = 400;
+  int measured_points = 250;
+  SlabOptions slab = {};
+  /// The fit of one shape.
+  FitOptions fit = {};
 };
-/// Defaults chosen on superquadrics that were seen from one side, with noise of 1 % (superquadric_cases.hpp).
+
+/// All parameters of the set, its slabs and its fits.
 std::vector<Parameter> parameters_of(ShapeSetOptions& options);
 
 struct ShapeSet {
@@ -41,13 +65,13 @@ struct ShapeSet {
   double left_out = 0.0;
 };
 
-/// Several superquadrics for one scene's points (metres): cut into parts until each part fits a shape, then
-/// adjacent parts joined while one shape fits both (split and merge), points given to their nearest
-/// shape and fitted again. What lies on a plane becomes a slab, as thick as 2 % of its length, behind the
-/// plane as seen from the eye, or around it. `eye`: from where all points were seen (a depth map), else they
-/// are of all around. `labels`: empty, or one for each point; points of different labels never share a shape.
-/// Deterministic. At least 12 points, finite. Long work: reports progress, polls cancel. Errors: usage for
-/// options out of range; invalid_input; interrupted.
+/// Fits several superquadrics to one scene's points (metres) by split and merge. Points are cut into parts
+/// until each part fits a shape. Then adjacent parts are joined while one shape fits both, points are
+/// assigned to their nearest shape, and shapes are fitted again. A flat part becomes a slab behind its plane
+/// as seen from the eye, or around the plane without an eye. `eye`: the position from which all points were
+/// seen (a depth map); not set if they were seen from all sides. `labels`: empty, or one for each point;
+/// points of different labels never share a shape. Deterministic. At least 12 points, finite. Long work:
+/// reports progress, polls cancel. Errors: usage for options out of range; invalid_input; interrupted.
 Result<ShapeSet> fit_superquadrics(std::span<const Vec3> points_m, std::span<const std::uint8_t> labels,
                                    const std::optional<Point<SceneFrame>>& eye,
                                    const ShapeSetOptions& options, const Work& work);

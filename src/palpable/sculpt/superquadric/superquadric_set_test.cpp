@@ -77,7 +77,7 @@ TEST(SuperquadricSet, ThreeThatStandApartAreFound) {
   EXPECT_LT(error_m(*set, truth), 0.001);
 }
 
-TEST(SuperquadricSet, TwoThatGrowIntoEachOtherAreParted) {
+TEST(SuperquadricSet, TwoThatOverlapAreSeparated) {
   const std::vector<Superquadric> truth{box({0.0, 0.0, 0.0}, {0.06, 0.02, 0.02}),
                                         ball({0.0, 0.0, 0.045}, 0.03)};
   const auto set = fit_superquadrics(points_of(truth, 0.003, 0.0003), {}, std::nullopt, {}, Work{});
@@ -113,7 +113,22 @@ TEST(SuperquadricSet, PointsOfDifferentLabelsNeverShareAShape) {
   EXPECT_GE(set->shapes.size(), 2U);
 }
 
-TEST(SuperquadricSet, RefusesTooFewPointsThoseAtOnePlaceAndNumbersThatAreNone) {
+TEST(SuperquadricSet, ObeysItsParameters) {
+  std::vector<Vec3> plate;
+  for (int i = 0; i < 900; ++i) plate.push_back({0.001 * (i % 30), 0.001 * (i / 30), 0.0});
+  ShapeSetOptions options;
+  for (const Parameter& p : parameters_of(options)) EXPECT_TRUE(set_parameter(p, p.get())) << p.name;
+  options.slab.thickness = 0.01;
+  const auto set = fit_superquadrics(plate, {}, std::nullopt, options, Work{});
+  ASSERT_TRUE(set) << set.error().sentence();
+  ASSERT_EQ(set->shapes.size(), 1U);
+  // Half axis: half of a hundredth of the side of 29 mm.
+  EXPECT_NEAR(set->shapes[0].shape.size_m.z, 0.005 * 0.029, 1e-6);
+  options.gap_spacings = 0.0;
+  EXPECT_FALSE(fit_superquadrics(plate, {}, std::nullopt, options, Work{}));
+}
+
+TEST(SuperquadricSet, RefusesTooFewPointsPointsAtOnePlaceAndNonFiniteOnes) {
   const auto fit = [](const std::vector<Vec3>& points) {
     return fit_superquadrics(points, {}, std::nullopt, {}, Work{});
   };

@@ -34,39 +34,43 @@ std::array<double, 9> rows_of(const Eigen::Matrix3d& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
 }
 
-/// Half the span that holds the middle 70 % of the points along a direction.
-double spread_along(std::span<const Vec3> points, Vec3 centre, Eigen::Vector3d axis) {
+/// The distance from the centre along an axis within which this share of the points lies.
+double spread_along(std::span<const Vec3> points, Vec3 centre, Eigen::Vector3d axis, double share) {
   std::vector<double> values;
   values.reserve(points.size());
   for (const Vec3 p : points) values.push_back(std::abs(dot(p - centre, Vec3{axis.x(), axis.y(), axis.z()})));
-  constexpr double kShare = 0.7;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(values.size()));
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(std::min(share * static_cast<double>(values.size()), last));
   std::nth_element(values.begin(), at, values.end());
   return std::max(*at, 0.02);
 }
 
-Candidate start_at(const Evidence& evidence, Vec3 centre, const Eigen::Matrix3d& axes, double exponent) {
+Candidate start_at(const Evidence& evidence, Vec3 centre, const Eigen::Matrix3d& axes,
+                   const FitStartOptions& options) {
   Candidate c;
-  c.shape.e1 = c.shape.e2 = exponent;
+  c.shape.e1 = c.shape.e2 = options.exponent;
   c.shape.scene_from_shape = {rows_of(axes), centre, 1.0};
-  c.shape.size_m = {spread_along(evidence.points, centre, axes.col(0)),
-                    spread_along(evidence.points, centre, axes.col(1)),
-                    spread_along(evidence.points, centre, axes.col(2))};
-  c.noise = 0.3;
-  c.sight_noise = 0.3;
-  c.outliers = 0.2;
+  const auto half = [&](int k) {
+    return spread_along(evidence.points, centre, axes.col(k), options.core_share);
+  };
+  c.shape.size_m = {half(0), half(1), half(2)};
+  c.noise = options.noise;
+  c.sight_noise = options.noise;
+  c.outliers = options.outliers;
   return c;
 }
 
-/// The middle of a solid seen from one side: as far behind its points as it is wide.
-Vec3 centre_behind(const Evidence& evidence, Vec3 median) {
+/// The centre of a solid seen from one side: behind its points by a share of their median distance from the
+/// axis of view.
+Vec3 centre_behind(const Evidence& evidence, Vec3 median, double share) {
   const Vec3 away = unit(median - *evidence.eye);
   std::vector<double> across;
   for (const Vec3 p : evidence.points) {
     const Vec3 d = p - median;
     across.push_back(norm(d - dot(d, away) * away));
   }
-  return median + 0.7 * median_of(std::move(across)) * away;
+  return median + share * median_of(std::move(across)) * away;
 }
 
 }  // namespace
@@ -86,26 +90,25 @@ Vec3 median_of(std::span<const Vec3> points) {
   return {along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
 }
 
-std::vector<Candidate> starts_for(const Evidence& evidence) {
+std::vector<Candidate> starts_for(const Evidence& evidence, const FitStartOptions& options) {
   Vec3 centre = median_of(evidence.points);
-  if (evidence.eye) centre = centre_behind(evidence, centre);
+  if (evidence.eye) centre = centre_behind(evidence, centre, options.centre_behind);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(robust_scatter(evidence.points, centre));
   Eigen::Matrix3d axes = principal.eigenvectors();
   if (axes.determinant() < 0.0) axes.col(0) *= -1.0;
   std::vector<Candidate> starts;
-  constexpr double kRounded = 0.6;
   constexpr double kQuarter = 0.785398163397448;
   for (int z = 0; z < 3; ++z) {
     Eigen::Matrix3d cycled;
     cycled << axes.col((z + 1) % 3), axes.col((z + 2) % 3), axes.col(z);
-    starts.push_back(start_at(evidence, centre, cycled, kRounded));
+    starts.push_back(start_at(evidence, centre, cycled, options));
     const Eigen::Matrix3d turned = cycled * Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitZ());
-    starts.push_back(start_at(evidence, centre, turned, kRounded));
+    starts.push_back(start_at(evidence, centre, turned, options));
   }
   return starts;
 }
 
-std::vector<Candidate> switched(const Candidate& c) {
+std::vector<Candidate> switched(const Candidate& c, const FitStartOptions& options) {
   std::vector<Candidate> others;
   const auto& r = c.shape.scene_from_shape.rotation;
   const Vec3 a = c.shape.size_m;
@@ -122,48 +125,46 @@ std::vector<Candidate> switched(const Candidate& c) {
   const double mean = 0.5 * (c.shape.e1 + c.shape.e2);
   with({1, 2, 0}, {a.y, a.z, a.x}, mean, c.shape.e1);
   with({2, 0, 1}, {a.z, a.x, a.y}, mean, c.shape.e1);
-  constexpr double kAlike = 1.5;
-  if (std::max(a.x, a.y) < kAlike * std::min(a.x, a.y)) {
+  if (std::max(a.x, a.y) < options.square_section * std::min(a.x, a.y)) {
     Candidate other = c;
     const Transform<models::ShapeFrame, models::ShapeFrame> turn{
         {std::sqrt(0.5), -std::sqrt(0.5), 0, std::sqrt(0.5), std::sqrt(0.5), 0, 0, 0, 1}, {}, 1.0};
     other.shape.scene_from_shape = c.shape.scene_from_shape * turn;
     other.shape.e2 = std::clamp(2.0 - c.shape.e2, 0.15, 1.85);
-    // The corner of the one is the side of the other.
+    // A corner of one section is the middle of a side of the other.
     const double grown = std::pow(2.0, 0.5 * (1.0 - c.shape.e2));
     const double half = 0.5 * (a.x + a.y) * grown;
     other.shape.size_m = {half, half, a.z};
     others.push_back(other);
   }
   for (Candidate& other : others) {
-    other.noise = std::max(4.0 * c.noise, 0.1);
-    other.sight_noise = std::max(4.0 * c.sight_noise, 0.1);
+    other.noise = std::max(options.switched_noise_factor * c.noise, options.least_switched_noise);
+    other.sight_noise = std::max(options.switched_noise_factor * c.sight_noise, options.least_switched_noise);
   }
   return others;
 }
 
-std::vector<Candidate> deformed(const Candidate& c, int parameters) {
-  std::vector<Candidate> axes = switched(c);
+std::vector<Candidate> deformed(const Candidate& c, int parameters, const FitStartOptions& options) {
+  std::vector<Candidate> axes = switched(c, options);
   axes.resize(2);
   axes.push_back(c);
   std::vector<Candidate> bodies;
   for (Candidate& plain : axes) {
-    plain.noise = std::max(plain.noise, 0.1);
-    plain.sight_noise = std::max(plain.sight_noise, 0.1);
+    plain.noise = std::max(plain.noise, options.least_switched_noise);
+    plain.sight_noise = std::max(plain.sight_noise, options.least_switched_noise);
     bodies.push_back(plain);
-    constexpr double kTaper = 0.4;
-    for (const double taper : {-kTaper, kTaper}) {
+    for (const double taper : {-options.taper, options.taper}) {
       Candidate other = plain;
       other.shape.taper_x = other.shape.taper_y = taper;
       if (parameters == kTaperParameters) bodies.push_back(other);
     }
-    constexpr int kWays = 4;
+    constexpr int kBendDirections = 4;
     constexpr double kHalfPi = 1.570796326794897;
-    for (int way = 0; way < kWays && parameters == kBendParameters; ++way) {
+    for (int k = 0; k < kBendDirections && parameters == kBendParameters; ++k) {
       Candidate other = plain;
       const Vec3 a = plain.shape.size_m;
       other.shape.bend_per_m = std::min(0.5 / a.z, 0.5 / std::hypot(a.x, a.y));
-      other.shape.bend_angle_rad = way * kHalfPi;
+      other.shape.bend_angle_rad = k * kHalfPi;
       bodies.push_back(other);
     }
   }

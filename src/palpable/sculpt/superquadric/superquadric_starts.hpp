@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/models/field/superquadric.hpp"
+#include "palpable/sculpt/superquadric/superquadric_options.hpp"
 #include "palpable/sculpt/superquadric/superquadric_residuals.hpp"
 
 #include <limits>
@@ -12,10 +13,10 @@
 
 namespace palpable::sculpt {
 
-/// What a superquadric is fitted to, moved and scaled so that its middle is 0 and its size about 1.
+/// The input of a fit, normalised: its middle is 0 and its scale 1.
 struct Evidence {
   std::vector<Vec3> points;
-  std::vector<Sight> outline;
+  std::vector<LineOfSight> outline;
   std::optional<Vec3> eye;
 };
 
@@ -32,17 +33,17 @@ struct Candidate {
 double median_of(std::vector<double> values);
 Vec3 median_of(std::span<const Vec3> points);
 
-/// Several starts: each of the principal axes as the shape's z, and turned between them, since a compact body
-/// determines neither.
-std::vector<Candidate> starts_for(const Evidence& evidence);
+/// The starts of the search: each of the principal axes as the shape's z, also rotated by 45 degrees about
+/// it, since a compact body determines neither.
+std::vector<Candidate> starts_for(const Evidence& evidence, const FitStartOptions& options);
 
 /// Parameters that give nearly the same shape but lie at another local minimum: every axis as z, and the
 /// square section turned by 45 degrees with its dual exponent.
-std::vector<Candidate> switched(const Candidate& c);
+std::vector<Candidate> switched(const Candidate& c, const FitStartOptions& options);
 
-/// A shape's axes in turn as z, each of them plain, and tapered or bent either way, as `parameters`
-/// (kTaperParameters or kBendParameters) allows: starts of a deformed body that a plain one was fitted to.
-std::vector<Candidate> deformed(const Candidate& c, int parameters);
+/// Starts for a deformed body from a plain shape: each of its axes as z, plain, and tapered or bent either
+/// way, as `parameters` (kTaperParameters or kBendParameters) allows.
+std::vector<Candidate> deformed(const Candidate& c, int parameters, const FitStartOptions& options);
 
 /// The papers' start: axes and sizes from the second moments, the axis of the most different one as z.
 models::Superquadric start_from_moments(std::span<const Vec3> points);

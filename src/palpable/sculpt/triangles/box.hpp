@@ -22,14 +22,14 @@ struct Box {
   }
 };
 
-/// Around at least one place.
+/// The bounding box of at least one point.
 inline Box bounds_of(std::span<const Vec3> places_m) {
   Box box{places_m.front(), places_m.front()};
   for (const Vec3 p : places_m) box.grow(p);
   return box;
 }
 
-/// Around a mesh's triangles, of which there is at least one.
+/// The bounding box of a mesh's triangles, of which there is at least one.
 inline Box bounds_of(const Mesh& mesh) {
   const Vec3 first = mesh.vertices_m[mesh.triangles[0][0]];
   Box box{first, first};

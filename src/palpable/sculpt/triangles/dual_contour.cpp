@@ -28,8 +28,8 @@ std::size_t edge_number(std::size_t axis, unsigned k) {
   return 4 * axis + bit((axis + 1) % 3) + 2 * bit((axis + 2) % 3);
 }
 
-/// Which sheet of the surface each edge of a cube crosses: two that pass the same cube stay apart (Nielson
-/// 2004), so that the mesh is a manifold but for rare edges.
+/// The sheet of the surface that each edge of a cube crosses. Two sheets in one cube stay apart (Nielson
+/// 2004), so the mesh is a manifold except at rare edges.
 struct Sheets {
   std::array<std::uint8_t, 12> of_edge{};
   std::uint8_t count = 0;
@@ -186,8 +186,8 @@ class Contourer {
     for (std::size_t i = 0; i < unknown.size(); ++i) *values_.put(key(unknown[i]), 0.0).first = values[i];
   }
 
-  /// If the surface passes the cube, it is noted, and the neighbours across faces that the surface passes
-  /// too.
+  /// Adds the cube if the surface passes through it, and its neighbours across faces that the surface
+  /// crosses.
   void spread(Cell cell, std::vector<Cell>& next) {
     const unsigned mask = mask_of(cell);
     if (mask == 0 || mask == 255U) return;
@@ -221,7 +221,7 @@ class Contourer {
     });
   }
 
-  /// By the rule of false position, halving the kept end's value (Illinois).
+  /// The crossing by false position, halving the retained end's value (Illinois).
   void find(Crossing& crossing) const {
     Cell to = crossing.from;
     ++to[crossing.axis];
@@ -244,8 +244,8 @@ class Contourer {
     crossing.normal = unit(sample.gradient);
   }
 
-  /// Where the tangent planes at the crossings of one of the cube's sheets meet, drawn a little towards their
-  /// middle so that flat and straight places have one answer.
+  /// The point nearest to the tangent planes at the crossings of one of the cube's sheets. It is regularised
+  /// towards their mean, so that it is unique on flat and straight parts.
   Vec3 vertex(Cell cell, const Sheets& sheets, std::uint8_t sheet) const {
     Vec3 middle;
     std::array<const Crossing*, 12> found{};
@@ -272,7 +272,8 @@ class Contourer {
     const double det = dot(m[0], cross(m[1], m[2]));
     const Vec3 x = (1.0 / det) * Vec3{dot(right, cross(m[1], m[2])), dot(m[0], cross(right, m[2])),
                                       dot(m[0], cross(m[1], right))};
-    // Within its own cube, or triangles would fold over; not on its sides, where it could meet others.
+    // Inside its own cube, since triangles would fold over otherwise; not on a side, where it could meet
+    // others.
     constexpr double kApart = 1e-3;
     const double margin_m = kApart * spacing_m_, far_m = spacing_m_ - margin_m;
     const Vec3 corner = place(cell) - middle;

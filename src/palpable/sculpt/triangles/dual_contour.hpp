@@ -13,8 +13,8 @@
 
 namespace palpable::sculpt {
 
-/// A solid as a function: negative inside, with a gradient, or with none (0) where edges need not be sharp:
-/// then each vertex is the mean of its edge crossings. Any thread.
+/// A solid as a function: negative inside, with a gradient. With a gradient of 0, for solids whose edges
+/// need not be sharp, each vertex is the mean of its edge crossings. Any thread.
 using SolidFunction = std::function<models::FieldSample(Vec3 place_m)>;
 
 struct DualContourOptions {

@@ -17,9 +17,9 @@ struct OrientedBox {
   std::array<double, 3> low, high;
 };
 
-/// Four such boxes side by side, in single precision and from an origin near them: their distances are
-/// computed in one go. What is put in is widened by `slack`, which covers the rounding, so a distance is
-/// never given too long. A box that was not put in is far away.
+/// Four such boxes in single precision, relative to an origin near them, whose distances are computed at
+/// once. A box is enlarged by `slack`, which covers the rounding, so a distance is never too large. An unset
+/// box is far away.
 class FourBoxes {
  public:
   static constexpr std::size_t kCount = 4;
@@ -34,7 +34,7 @@ class FourBoxes {
       high_[axis][lane] = static_cast<float>(box.high[axis] + slack);
     }
   }
-  /// Takes a box of others as it is.
+  /// Copies a box from another group.
   void set(std::size_t lane, const FourBoxes& from, std::size_t lane_there) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       x_[axis][lane] = from.x_[axis][lane_there];
@@ -45,7 +45,7 @@ class FourBoxes {
     }
   }
 
-  /// No more than the squared distance to what each box holds.
+  /// A lower bound of the squared distance to the content of each box.
   Distances squared_distances(const std::array<float, 3>& p) const {
     Four sum{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -55,7 +55,7 @@ class FourBoxes {
     }
     return std::bit_cast<Distances>(sum);
   }
-  /// No less than the squared distance to any place in each box.
+  /// An upper bound of the squared distance to any point of each box.
   Distances squared_reaches(const std::array<float, 3>& p) const {
     Four sum{};
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -10,9 +10,9 @@
 
 namespace palpable::sculpt {
 
-/// Four triangles side by side, in single precision and from an origin near them: their distances are
-/// computed in one go, each right to a few last digits of the farthest coordinate. Slivers are no worse, for
-/// the normals come from double precision.
+/// Four triangles in single precision, relative to an origin near them, whose distances are computed at
+/// once. The error is a few units in the last place of the farthest coordinate. Slivers are as accurate,
+/// since the normals come from double precision.
 class FourTriangles {
  public:
   static constexpr std::size_t kCount = 4;

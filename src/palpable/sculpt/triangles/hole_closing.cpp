@@ -30,8 +30,8 @@ struct Weight {
 /// For a triangle without an area: more than for any other.
 constexpr double kDegenerate = 3.0;
 
-/// How far the cosine between two neighbours' normals is below that of 120 degrees. A lid meets walls at
-/// about 90 degrees: turns up to there must not decide.
+/// By how much the cosine between two neighbours' normals is below that of 120 degrees. A lid meets walls at
+/// about 90 degrees, so angles up to that count as 0.
 double fold_between(Vec3 a, Vec3 b) {
   constexpr double kLeastCosine = -0.5;
   if (squared_norm(a) == 0.0 || squared_norm(b) == 0.0) return 0.0;
@@ -102,7 +102,7 @@ class Triangulation {
   std::vector<Part> parts_;
 };
 
-/// A rim whose triangles take too long is divided: the work grows with the cube of its places.
+/// A longer rim is divided, since the work grows with the cube of its number of vertices.
 constexpr std::size_t kMostPlaces = 256;
 
 /// The shortest chord that leaves at least a quarter of the places on each side.

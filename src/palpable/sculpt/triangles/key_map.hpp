@@ -12,14 +12,14 @@
 namespace palpable::sculpt {
 
 /// A hash table of small values by 64-bit keys with open addressing: several times as fast as
-/// std::unordered_map where there are many and none is removed. Every key but the greatest number. Finding:
-/// any thread.
+/// std::unordered_map for many entries if none is removed. All keys except the largest number. Lookups: any
+/// thread.
 template <class Value>
 class KeyMap {
  public:
   explicit KeyMap(std::size_t expected = 0) : slots_(std::bit_ceil(2 * expected + 16)) {}
 
-  /// The value that is there, and whether it is new, the given one. Valid until the next insertion.
+  /// The stored value, and whether it was inserted. Valid until the next insertion.
   std::pair<Value*, bool> put(std::uint64_t key, const Value& value) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     Slot& slot = slots_[place_of(key)];
@@ -28,7 +28,7 @@ class KeyMap {
     ++count_;
     return {&slot.value, true};
   }
-  /// Null where there is none.
+  /// Null if there is none.
   const Value* find(std::uint64_t key) const {
     const Slot& slot = slots_[place_of(key)];
     return slot.key == key ? &slot.value : nullptr;
@@ -42,7 +42,7 @@ class KeyMap {
     Value value{};
   };
 
-  /// Where the key is, or where it would be put.
+  /// The slot of the key, or the free slot for it.
   std::size_t place_of(std::uint64_t key) const {
     // Fibonacci hashing (Knuth, vol. 3): neighbours spread over the table.
     const std::size_t mask = slots_.size() - 1;

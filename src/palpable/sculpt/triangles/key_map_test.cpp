@@ -10,7 +10,7 @@
 namespace palpable::sculpt {
 namespace {
 
-TEST(KeyMap, KeepsWhatAnOrdinaryMapKeeps) {
+TEST(KeyMap, HoldsTheSameAsAnUnorderedMap) {
   KeyMap<int> map;
   std::unordered_map<std::uint64_t, int> ordinary;
   std::mt19937_64 random(1);

@@ -12,7 +12,7 @@
 
 namespace palpable::sculpt {
 
-/// How a solid lies in the scene, which is seen along -z.
+/// The orientation of a solid in the scene, which is viewed along -z.
 enum class Lay {
   /// Flat where it is less than a quarter as high as it is wide and deep (a map, a plate), else upright.
   automatic,
@@ -27,11 +27,11 @@ enum class DefaultSize {
   /// Its own: metres, axes and origin stay as they are.
   own,
   /// Its own if its longest side is 20 to 250 mm, which a hand can feel; else the default working volume. A
-  /// solid of its own size that lies beside its origin is moved to the middle.
+  /// solid of its own size that is far from its origin is moved to the middle.
   for_a_hand
 };
 
-/// How a solid comes into the scene.
+/// How a solid is placed in the scene.
 struct PlacementOptions {
   /// Width, height and depth of the box that it is fitted into, each 1 mm ... 1 m.
   std::optional<Vec3> size_m;
@@ -43,7 +43,7 @@ struct PlacementOptions {
   CoordinateConvention convention;
 };
 
-/// Where a solid without a size of its own is fitted: the default working volume.
+/// The box of a solid without a given size: the default working volume.
 inline constexpr Vec3 kWorkingVolume_m{0.10, 0.10, 0.05};
 
 struct Placement {
@@ -57,11 +57,11 @@ struct Placement {
   AxisDirection up = AxisDirection::plus_y;
 };
 
-/// Where a solid in `box` goes, one of its units being a metre. It keeps its place as `default_size` says, or
-/// it is turned by quarter turns, its up to the scene's up or to the person, scaled into the size, centred
-/// above the origin, its lowest point at z = 0. Upright, its front faces the person: -y where z is up (as
-/// modellers' front views), +y where that is down, else +z (as glTF). Errors: usage for sizes out of range,
-/// invalid_input for a box without a finite extent.
+/// The placement of a solid in `box`, one of its units being a metre. It keeps its place as `default_size`
+/// says. Otherwise it is rotated by quarter turns, so that its up is the scene's up or points to the person,
+/// scaled into the size, and centred above the origin with its lowest point at z = 0. Upright, its front
+/// faces the person: -y if z is up (as modellers' front views), +y if z is down, else +z (as glTF). Errors:
+/// usage for sizes out of range, invalid_input for a box without a finite extent.
 Result<Placement> placement_of(const Box& box, const PlacementOptions& options);
 
 /// Which side of a solid faces the person when that direction is up.

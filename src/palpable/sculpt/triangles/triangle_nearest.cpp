@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kRounding = 1e-6;
 
-/// A place t is nearer than the one found, q, to a place of the ball about c only where the plane half way
-/// between them, on which both are as near, cuts the ball: |t - c|^2 - |q - c|^2 <= 2 r |t - q|.
-struct Rival {
+/// A point t can be nearer than the found point q, for some point of the ball about c, only if their
+/// bisecting plane cuts the ball: |t - c|^2 - |q - c|^2 <= 2 r |t - q|.
+struct CloserTest {
   std::array<float, 3> centre, found;
   double squared_m2, radius_m;
 
@@ -35,7 +35,7 @@ struct Rival {
   }
 };
 
-/// Leaves that may be put on a list, and how far the nearest and the farthest lies.
+/// Candidate leaves of a list, and the distances of the nearest and the farthest.
 struct Leaves {
   struct Leaf {
     float squared;
@@ -63,7 +63,7 @@ void put_nearest_first(const Leaves& found, TriangleShortlist& list) {
   const float per_step = static_cast<float>(kSteps) / (found.most2 - found.least2);
   const auto step_of = [&](const Leaves::Leaf& leaf) {
     const float steps = per_step * (leaf.squared - found.least2);
-    // Where all are as far, it is no number.
+    // NaN if all distances are equal.
     return steps < static_cast<float>(kSteps) ? static_cast<std::size_t>(steps) : kSteps - 1;
   };
   std::array<std::size_t, kSteps + 1> begin{};
@@ -187,7 +187,7 @@ void TriangleTree::list_near(Vec3 centre, double radius_m, std::uint32_t guess,
   list.fours.clear();
   const bool listed = within != nullptr && !within->is_whole;
   const NearestTriangle near = listed ? nearest(centre, guess, *within) : nearest(centre, guess);
-  const Rival rival{from_origin(centre), from_origin(near.point_m), near.squared_distance_m2, radius_m};
+  const CloserTest rival{from_origin(centre), from_origin(near.point_m), near.squared_distance_m2, radius_m};
   Leaves found;
   if (listed) {
     for (const TriangleShortlist::Four& four : within->fours)

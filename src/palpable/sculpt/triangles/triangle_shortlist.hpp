@@ -12,13 +12,13 @@
 
 namespace palpable::sculpt {
 
-/// The leaves of a TriangleTree that may hold the nearest triangle of places in a ball, those nearest to its
-/// centre first. Of a tree that has more there than fit, none, and is_whole is set.
+/// The leaves of a TriangleTree that may contain the nearest triangle of any point in a ball, those nearest
+/// to its centre first. If there are more than fit, the list is empty and is_whole is set.
 struct TriangleShortlist {
   struct Four {
     FourBoxes boxes;
     std::array<std::uint32_t, FourBoxes::kCount> node;
-    /// They and all after them are at least this far from the centre.
+    /// Least distance of these and all later leaves from the centre.
     double from_m = 0.0;
   };
   static constexpr std::size_t kMost = 256;
@@ -26,7 +26,7 @@ struct TriangleShortlist {
   Vec3 centre_m;
   std::vector<Four> fours;
   bool is_whole = false;
-  /// How often a ball in this one was entered for which it serves as well.
+  /// How often the list was reused for a smaller ball inside this one.
   std::size_t entered_again = 0;
 };
 

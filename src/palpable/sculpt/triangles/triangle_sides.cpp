@@ -49,7 +49,7 @@ bool meets_box(Vec3 p, Vec3 inverse, Vec3 low, Vec3 high) {
   return from <= to;
 }
 
-/// Calls leaf(node) for the leaves under every node whose number is to be opened; from the root.
+/// From the root: calls leaf(node) for the leaves below each node that opens() selects.
 template <std::size_t kMost, class Nodes, class Opens, class Leaf>
 void descend(const Nodes& nodes, const Opens& opens, const Leaf& leaf) {
   std::array<std::uint32_t, kMost> stack;

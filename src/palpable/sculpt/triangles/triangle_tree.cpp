@@ -117,7 +117,7 @@ void TriangleTree::put_into_four(std::uint32_t at) {
 void TriangleTree::set_leaf(std::uint32_t at) {
   const Node& node = nodes_[at];
   for (std::uint32_t i = 0; i < FourTriangles::kCount; ++i) {
-    // Where there are fewer, the first one again.
+    // Missing triangles repeat the first one.
     const Corners& c = corners_[node.first + (i < node.count ? i : 0)];
     leaves_[node.leaf].set(i, {c[0] - origin_m_, c[1] - origin_m_, c[2] - origin_m_});
   }
@@ -137,7 +137,7 @@ void TriangleTree::move(const Mesh& mesh, std::span<const std::uint32_t> triangl
 }
 
 double TriangleTree::rounding_m() const {
-  // Of a coordinate, of the place asked for, and of the sums: a few last digits.
+  // Rounding errors of coordinates, of the query point and of the sums: a few units in the last place.
   constexpr double kDigits = 1e-6;
   return kDigits * norm(larger(nodes_[0].high - origin_m_, origin_m_ - nodes_[0].low));
 }

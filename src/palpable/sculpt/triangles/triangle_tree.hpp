@@ -35,22 +35,23 @@ class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
 
-  /// Updates the boxes above these triangles, whose vertices have moved. The tree's division does not change,
-  /// so triangles that move far make it slower, never wrong. No query at the same time.
+  /// Updates the boxes above these triangles after their vertices have moved. The tree's structure does not
+  /// change, so large movements make it slower, but never wrong. No query at the same time.
   void move(const Mesh& mesh, std::span<const std::uint32_t> triangles);
 
   Box bounds() const { return {nodes_[0].low, nodes_[0].high}; }
 
   static constexpr double kNearestSlack = 3e-4;
 
-  /// True to kNearestSlack of the distance: the point is on the surface, and none is nearer by more than
-  /// that. `guess`: a triangle that may be near (any valid index); it only saves time.
+  /// Relative error of the distance: kNearestSlack. The point is on the surface. `guess`: a triangle that
+  /// may be near (any valid index); it only saves time.
   NearestTriangle nearest(Vec3 p, std::uint32_t guess) const;
 
-  /// The same of a place in the ball that the list was made for.
+  /// The same for a point of the ball that the list was made for.
   NearestTriangle nearest(Vec3 p, std::uint32_t guess, const TriangleShortlist& among) const;
 
-  /// What may be nearest to the places of a ball. `within`: of a ball around it, or null.
+  /// The triangles that may be nearest to points of a ball. `within`: the list of a larger ball around it,
+  /// or null.
   void list_near(Vec3 centre, double radius_m, std::uint32_t guess, const TriangleShortlist* within,
                  TriangleShortlist& list) const;
 
@@ -63,9 +64,9 @@ class TriangleTree {
     visit_box(0, least_m, most_m, visit);
   }
 
-  /// How often the triangles wind round `p`: about 1 inside a closed mesh whose triangles face outwards, 0
-  /// outside; broken numbers near holes (Jacobson et al. 2013). Far groups of triangles count as dipoles
-  /// (Barill et al. 2018): good to about 0.01.
+  /// The winding number of `p`: about 1 inside a closed mesh whose triangles face outwards, 0 outside,
+  /// fractions near holes (Jacobson et al. 2013). Far groups of triangles are approximated as dipoles
+  /// (Barill et al. 2018), with an error of about 0.01.
   double winding(Vec3 p) const;
 
   /// How many triangles a ray from `p` meets.
@@ -130,9 +131,9 @@ class TriangleTree {
   /// Joins a node's grandchildren, and all below them, into fours; returns the number of the first.
   std::uint32_t gather(std::uint32_t at);
   void put_into_four(std::uint32_t at);
-  /// Of few triangles: along their mean normal, for on curved surfaces that is far tighter than a box along
-  /// the scene's axes, and lets a place that is nearly as far from everything (a sphere's middle) be
-  /// answered.
+  /// A box of few triangles is aligned with their mean normal. On curved surfaces it is much tighter than an
+  /// axis-aligned box, so a point that is nearly equidistant from everything (the middle of a sphere) takes
+  /// less time.
   OrientedBox oriented_box(const Node& node, Vec3 area_m2) const;
   /// `places`: of corners_, sorted; all of them the node's.
   void bound_over(std::uint32_t at, std::span<const std::uint32_t> places);

@@ -13,7 +13,7 @@
 namespace palpable::sculpt {
 namespace {
 
-/// Triangles all over a ball of 50 mm, one of ten a sliver.
+/// Random triangles in a ball of 50 mm, one in ten a sliver.
 Mesh soup(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -41,7 +41,7 @@ double by_trying_all_m(const Mesh& mesh, Vec3 p) {
   return std::sqrt(least_m2);
 }
 
-TEST(TriangleTree, FindsTheNearestTriangleAsTryingAllDoes) {
+TEST(TriangleTree, FindsTheSameNearestTriangleAsAnExhaustiveSearch) {
   const Mesh mesh = soup(1);
   const TriangleTree tree(mesh);
   std::mt19937_64 random(2);
@@ -57,7 +57,7 @@ TEST(TriangleTree, FindsTheNearestTriangleAsTryingAllDoes) {
   }
 }
 
-TEST(TriangleTree, FindsTheSameAmongWhatItListedForBallsInBalls) {
+TEST(TriangleTree, FindsTheSameInTheListsOfNestedBalls) {
   const Mesh mesh = soup(3);
   const TriangleTree tree(mesh);
   std::mt19937_64 random(4);

@@ -84,7 +84,7 @@ class Filter {
  public:
   Filter() {
     load(offsetof(seccomp_data, arch));
-    // Another architecture's numbers mean other calls.
+    // Other architectures have other call numbers.
     add(BPF_JMP | BPF_JEQ | BPF_K, kArchitecture, 1, 0);
     give(SECCOMP_RET_KILL_PROCESS);
     load(offsetof(seccomp_data, nr));
@@ -106,7 +106,7 @@ class Filter {
     give(SECCOMP_RET_ALLOW);
     give(SECCOMP_RET_ERRNO | EPERM);
   }
-  /// As a newer kernel's call on an older kernel: libraries know how to go on without.
+  /// Other calls fail as unknown ones, which libraries handle.
   bool install() {
     give(SECCOMP_RET_ERRNO | ENOSYS);
     const sock_fprog program{static_cast<unsigned short>(size_), code_.data()};
@@ -148,7 +148,7 @@ void filter_system_calls() {
 }  // namespace
 
 bool confine(const Allowance& allowance, int next_descriptor) {
-  // The parent may have ended before this was asked for; then nobody waits for an answer.
+  // The parent may have ended before this call; then nobody waits for an answer.
   const pid_t parent = getppid();
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent || parent == 1) return false;
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);

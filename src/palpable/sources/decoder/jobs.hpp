@@ -10,7 +10,7 @@
 
 namespace palpable::sources::decoder {
 
-/// What a job needs from the disk before the process is shut in: plug-ins of its library.
+/// Loads what a job needs from the disk before the process is restricted: plug-ins of its library.
 void prepare(isolated::Job job);
 
 /// The reply to a job: the decoded value or an error, as isolated/flat.hpp lays it out. May crash or hang on

@@ -100,7 +100,8 @@ Result<Image> colour_at_depth(const DepthMap& depth, const Image& colour, const 
       std::fill_n(pixel, 3, 0.5F);
       const Seen s = project(x, y);
       if (!within(s, colour.width, colour.height)) continue;
-      // What is this much nearer hides; less is the slope of one surface and the noise of a sensor.
+      // Ratio of depths below which a surface hides another one; smaller differences are slopes and sensor
+      // noise.
       constexpr double kHides = 0.97;
       const auto front = static_cast<double>(
           nearest(static_cast<int>(std::lround(s.x)), static_cast<int>(std::lround(s.y))));

@@ -38,7 +38,7 @@ struct DisparityFile {
   std::size_t unknown = 0;
 };
 
-/// What a disparity file holds for "unknown", besides what is not finite or negative.
+/// Values of a disparity file that mean "unknown", besides those that are not finite or negative.
 enum class UnknownDisparity { not_finite, zero_too };
 
 /// Disparity in pixels: value × px_per_unit (1/256 for our own PNG, 1/4 for Middlebury's cones). Integer

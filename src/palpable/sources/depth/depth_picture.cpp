@@ -22,12 +22,12 @@ Note taken_as_metres() {
   return {"The file's numbers were taken as depth in metres.", Reason::depth_numbers_assumed};
 }
 
-/// Numbers, and what they are before anything is stated about them.
+/// A file's numbers, and their default meaning.
 struct Numbers {
   Raster<float> values;
   /// The value that an integer file's 1.0 stands for: 255 or 65535; 1 for floats.
   float most = 1.0F;
-  /// Where the file holds its own picture too.
+  /// The picture in the same file, if there is one.
   std::optional<Image> colour;
   DepthSettings stated;
   std::optional<Note> note;
@@ -144,8 +144,8 @@ void turn_distance_into_depth(Raster<float>& values, const Pinhole& c) {
     }
 }
 
-/// A renderer's "nothing there" (1e10 and the like) is no depth.
-void forget_the_endless(Raster<float>& values) {
+/// A renderer's background (1e10 and similar values) has no depth.
+void remove_background_values(Raster<float>& values) {
   constexpr float kEndless = 1e9F;
   for (float& v : values.values())
     if (v >= kEndless) v = kUnknownDepth;
@@ -172,7 +172,7 @@ Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const 
     if (!depth) return std::move(depth).error();
     return Depth(DepthMap{*std::move(depth), std::nullopt});
   }
-  if (!integers) forget_the_endless(values);
+  if (!integers) remove_background_values(values);
   if (meaning == DepthMeaning::distance) {
     if (!s.camera)
       return Error{ErrorCode::usage,
@@ -189,8 +189,7 @@ const Raster<float>& raster_of(const std::variant<DepthMap, DisparityMap>& depth
   return metres != nullptr ? metres->depth_m : std::get<DisparityMap>(depth).disparity_px;
 }
 
-/// Sizes agree, or the colour picture is evenly larger or smaller: its pixels are then picked, nearest by
-/// nearest.
+/// Equal sizes, or a colour picture that is larger or smaller by one factor: its nearest pixels are taken.
 Result<Image> fitted(const Image& colour, int width, int height) {
   if (colour.width == width && colour.height == height) return colour;
   const double sx = static_cast<double>(colour.width) / width;

@@ -39,8 +39,8 @@ enum class DepthMeaning : std::uint8_t {
 std::string_view name_of(DepthMeaning meaning);
 std::optional<DepthMeaning> depth_meaning_from(std::string_view name);
 
-/// What is stated about a depth file, by option or by a sidecar. What is absent is found out or takes the
-/// defaults of docs/formats.md.
+/// Settings of a depth file, by option or by a sidecar. What is not set is detected, or has the defaults of
+/// docs/formats.md.
 struct DepthSettings {
   std::optional<DepthMeaning> meaning;
   std::optional<double> metres_per_unit;
@@ -60,14 +60,14 @@ DepthSettings merged(DepthSettings first, const DepthSettings& otherwise);
 /// camera, `rotation` (9 numbers) and `translation_m` (3). Unknown keys are ignored. Errors: invalid_input.
 Result<DepthSettings> decode_depth_settings(std::string_view json);
 
-/// What stands beside a depth file: FILE.json, FILE with .json for its ending, or depth.json in its folder,
-/// the first that is there and is about depth; empty settings where there is none. Errors: invalid_input,
-/// naming the sidecar.
+/// The sidecar of a depth file: FILE.json, FILE with .json as its extension, or depth.json in its folder,
+/// the first that exists and is about depth; empty settings if there is none. Errors: invalid_input, naming
+/// the sidecar.
 Result<DepthSettings> read_depth_sidecar(const std::filesystem::path& file);
 
-/// A depth file made ready to be shaped.
+/// A depth file, read and interpreted.
 struct DepthPicture {
-  /// Metres where they are known; else disparity, of which only the shape counts.
+  /// Metres if they are known; else disparity, of which only the shape is used.
   std::variant<DepthMap, DisparityMap> depth;
   /// The picture of the same pixels; alpha 0 where there is no colour.
   std::optional<Image> colour;
@@ -77,7 +77,7 @@ struct DepthPicture {
 };
 
 /// Reads depth from one file (numbers; a picture with depth in its alpha channel; a phone's photograph with
-/// depth inside; a grey picture), or from two, colour first. A sidecar is obeyed, `settings` more. Errors:
+/// depth inside; a grey picture), or from two, colour first. `settings` override a sidecar. Errors:
 /// invalid_input or usage, with the file's name: not readable, no pixel known, planes or camera missing where
 /// they are needed, two pictures that do not fit each other.
 Result<DepthPicture> read_depth_picture(std::span<const std::filesystem::path> files,

@@ -74,7 +74,7 @@ TEST_F(ADepthPicture, OfSixteenBitsIsMillimetresUnlessStatedOtherwise) {
   EXPECT_TRUE(scaled->notes.empty());
 }
 
-TEST_F(ADepthPicture, ObeysItsSidecarAndAnOptionMore) {
+TEST_F(ADepthPicture, ObeysOptionsBeforeItsSidecar) {
   ASSERT_TRUE(formats::write_png(folder_ / "d.png", sixteen_bit()));
   text("depth.json", R"({"metres_per_unit": 0.0001})");
   EXPECT_FLOAT_EQ(metres(read("d.png"), 3, 3), 0.15F);

@@ -24,7 +24,7 @@ struct ZBuffer {
   };
   enum class Projection : std::uint8_t { perspective, orthographic };
   enum class FarPlane : std::uint8_t {
-    /// What was cleared and never drawn on: unknown.
+    /// Cleared pixels that nothing was drawn on are unknown.
     is_empty,
     is_a_surface
   };

@@ -33,14 +33,14 @@ enum class InputKind : std::uint8_t {
 std::string_view name_of(InputKind kind);
 std::optional<InputKind> input_kind_from(std::string_view name);
 
-/// What a person named on the command line, recognised.
+/// The recognised input of a command.
 struct Input {
   InputKind kind = InputKind::picture;
   /// As given. picture, scene, mesh, points, shapes, level_set: one. stereo: two, left first, or one file
   /// that holds both. depth: one, or its colour picture first and the depth second. video: one film, or the
   /// pictures of a folder in the order of their names (numbers counted as numbers). map: one.
   std::vector<std::filesystem::path> files;
-  /// What the person should know.
+  /// Notes for the person.
   std::vector<Note> notes;
 };
 

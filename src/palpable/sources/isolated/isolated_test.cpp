@@ -153,7 +153,7 @@ TEST(Isolated, TakesNoMoreMemoryThanItIsAllowed) {
   EXPECT_FALSE(open_reply(flat));
 }
 
-// What a decoder that was taken over may answer.
+// Replies of a compromised decoder.
 
 TEST(IsolatedReply, OfAMeshMustNameItsOwnVertices) {
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};

@@ -18,7 +18,7 @@
 namespace palpable::sources {
 namespace {
 
-// OpenCV encodes here and so is an independent witness; the product decodes without it.
+// OpenCV encodes the test pictures, as an independent implementation; the product decodes without it.
 
 cv::Mat noise(int type, int rows = 37, int columns = 53) {
   cv::Mat m(rows, columns, type);

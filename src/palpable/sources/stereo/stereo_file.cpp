@@ -86,7 +86,7 @@ Result<StereoLayout> layout_of(std::uint32_t jps) {
   }
 }
 
-/// Twice as wide (or high): halves that were squeezed get their shape back, evenly interpolated.
+/// Stretched to twice the width (or height), interpolated: restores the aspect ratio of squeezed halves.
 Image stretched(const Image& image, bool across) {
   Image out{across ? 2 * image.width : image.width,
             across ? image.height : 2 * image.height,
@@ -168,7 +168,7 @@ Result<StereoPictures> decode_stereo(std::span<const std::byte> file, StereoLayo
     return std::move(size).error();
   pair->left = stretched(pair->left, across);
   pair->right = stretched(pair->right, across);
-  pair->notes.emplace_back("The file holds squeezed halves; they were stretched to their shape again.");
+  pair->notes.emplace_back("The file holds squeezed halves; they were stretched to their aspect ratio.");
   return pair;
 }
 

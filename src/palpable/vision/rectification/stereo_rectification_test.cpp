@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/stereo_rectification.hpp"
 
-#include "palpable/vision/stereo/problem/synthetic_pair.hpp"
+#include "palpable/vision/stereo/problem/centred_box.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +14,7 @@ namespace {
 
 /// A pair whose right picture is rotated about its centre, as by a tilted camera.
 StereoPair turned_pair(double degrees) {
-  SyntheticScene scene;
-  scene.width = 320;
-  scene.height = 240;
-  scene.box_left = 120;
-  scene.box_right = 200;
-  scene.box_top = 80;
-  scene.box_bottom = 160;
+  SyntheticScene scene = centred_box_scene(320, 240);
   scene.slope_x = 0.02;
   StereoPair pair = render(scene);
   const Image straight = pair.right;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/tracked_matches.hpp"
 
-#include "palpable/vision/stereo/problem/synthetic_pair.hpp"
+#include "palpable/vision/stereo/problem/centred_box.hpp"
 
 #include <cmath>
 
@@ -12,14 +12,7 @@ namespace palpable::vision {
 namespace {
 
 TEST(TrackedMatches, AddCornersWithTheSurfacesDisparity) {
-  SyntheticScene scene;
-  scene.width = 320;
-  scene.height = 240;
-  scene.box_left = 120;
-  scene.box_right = 200;
-  scene.box_top = 80;
-  scene.box_bottom = 160;
-  const StereoPair pair = render(scene);
+  const StereoPair pair = render(centred_box_scene(320, 240));
   const std::vector<FeatureMatch> known{{50, 50, 44, 50}, {160, 120, 146, 120}};
   const auto matches = tracked_matches(pair, known, {});
   ASSERT_TRUE(matches);

@@ -95,8 +95,9 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
   work.report(0.0, "measuring the pair");
   DisparityRange range = find_disparity_range(input.left_grey, input.right_grey, options.range, work);
   const VerticalOffset offset = measure_vertical_offset(input.left_grey, input.right_grey, work);
-  std::vector<std::string> notes = pair_notes(range, offset, contrast_beyond_grain(input.left_grey));
-  if (exposure.differs && agree(range)) notes.push_back(sentence_of(exposure));
+  std::vector<std::string> notes =
+      pair_notes(range, offset, contrast_beyond_grain(input.left_grey), options.pair_check);
+  if (exposure.differs && agree(range, options.pair_check)) notes.push_back(sentence_of(exposure));
   const bool exchanged = options.max_disparity_px == 0 && looks_swapped(range);
   if (exchanged) range = {std::max(0, -range.max_px), -range.min_px, range.agreement, range.textured};
   if (options.max_disparity_px > 0) range = {0, options.max_disparity_px, range.agreement, range.textured};
@@ -127,12 +128,14 @@ std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method
   std::vector<Parameter> all = entry_of(method).parameters(options);
   append_parameters(all, "preparation", parameters_of(options.preparation));
   append_parameters(all, "range", parameters_of(options.range));
+  append_parameters(all, "pair_check", parameters_of(options.pair_check));
   return all;
 }
 
 Result<void> check(const StereoOptions& options, StereoMethod method) {
   if (auto ok = check_ranges(options.preparation); !ok) return ok;
   if (auto ok = check_ranges(options.range); !ok) return ok;
+  if (auto ok = check_ranges(options.pair_check); !ok) return ok;
   return entry_of(method).check(options);
 }
 

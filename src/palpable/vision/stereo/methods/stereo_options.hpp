@@ -13,6 +13,7 @@
 #include "palpable/vision/stereo/problem/levels.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
+#include "palpable/vision/stereo/range/pair_check.hpp"
 
 #include <vector>
 
@@ -25,6 +26,7 @@ struct StereoOptions {
   int max_disparity_px = 0;
   PreparationOptions preparation = {};
   RangeOptions range = {};
+  PairCheckOptions pair_check = {};
   ScanlineOptions scanline = {};
   GraphCutOptions graph_cut = {};
   SegmentsOptions segments = {};
@@ -33,7 +35,7 @@ struct StereoOptions {
   BestOptions best = {};
 };
 
-/// The parameters of one method, and the common ones (`preparation.…`, `range.…`).
+/// The parameters of one method, and the common ones (`preparation.…`, `range.…`, `pair_check.…`).
 std::vector<Parameter> parameters_of(StereoOptions& options, StereoMethod method);
 /// Errors: usage, for a parameter of this method, or a common one, out of its range.
 Result<void> check(const StereoOptions& options, StereoMethod method);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/plane_candidates.hpp"
 
+#include "palpable/vision/stereo/planes/plain_picture.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +14,6 @@ namespace {
 
 constexpr int kWidth = 90;
 constexpr int kHeight = 40;
-
-ColourPlanes plain(int width, int height) {
-  const Raster<std::uint8_t> plane(width, height, std::uint8_t{90});
-  return {plane, plane, plane};
-}
 
 /// One exact plane over a picture of one colour: all candidates lie on it.
 struct OnePlane {
@@ -42,8 +39,8 @@ TEST(PlaneCandidates, OfOnePlaneEqualItExceptForRandomChanges) {
   PlaneProposalOptions options;
   options.fit.ridge_px2 = 0.0F;
   PlaneCandidates candidates(kWidth, kHeight);
-  propose_planes(plain(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions}, options, 0,
-                 candidates, {});
+  propose_planes(plain_picture(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions}, options,
+                 0, candidates, {});
   for (int y = 15; y < kHeight - 15; ++y)
     for (int x = 15; x < kWidth - 15; ++x) {
       const std::size_t at = candidates.at(x, y);
@@ -63,8 +60,8 @@ TEST(PlaneCandidates, IncludeTheOtherViewsPlane) {
   theirs.disparity = Raster<float>(kWidth, kHeight, NAN);
   theirs.disparity(40, 20) = 33.0F;
   PlaneCandidates candidates(kWidth, kHeight);
-  propose_planes(plain(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions, &theirs}, {}, 3,
-                 candidates, {});
+  propose_planes(plain_picture(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions, &theirs},
+                 {}, 3, candidates, {});
   const auto holds_33 = [&](int x) {
     const auto first = candidates.disparity.begin() + static_cast<std::ptrdiff_t>(candidates.at(x, 20));
     return std::find(first, first + PlaneCandidates::kCount, 33.0F) != first + PlaneCandidates::kCount;
@@ -77,8 +74,8 @@ TEST(PlaneCandidates, HaveSmallerRandomChangesInLaterRounds) {
   const OnePlane scene;
   const auto largest_change = [&](int round) {
     PlaneCandidates candidates(kWidth, kHeight);
-    propose_planes(plain(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions}, {}, round,
-                   candidates, {});
+    propose_planes(plain_picture(kWidth, kHeight), {scene.map, scene.map, scene.trust, scene.regions}, {},
+                   round, candidates, {});
     float most = 0.0F;
     for (int x = 20; x < kWidth - 20; ++x)
       for (std::size_t k = 0; k < PlaneCandidates::kCount; ++k)

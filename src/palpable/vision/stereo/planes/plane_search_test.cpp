@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/plane_search.hpp"
 
+#include "palpable/vision/stereo/planes/plain_picture.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +14,6 @@ namespace {
 
 constexpr int kWidth = 90;
 constexpr int kHeight = 40;
-
-ColourPlanes plain(int width, int height) {
-  const Raster<std::uint8_t> plane(width, height, std::uint8_t{90});
-  return {plane, plane, plane};
-}
 
 TEST(PlaneSearch, FindsASlantFromAFlatStart) {
   // A cost with its minimum on a plane, starting from integer steps.
@@ -33,7 +30,7 @@ TEST(PlaneSearch, FindsASlantFromAFlatStart) {
         costs.at(x, y)[d] = static_cast<std::uint16_t>(std::min(4000.0F, 200.0F * off * off));
       }
     }
-  const ColourPlanes colour = plain(kWidth, kHeight);
+  const ColourPlanes colour = plain_picture(kWidth, kHeight);
   const Raster<float> all(kWidth, kHeight, 1.0F);
   const Regions whole{Raster<std::int32_t>(kWidth, kHeight, 0), {kWidth * kHeight}};
   PlaneCandidates candidates(kWidth, kHeight);
@@ -113,7 +110,7 @@ TEST(ChosenPlanes, AreOfLeastCostWithoutSmoothness) {
         (i / PlaneCandidates::kCount) % PlaneCandidates::kCount == i % PlaneCandidates::kCount ? 0.0F : 1.0F;
   }
   PlaneMap map(5, 4);
-  choose_planes(plain(5, 4), {.step_per_px = 0.0F, .largest_step = 0.0F}, candidates, map, {});
+  choose_planes(plain_picture(5, 4), {.step_per_px = 0.0F, .largest_step = 0.0F}, candidates, map, {});
   for (int i = 0; i < 20; ++i)
     EXPECT_EQ(map.disparity(i % 5, i / 5), static_cast<float>(i % PlaneCandidates::kCount));
 }
@@ -129,7 +126,7 @@ TEST(ChosenPlanes, OverruleASinglePixelByItsSurroundings) {
   candidates.cost[middle] = 1.0F;
   candidates.cost[middle + 5] = 0.0F;
   PlaneMap map(9, 9);
-  choose_planes(plain(9, 9), {}, candidates, map, {});
+  choose_planes(plain_picture(9, 9), {}, candidates, map, {});
   EXPECT_EQ(map.disparity(4, 4), 3.0F);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/planes.hpp"
 
+#include "palpable/vision/stereo/planes/plain_picture.hpp"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -12,13 +14,8 @@ namespace {
 constexpr int kWidth = 90;
 constexpr int kHeight = 40;
 
-ColourPlanes plain(int width, int height) {
-  const Raster<std::uint8_t> plane(width, height, std::uint8_t{90});
-  return {plane, plane, plane};
-}
-
 TEST(FittedPlanes, AreThePlaneOfTheDisparities) {
-  const ColourPlanes colour = plain(kWidth, kHeight);
+  const ColourPlanes colour = plain_picture(kWidth, kHeight);
   PlaneMap map(kWidth, kHeight);
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x)
@@ -35,7 +32,7 @@ TEST(FittedPlanes, AreThePlaneOfTheDisparities) {
 }
 
 TEST(FittedPlanes, IgnorePixelsThatAreNotTrusted) {
-  const ColourPlanes colour = plain(kWidth, kHeight);
+  const ColourPlanes colour = plain_picture(kWidth, kHeight);
   PlaneMap map(kWidth, kHeight);
   Raster<float> trust(kWidth, kHeight, 1.0F);
   for (int y = 0; y < kHeight; ++y)

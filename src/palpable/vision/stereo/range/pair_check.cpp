@@ -88,11 +88,16 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
 
 bool looks_swapped(const DisparityRange& range) { return range.max_px <= 2 && range.min_px < -3; }
 
-bool agree(const DisparityRange& range) {
-  // From the pairs in docs/stereo.md: six pictures of one scene agree on 27 % and more. The agreement of
-  // unrelated real photographs has not been measured.
-  constexpr double kLittleAgreement = 0.08;
-  return range.agreement >= kLittleAgreement;
+std::vector<Parameter> parameters_of(PairCheckOptions& o) {
+  return {{"least_agreement", &o.least_agreement, {0, 1}, "", "Agreement of pictures of one scene"},
+          {"least_texture", &o.least_texture, {0, 1}, "", "Share of the pixels with texture"},
+          {"only_grain", &o.only_grain, {0, 10}, "", "Contrast of a reduced copy below which it is noise"},
+          {"least_found", &o.least_found, {1, 200}, "px", "Matched pixels that an offset needs"},
+          {"misaligned_px", &o.misaligned_px, {0, 100}, "px", "Spread of the offset that is reported"}};
+}
+
+bool agree(const DisparityRange& range, const PairCheckOptions& options) {
+  return range.agreement >= options.least_agreement;
 }
 
 namespace {
@@ -119,18 +124,17 @@ double contrast_beyond_grain(const Raster<std::uint8_t>& grey) {
 }
 
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
-                                    double contrast) {
-  constexpr double kLittleTexture = 0.02;
+                                    double contrast, const PairCheckOptions& options) {
   constexpr const char* kAdvice =
       "so their depth is a guess: light the scene from the side, or lay something "
       "patterned there.";
   std::vector<std::string> notes;
-  if (range.textured < kLittleTexture) {
+  if (range.textured < options.least_texture) {
     notes.push_back(fmt::format("The pictures show hardly any texture ({:.1f} % of the pixels have some), {}",
                                 100.0 * range.textured, kAdvice));
     return notes;
   }
-  if (!agree(range) && contrast < kOnlyGrain) {
+  if (!agree(range, options) && contrast < options.only_grain) {
     notes.push_back(
         fmt::format("The pictures show hardly any texture but a camera's grain ({:.0f} % of their contrast "
                     "is left in a copy "
@@ -138,12 +142,12 @@ std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalO
                     100.0 * contrast, kAdvice));
     return notes;
   }
-  if (offset.found >= 15 && offset.spread_px >= 2.0)
+  if (offset.found >= options.least_found && offset.spread_px >= options.misaligned_px)
     notes.push_back(fmt::format(
         "The pictures are not aligned: the right one's content lies {:.0f} pixels {} at the median, "
         "and three quarters of it within {:.0f} pixels of the left one's scanlines.",
         std::abs(offset.median_px), offset.median_px < 0.0 ? "higher" : "lower", offset.spread_px));
-  if (!agree(range))
+  if (!agree(range, options))
     notes.push_back(
         fmt::format("The two pictures show little agreement ({:.1f} % of the textured pixels are found again "
                     "in the other picture), as pictures of different scenes would.",

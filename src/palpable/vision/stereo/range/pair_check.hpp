@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/parameters.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 
 #include <string>
@@ -28,18 +29,33 @@ VerticalOffset measure_vertical_offset(const Raster<std::uint8_t>& left, const R
 /// Whether almost all disparities are negative, so that left and right seem to be exchanged.
 bool looks_swapped(const DisparityRange& range);
 
+/// When a pair gets a warning. Defaults are from the pairs in docs/stereo.md: six pictures of one scene agree
+/// on 27 % and more. The agreement of unrelated real photographs has not been measured.
+struct PairCheckOptions {
+  /// Pictures that agree on less of their textured pixels may show different scenes. 0 … 1.
+  double least_agreement = 0.08;
+  /// Share of the pixels that must have texture. 0 … 1.
+  double least_texture = 0.02;
+  /// With less contrast_beyond_grain() a picture may be noise alone. 0 … 10.
+  double only_grain = 0.5;
+  /// A vertical offset is reported if this many pixels were matched and the offset's spread is at least this.
+  /// 1 … 200; 0 … 100 px.
+  int least_found = 15;
+  double misaligned_px = 2.0;
+};
+
+std::vector<Parameter> parameters_of(PairCheckOptions& options);
+
 /// Whether the pictures agree like two of one scene.
-bool agree(const DisparityRange& range);
+bool agree(const DisparityRange& range, const PairCheckOptions& options = {});
 
 /// The contrast of a copy reduced four times relative to the picture's own, each in windows of 9 x 7 pixels:
 /// about 1/4 for camera noise alone, mostly above 1 for pictures of a real scene.
 double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
-/// Below this the picture may be noise alone.
-inline constexpr double kOnlyGrain = 0.5;
 
 /// Warnings about a pair's depth for the person, one sentence each; empty for a good pair. `contrast` is the
 /// left picture's contrast_beyond_grain().
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
-                                    double contrast);
+                                    double contrast, const PairCheckOptions& options = {});
 
 }  // namespace palpable::vision

@@ -49,6 +49,17 @@ TEST(PairNotes, NameTheProblemWithItsFigure) {
   EXPECT_TRUE(says({2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 0.25, "grain"));
 }
 
+TEST(PairNotes, ObeyTheirThresholds) {
+  PairCheckOptions options;
+  for (const Parameter& p : parameters_of(options)) EXPECT_TRUE(set_parameter(p, p.get())) << p.name;
+  options.misaligned_px = 7.0;
+  EXPECT_TRUE(pair_notes({2, 30, 0.6, 0.9}, {5.0, 6.0, 150}, 1.2, options).empty());
+  options.least_agreement = 0.02;
+  EXPECT_TRUE(pair_notes({2, 30, 0.03, 0.9}, {0.0, 0.0, 150}, 1.2, options).empty());
+  options.least_texture = 0.95;
+  EXPECT_EQ(pair_notes({2, 30, 0.6, 0.9}, {0.0, 0.0, 150}, 1.2, options).size(), 1U);
+}
+
 TEST(ContrastBeyondGrain, IsLowForNoiseAndHighForAPicture) {
   Raster<std::uint8_t> noise(160, 120), smooth(160, 120);
   std::uint32_t state = 1;

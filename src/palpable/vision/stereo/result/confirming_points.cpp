@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/result/confirming_points.hpp"
 
-#include "palpable/vision/rectification/feature_matches.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,7 +11,8 @@
 namespace palpable::vision {
 namespace {
 
-/// At sharp depth edges the nearest pixel may belong to the other side: any of the 3 x 3 around counts.
+/// Whether any of the 3 x 3 pixels around the point has its disparity: at a depth edge the nearest pixel may
+/// belong to the other side.
 bool agrees(const Raster<float>& disparity_px, const FeatureMatch& match, double tolerance_px) {
   const int x0 = static_cast<int>(std::lround(match.left_x)),
             y0 = static_cast<int>(std::lround(match.left_y));
@@ -33,12 +32,20 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
-/// By least squares, twice: the second time without the farthest third, which may be on other surfaces.
-double share_off_plane(const std::vector<FeatureMatch>& matches) {
+}  // namespace
+
+std::vector<Parameter> parameters_of(ConfirmingOptions& o) {
+  return {{"row_px", &o.row_px, {0, 20}, "px", "tolerance of a point's row"},
+          {"agree_px", &o.agree_px, {0, 20}, "px", "tolerance of a point's disparity"},
+          {"on_plane_px", &o.on_plane_px, {0, 20}, "px", "tolerance of the dominant plane"}};
+}
+
+double share_off_plane(const std::vector<FeatureMatch>& matches, double on_plane_px) {
   if (matches.size() < 4) return 0.0;
   const auto row_of = [](const FeatureMatch& m) { return cv::Vec3d(m.left_x, m.left_y, 1.0); };
   const auto disparity_of = [](const FeatureMatch& m) { return m.left_x - m.right_x; };
   std::vector<double> off(matches.size(), 0.0);
+  // Least squares, twice: the second time without the farthest third, which may be on other surfaces.
   double most = 0.0;
   for (int round = 0; round < 2; ++round) {
     cv::Matx33d normal = cv::Matx33d::zeros();
@@ -54,16 +61,14 @@ double share_off_plane(const std::vector<FeatureMatch>& matches) {
     std::vector<double> sorted = off;
     most = quantile(sorted, 2.0 / 3.0);
   }
-  constexpr double kOff_px = 1.5;
-  const auto beyond = std::count_if(off.begin(), off.end(), [](double px) { return px > kOff_px; });
+  const auto beyond =
+      std::count_if(off.begin(), off.end(), [on_plane_px](double px) { return px > on_plane_px; });
   return static_cast<double>(beyond) / static_cast<double>(off.size());
 }
 
-}  // namespace
-
-ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& disparity_px) {
-  constexpr double kAgree_px = 2.0, kRow_px = 1.0;
-  const double row_px = kRow_px + feature_tolerance_px(pair.left.width, pair.left.height);
+ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& disparity_px,
+                                   const ConfirmingOptions& options) {
+  const double row_px = options.row_px + feature_tolerance_px(pair.left.width, pair.left.height);
   ConfirmingPoints out;
   int on_rows = 0;
   std::vector<double> confirmed;
@@ -72,7 +77,7 @@ ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& 
     ++out.count;
     if (std::fabs(match.left_y - match.right_y) > row_px) continue;
     ++on_rows;
-    if (!agrees(disparity_px, match, kAgree_px)) continue;
+    if (!agrees(disparity_px, match, options.agree_px)) continue;
     confirmed.push_back(match.left_x - match.right_x);
     confirmed_matches.push_back(match);
   }
@@ -80,7 +85,7 @@ ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& 
   out.on_rows = static_cast<double>(on_rows) / out.count;
   out.confirmed = static_cast<double>(confirmed.size()) / out.count;
   if (!confirmed.empty()) out.range_px = quantile(confirmed, 0.95) - quantile(confirmed, 0.05);
-  out.off_plane = share_off_plane(confirmed_matches);
+  out.off_plane = share_off_plane(confirmed_matches, options.on_plane_px);
   return out;
 }
 

@@ -38,13 +38,13 @@ struct Sizes {
 /// Whether fine contrast is texture, or camera noise, which differs between pictures.
 enum class Texture { real, grain };
 
-Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confidence) {
-  // If most pixels are confirmed, fine texture is not noise.
-  constexpr double kMost = 0.6;
+Texture texture_of(const Raster<std::uint8_t>& grey, const Raster<float>& confidence,
+                   const FitThresholds& thresholds) {
   const auto sure =
       std::count_if(confidence.values().begin(), confidence.values().end(), [](float c) { return c > 0.0F; });
-  const bool confirmed = static_cast<double>(sure) > kMost * static_cast<double>(confidence.count());
-  return !confirmed && contrast_beyond_grain(grey) < kOnlyGrain ? Texture::grain : Texture::real;
+  const bool confirmed =
+      static_cast<double>(sure) > thresholds.confirmed_texture * static_cast<double>(confidence.count());
+  return !confirmed && contrast_beyond_grain(grey) < thresholds.only_grain ? Texture::grain : Texture::real;
 }
 
 Trouble trouble_at(int x, int y, const Sizes& grey, Texture texture, const StereoMatch& match) {
@@ -162,6 +162,26 @@ Image mirror_image(const Image& image) {
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(FitThresholds& o) {
+  std::vector<Parameter> parameters{
+      {"points", &o.points, {1, 10000}, "", "distinct points that decide"},
+      {"least_points", &o.least_points, {1, 10000}, "", "distinct points below which they decide nothing"},
+      {"confirmed", &o.confirmed, {0, 1}, "", "share of them that the dense match confirms"},
+      {"off_plane", &o.off_plane, {0, 1}, "", "share of the confirmed ones off the dominant plane"},
+      {"agreement", &o.agreement, {0, 1}, "", "share of the common view that both directions confirm"},
+      {"agreement_without_points", &o.agreement_without_points, {0, 1}, "", "the same with few points"},
+      {"range_without_points_px", &o.range_without_points_px, {0, 100}, "px", "disparities with few points"},
+      {"coverage", &o.coverage, {0, 1}, "", "share of the picture that is confirmed"},
+      {"confirmed_texture",
+       &o.confirmed_texture,
+       {0, 1},
+       "",
+       "confirmed share above which contrast is texture"},
+      {"only_grain", &o.only_grain, {0, 10}, "", "contrast of a reduced copy below which it is noise"}};
+  append_parameters(parameters, "confirming", parameters_of(o.confirming));
+  return parameters;
+}
+
 Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                                     const Work& work) {
   auto forth = match(pair, method, options, work);
@@ -178,7 +198,7 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
   MatchInput input = prepare_pictures(pair, work);
   Sizes sizes;
   sizes.coarse = shrunk(input.left_grey, Sizes::kFactor);
-  const Texture texture = texture_of(input.left_grey, match.confidence);
+  const Texture texture = texture_of(input.left_grey, match.confidence, thresholds);
   sizes.fine = std::move(input.left_grey);
   FitToTouch fit;
   fit.trouble = Raster<std::uint8_t>(pair.left.width, pair.left.height);
@@ -198,7 +218,7 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
   const auto middle = luma.values().begin() + static_cast<std::ptrdiff_t>(luma.count() / 2);
   std::nth_element(luma.values().begin(), middle, luma.values().end());
   fit.brightness = static_cast<double>(*middle);
-  fit.points = confirming_points(pair, d);
+  fit.points = confirming_points(pair, d, thresholds.confirming);
   decide(fit, thresholds);
   return fit;
 }

@@ -38,7 +38,8 @@ enum class FitReason : std::uint8_t {
 std::string_view words_of(FitReason reason);
 
 /// The thresholds of the verdict. Chosen on seeds 1, 2, 5 and 6 of bench/pair_set.cpp (528 pairs, good and
-/// spoilt), so that what is fit ranks depths with a correlation of at least 0.7.
+/// degraded), so that the depths of a pair that is fit have a rank correlation of at least 0.7 with the true
+/// ones.
 struct FitThresholds {
   /// With fewer distinct points, agreement and the range of disparities decide. 1 … 10000.
   int points = 16;
@@ -55,7 +56,14 @@ struct FitThresholds {
   double range_without_points_px = 3.0;
   /// Share of the whole picture that is confirmed. 0 … 1.
   double coverage = 0.4;
+  /// If more than this share of the pixels is confirmed, fine contrast is texture; else it is noise if
+  /// contrast_beyond_grain() is less than only_grain. 0 … 1; 0 … 10.
+  double confirmed_texture = 0.6;
+  double only_grain = 0.5;
+  ConfirmingOptions confirming = {};
 };
+
+std::vector<Parameter> parameters_of(FitThresholds& thresholds);
 
 /// Quality of a pair's depth for touch.
 struct FitToTouch {
@@ -85,7 +93,7 @@ struct FitToTouch {
 Result<StereoMatch> match_confirmed(const StereoPair& pair, StereoMethod method, const StereoOptions& options,
                                     const Work& work);
 
-/// Evaluates a result of match_confirmed() for a rectified `pair`.
+/// Evaluates a result of match_confirmed() for a rectified `pair`. The thresholds are in their ranges.
 FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const Work& work,
                         const FitThresholds& thresholds = {});
 

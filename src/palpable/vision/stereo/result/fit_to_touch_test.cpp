@@ -3,7 +3,7 @@
 #include "palpable/vision/stereo/result/fit_to_touch.hpp"
 
 #include "palpable/vision/stereo/methods/match.hpp"
-#include "palpable/vision/stereo/problem/synthetic_pair.hpp"
+#include "palpable/vision/stereo/problem/centred_box.hpp"
 
 #include <algorithm>
 
@@ -21,16 +21,7 @@ FitToTouch judged(const StereoPair& pair) {
   return fit_to_touch(pair, *match, Work{});
 }
 
-SyntheticScene scene() {
-  SyntheticScene out;
-  out.width = 240;
-  out.height = 180;
-  out.box_left = 90;
-  out.box_right = 150;
-  out.box_top = 60;
-  out.box_bottom = 120;
-  return out;
-}
+SyntheticScene scene() { return centred_box_scene(240, 180); }
 
 TEST(FitToTouch, AcceptsAGoodPair) {
   const FitToTouch fit = judged(render(scene()));
@@ -81,6 +72,18 @@ TEST(FitToTouch, IsTrueOnlyWithParallaxAlongTheRows) {
 
   const FitToTouch upward = judged({quarter_turned(pair.left), quarter_turned(pair.right), {}});
   EXPECT_FALSE(upward.fit) << sentence_of(upward);
+}
+
+TEST(FitToTouch, ObeysItsThresholds) {
+  FitThresholds thresholds;
+  for (const Parameter& p : parameters_of(thresholds)) EXPECT_TRUE(set_parameter(p, p.get())) << p.name;
+  const StereoPair pair = render(scene());
+  const auto match = vision::match(pair, StereoMethod::fast, {}, Work{});
+  ASSERT_TRUE(match);
+  thresholds.coverage = 1.0;
+  const FitToTouch fit = fit_to_touch(pair, *match, Work{}, thresholds);
+  EXPECT_FALSE(fit.fit);
+  EXPECT_EQ(fit.reason, FitReason::little_depth);
 }
 
 TEST(FitToTouch, RejectsUnrelatedPictures) {

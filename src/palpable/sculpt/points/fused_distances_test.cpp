@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/sculpt/points/fused_numbers.hpp"
+#include "palpable/sculpt/points/fused_distances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@ namespace {
 constexpr int kSize = 48;
 constexpr double kTruncation = 4.0;
 
-/// Distances in voxels, truncated, with noise of which each voxel knows.
-FusedNumbers numbers_of(const std::function<double(double, double, double)>& distance, double noise) {
-  FusedNumbers n;
+/// Truncated distances in voxels with noise of known variance.
+FusedDistances fused_from(const std::function<double(double, double, double)>& distance, double noise) {
+  FusedDistances n;
   n.size = {kSize, kSize, kSize};
   n.distance_m.resize(n.index(kSize, 0, 0));
-  n.noise2_m2.assign(n.distance_m.size(), static_cast<float>(noise * noise));
+  n.variance_m2.assign(n.distance_m.size(), static_cast<float>(noise * noise));
   std::mt19937 random(4);
   std::normal_distribution<double> normal(0.0, 1.0);
   for (int x = 0; x < kSize; ++x)
@@ -31,8 +31,8 @@ FusedNumbers numbers_of(const std::function<double(double, double, double)>& dis
   return n;
 }
 
-/// Root mean square beside the truth of what lies within two voxels of the surface.
-double error(const FusedNumbers& n, const std::function<double(double, double, double)>& distance) {
+/// RMS error within two voxels of the surface.
+double error(const FusedDistances& n, const std::function<double(double, double, double)>& distance) {
   double squares = 0.0, count = 0.0;
   for (int x = 4; x < kSize - 4; ++x)
     for (int y = 4; y < kSize - 4; ++y)
@@ -50,28 +50,28 @@ double box(double x, double y, double z) {
   return std::max({std::abs(x - 23.5), std::abs(y - 23.5), std::abs(z - 23.5)}) - 12.0;
 }
 
-TEST(FusedNumbers, LoseNoiseWithoutShrinking) {
+TEST(FusedDistances, LoseNoiseWithoutShrinking) {
   for (const auto& solid : {plane, ball}) {
-    FusedNumbers n = numbers_of(solid, 0.3);
+    FusedDistances n = fused_from(solid, 0.3);
     const double before = error(n, solid);
-    smooth(n, kTruncation, 0.0, Work{});
+    smooth(n, kTruncation, {}, Work{});
     EXPECT_LT(error(n, solid), 0.35 * before);
   }
-  // The noise that is stated, in place of what the voxels know.
-  FusedNumbers n = numbers_of(ball, 0.3);
-  n.noise2_m2.assign(n.noise2_m2.size(), -1.0F);
+  // The given noise replaces the voxels' own.
+  FusedDistances n = fused_from(ball, 0.3);
+  n.variance_m2.assign(n.variance_m2.size(), -1.0F);
   const double before = error(n, ball);
-  smooth(n, kTruncation, 0.3, Work{});
+  smooth(n, kTruncation, {.noise_m = 0.3}, Work{});
   EXPECT_LT(error(n, ball), 0.35 * before);
 }
 
-TEST(FusedNumbers, KeepWhatStandsOutOfTheNoise) {
-  FusedNumbers n = numbers_of(box, 0.0);
-  const FusedNumbers before = n;
-  smooth(n, kTruncation, 0.0, Work{});
+TEST(FusedDistances, KeepFeaturesLargerThanTheNoise) {
+  FusedDistances n = fused_from(box, 0.0);
+  const FusedDistances before = n;
+  smooth(n, kTruncation, {}, Work{});
   EXPECT_EQ(n.distance_m, before.distance_m);
-  n.noise2_m2.assign(n.noise2_m2.size(), 0.01F * 0.01F);
-  smooth(n, kTruncation, 0.0, Work{});
+  n.variance_m2.assign(n.variance_m2.size(), 0.01F * 0.01F);
+  smooth(n, kTruncation, {}, Work{});
   EXPECT_LT(error(n, box), 0.03);
 }
 
