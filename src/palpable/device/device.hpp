@@ -32,6 +32,9 @@ struct Traits {
   double rate_hz = 1000.0;
   /// False for what has no motors (the page's pointer): forces are shown, heard and drawn only.
   bool pushes_back = true;
+  /// Its places come as messages: while none differs from the one before, it need not be read in every tick
+  /// (haptics::ServoOptions::rest_after_s).
+  bool may_rest = false;
   /// Reads how its handle is turned (Reading::rotation) and takes torques (Device::write_torque()).
   bool has_torque = false;
   double max_torque_Nm = 0.0;

@@ -23,6 +23,7 @@ PointerDevice::PointerDevice(std::shared_ptr<PointerFeed> feed, double rate_hz)
   traits_.max_force_N = 5.0;
   traits_.rate_hz = rate_hz;
   traits_.pushes_back = false;
+  traits_.may_rest = true;
 }
 
 Reading PointerDevice::read() noexcept {

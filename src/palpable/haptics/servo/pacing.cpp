@@ -42,6 +42,14 @@ std::int64_t Pacer::deadline_ns(std::int64_t k) const noexcept {
   return begin_ns_ + std::llround(static_cast<double>(k) * period_ns_);
 }
 
+Pacer::Wake Pacer::rest(double seconds) noexcept {
+  sleep_until(monotonic_ns() + std::llround(1e9 * seconds));
+  begin();
+  Wake wake;
+  wake.now_ns = begin_ns_;
+  return wake;
+}
+
 Pacer::Wake Pacer::wait() noexcept {
   using Cause = MissedDeadline::Cause;
   const std::int64_t deadline = deadline_ns(last_ + 1);

@@ -33,6 +33,8 @@ class Pacer {
   /// Counting begins here; the first deadline is one period from now.
   void begin() noexcept;
   Wake wait() noexcept;
+  /// Sleeps for so long instead, and counts the deadlines from the wake on: none was missed.
+  Wake rest(double seconds) noexcept;
   std::int64_t deadline_ns(std::int64_t k) const noexcept;
 
  private:

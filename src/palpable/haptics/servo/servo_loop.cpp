@@ -8,6 +8,7 @@
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/latency_recorder.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/rest.hpp"
 #include "palpable/haptics/servo/watchdog.hpp"
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
@@ -41,6 +43,8 @@ struct LoopCounts {
   std::array<std::uint64_t, 4> missed_by_cause{};
   std::uint64_t allocations = 0;
   double ran_s = 0.0;
+  double rested_s = 0.0;
+  std::uint64_t rest_ticks = 0;
 };
 
 Percentiles in_us(const LatencySummary& summary) {
@@ -66,6 +70,9 @@ Result<void> check(const ServoOptions& options) {
   if (options.realtime_priority < 0 || options.realtime_priority > 99)
     return usage("the real-time priority must be 0 to 99");
   if (!(options.watch_s >= 0.0)) return usage("the time to watch the clock must be at least 0 s");
+  if (!(options.rest_after_s > 0.0)) return usage("the time before a rest must be above 0 s");
+  if (!(options.rest_period_s >= 0.001 && options.rest_period_s <= 0.1))
+    return usage("the period of a resting loop must be 0.001 to 0.1 s");
   return {};
 }
 
@@ -86,6 +93,7 @@ struct FurtherProbe {
 
   std::unique_ptr<device::Device> device;
   TickPipeline tick;
+  RestDetector rest;
   LatestValue<TouchSample> latest;
 };
 
@@ -111,6 +119,7 @@ struct ServoLoop::Impl {
   void tick_once(const Pacer::Wake& wake, double dt_s);
   void tick_further(double dt_s);
   void note_missed(const Pacer::Wake& wake);
+  bool may_rest() const;
   void swap_scenes();
   void run_maintenance();
   void sweep();
@@ -148,6 +157,7 @@ struct ServoLoop::Impl {
 
   // The servo's own.
   TickPipeline tick;
+  RestDetector rest;
   std::vector<std::unique_ptr<FurtherProbe>> further;
   LoopCounts counts;
   std::int64_t begin_ns = 0;
@@ -170,7 +180,10 @@ Result<void> ServoLoop::Impl::start_guardian() {
 
 void ServoLoop::Impl::serve() {
   const RunningServo self(*device);
-  Watchdog watchdog(*device, 1.0 / options.rate_hz, options.realtime_priority);
+  const double nominal_s = 1.0 / options.rate_hz;
+  const bool has_motors = device->traits().pushes_back;
+  std::optional<Watchdog> watchdog;
+  if (has_motors) watchdog.emplace(*device, nominal_s, options.realtime_priority);
   {
     std::string priority = request_priority(options.realtime_priority);
     const std::lock_guard lock(mutex);
@@ -178,27 +191,32 @@ void ServoLoop::Impl::serve() {
   }
   flush_denormals();
   touch_stack();
-  Pacer pacer(options.rate_hz, options.watch_s);
+  Pacer pacer(options.rate_hz, has_motors ? options.watch_s : 0.0);
   pacer.begin();
   begin_ns = monotonic_ns();
   std::int64_t before_ns = begin_ns;
   // From here to the end of the loop nothing allocates: what does is counted tick by tick and reported.
   while (!ending.load(std::memory_order_relaxed) && !self.must_end()) {
-    const Pacer::Wake wake = pacer.wait();
+    const bool resting = may_rest();
+    const Pacer::Wake wake = resting ? pacer.rest(options.rest_period_s) : pacer.wait();
     const AllocationScope allocations;
     const std::int64_t period_ns = wake.now_ns - before_ns;
     before_ns = wake.now_ns;
     if (wake.periods > 1) note_missed(wake);
     swap_scenes();
-    if (watchdog.take_cut()) tick.note_cut_force();
-    tick_once(wake, 1e-9 * static_cast<double>(period_ns));
+    if (watchdog && watchdog->take_cut()) tick.note_cut_force();
+    const double dt_s = 1e-9 * static_cast<double>(period_ns);
+    counts.rested_s += resting ? dt_s : 0.0;
+    counts.rest_ticks += resting ? 1 : 0;
+    // Nothing has moved during a rest: its tick continues the one before.
+    tick_once(wake, resting ? nominal_s : dt_s);
     counts.allocations += allocations.count();
     counts_out.put(counts);
     const std::int64_t done_ns = monotonic_ns();
-    watchdog.note_write(done_ns);
-    timings.put({period_ns, done_ns - wake.now_ns});
+    if (watchdog) watchdog->note_write(done_ns);
+    if (!resting) timings.put({period_ns, done_ns - wake.now_ns});
   }
-  watchdog.stop();
+  if (watchdog) watchdog->stop();
   device->write({});
   device->stop();
 }
@@ -209,6 +227,7 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   tick.set_paused(paused.load(std::memory_order_relaxed));
   counts.ran_s = 1e-9 * static_cast<double>(wake.now_ns - begin_ns);
   const TouchSample& sample = tick.step(counts.ran_s, std::max(dt_s, shortest_s));
+  rest.update(sample, dt_s);
   counts.touch = tick.counts();
   latest.put(sample);
   if (recording.load(std::memory_order_relaxed)) recorded.put(sample);
@@ -223,9 +242,19 @@ void ServoLoop::Impl::tick_further(double dt_s) {
     const TouchSample& sample = probe->tick.step(counts.ran_s, dt_s);
     // All probes fade in step with the hand, who hands the old scene back.
     probe->tick.take_retired();
+    probe->rest.update(sample, dt_s);
     probe->latest.put(sample);
     if (is_present(sample) && recording.load(std::memory_order_relaxed)) recorded.put(sample);
   }
+}
+
+bool ServoLoop::Impl::may_rest() const {
+  if (!device->traits().may_rest || recording.load(std::memory_order_relaxed)) return false;
+  if (tick.fading() || waiting.load(std::memory_order_relaxed) != nullptr) return false;
+  const auto rests = [&](const RestDetector& one) { return one.rested_s() >= options.rest_after_s; };
+  // Further probes are pointers.
+  return rests(rest) &&
+         std::all_of(further.begin(), further.end(), [&](const auto& probe) { return rests(probe->rest); });
 }
 
 void ServoLoop::Impl::note_missed(const Pacer::Wake& wake) {
@@ -332,7 +361,10 @@ ServoStatistics ServoLoop::statistics() const {
   const LoopCounts& seen = it.seen;
   const TickCounts& touch = seen.touch;
   ServoStatistics statistics;
-  statistics.rate_hz = seen.ran_s > 0.0 ? static_cast<double>(touch.ticks) / seen.ran_s : 0.0;
+  const double busy_s = seen.ran_s - seen.rested_s;
+  statistics.rate_hz = busy_s > 0.0 ? static_cast<double>(touch.ticks - seen.rest_ticks) / busy_s : 0.0;
+  statistics.rested_s = seen.rested_s;
+  statistics.rest_ticks = seen.rest_ticks;
   statistics.missed = seen.missed;
   statistics.missed_by_cause = seen.missed_by_cause;
   statistics.period_us = in_us(it.periods.summary());

@@ -28,8 +28,14 @@ struct ServoOptions {
   /// Locking keeps the whole process's pages in memory.
   Memory memory = Memory::lock;
   /// The last stretch before a deadline is waited for by watching the clock, for half a period at most; 0 =
-  /// sleep all the way.
+  /// sleep all the way, as with every device without motors, which has no watchdog either.
   double watch_s = 150e-6;
+  /// With a device that may rest (device::Traits::may_rest): after this time without a change of any probe
+  /// (RestDetector), the loop ticks once per rest_period_s until something changes, with the period of its
+  /// rate as dt. It never rests while it records. Infinity = never.
+  double rest_after_s = 1.0;
+  /// 0.001 to 0.1.
+  double rest_period_s = 0.02;
   /// Samples kept for a recorder that is late: 4 s at 4 kHz.
   std::size_t recording_capacity = 16384;
   /// On from the first tick on, or by record().

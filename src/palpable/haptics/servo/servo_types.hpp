@@ -137,7 +137,11 @@ struct TickCounts {
 
 struct ServoStatistics {
   TickCounts touch;
+  /// Of the ticks outside rests.
   double rate_hz = 0.0;
+  /// How long the loop has rested (ServoOptions::rest_after_s), and its ticks meanwhile.
+  double rested_s = 0.0;
+  std::uint64_t rest_ticks = 0;
   /// Whole periods skipped, and how many of them for each MissedDeadline::Cause in its order.
   std::uint64_t missed = 0;
   std::array<std::uint64_t, 4> missed_by_cause{};

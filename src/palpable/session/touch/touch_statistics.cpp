@@ -27,6 +27,7 @@ std::string to_json(const TouchStatistics& statistics) {
   Json json;
   json["servo"] = {{"ticks", touch.ticks},
                    {"rate_hz", number(servo.rate_hz)},
+                   {"rested_s", number(servo.rested_s)},
                    {"missed", servo.missed},
                    {"stalls", touch.stalls},
                    {"missed_by_cause",

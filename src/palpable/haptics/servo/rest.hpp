@@ -1,0 +1,28 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/haptics/servo/servo_types.hpp"
+
+namespace palpable::haptics {
+
+/// Measures for how long a probe has rested: its position, force, label, status and flags are the same as in
+/// the tick with which the rest began. Tick path.
+class RestDetector {
+ public:
+  /// Differences below these are none: a follower approaches its target without end.
+  static constexpr double kMoved_m = 1e-7;
+  static constexpr double kForce_N = 1e-4;
+
+  /// Takes the sample of the newest tick, `dt_s` after the one before.
+  void update(const TouchSample& sample, double dt_s) noexcept;
+  double rested_s() const noexcept { return rested_s_; }
+
+ private:
+  bool is_same(const TouchSample& sample) const noexcept;
+
+  TouchSample began_;
+  double rested_s_ = 0.0;
+};
+
+}  // namespace palpable::haptics
