@@ -16,22 +16,21 @@ namespace websocket = boost::beast::websocket;
 constexpr std::size_t kMostWaiting = 64;
 constexpr std::size_t kLongestReason = 120;
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 }  // namespace
 
-Client::Client(beast::tcp_stream stream, RateLimits rate, std::size_t longest_message_bytes,
-               std::chrono::milliseconds idle_timeout, Events events)
-    : socket_(std::move(stream)), rate_(rate), events_(std::move(events)) {
+Client::Client(beast::tcp_stream stream, const ServeOptions& options, Events events)
+    : socket_(std::move(stream)), rate_(options.rate), pings_(options.ping_rate), events_(std::move(events)) {
   beast::get_lowest_layer(socket_).expires_never();
   websocket::stream_base::timeout timeout{};
   timeout.handshake_timeout = std::chrono::seconds(5);
-  timeout.idle_timeout = idle_timeout;
+  timeout.idle_timeout = milliseconds_of(options.idle_timeout_s);
   timeout.keep_alive_pings = true;
   socket_.set_option(timeout);
-  socket_.read_message_max(longest_message_bytes);
+  socket_.read_message_max(options.longest_message_bytes);
+  // Called within async_read(); a client outlives its pending operations.
+  socket_.control_callback([this](websocket::frame_type kind, beast::string_view) {
+    if (kind != websocket::frame_type::close) on_control();
+  });
 }
 
 void Client::accept(const Upgrade& upgrade) {
@@ -69,6 +68,12 @@ void Client::handle(std::string_view text) {
   const auto message = protocol::parse_from_page(text);
   if (!message) return close(websocket::close_code::policy_error, message.error().sentence());
   events_.message(*this, *message);
+}
+
+// Each ping is answered: without a limit they would keep the server busy.
+void Client::on_control() {
+  if (pings_.check(seconds_now()) != Verdict::accept)
+    close(websocket::close_code::policy_error, "too many pings");
 }
 
 void Client::send(SharedFrame frame) {

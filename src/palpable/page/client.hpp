@@ -4,6 +4,7 @@
 
 #include "palpable/page/protocol.hpp"
 #include "palpable/page/rate_limit.hpp"
+#include "palpable/page/server.hpp"
 
 #include <bitset>
 #include <chrono>
@@ -21,6 +22,11 @@
 #include <boost/beast/websocket/stream.hpp>
 
 namespace palpable::page {
+
+/// A time in seconds as Asio takes it.
+inline std::chrono::milliseconds milliseconds_of(double seconds) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000.0));
+}
 
 /// An encoded frame, shared by all clients that receive it.
 struct Frame {
@@ -41,8 +47,7 @@ class Client : public std::enable_shared_from_this<Client> {
     std::function<void(Client&)> closed;
   };
 
-  Client(boost::beast::tcp_stream stream, RateLimits rate, std::size_t longest_message_bytes,
-         std::chrono::milliseconds idle_timeout, Events events);
+  Client(boost::beast::tcp_stream stream, const ServeOptions& options, Events events);
 
   void accept(const Upgrade& upgrade);
   /// Queues a frame. A client whose queue grows too long is disconnected.
@@ -64,6 +69,7 @@ class Client : public std::enable_shared_from_this<Client> {
   void read();
   void on_read(boost::beast::error_code error);
   void handle(std::string_view text);
+  void on_control();
   void write_next();
   void end();
 
@@ -71,6 +77,7 @@ class Client : public std::enable_shared_from_this<Client> {
   boost::beast::flat_buffer buffer_;
   std::deque<SharedFrame> waiting_;
   RateLimit rate_;
+  RateLimit pings_;
   Events events_;
   bool open_ = false;
   bool closing_ = false;

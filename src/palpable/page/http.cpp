@@ -14,8 +14,12 @@ Reply refusal(unsigned status, std::string sentence) {
   return reply;
 }
 
+Reply no_access() {
+  return refusal(401, "This browser has no access to the session: open the address that palpable printed.");
+}
+
 Reply not_from_here() {
-  return refusal(403, "Palpable's page talks to its own address on this machine only.");
+  return refusal(403, "This server answers only requests from its own page on this machine.");
 }
 
 }  // namespace
@@ -23,7 +27,7 @@ Reply not_from_here() {
 // Browsers share cookies between the ports of a host, so the name contains the port.
 std::string RequestHandler::cookie_name() const { return "palpable_" + std::to_string(port_); }
 
-bool RequestHandler::admitted(const Request& request) const {
+bool RequestHandler::admits(const Request& request) const {
   return access_.admits(cookie_value(request.cookies, cookie_name()));
 }
 
@@ -33,7 +37,7 @@ Reply RequestHandler::answer(const Request& request) {
   if (request.target == kSessionPath) return session(request);
   if (request.target == kSocketPath) return refusal(426, "This address is for WebSockets.");
   if (request.method != "GET" && request.method != "HEAD")
-    return refusal(405, "There is nothing to change here.");
+    return refusal(405, "This method is not supported here.");
   const Asset* asset = find_asset(request.target);
   if (asset == nullptr) return refusal(404, "There is no such file in Palpable's page.");
   return {200, std::string(asset->media_type), std::string(asset->bytes), {}};
@@ -41,30 +45,26 @@ Reply RequestHandler::answer(const Request& request) {
 
 Reply RequestHandler::session(const Request& request) {
   if (request.method != "GET" && request.method != "POST")
-    return refusal(405, "There is nothing to change here.");
+    return refusal(405, "This method is not supported here.");
   // A browser with the cookie may reload the printed address.
-  if (admitted(request)) return refusal(204, {});
-  if (request.method == "GET")
-    return refusal(401, "This browser has not been let in: open the address that palpable printed.");
+  if (admits(request)) return refusal(204, {});
+  if (request.method == "GET") return no_access();
   const std::string secret = access_.exchange(request.body);
   if (!secret.empty()) {
     Reply reply = refusal(204, {});
     reply.set_cookie = cookie_name() + "=" + secret + "; Path=/; SameSite=Strict; HttpOnly";
     return reply;
   }
-  return refusal(
-      403,
-      access_.used()
-          ? "This address was used already: it lets in one browser, once. Start palpable again for a new one."
-          : "This address is not the one that palpable printed.");
+  return refusal(403, access_.used() ? "This address was used already: it gives access to one browser, once. "
+                                       "Start palpable again for a new one."
+                                     : "This address is not the one that palpable printed.");
 }
 
 Reply RequestHandler::check_upgrade(const Request& request) const {
   // A browser always sends the Origin of a WebSocket request.
   if (!is_own_host(request.host, port_) || !is_own_origin(request.origin, port_)) return not_from_here();
   if (request.target != kSocketPath) return refusal(404, "There is no WebSocket at this address.");
-  if (!admitted(request))
-    return refusal(401, "This browser has not been let in: open the address that palpable printed.");
+  if (!admits(request)) return no_access();
   return refusal(101, {});
 }
 

@@ -42,10 +42,11 @@ class RequestHandler {
   Reply answer(const Request& request);
   /// Status 101 if this request may become a WebSocket, else the refusal.
   Reply check_upgrade(const Request& request) const;
+  /// Whether the request shows the session's cookie.
+  bool admits(const Request& request) const;
 
  private:
   Reply session(const Request& request);
-  bool admitted(const Request& request) const;
   std::string cookie_name() const;
 
   SessionAccess access_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 
 namespace palpable::page {
 
@@ -16,6 +17,11 @@ struct RateLimits {
   /// The client is disconnected after this many dropped messages without a pause of one second.
   int most_drops = 1000;
 };
+
+/// A steady clock's time, for RateLimit.
+inline double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// A token bucket: accepts `per_s` messages per second on average and bursts of `burst`, drops the excess,
 /// and finally disconnects.

@@ -17,11 +17,20 @@ namespace palpable::page {
 struct ServeOptions {
   /// 0 = any free port.
   std::uint16_t port = 0;
+  /// How often the host is asked for changes; and while nothing has changed for a second, at least 10.
   double states_per_s = 60.0;
+  double rest_updates_per_s = 20.0;
   std::size_t most_clients = 4;
+  /// HTTP connections. Beyond them, a new one takes the place of the oldest one that has not shown the
+  /// cookie.
   std::size_t most_connections = 32;
   std::size_t longest_message_bytes = 4096;
+  /// Messages of one page.
   RateLimits rate;
+  /// Pings and pongs of one page; it is disconnected beyond them.
+  RateLimits ping_rate{1.0, 20.0, 0};
+  /// New WebSockets of the session; beyond them they are refused with status 429.
+  RateLimits upgrade_rate{2.0, 20.0, 0};
   /// An idle connection is closed after this time; pages answer pings within it.
   double idle_timeout_s = 20.0;
   /// Called once on the calling thread with the page's address, token included, when the page can be opened.

@@ -1,0 +1,81 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/page/client.hpp"
+#include "palpable/page/host.hpp"
+#include "palpable/page/protocol.hpp"
+#include "palpable/page/server.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <boost/beast/core/tcp_stream.hpp>
+
+namespace palpable::page {
+
+/// The open pages: passes their messages to the host, and the host's changes to them. Everything runs on the
+/// server's thread.
+class Pages {
+ public:
+  /// `host` and `options` outlive this. `on_activity` is called when a page is opened or has sent something.
+  Pages(PageHost& host, const ServeOptions& options, std::function<void()> on_activity)
+      : host_(host), options_(options), on_activity_(std::move(on_activity)) {}
+  Pages(const Pages&) = delete;
+  Pages& operator=(const Pages&) = delete;
+
+  bool full() const { return clients_.size() >= options_.most_clients; }
+  /// What a page beyond the limit is told.
+  std::string full_sentence() const;
+  void add_client(boost::beast::tcp_stream stream, const Client::Upgrade& upgrade);
+  /// Sends what has changed to all pages.
+  void update();
+  /// Whether nothing has changed and no page has sent anything for a second.
+  bool is_at_rest() const;
+  void close_all();
+
+ private:
+  void note_activity();
+  void send_state();
+  void release_probes(const Client& client);
+  void send_everything(Client& client);
+  void show(const std::shared_ptr<const PageScene>& scene);
+  template <class Do>
+  void for_each_client(Do act);
+  void broadcast(const SharedFrame& frame);
+  void handle(Client& client, const protocol::Pointer& pointer);
+  void handle(Client& client, const protocol::Lift& probe);
+  void handle(Client&, const protocol::Change& change) { host_.change(change); }
+  void handle(Client&, const protocol::Edit& edit) { host_.edit(edit); }
+  void handle(Client&, const protocol::Save&) { host_.save(); }
+  void handle(Client&, const protocol::Pause& pause) { host_.pause(pause.paused); }
+  void handle(Client&, const protocol::Recentre&) { host_.recentre(); }
+  void handle(Client&, const protocol::Stand& stand) { host_.stand(stand); }
+  void handle(Client& client, const protocol::Ask& ask);
+  void handle(Client& client, const protocol::Visible& visible);
+
+  PageHost& host_;
+  const ServeOptions& options_;
+  std::function<void()> on_activity_;
+  /// Weak: a client lives as long as operations on its socket are pending, and never longer than the I/O
+  /// context.
+  std::vector<std::weak_ptr<Client>> clients_;
+  std::shared_ptr<const PageScene> shown_;
+  std::vector<SharedFrame> scene_frames_;
+  protocol::Settings sent_settings_;
+  protocol::Materials sent_materials_;
+  std::vector<protocol::ProbeState> sent_probes_;
+  std::chrono::steady_clock::time_point sent_state_at_;
+  std::chrono::steady_clock::time_point active_at_;
+  std::int64_t next_page_ = 1;
+  /// The page that last moved each probe.
+  std::array<std::optional<std::int64_t>, protocol::kMostProbes> movers_;
+};
+
+}  // namespace palpable::page

@@ -1,0 +1,251 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+// What the tests of the page's server share: a server with a host that has no servo, and clients in place of
+// a browser.
+
+#include "palpable/page/server.hpp"
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/buffers_to_string.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::page {
+
+namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
+using tcp = boost::asio::ip::tcp;
+using Json = nlohmann::json;
+
+// A host without a servo that records messages. Used by the server's thread, then read by the test.
+class FakeHost final : public PageHost {
+ public:
+  FakeHost() {
+    auto scene = std::make_shared<PageScene>();
+    scene->about.scene = 1;
+    scene->about.name = "test";
+    scene->height_m = Raster<float>(4, 3, 0.001F);
+    scene_ = scene;
+  }
+  protocol::Hello hello() const override {
+    return {protocol::kVersion, 0, "test", "pointer", true, 1, false};
+  }
+  protocol::Laws laws() const override { return {{{"proxy", "Surface", {}, true, true}}}; }
+  std::shared_ptr<const PageScene> scene() override { return scene_; }
+  protocol::Settings settings() override { return settings_; }
+  protocol::Materials materials() override { return materials_; }
+  protocol::State state() override {
+    protocol::State state;
+    state.t_s = ++states;
+    state.probes.emplace_back().x_m = pointer_.x_m;
+    return state;
+  }
+  void update() override {}
+  void move(const protocol::Pointer& pointer) override {
+    pointer_ = pointer;
+    ++moves;
+  }
+  void lift(const protocol::Lift& probe) override {
+    lifted += 1 << probe.probe;
+    lifted.notify_all();
+  }
+  void change(const protocol::Change& change) override {
+    settings_.answers = change.serial;
+    if (change.law == "proxy") {
+      settings_.exaggeration = change.exaggeration;
+    } else {
+      notice_ = protocol::Notice{"warning", "there is no such law"};
+    }
+  }
+  void edit(const protocol::Edit& edit) override { settings_.answers = materials_.answers = edit.serial; }
+  void save() override { notice_ = protocol::Notice{"info", "saved"}; }
+  void pause(bool paused) override { settings_.paused = paused; }
+  void recentre() override {}
+  void stand(const protocol::Stand&) override {}
+  std::string answer(const protocol::Ask& ask) override { return "words on " + ask.what; }
+  std::optional<protocol::Notice> next_notice() override { return std::exchange(notice_, std::nullopt); }
+
+  std::atomic<int> moves = 0;
+  /// How often state() was called.
+  std::atomic<int> states = 0;
+  /// Bit k is set if probe k was lifted.
+  std::atomic<int> lifted = 0;
+
+ private:
+  std::shared_ptr<const PageScene> scene_;
+  protocol::Settings settings_;
+  protocol::Materials materials_;
+  protocol::Pointer pointer_;
+  std::optional<protocol::Notice> notice_;
+};
+
+// A server on its own thread for the duration of a test.
+class ServedPage {
+ public:
+  explicit ServedPage(ServeOptions options = {}) {
+    std::promise<std::string> ready;
+    options.on_ready = [&](const std::string& where) { ready.set_value(where); };
+    thread_ = std::thread([this, options] { result_ = serve(host, options, stop_); });
+    address = ready.get_future().get();
+    const auto colon = address.rfind(':');
+    const auto slash = address.find('/', colon);
+    port = static_cast<std::uint16_t>(std::stoi(address.substr(colon + 1, slash - colon - 1)));
+    token = address.substr(address.find('#') + 1);
+  }
+  ~ServedPage() {
+    stop_ = true;
+    thread_.join();
+    EXPECT_TRUE(result_);
+  }
+  ServedPage(const ServedPage&) = delete;
+  ServedPage& operator=(const ServedPage&) = delete;
+
+  std::string own_origin() const { return "http://127.0.0.1:" + std::to_string(port); }
+
+  FakeHost host;
+  std::string address;
+  std::string token;
+  std::uint16_t port = 0;
+
+ private:
+  std::atomic<bool> stop_ = false;
+  Result<void> result_;
+  std::thread thread_;
+};
+
+using Response = http::response<http::string_body>;
+
+using Headers = std::vector<std::pair<http::field, std::string>>;
+
+inline Response ask(const ServedPage& page, http::verb method, const std::string& target,
+                    const std::string& body = {}, const Headers& headers = {}) {
+  boost::asio::io_context context;
+  boost::beast::tcp_stream stream(context);
+  stream.connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
+  http::request<http::string_body> request(method, target, 11);
+  request.set(http::field::host, "127.0.0.1:" + std::to_string(page.port));
+  for (const auto& [name, value] : headers)
+    if (!value.empty()) request.set(name, value);
+  request.body() = body;
+  request.prepare_payload();
+  http::write(stream, request);
+  boost::beast::flat_buffer buffer;
+  http::response_parser<http::string_body> parser;
+  parser.skip(method == http::verb::head);
+  http::read(stream, buffer, parser);
+  return parser.release();
+}
+
+// One HTTP connection that is kept open.
+class HttpConnection {
+ public:
+  explicit HttpConnection(const ServedPage& page) : host_("127.0.0.1:" + std::to_string(page.port)) {
+    stream_.connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
+  }
+  // The status of the answer.
+  unsigned ask(http::verb method, const std::string& target, const std::string& cookie) {
+    http::request<http::string_body> request(method, target, 11);
+    request.set(http::field::host, host_);
+    request.set(http::field::cookie, cookie);
+    http::write(stream_, request);
+    Response response;
+    http::read(stream_, buffer_, response);
+    return response.result_int();
+  }
+
+ private:
+  std::string host_;
+  boost::asio::io_context context_;
+  boost::beast::tcp_stream stream_{context_};
+  boost::beast::flat_buffer buffer_;
+};
+
+// The status of the server's answer to a WebSocket request.
+inline unsigned upgrade_status(const ServedPage& page, const std::string& cookie, const std::string& origin,
+                               const std::string& host = {}) {
+  return ask(page, http::verb::get, "/socket", {},
+             {{http::field::cookie, cookie},
+              {http::field::origin, origin},
+              {http::field::host, host},
+              {http::field::connection, "Upgrade"},
+              {http::field::upgrade, "websocket"},
+              {http::field::sec_websocket_version, "13"},
+              {http::field::sec_websocket_key, "dGhlIHNhbXBsZSBub25jZQ=="}})
+      .result_int();
+}
+
+inline std::string cookie_of(const ServedPage& page) {
+  const Response response = ask(page, http::verb::post, "/session", page.token);
+  EXPECT_EQ(response.result_int(), 204U);
+  const std::string header(response[http::field::set_cookie]);
+  return header.substr(0, header.find(';'));
+}
+
+// A minimal client in place of a page.
+class TestPage {
+ public:
+  explicit TestPage(const ServedPage& page) : TestPage(page, cookie_of(page)) {}
+  TestPage(const ServedPage& page, const std::string& cookie) {
+    socket_.next_layer().connect(tcp::endpoint(boost::asio::ip::address_v4::loopback(), page.port));
+    socket_.set_option(websocket::stream_base::decorator([&](websocket::request_type& request) {
+      request.set(http::field::origin, page.own_origin());
+      request.set(http::field::cookie, cookie);
+    }));
+    socket_.handshake("127.0.0.1:" + std::to_string(page.port), "/socket");
+  }
+  void send(const std::string& text, bool binary = false) {
+    socket_.binary(binary);
+    boost::beast::error_code error;
+    socket_.write(boost::asio::buffer(text), error);
+    failed_ = failed_ || error;
+  }
+  void ping() {
+    boost::beast::error_code error;
+    socket_.ping({}, error);
+    failed_ = failed_ || error;
+  }
+  bool failed() const { return failed_; }
+  // The next frame; empty once the socket is closed.
+  std::string read() {
+    boost::beast::flat_buffer buffer;
+    boost::beast::error_code error;
+    socket_.read(buffer, error);
+    return error ? std::string() : boost::beast::buffers_to_string(buffer.data());
+  }
+  Json read_until(const std::string& type) {
+    for (std::string frame = read(); !frame.empty(); frame = read()) {
+      const Json json = Json::parse(frame, nullptr, false);
+      if (json.is_object() && json["type"] == type) return json;
+    }
+    return {};
+  }
+  websocket::close_reason read_to_the_end() {
+    while (!read().empty()) {
+    }
+    return socket_.reason();
+  }
+
+ private:
+  boost::asio::io_context context_;
+  websocket::stream<tcp::socket> socket_{context_};
+  bool failed_ = false;
+};
+
+}  // namespace palpable::page
