@@ -32,7 +32,7 @@ it('a page without the token works once the right address is there', async () =>
   const context = await browser.newContext();
   const page = await context.newPage();
   await page.goto(home());
-  await page.getByRole('alert').filter({ hasText: 'has not been let in' }).waitFor();
+  await page.getByRole('alert').filter({ hasText: 'has no access to the session' }).waitFor();
   // The same document: only what is behind the # differs.
   await page.evaluate((hash) => (location.hash = hash), new URL(running.address).hash);
   await isRunning(page);

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The first minute of a newcomer, sighted or blind: focus, sound, help, sliders, sizes, and a page that rests.
+// The first minute of a newcomer, sighted or blind: focus, sound, help, sliders, and sizes.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -131,34 +131,6 @@ describe('the page in every size', () => {
     });
     expect(Math.max(...drawn)).toBeGreaterThan(0.9);
   });
-});
-
-it('at rest the page asks for no animation frames', async () => {
-  const { page } = opened;
-  await page.setViewportSize({ width: 1280, height: 800 });
-  await page.mouse.move(5, 5);
-  // Whatever moved has come to rest, and the plot is level, after the ten seconds that it shows at the most.
-  await page.evaluate(() => {
-    const counted = window as unknown as { framesAsked: number };
-    counted.framesAsked = 0;
-    const ask = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (callback) => {
-      counted.framesAsked += 1;
-      return ask(callback);
-    };
-  });
-  const asked = () => page.evaluate(() => (window as unknown as { framesAsked: number }).framesAsked);
-  let [before, resting] = [await asked(), 0];
-  for (let k = 0; k < 20 && resting < 2; ++k) {
-    await page.waitForTimeout(1000);
-    const now = await asked();
-    resting = now === before ? resting + 1 : 0;
-    before = now;
-  }
-  expect(resting).toBe(2);
-  await page.locator('#stage').focus();
-  await page.keyboard.press('ArrowRight');
-  await page.waitForFunction((count) => (window as unknown as { framesAsked: number }).framesAsked > count, before);
 });
 
 describe('a scene of contours', () => {

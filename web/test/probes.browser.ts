@@ -111,9 +111,9 @@ it('by the panel: every control has a name, and the choice is heard', async () =
   expect(await choice.inputValue()).toBe('1');
   await choice.selectOption({ label: '1, the first' });
   await says(page, 'Probe 1. ');
-  expect(await page.getByRole('button', { name: 'Remove it' }).isDisabled()).toBe(true);
+  expect(await page.getByRole('button', { name: 'Remove this probe' }).isDisabled()).toBe(true);
   await choice.selectOption({ label: '2' });
-  await page.getByRole('button', { name: 'Remove it' }).click();
+  await page.getByRole('button', { name: 'Remove this probe' }).click();
   await countIs(page, 1);
   expect(await page.getByRole('table', { name: 'What each probe feels' }).count()).toBe(0);
 });

@@ -192,9 +192,9 @@ describe('the page where something is amiss', () => {
     const context = await flatBrowser.newContext();
     const page = await context.newPage();
     await page.goto(home());
-    await page.getByRole('alert').filter({ hasText: 'has not been let in' }).waitFor();
+    await page.getByRole('alert').filter({ hasText: 'has no access to the session' }).waitFor();
     expect(await page.locator('#scene-name').textContent()).toBe('No scene');
-    expect(await page.locator('#status').textContent()).toBe('Not let in');
+    expect(await page.locator('#status').textContent()).toBe('No access');
     await keepPicture(page, 'refused');
     expect(await violations(page)).toEqual([]);
     await page.goto('about:blank');

@@ -1,10 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Touching in a real browser: by pointer, and by keyboard alone with nothing but what a screen reader gets.
-import type { Browser, CDPSession, Page } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readRaster, type HeightsFrame } from '../src/codec';
 import { keepPicture, launch, openMore, openPage, startProgram, type Opened, type Running } from './harness';
+import { Listener } from './listener';
 
 let browser: Browser;
 let running: Running;
@@ -91,74 +92,6 @@ describe('by pointer', () => {
     await doubled(1);
   });
 });
-
-interface Node {
-  role: string;
-  name: string;
-  focused: boolean;
-}
-
-/** A person who hears: the accessibility tree is all that it gets, keys are all that it has. */
-class Listener {
-  private constructor(
-    private readonly page: Page,
-    private readonly session: CDPSession,
-  ) {}
-  static async at(page: Page): Promise<Listener> {
-    return new Listener(page, await page.context().newCDPSession(page));
-  }
-
-  private async tree(): Promise<{ nodes: Node[]; said: string }> {
-    const { nodes } = await this.session.send('Accessibility.getFullAXTree');
-    const byId = new Map(nodes.map((node) => [node.nodeId, node]));
-    const textUnder = (id: string): string => {
-      const node = byId.get(id);
-      if (node === undefined) return '';
-      if (node.role?.value === 'StaticText') return String(node.name?.value ?? '');
-      return (node.childIds ?? []).map(textUnder).join('');
-    };
-    const status = nodes.find((node) => node.role?.value === 'status');
-    return {
-      said: status ? textUnder(status.nodeId) : '',
-      nodes: nodes.map((node) => ({
-        role: String(node.role?.value ?? ''),
-        name: String(node.name?.value ?? ''),
-        focused: node.properties?.some(({ name, value }) => name === 'focused' && value.value === true) ?? false,
-      })),
-    };
-  }
-
-  async tabTo(role: string): Promise<Node> {
-    for (let k = 0; k < 60; ++k) {
-      await this.page.keyboard.press('Tab');
-      const found = (await this.tree()).nodes.find((node) => node.focused && node.role === role);
-      if (found) return found;
-    }
-    throw new Error(`Tab never came to anything with the role ${role}`);
-  }
-
-  /** Presses a key and waits for something to be said that fits: something new, or, after the longest wait between two
-   * sentences, the same again. */
-  async ask(key: string, about: RegExp): Promise<RegExpExecArray> {
-    await this.page.waitForTimeout(1100);
-    const before = (await this.tree()).said;
-    await this.page.keyboard.press(key);
-    for (let k = 0; k < 100; ++k) {
-      const { said } = await this.tree();
-      const match = said !== before || k >= 15 ? about.exec(said) : null;
-      if (match) return match;
-      await this.page.waitForTimeout(100);
-    }
-    throw new Error(`after ${key} nothing was said about ${about}; last: ${(await this.tree()).said}`);
-  }
-
-  async walk(millimetres: number, positive: string, negative: string): Promise<void> {
-    const key = millimetres > 0 ? positive : negative;
-    const whole = Math.abs(Math.round(millimetres));
-    for (let k = 0; k < Math.floor(whole / 5); ++k) await this.page.keyboard.press(`Shift+${key}`);
-    for (let k = 0; k < whole % 5; ++k) await this.page.keyboard.press(key);
-  }
-}
 
 describe('the materials', () => {
   it('are edited by keyboard, felt, undone by name, and saved in the scene', async () => {

@@ -28,17 +28,17 @@ double decided_by_scene(const models::Scene& scene, const haptics::LawParameter&
 
 }  // namespace
 
-protocol::Laws page_laws(const models::Scene& scene) {
+protocol::Laws page_laws(const models::Scene& scene, const device::Traits& device) {
   protocol::Laws all;
   for (const auto law : haptics::laws_for(scene)) {
     const haptics::LawDescription& description = haptics::description_of(law);
-    // The page's own probes have no torque.
-    if (description.degrees_of_freedom > 3) continue;
     protocol::Law& message = all.laws.emplace_back();
     message.name = description.name;
     message.title = description.title;
     message.has_materials = description.is_contact;
     message.has_texture = description.renders_textures;
+    if (description.degrees_of_freedom > 3 && !device.has_torque)
+      message.unavailable = "needs a device with torque";
     for (const auto& p : description.parameters)
       message.parameters.push_back(
           {std::string(p.name), std::string(p.title), std::string(p.unit), p.slider_min, p.slider_max});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
+#include "palpable/device/device.hpp"
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/page/protocol.gen.hpp"
@@ -11,8 +12,9 @@
 
 namespace palpable::page {
 
-/// The laws that fit the scene, the default first, with their slider parameters.
-protocol::Laws page_laws(const models::Scene& scene);
+/// The laws that fit the scene, the default first, with their slider parameters. A law that this device
+/// cannot render says so.
+protocol::Laws page_laws(const models::Scene& scene, const device::Traits& device);
 
 /// The parameters of `law` with their values in `parameters` and the effective values: if one is not set,
 /// that of the first material, the model or the law.

@@ -102,7 +102,7 @@ protocol::Hello TouchHost::hello() const {
   return hello;
 }
 
-protocol::Laws TouchHost::laws() const { return page_laws(*session_.scene()); }
+protocol::Laws TouchHost::laws() const { return page_laws(*session_.scene(), session_.device_traits()); }
 
 std::shared_ptr<const PageScene> TouchHost::scene() {
   auto scene = session_.scene();

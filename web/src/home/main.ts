@@ -9,11 +9,8 @@ import { bindPointers } from '../probe/pointers';
 import { ProbeActions } from '../probe/probe_actions';
 import { Probes } from '../probe/probes';
 import { Walking, type Walk } from '../probe/walking';
-import { Controls } from '../settings/controls';
-import { MaterialPanel } from '../settings/material_panel';
-import { preferencesCookie, readPreferences } from '../settings/preferences';
+import { controlWords } from '../settings/control_words';
 import type { Settings } from '../settings/settings';
-import { SettingsStore } from '../settings/settings_store';
 import { Importance } from '../sound/announcer';
 import { Feedback } from '../sound/feedback';
 import { Voice } from '../sound/voice';
@@ -30,9 +27,9 @@ import { ProbeMotion } from './probe_motion';
 import { Readouts } from './readouts';
 import { showHeading, showNoScene, stageLabel } from './scene_heading';
 import { SceneFrames } from './scene_frames';
+import { TouchSettings } from './touch_settings';
 import { ViewActions } from './view_actions';
 
-const initial: Settings = { touch: { law: '', set: {}, exaggeration: 1 }, page: readPreferences(document.cookie), materials: [] };
 const importanceOf = (level: string): Importance => ({ motion: Importance.motion, answer: Importance.answer })[level] ?? Importance.news;
 
 class TouchPage implements KeyTarget {
@@ -43,15 +40,18 @@ class TouchPage implements KeyTarget {
     closed: (loss) => this.closed(loss),
   });
   private readonly frames = new FrameLoop((now, passed, waited) => this.frame(now, passed, waited));
-  private readonly store = new SettingsStore(initial, (change) => this.connection.send(change));
-  private readonly stage = new Stage(initial.page, {
+  private readonly settings = new TouchSettings({
+    send: (message) => this.connection.send(message),
+    say: (words) => this.voice.say(words, Importance.answer),
+    follow: (settings) => this.follow(settings),
+    changed: (settings, what) => this.sayChange(settings, what),
+  });
+  private readonly stage = new Stage(this.settings.now.page, {
     changed: () => this.frames.request(),
-    tilted: (tilt) => this.changePage({ tilt }, 'tilt'),
-    flattened: () => this.changePage({ view: 'flat' }, 'view'),
+    tilted: (tilt) => this.settings.changePage({ tilt }, 'tilt'),
+    flattened: () => this.settings.changePage({ view: 'flat' }, 'view'),
     say: (words) => this.voice.say(words, Importance.news),
   });
-  private readonly controls = new Controls(initial, (settings, what) => this.change(settings, what));
-  private readonly materials = new MaterialPanel(initial, (settings, what) => this.change(settings, what));
   private readonly voice = new Voice();
   private readonly feedback = new Feedback();
   private readonly readouts = new Readouts();
@@ -100,7 +100,7 @@ class TouchPage implements KeyTarget {
     this.bindStage();
     this.bindAll();
     fillHelp();
-    this.apply();
+    this.settings.apply();
     void this.connection.run();
     document.documentElement.dataset.frames = '0';
   }
@@ -139,9 +139,7 @@ class TouchPage implements KeyTarget {
     this.connection.send({ type: 'pause', paused: !this.paused });
   }
   mute(): void {
-    const sound = !this.store.settings.page.sound;
-    this.changePage({ sound }, 'sound');
-    this.voice.say(sound ? 'Sound on.' : 'Sound off.', Importance.answer);
+    this.settings.toggleSound();
   }
   help(): void {
     showHelp();
@@ -158,50 +156,37 @@ class TouchPage implements KeyTarget {
 
   // Settings.
 
-  private change(settings: Settings, what: string): void {
-    this.store.change(settings, what);
-    this.apply();
-    if (what === 'surface' && settings.page.surface === 'cells' && this.scene?.cells) this.voice.say(this.scene.cells, Importance.answer);
-  }
-  private changePage(page: Partial<Settings['page']>, what: string): void {
-    const { settings } = this.store;
-    this.change({ ...settings, page: { ...settings.page, ...page } }, what);
-  }
-
-  private apply(): void {
-    const { settings, used } = this.store;
-    this.controls.show(settings, used);
-    this.materials.show(settings, this.controls.law());
+  private follow(settings: Settings): void {
     this.stage.set(settings.touch.exaggeration, settings.page);
     this.voice.set(settings.page.speech);
     this.feedback.set(settings.page);
     this.readouts.redraw();
-    element<HTMLButtonElement>('undo').disabled = !this.store.canUndo;
-    element<HTMLButtonElement>('redo').disabled = !this.store.canRedo;
-    if (this.store.wasUsed) document.cookie = preferencesCookie(settings.page);
     this.offerSound();
     this.showProbes();
   }
 
+  /** Changes of what is felt or shown are announced; other values only without a screen reader, which reads them itself. */
+  private sayChange(settings: Settings, what: string): void {
+    const cells = what === 'surface' && settings.page.surface === 'cells' ? this.scene?.cells : undefined;
+    const law = what === 'law' ? this.settings.controls.law()?.title : undefined;
+    if (cells) return this.voice.say(cells, Importance.answer);
+    if (law !== undefined) return this.voice.say(`Force law: ${law}.`, Importance.answer);
+    const words = controlWords(document.activeElement);
+    if (words !== null) this.voice.aloudOnly(words);
+  }
+
   /** Offered until audio runs, since browsers start it only after a user action. */
   private offerSound(): void {
-    element('sound-on').hidden = this.store.settings.page.sound && this.feedback.sound.runs;
+    element('sound-on').hidden = this.settings.now.page.sound && this.feedback.sound.runs;
   }
 
   /** Starts audio from this click, with a sound at once. */
   private turnOnSound(): void {
-    if (!this.store.settings.page.sound) this.changePage({ sound: true }, 'sound');
+    if (!this.settings.now.page.sound) this.settings.changePage({ sound: true }, 'sound');
     void this.feedback.sound.wake().then(() => {
       this.offerSound();
       this.motion.sample();
     });
-  }
-
-  private undoOrRedo(which: 'undo' | 'redo'): void {
-    const changed = this.store.undoOrRedo(which);
-    if (changed === null) return this.voice.say(`Nothing to ${which}.`, Importance.answer);
-    this.apply();
-    this.voice.say(`${which === 'undo' ? 'Undone' : 'Redone'}: ${changed}.`, Importance.answer);
   }
 
   private receiveSettings(settings: ProgramSettings): void {
@@ -210,14 +195,14 @@ class TouchPage implements KeyTarget {
     element('pause').textContent = this.paused ? 'Resume' : 'Pause';
     this.stage.element.toggleAttribute('data-paused', this.paused);
     this.readouts.status(this.paused ? 'paused' : 'running', this.paused ? 'Paused' : 'Touching');
-    if (this.store.receive(settings)) this.apply();
+    this.settings.receive(settings);
   }
 
   // The program.
 
   private opened(): void {
     this.connected = true;
-    this.store.connected();
+    this.settings.connected();
     this.readouts.allWell();
     this.connection.send({ type: 'visible', visible: !document.hidden });
   }
@@ -231,7 +216,7 @@ class TouchPage implements KeyTarget {
     this.showProbes();
     this.alert(sentence);
     if (this.surface === null) showNoScene();
-    this.readouts.status('fault', !final ? 'Not connected' : this.surface === null ? 'Not let in' : 'Ended');
+    this.readouts.status('fault', !final ? 'Not connected' : this.surface === null ? 'No access' : 'Ended');
   }
 
   private receive(message: ToPage): void {
@@ -239,21 +224,18 @@ class TouchPage implements KeyTarget {
       case 'hello':
         return this.greeted(message);
       case 'laws':
-        this.store.setLaws(message.laws);
-        this.controls.setLaws(message.laws);
-        return this.materials.show(this.store.settings, this.controls.law());
+        return this.settings.setLaws(message.laws);
       case 'scene':
         this.loaded.scene = message;
         showHeading(message);
         this.trace.scene(message.kind, message.width_m, message.depth_m);
-        this.controls.offerCells(message.cells !== null);
-        this.controls.offerDepth(message.kind === 'relief');
+        this.settings.controls.offerCells(message.cells !== null);
+        this.settings.controls.offerDepth(message.kind === 'relief');
         return;
       case 'settings':
         return this.receiveSettings(message);
       case 'materials':
-        if (this.store.receiveMaterials(message)) this.apply();
-        return;
+        return this.settings.receiveMaterials(message);
       case 'state':
         return this.receiveState(message);
       case 'words':
@@ -325,7 +307,7 @@ class TouchPage implements KeyTarget {
     return this.loaded.scene;
   }
   private exaggeration(): number {
-    return this.store.settings.touch.exaggeration;
+    return this.settings.now.touch.exaggeration;
   }
 
   private showProbes(): void {
@@ -390,29 +372,18 @@ class TouchPage implements KeyTarget {
       'turn-right': () => this.walk({ ahead: 0, left: -turnBy }),
       stance: () => this.stance(),
       help: () => this.help(),
-      undo: () => this.undoOrRedo('undo'),
-      redo: () => this.undoOrRedo('redo'),
-      reset: () => this.reset(),
-      'region-here': () => this.editHere(),
+      undo: () => this.settings.undoOrRedo('undo'),
+      redo: () => this.settings.undoOrRedo('redo'),
+      reset: () => this.settings.reset(),
+      'region-here': () => this.settings.editRegion(this.probes.chosen?.label ?? 0),
       save: () => this.connection.send({ type: 'save' }),
     };
     bindButtons(actions, () => this.wake());
     bindWindow({
       visibilityChanged: (visible) => this.connection.send({ type: 'visible', visible }),
-      coloursChanged: () => this.apply(),
-      undoOrRedo: (which) => this.undoOrRedo(which),
+      coloursChanged: () => this.settings.apply(),
+      undoOrRedo: (which) => this.settings.undoOrRedo(which),
     });
-  }
-
-  private editHere(): void {
-    const found = this.materials.choose(this.probes.chosen?.label ?? 0);
-    this.voice.say(found ? `Editing ${this.materials.name()}.` : 'There is no region here.', Importance.answer);
-  }
-
-  private reset(): void {
-    this.store.reset();
-    this.apply();
-    this.voice.say('All settings were reset.', Importance.answer);
   }
 }
 

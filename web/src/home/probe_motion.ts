@@ -7,7 +7,7 @@ import type { Probes } from '../probe/probes';
 import type { Walking } from '../probe/walking';
 import { Importance, type Words } from '../sound/announcer';
 import type { Feedback } from '../sound/feedback';
-import type { Surface } from '../surface';
+import type { Place, Surface } from '../surface';
 import type { Move } from './keys';
 import type { Narrator } from './narrator';
 
@@ -26,9 +26,13 @@ export interface MotionPage {
 
 /** Least milliseconds between two messages with the probes' places, since many fingers on a fast screen give many messages. */
 const sendEvery = 12;
+/** Metres that a device's probe moves, on a scene of 0.1 m, before its tone is played again: a hand at rest trembles by less. */
+const leastHeard = 1e-4;
 
 export class ProbeMotion {
   private sentAt = -Infinity;
+  /** Where a device's probe was when it was last sonified. */
+  private heardAt: Place = { x: NaN, y: NaN };
 
   constructor(
     private readonly probes: Probes,
@@ -81,8 +85,16 @@ export class ProbeMotion {
   /** Sonifies the program's report of the probes. */
   hear(surface: Surface): void {
     for (const one of this.probes.states) this.feedback.reported(one, surface);
-    if (!this.probes.own.movable(0)) this.feedback.moved(0, this.probes.placeOf(0), surface, this.page.exaggeration());
+    if (!this.probes.own.movable(0)) this.hearDevice(this.probes.placeOf(0), surface);
     this.feedback.keep(this.probes.numbers);
+  }
+
+  /** States also come while the device rests: then it is silent. */
+  private hearDevice(place: Place, surface: Surface): void {
+    const { x, y } = this.heardAt;
+    if (Math.hypot(place.x - x, place.y - y) < leastHeard * surface.scale) return;
+    this.heardAt = place;
+    this.feedback.moved(0, place, surface, this.page.exaggeration());
   }
 
   /** Plays the tone of the selected probe's place, as an example. */

@@ -12,7 +12,7 @@ export class ViewActions {
 
   zoom(factor: number): void {
     this.stage.zoom(factor);
-    this.say(`Picture ${Math.round(100 * this.stage.magnification)} percent.`);
+    this.say(`Zoom ${Math.round(100 * this.stage.magnification)} percent.`);
   }
   reset(): void {
     this.stage.resetView();

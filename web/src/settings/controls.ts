@@ -41,6 +41,12 @@ const sliders: Slider[] = [
 const checks = ['sound', 'speech', 'vibration'] as const;
 const selects = ['surface', 'view', 'theme'] as const;
 
+function optionOf({ name, title, unavailable }: Law): HTMLOptionElement {
+  const option = new Option(unavailable === null ? title : `${title}: ${unavailable}`, name);
+  option.disabled = unavailable !== null;
+  return option;
+}
+
 export class Controls {
   private laws: readonly Law[] = [];
   private used: Readonly<Record<string, number>> = {};
@@ -67,7 +73,7 @@ export class Controls {
 
   setLaws(laws: readonly Law[]): void {
     this.laws = laws;
-    element<HTMLSelectElement>('law').replaceChildren(...laws.map(({ name, title }) => new Option(title, name)));
+    element<HTMLSelectElement>('law').replaceChildren(...laws.map(optionOf));
     this.show(this.settings, this.used);
   }
 

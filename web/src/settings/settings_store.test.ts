@@ -134,7 +134,7 @@ describe('the settings', () => {
 
 describe('another law', () => {
   const law = (name: string, ...units: [string, string][]): Law => ({
-    name, title: name, has_materials: true, has_texture: true, parameters: units.map(([parameterName, unit]) => ({ name: parameterName, title: '', unit, min: 0, max: 1 })),
+    name, title: name, has_materials: true, has_texture: true, unavailable: null, parameters: units.map(([parameterName, unit]) => ({ name: parameterName, title: '', unit, min: 0, max: 1 })),
   });
   const [wall, ball] = [law('wall', ['stiffness', 'N/m'], ['damping', 'N·s/m']), law('ball', ['stiffness', 'N'], ['damping', 'N·s/m'])];
   it('keeps parameters with the same meaning only', () => {

@@ -5,6 +5,8 @@
 const toneLevel = 0.25;
 /** The tone fades out after the probe has rested this long (s): silence means no motion. */
 const restTime = 1.2;
+/** Audio is suspended after this long without a sound (s), since a running context costs processor time even in silence. */
+const suspendTime = 4;
 
 interface Tone {
   oscillator: OscillatorNode;
@@ -19,12 +21,15 @@ export class Sound {
   private readonly tones = new Map<number, Tone>();
   private on = false;
   private volume = 0.5;
+  /** Suspended by suspendTime, not by the browser. */
+  private resting = false;
+  private timer: ReturnType<typeof setTimeout> | undefined;
   /** How often each sound was played, for tests. */
   readonly played = { clicks: 0, edges: 0 };
 
-  /** Whether audio runs. */
+  /** Whether sounds can be heard. */
   get runs(): boolean {
-    return this.context?.state === 'running';
+    return this.resting || this.context?.state === 'running';
   }
 
   /** Browsers start audio only after a user action: call this from such an event. */
@@ -32,6 +37,7 @@ export class Sound {
     if (!this.on || typeof AudioContext === 'undefined') return;
     if (this.context === null) this.build(new AudioContext());
     if (this.context?.state === 'suspended') await this.context.resume();
+    this.stayAwake();
   }
 
   set(on: boolean, volume: number): void {
@@ -43,6 +49,7 @@ export class Sound {
   /** Plays the tone of a probe's place; several tones share the loudness of one. */
   height(probe: number, pitch: number, pan: number): void {
     if (!this.on || this.context === null || this.master === null) return;
+    this.stayAwake();
     const tone = this.tones.get(probe) ?? this.begin(probe, this.context, this.master);
     const now = this.context.currentTime;
     tone.oscillator.frequency.setTargetAtTime(pitch, now, 0.012);
@@ -74,6 +81,20 @@ export class Sound {
     this.blip('triangle', 1568, 0.06, 0.35, pan);
   }
 
+  /** Resumes audio for a sound, and suspends it when none has followed. */
+  private stayAwake(): void {
+    const { context } = this;
+    if (context === null) return;
+    if (this.resting) void context.resume();
+    this.resting = false;
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      if (context.state !== 'running') return;
+      this.resting = true;
+      void context.suspend();
+    }, 1000 * suspendTime);
+  }
+
   private build(context: AudioContext): void {
     this.context = context;
     this.master = context.createGain();
@@ -100,6 +121,7 @@ export class Sound {
   private blip(type: OscillatorType, frequency: number, seconds: number, level: number, where: number): void {
     const { context, master } = this;
     if (!this.on || context === null || master === null) return;
+    this.stayAwake();
     const now = context.currentTime;
     const gain = new GainNode(context, { gain: level });
     gain.gain.setTargetAtTime(0, now, seconds / 3);

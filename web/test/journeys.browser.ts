@@ -1,0 +1,150 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// The whole way through a touch by keyboard and hearing alone, for each kind of scene: opening, sound, exploring, descriptions,
+// another law, help, several probes, and the end.
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { launch, openPage, startProgram, violations, type Opened, type Running } from './harness';
+import { Listener } from './listener';
+
+const folder = mkdtempSync(join(tmpdir(), 'palpable-journeys-'));
+const disc = join(folder, 'disc.pgm');
+const box = join(folder, 'box.obj');
+let browser: Browser;
+
+beforeAll(async () => {
+  const side = 64;
+  const rows = Array.from({ length: side }, (_, y) => Array.from({ length: side }, (_, x) => (Math.hypot(x - 32, y - 32) < 20 ? '200' : '30')).join(' '));
+  writeFileSync(disc, `P2\n${side} ${side}\n255\n${rows.join('\n')}\n`);
+  const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => `v ${x} ${y} ${z}`)));
+  const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`);
+  writeFileSync(box, [...corners, ...faces, ''].join('\n'));
+  browser = await launch({ webgl: false });
+});
+afterAll(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+interface Journey {
+  kind: string;
+  words: string[];
+  label: RegExp;
+  /** Each press of D; the last one comes after there is nothing more. */
+  descriptions: RegExp[];
+  step: RegExp;
+  /** The law that the arrow key chooses after the first one. */
+  law: RegExp;
+}
+
+const journeys: Journey[] = [
+  {
+    kind: 'a relief',
+    words: ['touch', '--method', 'scanline'],
+    label: /^Surface of Sculptures on a table to touch$/,
+    descriptions: [/8 objects rise above the table.*D again says more\.$/, /A wooden table.*more\.$/, /From the probe to the highest point.*more\.$/, /third.*That is all\.$/, /^From the beginning: .*[^e]\.$/],
+    step: /(-?[\d.]+) millimetres?/,
+    law: /./,
+  },
+  {
+    kind: 'contours',
+    words: ['touch', disc],
+    label: /^Lines of disc\.pgm to touch$/,
+    descriptions: [/1 line, closed.*D again says more\.$/, /From the probe to the nearest line.*That is all\.$/, /^From the beginning: /],
+    step: /right from the middle/,
+    law: /./,
+  },
+  {
+    kind: 'a solid',
+    words: ['touch', box, '--resolution', '32', '--size', '100x100x50'],
+    label: /^Surface of box\.obj to touch$/,
+    descriptions: [/A solid, 50 by 50 millimetres.*D again says more\.$/, /more\.$/, /third.*That is all\.$/, /^From the beginning: /],
+    step: /(-?[\d.]+) millimetres?/,
+    law: /./,
+  },
+];
+
+describe.each(journeys)('by keyboard and hearing, $kind', ({ words, label, descriptions, step, law }) => {
+  let running: Running;
+  let opened: Opened;
+  let page: Page;
+  let listener: Listener;
+  beforeAll(async () => {
+    running = await startProgram({ instead: words });
+    opened = await openPage(browser, running.address);
+    ({ page } = opened);
+    listener = await Listener.at(page);
+  });
+  afterAll(async () => {
+    await opened?.context.close();
+    await running?.stop();
+  });
+
+  it('opens with the focus on the scene and says what it is and which keys help', async () => {
+    await listener.hears(/^Ready to touch: .*Press D to hear what is where, H for help\.$/);
+    expect(await listener.focused()).toMatchObject({ role: 'application' });
+    expect((await listener.focused()).name).toMatch(label);
+  });
+
+  it('turns on sound by a button that then is gone', async () => {
+    await listener.tabTo('button', /^Turn on sound$/);
+    await page.keyboard.press('Enter');
+    await page.getByRole('button', { name: 'Turn on sound' }).waitFor({ state: 'hidden' });
+    await listener.tabTo('application', /./, 'Shift+Tab');
+  });
+
+  it('describes the scene part by part, and says when that is all', async () => {
+    for (const description of descriptions) await listener.ask('d', description);
+  });
+
+  it('says each step, the rim, a press, the position and the way back', async () => {
+    await listener.ask('ArrowRight', step);
+    await listener.ask('PageDown', /pressed|press|deep/i);
+    await listener.ask('p', /millimetres?/);
+    for (let k = 0; k < 30; ++k) await page.keyboard.press('Shift+ArrowRight');
+    await listener.hears(/^Rim of the scene\./);
+    await listener.ask('Home', /In the middle\./);
+  });
+
+  it('says a pause and its end', async () => {
+    await listener.ask('Space', /Paused: no force\./);
+    await listener.ask('Space', /Resumed\./);
+  });
+
+  it('explains itself, and returns to the scene', async () => {
+    await page.keyboard.press('h');
+    expect(await listener.focused()).toMatchObject({ role: 'heading', name: 'Touching with Palpable' });
+    await page.keyboard.press('Escape');
+    expect(await listener.focused()).toMatchObject({ role: 'application' });
+  });
+
+  it('adds, tells apart and removes a second probe', async () => {
+    await listener.ask('2', /Probe 2 added/);
+    await listener.ask('n', /2 probes, the keys move probe 2\. Probe 1: .* Probe 2: /);
+    await listener.ask('Delete', /Probe 2 removed\. The keys move probe 1\./);
+  });
+
+  it('changes the law, says so, and undoes it', async () => {
+    await listener.tabTo('DisclosureTriangle', /More settings/);
+    await page.keyboard.press('Enter');
+    const choice = await listener.tabTo('combobox', /^Force law$/);
+    expect(choice.name).toBe('Force law');
+    await page.keyboard.press('ArrowDown');
+    const [, chosen] = await listener.hears(/^Force law: (.+)\.$/);
+    expect(chosen).toMatch(law);
+    await page.waitForFunction(() => document.querySelectorAll('#parameters input').length > 0);
+    expect(await violations(page)).toEqual([]);
+    await listener.ask('Control+z', /Undone: force law/);
+  });
+
+  it('says when the program has ended', async () => {
+    await running.stop();
+    const alert = page.getByRole('alert');
+    await alert.filter({ hasText: 'The session has ended. Start palpable again to go on.' }).waitFor();
+    await listener.tabTo('application', /./, 'Shift+Tab');
+    await listener.ask('ArrowRight', /Palpable is not connected: nothing can be felt\./);
+  });
+});

@@ -1,0 +1,93 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// A person who uses the page by keyboard and hearing alone.
+import type { CDPSession, Page } from 'playwright-core';
+
+export interface Node {
+  role: string;
+  name: string;
+  focused: boolean;
+}
+
+/** A person who hears: the accessibility tree is all that this class reads, keys are all that it presses. */
+export class Listener {
+  private constructor(
+    private readonly page: Page,
+    private readonly session: CDPSession,
+  ) {}
+  static async at(page: Page): Promise<Listener> {
+    return new Listener(page, await page.context().newCDPSession(page));
+  }
+
+  private async tree(): Promise<{ nodes: Node[]; said: string }> {
+    const { nodes } = await this.session.send('Accessibility.getFullAXTree');
+    const byId = new Map(nodes.map((node) => [node.nodeId, node]));
+    const textUnder = (id: string): string => {
+      const node = byId.get(id);
+      if (node === undefined) return '';
+      if (node.role?.value === 'StaticText') return String(node.name?.value ?? '');
+      return (node.childIds ?? []).map(textUnder).join('');
+    };
+    const status = nodes.find((node) => node.role?.value === 'status');
+    return {
+      said: status ? textUnder(status.nodeId) : '',
+      nodes: nodes.map((node) => ({
+        role: String(node.role?.value ?? ''),
+        name: String(node.name?.value ?? ''),
+        focused: node.properties?.some(({ name, value }) => name === 'focused' && value.value === true) ?? false,
+      })),
+    };
+  }
+
+  /** What has the focus. */
+  async focused(): Promise<Node> {
+    const focused = (await this.tree()).nodes.filter((node) => node.focused && node.role !== 'RootWebArea');
+    return focused[focused.length - 1] ?? { role: '', name: '', focused: false };
+  }
+
+  /** Presses Tab (or Shift+Tab) until a control of this role, and with this name, has the focus. */
+  async tabTo(role: string, name = /./, key = 'Tab'): Promise<Node> {
+    const met: string[] = [];
+    for (let k = 0; k < 60; ++k) {
+      await this.page.keyboard.press(key);
+      const now = await this.focused();
+      if (now.role === role && name.test(now.name)) return now;
+      met.push(`${now.role} ${now.name}`);
+    }
+    throw new Error(`${key} never came to ${role} ${name}; it came to ${met.join(', ')}`);
+  }
+
+  /** Waits until something is said that fits. */
+  async hears(about: RegExp): Promise<RegExpExecArray> {
+    let said = '';
+    for (let k = 0; k < 150; ++k) {
+      ({ said } = await this.tree());
+      const match = about.exec(said);
+      if (match) return match;
+      await this.page.waitForTimeout(100);
+    }
+    throw new Error(`nothing was said about ${about}; last: ${said}`);
+  }
+
+  /** Presses a key and waits for something to be said that fits: something new, or, after the longest wait between two
+   * sentences, the same again. */
+  async ask(key: string, about: RegExp): Promise<RegExpExecArray> {
+    await this.page.waitForTimeout(1100);
+    const before = (await this.tree()).said;
+    await this.page.keyboard.press(key);
+    for (let k = 0; k < 100; ++k) {
+      const { said } = await this.tree();
+      const match = said !== before || k >= 15 ? about.exec(said) : null;
+      if (match) return match;
+      await this.page.waitForTimeout(100);
+    }
+    throw new Error(`after ${key} nothing was said about ${about}; last: ${(await this.tree()).said}`);
+  }
+
+  async walk(millimetres: number, positive: string, negative: string): Promise<void> {
+    const key = millimetres > 0 ? positive : negative;
+    const whole = Math.abs(Math.round(millimetres));
+    for (let k = 0; k < Math.floor(whole / 5); ++k) await this.page.keyboard.press(`Shift+${key}`);
+    for (let k = 0; k < whole % 5; ++k) await this.page.keyboard.press(key);
+  }
+}
