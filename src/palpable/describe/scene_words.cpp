@@ -230,7 +230,10 @@ std::vector<std::string> scene_parts(const models::Scene& scene, double depth, P
 std::string scene_part(const models::Scene& scene, double depth, Place probe, std::size_t part) {
   const auto parts = scene_parts(scene, depth, probe);
   const std::size_t at = part % parts.size();
-  return at + 1 < parts.size() ? parts[at] + " D again says more." : parts[at];
+  if (parts.size() == 1) return parts.front();
+  // After the last part there is nothing more: from then on the parts are repeated, and none offers more.
+  if (part >= parts.size()) return at == 0 ? "From the beginning: " + parts[at] : parts[at];
+  return parts[at] + (at + 1 < parts.size() ? " D again says more." : " That is all.");
 }
 
 }  // namespace palpable::describe

@@ -25,8 +25,8 @@ std::string opening_words(const models::Scene& scene);
 /// as in place_words.hpp. Takes some milliseconds.
 std::vector<std::string> scene_parts(const models::Scene& scene, double depth, Place probe);
 
-/// One of the parts, the index modulo their number. Every part but the last ends by saying that there is
-/// more.
+/// What the D key says when it is pressed for the time `part`, counted from 0: the parts one after another.
+/// Each ends by saying whether there is more. After the last one they are repeated, without these words.
 std::string scene_part(const models::Scene& scene, double depth, Place probe, std::size_t part);
 
 }  // namespace palpable::describe

@@ -111,8 +111,17 @@ TEST(SceneWords, CycleThroughTheParts) {
   const auto parts = scene_parts(scene, 1.0, {});
   EXPECT_EQ(scene_part(scene, 1.0, {}, 0), parts[0] + " D again says more.");
   EXPECT_EQ(scene_part(scene, 1.0, {}, 1), parts[1] + " D again says more.");
-  EXPECT_EQ(scene_part(scene, 1.0, {}, 2), parts[2]);
-  EXPECT_EQ(scene_part(scene, 1.0, {}, 3), parts[0] + " D again says more.");
+  EXPECT_EQ(scene_part(scene, 1.0, {}, 2), parts[2] + " That is all.");
+}
+
+TEST(SceneWords, OfferNoMoreAfterTheLastPart) {
+  const auto contours = circle_and_line();
+  const auto parts = scene_parts(contours, 1.0, {});
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(scene_part(contours, 1.0, {}, 2), "From the beginning: " + parts[0]);
+  EXPECT_EQ(scene_part(contours, 1.0, {}, 3), parts[1]);
+  const auto level = surface_scene([](double, double) { return 0.002; });
+  EXPECT_EQ(scene_part(level, 1.0, {}, 0), scene_parts(level, 1.0, {})[0]);
 }
 
 }  // namespace
