@@ -57,6 +57,18 @@ TEST_F(BadInput, AMissingFileIsNamed) {
                  "none.palp");
 }
 
+TEST_F(BadInput, AScenePipeOrFolderIsRefusedAtOnce) {
+  ASSERT_EQ(mkfifo(path("pipe.palp").c_str(), 0600), 0);
+  expect_refused(palpable({"info", path("pipe.palp")}), "pipe.palp", "is not a regular file");
+  expect_refused(palpable({"info", folder_.string()}), folder_.string(), "is a folder, and not a scene");
+}
+
+TEST_F(BadInput, APictureInPlaceOfAMeshIsNamedAsOne) {
+  ASSERT_EQ(palpable({"make", path("left.png"), "-o", path("lines.palp")}).exit_code, 0);
+  expect_refused(palpable({"correct", path("lines.palp"), path("left.png"), "-o", path("out.palp")}),
+                 "left.png", "is a picture, and not a mesh");
+}
+
 TEST_F(BadInput, ATextFileNamedPngIsRefused) {
   write_text(path("text.png"), "This text is not a picture.\n");
   expect_refused(make_pair("text.png", "right.png"), "text.png");

@@ -12,7 +12,6 @@ namespace palpable::test {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 /// A box with one corner at the given place, triangles oriented outwards.
 std::string box_obj(double x, double y, double z, double left = 0.0, double bottom = 0.0) {
@@ -64,7 +63,7 @@ TEST_F(SolidPlacement, AMeshOfAHandsSizeKeepsItsMetresAndOrigin) {
   write_text(path("m.obj"), box_obj(0.08, 0.01, 0.1, -0.04, -0.005));
   const Outcome outcome = make(path("m.obj"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, Not(HasSubstr("unit")));
+  EXPECT_THAT(outcome.err, HasSubstr("states no unit: its coordinates were taken as metres"));
   expect_size_mm(80.0, 10.0, 100.0);
   EXPECT_EQ(info().at("scene_from_input")[0][3].get<double>(), 0.0);
 }
@@ -103,6 +102,20 @@ TEST_F(SolidPlacement, ABoxThatFillsItsBoundingBoxIsDrawnFromAllSides) {
       EXPECT_EQ(shown.exit_code, 0) << size << ' ' << view << ' ' << shown.err;
     }
   }
+}
+
+TEST_F(SolidPlacement, ASolidIsDrawnInPerspectiveUnlessAViewIsGiven) {
+  write_text(path("m.obj"), box_obj(0.08, 0.06, 0.05));
+  ASSERT_EQ(make(path("m.obj")).exit_code, 0);
+  const auto drawn = palpable({"show", path("out.palp"), "-o", path("out.png"), "--json"}).json();
+  EXPECT_EQ(drawn["view"], "solid");
+  const auto section = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> words{"show", path("out.palp"), "-o", path(name), "--view", "section"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(palpable(words).exit_code, 0);
+    return read_text(path(name));
+  };
+  EXPECT_NE(section("plain.png", {}), section("cells.png", {"--cells"}));
 }
 
 TEST_F(SolidPlacement, OnlyFieldsAreDrawnAsSolids) {

@@ -179,7 +179,7 @@ void add_calibrate(Program& program) {
       "FOLDER", arguments->folder,
       "Pictures: left01.jpg and right01.jpg … of two cameras; any other names belong to one camera");
   options.required_output("-o,--output", arguments->output, {}, "Calibration to write (OpenCV yml)");
-  options.text("--board", arguments->board, "Inner corners along the board's sides; else 9x6");
+  options.text("--board", arguments->board, "Inner corners along the board's sides; default: 9x6");
   options.number("--square", arguments->square_mm, {0.1, 10000.0}, "Side of one square, mm");
 }
 

@@ -204,8 +204,8 @@ void add_check(Program& program) {
   options.argument("RECORDING", arguments->recording, "The recording");
   options.optional_arguments(
       "SCENE", arguments->scenes, 1000,
-      "The scenes that were touched (.palp); else those that the recorded command names");
-  options.integer("--list", arguments->list, {0, 10000}, "So many findings are listed");
+      "The scenes that were touched (.palp); default: those that the recorded command names");
+  options.integer("--list", arguments->list, {0, 10000}, "Greatest number of findings that are listed");
   options.flag("--strict", arguments->strict, "Missed ticks make a recording not clean too");
 }
 

@@ -17,21 +17,21 @@ namespace palpable::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// What a command has to say: `json` with --json, otherwise `text` (whole lines; may be empty).
+/// The result of a command: `json` with --json, otherwise `text` (whole lines; may be empty).
 struct Answer {
   Json json = Json::object();
   std::string text;
-  /// Not done, though nothing failed on the way (doctor found a fault): the process's exit code.
+  /// The exit code of a command that ran without an error, but whose result is negative (doctor found a
+  /// fault).
   int exit_code = 0;
 };
 
 using Action = std::function<Result<Answer>(Console&)>;
 
-/// The program's command line while it is being put together: one add_…() function a subcommand fills it.
+/// The program's command line; each add_…() function below adds a subcommand.
 class Program;
 
-/// A new subcommand; `examples` are shown below its help, one a line. Options that every command takes come
-/// by themselves.
+/// Adds a subcommand with the common options; `examples` are shown below its help, one per line.
 Options add_command(Program& program, const std::string& name, const std::string& description,
                     const std::string& examples, Action action);
 /// The same below a command of commands: `parent` is "score", `name` "disparity".

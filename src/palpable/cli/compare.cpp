@@ -168,7 +168,7 @@ void add_compare(Program& program) {
                   [arguments](Console& console) { return compare(*arguments, console); });
   add_pair_arguments(options, arguments->stereo);
   options.output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
-                 "Picture to write (.png, .svg, .pdf); else comparison.png");
+                 "Picture to write (.png, .svg, .pdf); default: comparison.png");
   options.text("--truth", arguments->truth, "True disparity of the left picture");
   options.number("--truth-scale", arguments->truth_scale, {1e-6, 1e6},
                  "The truth's stored values are disparity times this");

@@ -30,7 +30,7 @@ std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr int kServoPatience_ms = 200;
-// Of work that hears of an interrupt; with the servo's end the program ends within a second.
+// The time that interrupted work has to end; with the servo's end the program ends within a second.
 constexpr int kWorkPatience_ms = 700;
 
 /// Work that did not end by itself in time: waiting for a pipe, in a library that cannot be stopped. Whatever
@@ -105,7 +105,7 @@ void Console::end_progress() {
 
 Work Console::work() {
   Work work;
-  work.threads = options_.threads;
+  work.threads = static_cast<unsigned>(options_.threads);
   work.seed = options_.seed;
   work.cancel = &interrupted();
   if (shows_progress_)

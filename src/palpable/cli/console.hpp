@@ -18,7 +18,7 @@ namespace palpable::cli {
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
-  unsigned threads = 0;
+  int threads = 0;
   std::uint64_t seed = 1;
   /// The command line as it was given, without the program.
   std::vector<std::string> command;
@@ -37,9 +37,9 @@ class Console {
   /// A note for the person on standard error, one line, with the options that would change it (hints.hpp);
   /// silent with --quiet.
   void note(const Note& note);
-  /// What the person must read even with --quiet: on standard output, or on standard error with --json.
+  /// A sentence that is shown even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);
-  /// No progress is shown from now on: what is spoken line by line must not be written over.
+  /// Shows no progress from now on, since it would overwrite the lines of a touch in the terminal.
   void end_progress();
   /// The Work that long functions take: threads, seed, progress to this console, cancelled by Ctrl-C.
   Work work();
@@ -52,7 +52,7 @@ class Console {
 
   CommonOptions options_;
   bool shows_progress_ = false;
-  /// The line that stands on the terminal; empty = none.
+  /// The progress line on the terminal; empty = none.
   std::string progress_;
   std::mutex mutex_;
   std::chrono::steady_clock::time_point started_;
@@ -68,8 +68,8 @@ void catch_interrupts();
 /// Writes `text` to standard output. Errors: failed, if it cannot be written in full.
 Result<void> print(std::string_view text);
 
-/// Writes to standard error, control characters of the text replaced; `before` as it is. Whether standard
-/// error is open does not matter.
+/// Writes to standard error, with control characters of `text` replaced, and `before` unchanged. A closed
+/// stream is no error.
 void write_error(std::string_view text, std::string_view before = {});
 
 }  // namespace palpable::cli

@@ -8,6 +8,7 @@
 #include "palpable/sources/solid/mesh_file.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,7 +26,7 @@ Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   auto measured = sources::read_mesh(arguments.measured);
-  if (!measured) return measured.error();
+  if (!measured) return not_a_mesh(arguments.measured, std::move(measured).error());
   const auto begin = std::chrono::steady_clock::now();
   const sculpt::CorrectionOptions correction{
       0.001 * arguments.reach_mm, 0.001 * arguments.transition_mm,

@@ -168,7 +168,7 @@ Result<Answer> examine(Console& /*console*/) {
 }  // namespace
 
 void add_doctor(Program& program) {
-  add_command(program, "doctor", "Say what this machine can do, and what to change to make the touch better",
+  add_command(program, "doctor", "Check how well this machine can render a touch, with advice",
               "  palpable doctor", examine);
 }
 

@@ -120,7 +120,7 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
   return Error{ErrorCode::usage, "a relief is exported as .stl, .glb, .svg, .npz or .png", arguments.output};
 }
 
-/// Between places of which `grid` stand along the field's longest side.
+/// The distance between samples of which `grid` lie along the field's longest side.
 template <models::DistanceSurface Distance>
 double spacing_of(const Distance& field, int grid) {
   const Vec3 size = field.size_m();
@@ -162,7 +162,7 @@ Result<Answer> export_vdb(const Distance& field, const ExportArguments& argument
   return answer;
 }
 
-/// Distances on a grid of places, `grid` along the longest side: distance_m[i, j, k] stands at origin_m +
+/// Distances on a lattice, `grid` samples along the longest side: distance_m[i, j, k] is at origin_m +
 /// spacing_m (i, j, k), x right, y up, z towards the person.
 template <models::DistanceSurface Distance>
 Result<Answer> export_distances(const Distance& field, const ExportArguments& arguments, const Work& work) {
@@ -204,7 +204,7 @@ Result<Answer> export_model(const models::SolidField<Distance>& field, const mod
   return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
 }
 
-/// occupied[i, j, k] (0 or 1) stands at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.
+/// occupied[i, j, k] (0 or 1) is at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.
 Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*scene*/,
                             const ExportArguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);

@@ -81,14 +81,14 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
 
 void add_fit(Program& program) {
   const auto arguments = std::make_shared<FitArguments>();
-  Options options = add_command(
-      program, "fit", "Whether a stereo pair gives a scene worth touching: one sentence, and a picture",
-      "  palpable fit left.jpg right.jpg\n"
-      "  palpable fit left.jpg right.jpg -o fit.png",
-      [arguments](Console& console) { return fit(*arguments, console); });
+  Options options = add_command(program, "fit",
+                                "Check whether a stereo pair gives a good scene: one sentence, and a picture",
+                                "  palpable fit left.jpg right.jpg\n"
+                                "  palpable fit left.jpg right.jpg -o fit.png",
+                                [arguments](Console& console) { return fit(*arguments, console); });
   add_pair_arguments(options, arguments->stereo);
   options.output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
-                 "Picture of where it will feel wrong (.png, .svg, .pdf)");
+                 "Picture of the places whose depth is doubtful (.png, .svg, .pdf)");
   options.flag("--speak", arguments->speak, "Speak the sentence");
   add_stereo_options(options, arguments->stereo);
   add_parameter_options(options, arguments->stereo);

@@ -16,7 +16,8 @@ void add_help(Program& program) {
                                   return Answer{{{"help", *text}}, *text};
                                 });
   constexpr int kMostWords = 2;
-  options.optional_arguments("COMMAND", *words, kMostWords, "The command to explain; without it all of them");
+  options.optional_arguments("COMMAND", *words, kMostWords,
+                             "The command to explain; default: the list of commands");
 }
 
 }  // namespace palpable::cli

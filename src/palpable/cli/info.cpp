@@ -214,8 +214,9 @@ Result<Answer> info(const std::string& path) {
 
 void add_info(Program& program) {
   const auto path = std::make_shared<std::string>();
-  Options options = add_command(program, "info", "Say what a scene file holds", "  palpable info aloe.palp",
-                                [path](Console& /*console*/) { return info(*path); });
+  Options options =
+      add_command(program, "info", "Describe the content of a scene file", "  palpable info aloe.palp",
+                  [path](Console& /*console*/) { return info(*path); });
   options.argument("SCENE", *path, "A .palp scene");
 }
 

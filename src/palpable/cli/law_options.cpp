@@ -5,6 +5,8 @@
 #include "palpable/cli/suggest.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -94,13 +96,40 @@ std::vector<std::string> all_names() {
   return names;
 }
 
+/// The laws by the kinds of scenes that they are for: "reliefs: proxy, rolling; contours: tracing".
+std::string laws_by_kind() {
+  using haptics::ModelKinds;
+  struct KindOfScene {
+    const char* name;
+    bool ModelKinds::*kind;
+  };
+  constexpr std::array kKinds{
+      KindOfScene{"reliefs", &ModelKinds::relief}, KindOfScene{"solids", &ModelKinds::field},
+      KindOfScene{"contours", &ModelKinds::contours}, KindOfScene{"grids", &ModelKinds::grid}};
+  std::string words;
+  for (const auto& [name, kind] : kKinds) {
+    std::vector<std::string_view> laws;
+    for (const LawDescription* law : haptics::all_laws())
+      if (law->models.*kind) laws.push_back(law->name);
+    words += fmt::format("{}{}: {}", words.empty() ? "" : "; ", name, fmt::join(laws, ", "));
+  }
+  return words;
+}
+
+Error unknown_law(const std::string& typed) {
+  const auto meant = suggestion(typed, all_names());
+  return {ErrorCode::usage,
+          fmt::format("'{}' is not one of the force laws ({}){}", typed, laws_by_kind(),
+                      meant ? fmt::format("; did you mean {}?", *meant) : ""),
+          "--law"};
+}
+
 }  // namespace
 
 void add_law_options(Options& options, LawArguments& arguments) {
   options.under("How the surface responds");
-  options.text(
-      "--law", arguments.law,
-      fmt::format("Force law: {}; palpable info SCENE lists those of a scene", fmt::join(all_names(), ", ")));
+  options.text("--law", arguments.law,
+               fmt::format("Force law; the first for a kind of scene is its default ({})", laws_by_kind()));
   const auto all = options_of_all_laws();
   arguments.numbers.resize(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -114,7 +143,7 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, hap
   parameters.law = otherwise;
   if (!arguments.law.empty()) {
     const auto law = haptics::law_from(arguments.law);
-    if (!law) return Error{ErrorCode::usage, unknown_word(arguments.law, all_names()), "--law"};
+    if (!law) return unknown_law(arguments.law);
     parameters.law = *law;
   }
   const LawDescription& description = haptics::description_of(parameters.law);

@@ -66,20 +66,23 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.arguments("INPUT", arguments.inputs, kMostInputs,
                     "A pair (left first), a depth map, a mesh, points, shapes, or a scene");
   options.under("How the scene is made");
-  options.choice("--as", arguments.as, {"relief", "contours", "field", "grid"},
-                 "Kind of scene; else contours of a picture, a field of a solid, a relief of all else");
-  options.text("--kind", arguments.kind,
-               "picture, stereo, depth, mesh, level-set, points, shapes or scene; else by content");
-  options.text("--size", arguments.size,
-               "Largest size of the scene, WxHxD in mm; else 100x100 and 15 high, and solids as they are or "
-               "100x100x50");
+  options.choice(
+      "--as", arguments.as, {"relief", "contours", "field", "grid"},
+      "Kind of scene; default: contours for a picture, a field for a solid, a relief for the rest");
+  options.text(
+      "--kind", arguments.kind,
+      "Kind of input: picture, stereo, depth, mesh, level-set, points, shapes or scene; default: by content");
+  options.text(
+      "--size", arguments.size,
+      "Largest size of the scene, WxHxD in mm; default: 100x100 and 15 high, and solids as they are or "
+      "100x100x50");
   options.number("--depth-scale", arguments.depth_scale, {1e-9, 1e6},
-                 "Metres for one step of a depth map; else as its sidecar or kind says");
+                 "Metres for one step of a depth map; default: as its sidecar or kind says");
   options.choice("--depth-as", arguments.depth_as, {"depth", "distance", "disparity", "nearness", "zbuffer"},
                  "Meaning of the values of a depth map (docs/formats.md)");
   options.number("--near-plane", arguments.near_plane, {1e-6, 1e6}, "Near plane of a depth buffer, m");
   options.number("--far-plane", arguments.far_plane, {1e-6, 1e9},
-                 "Far plane of a depth buffer, m; else infinite");
+                 "Far plane of a depth buffer, m; default: infinite");
   options.number("--near", arguments.near, kDepthUnits,
                  "Nearer depths are moved to this one (m; px of disparity without calibration)");
   options.number("--far", arguments.far, kDepthUnits, "Farther depths are moved to this one");
@@ -108,7 +111,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on the relief; front = as seen from between the cameras of a pair");
   options.under("Meshes and other solids");
-  options.choice("--up", arguments.up, up_names(), "Which way is up in the file; else z in STL, y in others");
+  options.choice("--up", arguments.up, up_names(),
+                 "Which way is up in the file; default: z in STL, y in others");
   options.choice("--lay", arguments.lay, {"auto", "upright", "flat"},
                  "Seen from the front or from above; auto = from above what is low and wide, as a map");
   options.number("--sheet", arguments.sheet_mm, {0.0, 10.0}, "Open sheet: height above its base, mm");
@@ -117,13 +121,13 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.choice("--grid-filling", arguments.grid_filling, {"relief", "camera"},
                  "Grid: under the relief, or in space behind what a pair's camera sees");
   options.integer("--resolution", arguments.resolution, {16, 4096},
-                  "Finest cells along the longest side; else 512");
+                  "Number of finest cells along the longest side; default: 512");
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
-                 "Greatest error of the distance near the surface, mm; else 1/10000 of the longest side");
+                 "Greatest error of the distance near the surface, mm; default: 1/10000 of the longest side");
   options.text("--poses", arguments.poses,
                "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz");
   options.flag("--no-cache", arguments.no_cache,
-               "Make a mesh's field anew; else one that was made before is taken from the cache "
+               "Do not take a mesh's field from the cache, where it is kept after it was made "
                "(~/.cache/palpable)");
   options.flag("--dense", arguments.dense, "Field: distances at every point of a lattice, for comparison");
   options.flag("--paper", arguments.paper,
@@ -134,7 +138,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.choice("--quality", arguments.quality, {"live", "best"},
                  "best takes seconds and ignores speckle and grain");
   options.number("--threshold", arguments.threshold, {0.0, 1.0},
-                 "Least strength of a boundary; else by Otsu's method");
+                 "Least strength of a boundary; default: by Otsu's method");
   options.number("--neighbourhood", arguments.neighbourhood_px, {1.0, 32.0},
                  "Radius over which directions are averaged, px");
   options.number("--groove", arguments.groove_mm, {0.5, 20.0}, "Width of the grooves of the law groove, mm");

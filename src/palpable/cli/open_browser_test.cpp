@@ -5,9 +5,15 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace palpable::cli {
 namespace {
@@ -22,6 +28,36 @@ TEST(OpenBrowser, WritesARedirectThatOnlyThisUserReads) {
   ASSERT_TRUE(text);
   EXPECT_NE(as_text(*text).find("url=http://127.0.0.1:4711/#token"), std::string_view::npos);
   fs::remove(file);
+}
+
+/// What the browser's program was given, one line each, once it has run.
+std::string given_to(const fs::path& file) {
+  while (!fs::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const auto text = read_file(file);
+  EXPECT_TRUE(text);
+  return std::string(as_text(*text));
+}
+
+TEST(OpenBrowser, GivesTheBrowserNeitherTheTokenNorADescriptor) {
+  const fs::path folder = fs::path(::testing::TempDir()) / "palpable_open_browser_test";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const fs::path program = folder / "xdg-open", seen = folder / "seen";
+  std::ofstream(program) << "#!/bin/sh\n{ echo \"$@\"; ls /proc/$$/fd; } > " << seen.string() << ".part\nmv "
+                         << seen.string() << ".part " << seen.string() << "\n";
+  fs::permissions(program, fs::perms::owner_all);
+  ASSERT_EQ(setenv("PATH", (folder.string() + ":" + std::getenv("PATH")).c_str(), 1), 0);
+  ASSERT_EQ(setenv("DISPLAY", ":0", 1), 0);
+  // Like the page's port: open, and without close-on-exec.
+  constexpr int kPort = 200;
+  ASSERT_EQ(dup2(STDERR_FILENO, kPort), kPort);
+  const OpenedBrowser browser("http://127.0.0.1:4711/#token");
+  const std::string given = given_to(seen);
+  close(kPort);
+  EXPECT_NE(given.find(".html"), std::string::npos);
+  EXPECT_EQ(given.find("token"), std::string::npos);
+  EXPECT_EQ(given.find("\n200\n"), std::string::npos);
+  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ void Options::arguments(const std::string& name, std::vector<std::string>& value
 }
 
 void Options::flag(const std::string& name, bool& value, const std::string& help) {
-  app_.add_flag(name, value, help)->group(heading_);
+  app_.add_flag(name, value, help)->group(heading_)->disable_flag_override();
 }
 
 void Options::text(const std::string& name, std::string& value, const std::string& help) {

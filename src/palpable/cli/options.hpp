@@ -16,26 +16,25 @@ namespace palpable::cli {
 
 struct OutputOption;
 
-/// From least to most, both taken.
+/// A range with both ends included.
 struct Range {
   double least = 0.0;
   double most = 0.0;
 };
 
-/// The arguments and options of one command while they are declared. CLI11 stays behind it: its header costs
-/// every file that includes it many seconds. What is declared is filled while the command line is parsed and
-/// must outlive that.
+/// Declares the arguments and options of one command. It hides CLI11, whose header takes many seconds to
+/// compile. The variables are set while the command line is parsed and must outlive that.
 class Options {
  public:
-  /// `outputs` hears of every option that names a file to write (output_files.hpp).
+  /// Every option that names a file to write is added to `outputs` (output_files.hpp).
   Options(CLI::App& app, std::vector<OutputOption>& outputs) : app_(app), outputs_(outputs) {}
 
-  /// The heading in the help under which the options declared from now on stand.
+  /// The heading in the help for the options that are declared after this.
   void under(const std::string& heading) { heading_ = heading; }
 
-  /// A word without a name, required; and several of them.
+  /// A positional argument, required.
   void argument(const std::string& name, std::string& value, const std::string& help);
-  /// Words without a name that may be left out; they come after the required ones.
+  /// Optional positional arguments; they come after the required ones.
   void optional_argument(const std::string& name, std::string& value, const std::string& help);
   void optional_arguments(const std::string& name, std::vector<std::string>& values, int most,
                           const std::string& help);
@@ -56,7 +55,7 @@ class Options {
   /// Several files whose names begin with `value` and end in these.
   void output_prefix(const std::string& name, std::string& value, const std::vector<std::string>& endings,
                      const std::string& help);
-  /// One of `words`; the help shows the value that holds if nothing is said.
+  /// One of `words`; the help shows the default.
   void choice(const std::string& name, std::string& value, const std::vector<std::string>& words,
               const std::string& help);
   void number(const std::string& name, double& value, Range range, const std::string& help);

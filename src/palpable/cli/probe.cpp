@@ -38,7 +38,7 @@ void append_fields(std::string& row, std::initializer_list<double> values) {
 
 using Walk = std::vector<session::WalkStep>;
 
-/// Where a pose that is told in the explorer's frame stands in the scene.
+/// Converts a pose from the explorer's frame to the scene's.
 haptics::ToolPose in_scene(haptics::ToolPose pose, const Walk& walk) {
   if (walk.empty()) return pose;
   const auto& told = pose.scene_from_tool;

@@ -127,11 +127,11 @@ void add_rectify(Program& program) {
   options.required_output("-o,--output", arguments->output, {".png"}, "Picture to write (.png)");
   options.text("--corners", arguments->corners,
                "Corners of a rectangle on it: four x,y in pixels, from the upper left clockwise");
-  options.text("--aspect", arguments->aspect, "That rectangle's WIDTH:HEIGHT; else from the perspective");
+  options.text("--aspect", arguments->aspect, "That rectangle's WIDTH:HEIGHT; default: from the perspective");
   options.text("--lines", arguments->lines,
-               "Four lines x1,y1,x2,y2: two that are parallel on it, and two across; else found");
+               "Four lines x1,y1,x2,y2: two that are parallel on it, and two across; default: found");
   options.text("--orthogonal", arguments->orthogonal,
-               "Four lines: two pairs at right angles, for the proportions; else from the perspective");
+               "Four lines: two pairs at right angles, for the proportions; default: from the perspective");
 }
 
 }  // namespace palpable::cli

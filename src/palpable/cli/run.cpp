@@ -3,6 +3,7 @@
 #include "palpable/cli/run.hpp"
 
 #include "palpable/cli/command.hpp"
+#include "palpable/cli/help_format.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/output_files.hpp"
 #include "palpable/cli/suggest.hpp"
@@ -31,19 +32,17 @@ class Program {
 
 namespace {
 
-void add_common(CLI::App& app, Options& options, CommonOptions& common) {
+void add_common(Options& options, CommonOptions& common) {
   const std::string group = "Every command";
-  app.add_flag("--json", common.json, "One JSON object on standard output")->group(group);
-  app.add_flag("--quiet", common.quiet, "No notes and no progress")->group(group);
-  app.add_option("--threads", common.threads, "Number of threads; 0 = one per processor")
-      ->check(CLI::Range(0U, 256U))
-      ->group(group);
   options.under(group);
+  options.flag("--json", common.json, "One JSON object on standard output");
+  options.flag("--quiet", common.quiet, "No notes and no progress");
+  options.integer("--threads", common.threads, {0.0, 256.0}, "Number of threads; 0 = one per processor");
   options.count("--seed", common.seed, "Seed of the random numbers: the same seed gives the same result");
   options.under("Options");
 }
 
-/// A sentence that repeats what was given is neither of several lines nor endless.
+/// Makes one line of a sentence that may quote an argument, and shortens it in the middle.
 std::string one_line(std::string sentence) {
   constexpr std::size_t kLongest = 1200, kKept = 500;
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');
@@ -113,6 +112,8 @@ Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
     return usage(fmt::format("{} takes no argument {}", command.get_name(), typed));
   }
   std::string sentence = complaint.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&complaint) != nullptr)
+    sentence = mismatch_sentence(sentence);
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');
   return usage(command.get_name().empty() ? sentence : command.get_name() + ": " + sentence);
 }
@@ -132,13 +133,15 @@ Options add_command_to(Program& program, CLI::App& parent, const std::string& na
   command.footer("Examples:\n" + examples);
   command.callback([&program, action = std::move(action)] { program.action = action; });
   Options options(command, program.outputs);
-  add_common(command, options, program.common);
+  add_common(options, program.common);
   return options;
 }
 
 void describe(Program& program) {
   CLI::App& app = program.app;
   app.name("palpable");
+  // Commands inherit it.
+  app.formatter(help_format());
   app.description(
       "Palpable makes pictures touchable: palpable touch begins with the sample that comes with it.");
   app.set_version_flag("--version", std::string("palpable ") + PALPABLE_VERSION);
@@ -148,7 +151,7 @@ void describe(Program& program) {
       "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 unreadable or invalid input, 4 device, 130 "
       "interrupted.");
   Options options(app, program.outputs);
-  add_common(app, options, program.common);
+  add_common(options, program.common);
   add_touch(program);
   add_make(program);
   add_correct(program);
@@ -210,11 +213,11 @@ int parse_and_run(int argc, char** argv) {
   if (!program.action) return finish(Answer{{}, program.app.help()}, {});
   catch_interrupts();
   auto answer = [&program] {
-    // Its end removes what progress it shows.
+    // Its destructor removes the progress line.
     Console console(program.common);
     return program.action(console);
   }();
-  // Whoever pressed Ctrl-C hears that the command was interrupted, even where its work was done just then.
+  // After Ctrl-C the command is reported as interrupted, even if its work was done just then.
   const bool says_so = answer && answer->exit_code == static_cast<int>(ErrorCode::interrupted);
   if (interrupted() && !says_so) return report(Work::interrupted());
   return finish(answer, program.common);
@@ -224,7 +227,7 @@ int parse_and_run(int argc, char** argv) {
 
 Result<std::string> help_text(const Program& program, const std::vector<std::string>& words) {
   const CLI::App* app = &program.app;
-  // Its own help, although the arguments named `help`.
+  // The program's help, although the parsed command is `help`.
   if (words.empty()) return app->get_formatter()->make_help(app, app->get_name(), CLI::AppFormatMode::Normal);
   std::string before;
   for (const std::string& word : words) {
@@ -248,7 +251,8 @@ Options add_command_below(Program& program, const std::string& parent, const std
                         std::move(action));
 }
 
-/// Where a standard stream is closed, the next file that is opened would take its place, and get its text.
+/// Opens /dev/null in place of closed standard streams; otherwise the next file that is opened would receive
+/// their text.
 static void keep_standard_streams() {
   for (int at = 0; at >= 0 && at <= STDERR_FILENO;) {
     at = open("/dev/null", O_RDWR | O_CLOEXEC);

@@ -20,7 +20,7 @@ struct SampleArguments {
   std::string scene, points, output;
 };
 
-/// One row's answer; empty where the point stands outside the model's domain.
+/// The values of one row; empty if the point is outside the model's domain.
 using Value = std::optional<models::ClosestPoint>;
 
 /// What the field itself says; the nearest place of the surface is where its gradient leads.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,23 +49,44 @@ std::string shell_word(const std::string& word) {
   return quoted + "'";
 }
 
+/// The kind of an input, unless it is a scene or cannot be recognised.
+std::optional<sources::InputKind> other_kind_of(const std::filesystem::path& path) {
+  const auto input = sources::recognise_input(std::span(&path, 1));
+  if (!input || input->kind == sources::InputKind::scene) return std::nullopt;
+  return input->kind;
+}
+
 /// `reason`, unless the file can be recognised as something that a scene is made from.
 Error not_a_scene(const std::filesystem::path& path, Error reason) {
-  const auto input = sources::recognise_input(std::span(&path, 1));
-  if (!input || input->kind == sources::InputKind::scene) return reason;
+  const auto kind = other_kind_of(path);
+  if (!kind) return reason;
   const std::string file = shell_word(path.string()), scene = shell_word(path.stem().string() + ".palp");
   return invalid_input(
       fmt::format("is {}, and not a scene: make a scene of it first with 'palpable make {} -o {}'",
-                  words_of(input->kind), file, scene),
+                  words_of(*kind), file, scene),
       path.string());
 }
 
 }  // namespace
 
 Result<formats::SceneFile> read_scene_argument(const std::filesystem::path& path) {
+  std::error_code none;
+  const auto status = std::filesystem::status(path, none);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return invalid_input(std::filesystem::is_directory(status)
+                             ? "is a folder, and not a scene"
+                             : "is not a regular file: a scene cannot be read from a pipe or a device",
+                         path.string());
   auto file = formats::read_scene(path);
   if (!file) return not_a_scene(path, std::move(file).error());
   return file;
+}
+
+Error not_a_mesh(const std::filesystem::path& path, Error reason) {
+  const auto kind = other_kind_of(path);
+  if (!kind || *kind == sources::InputKind::mesh) return reason;
+  return invalid_input(fmt::format("is {}, and not a mesh (OBJ, PLY, STL, GLB)", words_of(*kind)),
+                       path.string());
 }
 
 Result<void> check_scene_name(const std::filesystem::path& path) {

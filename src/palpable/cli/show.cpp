@@ -28,6 +28,7 @@ struct ShowArguments {
   LawArguments law;
   std::optional<double> cut_mm;
   draw::SolidViewOptions solid;
+  draw::FieldSectionOptions section;
   bool picture = false;
 };
 
@@ -96,12 +97,36 @@ Result<draw::Figure> force_picture(const ShowArguments& arguments, const models:
       heading_of(arguments, scene, fmt::format("force of the law {}", haptics::name_of(parameters->law))));
 }
 
+double height_of_row_m(const models::Relief& relief, std::ptrdiff_t row) {
+  return -(static_cast<double>(row) - 0.5 * (relief.samples_m().height() - 1)) * relief.pixel_m();
+}
+
 /// Through the highest place, so that a cut shows something.
 double cut_through_the_top_m(const models::Relief& relief) {
   const auto& heights = relief.samples_m();
   const auto top = std::max_element(heights.values().begin(), heights.values().end());
-  const auto row = (top - heights.values().begin()) / heights.width();
-  return -(static_cast<double>(row) - 0.5 * (heights.height() - 1)) * relief.pixel_m();
+  return height_of_row_m(relief, (top - heights.values().begin()) / heights.width());
+}
+
+/// Through as many grooves as possible: the highest place of contours may be anywhere beside their lines.
+double cut_through_most_lines_m(const models::Relief& relief) {
+  const auto& heights = relief.samples_m();
+  int best = 0;
+  double most_m = -1.0;
+  for (int j = 0; j < heights.height(); ++j) {
+    double variation_m = 0.0;
+    for (int i = 1; i < heights.width(); ++i)
+      variation_m += std::abs(static_cast<double>(heights(i, j)) - heights(i - 1, j));
+    if (variation_m <= most_m) continue;
+    most_m = variation_m;
+    best = j;
+  }
+  return height_of_row_m(relief, best);
+}
+
+double default_cut_m(const models::Scene& scene, const models::Relief& relief) {
+  const bool is_contours = std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model);
+  return is_contours ? cut_through_most_lines_m(relief) : cut_through_the_top_m(relief);
 }
 
 Result<draw::Figure> contours_picture(const ShowArguments& arguments, const models::Scene& scene) {
@@ -145,7 +170,8 @@ Result<draw::Figure> field_section(const ShowArguments& arguments, const models:
                  fmt::format("the solid reaches from {:.1f} to {:.1f} mm", 1000.0 * field->least_m.y,
                              1000.0 * field->most_m.y),
                  "--at"};
-  return draw::field_section_figure(field, cut_m, heading_of(arguments, scene, "cut from left to right"));
+  return draw::field_section_figure(field, cut_m, arguments.section,
+                                    heading_of(arguments, scene, "cut from left to right"));
 }
 
 Result<draw::Figure> solid_picture(const ShowArguments& arguments, const models::Scene& scene) {
@@ -173,7 +199,7 @@ Result<draw::Figure> picture_of(const ShowArguments& arguments, const models::Sc
                                arguments.picture ? scene.texture : Raster<Rgb8>());
   if (arguments.view == "depth") return draw::height_figure(relief, heading_of(arguments, scene, "heights"));
   if (arguments.view == "force") return force_picture(arguments, scene, relief);
-  const double cut_m = arguments.cut_mm ? *arguments.cut_mm / 1000.0 : cut_through_the_top_m(relief);
+  const double cut_m = arguments.cut_mm ? *arguments.cut_mm / 1000.0 : default_cut_m(scene, relief);
   if (std::abs(cut_m) > 0.5 * relief.depth_m())
     return Error{ErrorCode::usage,
                  fmt::format("the relief reaches from {0:.1f} to -{0:.1f} mm", 500.0 * relief.depth_m()),
@@ -187,7 +213,7 @@ Result<Answer> show(ShowArguments arguments) {
   const models::Scene& scene = file->scene;
   if (arguments.view.empty()) {
     const std::string kind = models::kind_of(scene.model);
-    arguments.view = models::is_field(scene.model) || kind == "grid" ? "section" : kind;
+    arguments.view = models::is_field(scene.model) ? "solid" : kind == "grid" ? "section" : kind;
   }
   const auto figure = picture_of(arguments, scene, *models::relief_of(scene));
   if (!figure) return figure.error();
@@ -214,12 +240,16 @@ void add_show(Program& program) {
   options.required_output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
                           "Picture to write (.png, .svg, .pdf)");
   options.choice("--view", arguments->view,
-                 {"relief", "depth", "force", "section", "solid", "contours", "regions"}, "What to draw");
-  options.number("--at", arguments->cut_mm, {-500.0, 500.0},
-                 "Section: where to cut, mm above the middle; else through the highest point");
+                 {"relief", "depth", "force", "section", "solid", "contours", "regions"},
+                 "What to draw; default: the scene as it is touched");
+  options.number(
+      "--at", arguments->cut_mm, {-500.0, 500.0},
+      "Section: where to cut, mm above the middle; default: through the highest point, the middle of "
+      "a solid or most lines");
   options.number("--turn", arguments->solid.azimuth_deg, {-180.0, 180.0},
                  "Solid: degrees from its front to the right");
   options.number("--tilt", arguments->solid.elevation_deg, {-89.0, 89.0}, "Solid: degrees from above");
+  options.flag("--cells", arguments->section.cells, "Section of a solid: draw the field's cells");
   options.flag("--picture", arguments->picture, "Relief: show the scene's picture on it");
   add_law_options(options, arguments->law);
 }

@@ -26,7 +26,7 @@ void add_stereo_options(Options& options, StereoArguments& arguments) {
   options.under("Stereo pairs");
   options.text(
       "--method", arguments.method,
-      "How the pair is matched: scanline, graph-cut, segments, pyramid, fast or best; else best, and "
+      "How the pair is matched: scanline, graph-cut, segments, pyramid, fast or best; default: best, and "
       "touch begins with fast");
   add_pair_options(options, arguments);
 }

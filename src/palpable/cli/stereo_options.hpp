@@ -44,7 +44,7 @@ void add_parameter_options(Options& options, StereoArguments& arguments);
 void add_pair_options(Options& options, StereoArguments& arguments);
 
 /// The pair of LEFT and RIGHT, read as the arguments say. Errors: as session::read_stereo_pair(), and usage
-/// where LEFT stands alone but is no stereo file and no --layout says how it holds two.
+/// if there is only LEFT, which is no stereo file, and no --layout says how it contains two pictures.
 Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Work& work);
 /// LEFT and RIGHT for an error's place or a picture's heading; by their names without folders for the latter.
 std::string places_of(const StereoArguments& arguments);

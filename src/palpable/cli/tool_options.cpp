@@ -62,9 +62,10 @@ Result<haptics::ToolPose> pose_from(std::span<const double> row, const ToolPath&
 }  // namespace
 
 void add_tool_option(Options& options, std::string& tool) {
-  options.text("--tool", tool,
-               "What touches: point, pad (a finger's), cane (100 mm below the hand), or a CSV of places "
-               "x_m,y_m,z_m,share; with torque");
+  options.text(
+      "--tool", tool,
+      "Shape that touches: point, pad (a finger's), cane (100 mm below the hand), or a CSV of places "
+      "x_m,y_m,z_m,share; with torque");
 }
 
 Result<std::vector<haptics::ToolPlace>> tool_from(const std::string& tool) {

@@ -69,7 +69,7 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
 /// Hears what the person should know of the input.
 using Notes = std::function<void(const Note&)>;
 
-/// What a touch needs, with page or without.
+/// The options of a touch, with or without the page.
 struct Plan {
   MakeArguments arguments;
   session::MakeOptions make;
@@ -133,7 +133,7 @@ Answer answer_of(const session::TouchStatistics& statistics) {
   return answer;
 }
 
-/// Says faults and the names of what is touched, where somebody wants to hear them.
+/// Speaks faults and the names of touched regions.
 void let_speak(session::HeadlessOptions& headless, Console& console) {
   auto speaker = voice::open_speaker();
   if (!speaker) return console.note(speaker.error().sentence());
@@ -185,33 +185,32 @@ Result<Answer> touch_with_keys(const TouchArguments& arguments, const Plan& plan
   return answer_of(*statistics);
 }
 
-/// Keeps what was noted until there is a page to hear it. Any thread.
+/// Keeps notes until a page can show them. Any thread.
 class NoteBox {
  public:
   void put(const Note& note) {
     const std::lock_guard lock(mutex_);
-    if (hear_) {
-      hear_(note);
+    if (receiver_) {
+      receiver_(note);
     } else {
       kept_.push_back(note);
     }
   }
-  /// Hands over what was kept and all that comes; an empty listener closes the box again.
-  void open(Notes hear) {
+  /// Passes the kept notes and all later ones to `receiver`; an empty one keeps them again.
+  void open(Notes receiver) {
     const std::lock_guard lock(mutex_);
-    hear_ = std::move(hear);
-    if (!hear_) return;
-    for (const Note& note : std::exchange(kept_, {})) hear_(note);
+    receiver_ = std::move(receiver);
+    if (!receiver_) return;
+    for (const Note& note : std::exchange(kept_, {})) receiver_(note);
   }
 
  private:
   std::mutex mutex_;
-  Notes hear_;
+  Notes receiver_;
   std::vector<Note> kept_;
 };
 
-/// Where the page saves the scene: a scene into its own file, all else beside nothing that is there, in the
-/// folder that the person is in.
+/// The file to which the page saves the scene: the scene's own file, else a new one in the current folder.
 std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs) {
   std::filesystem::path first = inputs.empty() ? "scene" : inputs.front();
   if (inputs.size() == 1 && first.extension() == ".palp") return first;
@@ -324,7 +323,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   constexpr double kRate_Hz = 1000.0;
   plan.options.servo.rate_hz =
       arguments.rate_hz.value_or(*published ? (*published)->rate_hz.value_or(kRate_Hz) : kRate_Hz);
-  // The measurement takes a moment: who asks for no more than the usual rate is not kept waiting for it.
+  // The measurement takes a moment, so it is made only for rates above the default.
   constexpr double kMeasure_s = 0.25;
   const auto& servo = plan.options.servo;
   if (servo.rate_hz > kRate_Hz)
@@ -359,7 +358,7 @@ void add_touch(Program& program) {
                "With --as-published: no stiffness limit, rise limit and passivity controller; for simulated "
                "devices and those of at most 4 N");
   options.text("--device", arguments->device,
-               "Device (palpable devices lists them); else the page's pointer");
+               "Device (palpable devices lists them); default: the page's pointer");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");
   options.flag("--no-browser", arguments->no_browser, "Do not open the browser");
   options.flag("--headless", arguments->headless, "No page: a scripted hand explores");

@@ -84,7 +84,7 @@ Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
                                             options.begin_ns);
   if (!opened) return std::move(opened).error();
   session::TouchSession& session = **opened;
-  // A finer scene goes on being made while the person reads and hears.
+  // A finer scene may still be made during the touch.
   console.end_progress();
   for (const std::string& notice : session.notices()) console.note(notice);
   Mouth mouth(console, options.aloud);

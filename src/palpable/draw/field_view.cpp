@@ -33,13 +33,13 @@ double line_spacing_mm(const Plot& plot) {
   return 10.0 * decade;
 }
 
-/// Brown inside, blue outside, white at the surface; darker with the distance. `t` is -1 to 1.
+/// Tan inside, pale blue outside, white at the surface; stronger with the distance. `t` is -1 to 1.
 Rgb8 distance_colour(double t) {
   const double strength = std::sqrt(std::min(std::abs(t), 1.0));
   const auto mix = [&](double to) {
     return static_cast<std::uint8_t>(std::lround(255.0 + strength * (to - 255.0)));
   };
-  return t < 0.0 ? Rgb8{mix(166), mix(98), mix(28)} : Rgb8{mix(66), mix(128), mix(190)};
+  return t < 0.0 ? Rgb8{mix(214), mix(178), mix(130)} : Rgb8{mix(196), mix(217), mix(238)};
 }
 Rgb8 bar_colour(double t) { return distance_colour(2.0 * t - 1.0); }
 
@@ -51,12 +51,17 @@ Raster<Rgb8> distances(const Distance& field, double y_m, const Plot& plot) {
   for (int j = 0; j < picture.height(); ++j)
     for (int i = 0; i < picture.width(); ++i) {
       const double x_m = plot.left / kMm + (i + 0.5) * step_m, z_m = plot.top / kMm - (j + 0.5) * step_m;
-      const double d = field.sample({x_m, y_m, z_m}).distance_m;
+      const models::FieldSample s = field.sample({x_m, y_m, z_m});
+      const double d = s.distance_m;
+      // Lines have the same width where the surface crosses the plane obliquely.
+      constexpr double kLeastSlope = 0.1;
+      const double width_m = step_m * std::max(kLeastSlope, std::hypot(s.gradient.x, s.gradient.z));
       Rgb8 colour = distance_colour(d / (kColourLines * spacing_m));
+      const double line = std::round(d / spacing_m);
+      const bool near = std::abs(line) <= kColourLines;
+      if (near && std::abs(d - spacing_m * line) < 0.6 * width_m) colour = {150, 150, 150};
       // The surface itself is black.
-      const double from_line_m = std::abs(d - spacing_m * std::round(d / spacing_m));
-      if (from_line_m < 0.6 * step_m) colour = {130, 130, 130};
-      if (std::abs(d) < 1.2 * step_m) colour = {0, 0, 0};
+      if (std::abs(d) < 2.0 * width_m) colour = {0, 0, 0};
       picture(i, j) = colour;
     }
   return picture;
@@ -86,13 +91,15 @@ void draw_cells(Canvas& /*canvas*/, const models::DenseField& /*field*/, double 
 
 template <models::DistanceSurface Distance>
 void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& plot) {
-  constexpr double kArrowsAcross = 40.0, kPixelsALine = 8.0, kLongest_px = 26.0;
+  constexpr double kArrowsAcross = 25.0, kPixelsALine = 8.0, kLongest_px = 26.0;
   const double spacing_mm = (plot.right - plot.left) / kArrowsAcross;
   for (double z = plot.bottom + 0.5 * spacing_mm; z < plot.top; z += spacing_mm)
     for (double x = plot.left + 0.5 * spacing_mm; x < plot.right; x += spacing_mm) {
       const models::FieldSample s = field.sample({x / kMm, y_m, z / kMm});
-      if (s.distance_m >= 0.0) continue;
-      const double length = std::min(kLongest_px, -s.distance_m * kMm / line_spacing_mm(plot) * kPixelsALine);
+      // Deeper than the lines reach no hand gets.
+      const double lines = -s.distance_m * kMm / line_spacing_mm(plot);
+      if (lines <= 0.0 || lines > kColourLines) continue;
+      const double length = std::min(kLongest_px, lines * kPixelsALine);
       const CanvasPoint from = plot.at(x, z);
       canvas.arrow(from, {from.x + length * s.gradient.x, from.y - length * s.gradient.z},
                    {{150, 20, 40}, 1.6});
@@ -101,7 +108,7 @@ void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& 
 
 template <models::DistanceSurface Distance>
 Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, double y_m,
-                  const Heading& heading) {
+                  const FieldSectionOptions& options, const Heading& heading) {
   const Vec3 origin = field->distance.origin_m(), size = field->distance.size_m();
   Plot plot;
   plot.left = kMm * origin.x;
@@ -118,30 +125,32 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
           [=, field = std::move(field)](Canvas& canvas) {
             draw_heading(canvas, heading, kLeft_px, kWidth_px);
             canvas.picture(distances(field->distance, y_m, plot), plot.area);
-            draw_cells(canvas, field->distance, y_m, plot);
+            if (options.cells) draw_cells(canvas, field->distance, y_m, plot);
             draw_forces(canvas, field->distance, y_m, plot);
             draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
             draw_colour_bar(canvas, bar, -kColourLines * spacing_mm, kColourLines * spacing_mm,
                             "distance, mm", bar_colour);
-            const char* const cells = std::is_same_v<Distance, DistanceField> ? "thin squares: cells; " : "";
+            const bool has_cells = options.cells && std::is_same_v<Distance, DistanceField>;
             canvas.text(
                 fmt::format(
-                    "Cut at {} mm of the height. Black: the surface; grey lines: every {} mm; "
-                    "{}arrows: the force of a spring inside, 8 pixels for each line of depth, at most 26.",
-                    label_of(kMm * y_m, 0.1), label_of(spacing_mm, spacing_mm), cells),
+                    "Cut at a height of {} mm. Black: the surface; tan: inside; grey lines: equal distance, "
+                    "every {} mm, near the surface; {}arrows: the force of a spring on a point that deep.",
+                    label_of(kMm * y_m, 0.1), label_of(spacing_mm, spacing_mm),
+                    has_cells ? "thin squares: cells; " : ""),
                 {kLeft_px, note_y}, {.size_px = 14.0, .wrap_px = width_px + 60.0});
           }};
 }
 
 }  // namespace
 
-Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m, const Heading& heading) {
-  return section_of(std::move(field), y_m, heading);
+Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m,
+                            const FieldSectionOptions& options, const Heading& heading) {
+  return section_of(std::move(field), y_m, options, heading);
 }
 
 Figure field_section_figure(std::shared_ptr<const models::FieldOnLattice> field, double y_m,
-                            const Heading& heading) {
-  return section_of(std::move(field), y_m, heading);
+                            const FieldSectionOptions& options, const Heading& heading) {
+  return section_of(std::move(field), y_m, options, heading);
 }
 
 }  // namespace palpable::draw

@@ -10,11 +10,16 @@
 
 namespace palpable::draw {
 
-/// A section through a solid in the plane y = `y_m`, seen from below: the signed distance in colours with
-/// iso-distance lines, the leaf cells, and the force of a spring of 1 N/mm inside.
-Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m, const Heading& heading);
-/// The same for a dense field, without cells.
+struct FieldSectionOptions {
+  /// Outlines the leaves of the field's octree; a dense field has none.
+  bool cells = false;
+};
+
+/// A section through a solid in the plane y = `y_m`, seen from below: the signed distance near the surface in
+/// colours with iso-distance lines, and the force of a spring inside.
+Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m,
+                            const FieldSectionOptions& options, const Heading& heading);
 Figure field_section_figure(std::shared_ptr<const models::FieldOnLattice> field, double y_m,
-                            const Heading& heading);
+                            const FieldSectionOptions& options, const Heading& heading);
 
 }  // namespace palpable::draw

@@ -21,6 +21,11 @@ std::string scale_text(double scale) {
 std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
                                   const sculpt::PlacementOptions& options) {
   std::vector<Note> notes;
+  // A solid that keeps its coordinates is of the size that they give in metres.
+  const bool keeps_size = !placement.fitted || placement.moved;
+  if (keeps_size && options.convention.unit == LengthUnit::unknown &&
+      options.default_size == sculpt::DefaultSize::for_a_hand)
+    notes.emplace_back("The input states no unit: its coordinates were taken as metres.");
   if (!placement.fitted) return notes;
   if (placement.moved) {
     notes.emplace_back("The input lies beside its origin: it was moved to the middle.");

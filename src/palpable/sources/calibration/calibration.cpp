@@ -7,10 +7,13 @@
 #include "palpable/core/read_file.hpp"
 #include "palpable/sources/calibration/calibration_formats.hpp"
 #include "palpable/sources/calibration/calibration_reply.hpp"
+#include "palpable/sources/calibration/json_camera.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+
+#include <fmt/format.h>
 
 namespace palpable::sources {
 namespace {
@@ -35,8 +38,9 @@ bool is_rotation(const std::array<double, 9>& r) {
 
 Result<void> check_camera(const CameraModel& camera, const char* which) {
   const auto& m = camera.matrix;
-  if (!all_finite(m) || m[0] <= 0.0 || m[4] <= 0.0)
-    return invalid_input(std::string("states a ") + which + " camera without a positive focal length");
+  if (!all_finite(m))
+    return invalid_input(std::string("states numbers that are not finite for the ") + which + " camera");
+  if (auto lens = check_lens(m[0], m[4], m[2], m[5]); !lens) return lens;
   constexpr std::array<std::size_t, 6> kCounts{0, 4, 5, 8, 12, 14};
   if (!all_finite(camera.distortion) ||
       std::find(kCounts.begin(), kCounts.end(), camera.distortion.size()) == kCounts.end())
@@ -53,9 +57,15 @@ Result<void> check(const Calibration& c) {
   if (c.rotation && !is_rotation(*c.rotation)) return invalid_input("states a rotation R that is not one");
   if (c.translation_m && (!is_finite(*c.translation_m) || norm(*c.translation_m) == 0.0))
     return invalid_input("states two cameras at the same place");
-  if (c.rig &&
-      (!std::isfinite(c.rig->baseline_m) || c.rig->baseline_m <= 0.0 || !std::isfinite(c.rig->doffs_px)))
+  if (c.rig && !(c.rig->baseline_m > 0.0))
     return invalid_input("states a baseline that is not a positive length");
+  // Beyond these ranges no depth can be computed from a disparity.
+  constexpr double kLeastBaseline_m = 1e-6, kMostBaseline_m = 1e6, kMostOffset_px = 1e6;
+  if (c.rig && !(c.rig->baseline_m >= kLeastBaseline_m && c.rig->baseline_m <= kMostBaseline_m))
+    return invalid_input(fmt::format("states a baseline of {:g} m; it must be {:g} to {:.0f} m",
+                                     c.rig->baseline_m, kLeastBaseline_m, kMostBaseline_m));
+  if (c.rig && !(std::abs(c.rig->doffs_px) <= kMostOffset_px))
+    return invalid_input("states an offset of the disparity that is no number of pixels");
   return {};
 }
 

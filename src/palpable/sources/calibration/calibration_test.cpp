@@ -137,7 +137,11 @@ TEST(Calibration, ThatIsDamagedOrImpossibleIsRefusedWithASentence) {
   for (const std::string& text :
        {std::string(), std::string("hello"), std::string("{}"), std::string("{\"fx\":1"),
         std::string(R"({"fx":0,"fy":1,"cx":1,"cy":1,"width":4,"height":4})"),
+        std::string(R"({"fx":1e308,"fy":1,"cx":1,"cy":1,"width":4,"height":4})"),
+        std::string(R"({"fx":1,"fy":1e-9,"cx":1,"cy":1,"width":4,"height":4})"),
+        std::string(R"({"fx":1,"fy":1,"cx":1e12,"cy":1,"width":4,"height":4})"),
         std::string(R"({"fx":1,"fy":1,"cx":1,"cy":1,"width":-4,"height":4})"),
+        std::string(R"({"fx":1,"fy":1,"cx":1,"cy":1,"width":4,"height":4,"baseline_m":1e300})"),
         std::string(R"({"fx":1,"fy":1,"cx":1,"cy":1,"width":4,"height":4,"baseline_m":0})"),
         std::string("cam0=[1 2 3]\n"),
         std::string("cam0=[9 0 1;0 9 1;0 0 1]\ncam1=[9 0 1;0 9 1;0 0 1]\nwidth=4\nheight=4\n"),
@@ -149,6 +153,9 @@ TEST(Calibration, ThatIsDamagedOrImpossibleIsRefusedWithASentence) {
       EXPECT_EQ(c.error().code, ErrorCode::invalid_input);
     }
   }
+  const auto endless =
+      decode_calibration(as_bytes(std::string(R"({"fx":1e308,"fy":1,"cx":1,"cy":1,"width":4,"height":4})")));
+  EXPECT_EQ(endless.error().message, "states a focal length of 1e+308 pixels; it must be 0.1 to 1000000");
   std::string turned = yml;
   turned.replace(turned.find("1., 0., 0., 0., 1."), 2, "2.");
   EXPECT_FALSE(decode_calibration(as_bytes(turned)));
