@@ -73,7 +73,7 @@ describe('the picture from above', () => {
     await page.locator('#stage').focus();
     await page.keyboard.press('Home');
     for (const key of ['+', '+', '+']) await page.keyboard.press(key);
-    await page.locator('#spoken').filter({ hasText: 'Picture 195 percent' }).waitFor();
+    await page.locator('#spoken').filter({ hasText: 'Zoom 195 percent' }).waitFor();
     await page.keyboard.press('c');
     expect(await page.getByRole('button', { name: 'Move picture' }).getAttribute('aria-pressed')).toBe('true');
     await page.keyboard.press('Shift+ArrowUp');

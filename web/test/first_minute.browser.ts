@@ -101,6 +101,28 @@ it('every slider holds the value that it says, whatever moves it', async () => {
   await page.waitForFunction(() => document.getElementById('parameter-stiffness_N_per_m')?.getAttribute('aria-valuetext')?.startsWith('500 N/m'));
 });
 
+it('with Speak aloud, each setting that is changed is spoken with its value', async () => {
+  const { page } = opened;
+  await page.evaluate(() => {
+    const kept = window as unknown as { spoken: string[] };
+    kept.spoken = [];
+    window.speechSynthesis.speak = (utterance) => void kept.spoken.push(utterance.text);
+  });
+  const spoken = (words: string) => page.waitForFunction((wanted) => (window as unknown as { spoken: string[] }).spoken.includes(wanted), words);
+  const speech = page.getByRole('checkbox', { name: /^Speak aloud/ });
+  await speech.focus();
+  await page.keyboard.press('Space');
+  await page.getByRole('slider', { name: 'Depth', exact: true }).focus();
+  await page.keyboard.press('ArrowRight');
+  await spoken('Depth: × 1.05');
+  await page.getByLabel('Colours').focus();
+  await page.keyboard.press('ArrowDown');
+  await spoken('Colours: Light');
+  await speech.focus();
+  await page.keyboard.press('Space');
+  await page.getByRole('button', { name: 'Reset', exact: true }).click();
+});
+
 describe('the page in every size', () => {
   const sizes = [
     { width: 1440, height: 900 },

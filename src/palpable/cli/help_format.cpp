@@ -30,7 +30,6 @@ class PlainFormat final : public CLI::Formatter {
     label("Positionals", "Arguments");
     label("OPTIONS", "OPTION...");
     label("SUBCOMMAND", "COMMAND");
-    label("Subcommands", "Commands");
     column_width(34);
   }
 
@@ -58,7 +57,8 @@ std::string mismatch_sentence(const std::string& complaint) {
   const auto says = [&complaint](std::string_view words) {
     return complaint.find(words) != std::string::npos;
   };
-  if (says("flag override")) return name + " takes no value";
+  if (says("flag override"))
+    return (name.starts_with("-") ? "" : "--") + name.substr(0, name.find(' ')) + " takes no value";
   if (says("At Most")) return name + " is given more than once";
   return name + " needs a value";
 }

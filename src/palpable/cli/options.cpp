@@ -132,7 +132,9 @@ void Options::integer(const std::string& name, std::optional<int>& value, Range 
 
 void Options::count(const std::string& name, std::uint64_t& value, const std::string& help) {
   constexpr auto kMost = static_cast<double>(std::numeric_limits<std::int64_t>::max());
-  app_.add_option(name, value, help)->group(heading_)->check(within<std::int64_t>({0.0, kMost}));
+  CLI::Validator check = within<std::int64_t>({0.0, kMost});
+  check.description("[0 or more]");
+  app_.add_option(name, value, help)->group(heading_)->check(check);
 }
 
 }  // namespace palpable::cli

@@ -130,6 +130,7 @@ int finish(const Result<Answer>& answer, const CommonOptions& common) {
 Options add_command_to(Program& program, CLI::App& parent, const std::string& name,
                        const std::string& description, const std::string& examples, Action action) {
   CLI::App& command = *parent.add_subcommand(name, description);
+  command.group("Commands");
   command.footer("Examples:\n" + examples);
   command.callback([&program, action = std::move(action)] { program.action = action; });
   Options options(command, program.outputs);
@@ -167,7 +168,9 @@ void describe(Program& program) {
   add_show(program);
   add_info(program);
   add_export(program);
-  program.app.add_subcommand("score", "Compare a result with the truth")->require_subcommand(1);
+  program.app.add_subcommand("score", "Compare a result with the truth")
+      ->group("Commands")
+      ->require_subcommand(1);
   add_score(program);
   add_check(program);
   add_study_stability(program);
