@@ -45,7 +45,7 @@ const journeys: Journey[] = [
     kind: 'a relief',
     words: ['touch', '--method', 'scanline'],
     label: /^Surface of Sculptures on a table to touch$/,
-    descriptions: [/8 objects rise above the table.*D again says more\.$/, /A wooden table.*more\.$/, /From the probe to the highest point.*more\.$/, /third.*That is all\.$/, /^From the beginning: .*[^e]\.$/],
+    descriptions: [/8 objects rise above the table.*D again says more\.$/, /A wooden table.*more\.$/, /From the probe to the highest point.*more\.$/, /third.*That is all\.$/, /^From the beginning: (?!.*says more)/],
     step: /(-?[\d.]+) millimetres?/,
   },
   {
@@ -53,7 +53,7 @@ const journeys: Journey[] = [
     words: ['touch', disc],
     label: /^Lines of disc\.pgm to touch$/,
     descriptions: [/1 line, closed.*D again says more\.$/, /From the probe to the nearest line.*That is all\.$/, /^From the beginning: /],
-    step: /right from the middle/,
+    step: /line/i,
   },
   {
     kind: 'a solid',
