@@ -1,8 +1,11 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/haptics/servo/hand_measurement.hpp"
 #include "palpable/haptics/servo/kept_rate.hpp"
 #include "palpable/haptics/servo/servo_loop.hpp"
+#include "palpable/haptics/servo/watchdog.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -66,6 +69,27 @@ Finding servo_rate() {
     finding.advice =
         fmt::format("end what else the machine is busy with, or touch with a --rate below {:.0f}", rate_hz);
     break;
+  }
+  return finding;
+}
+
+/// How soon the force of a loop that hangs is cut on this machine.
+Finding watchdog() {
+  constexpr int kHangs = 50;
+  constexpr double kPromised_ms = 5.0;
+  const double rate_hz = haptics::ServoOptions{}.rate_hz;
+  const auto latency = haptics::measure_watchdog(rate_hz, kHangs, haptics::ServoOptions{}.realtime_priority);
+  // From the write that was due.
+  const double period_ms = 1e3 / rate_hz;
+  Finding finding{"watchdog", Finding::State::good, {}, {}};
+  finding.found = fmt::format(
+      "a servo that hangs loses its force {:.1f} ms after the write that was due (99 %: {:.1f} ms, longest "
+      "of "
+      "{}: {:.1f} ms)",
+      latency.p50_ms - period_ms, latency.p99_ms - period_ms, latency.hangs, latency.max_ms - period_ms);
+  if (latency.max_ms - period_ms > kPromised_ms) {
+    finding.state = Finding::State::wanted;
+    finding.advice = "allow real-time priority, or end what else the machine is busy with";
   }
   return finding;
 }
@@ -144,13 +168,50 @@ std::string_view name_of(Finding::State state) {
   return "missing";
 }
 
-Result<Answer> examine(Console& /*console*/) {
+/// The hand that holds a device, as --hand-damping wants it.
+Result<Answer> examine_hand(const std::string& device_url, Console& console) {
+  auto device = device::open_device(device_url, {console.options().seed});
+  if (!device) return std::move(device).error();
+  const haptics::PulseOptions pulses;
+  console.note(fmt::format(
+      "Hold the device in the middle of its workspace, as you do when you touch, and do not move: it will "
+      "push {} times, in {:.0f} s.",
+      pulses.pulses, pulses.duration_s()));
+  const std::string name = (*device)->traits().name;
+  const auto hand = haptics::measure_hand(std::move(*device), pulses);
+  if (!hand) return hand.error();
+  Answer answer;
+  answer.json = {{"device", name},
+                 {"pulses", hand->pulses},
+                 {"hand_damping_Ns_per_m",
+                  {{"least", hand->least_damping_Ns_per_m},
+                   {"median", hand->median_damping_Ns_per_m},
+                   {"greatest", hand->greatest_damping_Ns_per_m}}},
+                 {"device_and_hand",
+                  {{"mass_kg", hand->together.mass_kg},
+                   {"damping_Ns_per_m", hand->together.damping_Ns_per_m},
+                   {"stiffness_N_per_m", hand->together.stiffness_N_per_m}}}};
+  answer.text = fmt::format(
+      "The hand adds {:.1f} N·s/m of damping ({:.1f} to {:.1f} in {} pulses) to {}; together they have "
+      "{:.2f} kg and {:.0f} N/m.\n",
+      hand->median_damping_Ns_per_m, hand->least_damping_Ns_per_m, hand->greatest_damping_Ns_per_m,
+      hand->pulses, name, hand->together.mass_kg, hand->together.stiffness_N_per_m);
+  constexpr double kSmallest = 0.1;
+  if (hand->least_damping_Ns_per_m > kSmallest)
+    answer.text += fmt::format(
+        "A hand holds a device more loosely at times: touch with --hand-damping {:.1f} at most.\n",
+        hand->least_damping_Ns_per_m);
+  return answer;
+}
+
+Result<Answer> examine(const std::string& hand_on_device, Console& console) {
+  if (!hand_on_device.empty()) return examine_hand(hand_on_device, console);
   Answer answer;
   answer.json["version"] = PALPABLE_VERSION;
   answer.json["findings"] = Json::array();
   bool ready = true;
-  for (const Finding& finding :
-       {processors(), realtime_priority(), servo_rate(), locked_memory(), loopback(), device_rules()}) {
+  for (const Finding& finding : {processors(), realtime_priority(), servo_rate(), watchdog(), locked_memory(),
+                                 loopback(), device_rules()}) {
     answer.json["findings"].push_back({{"name", finding.name},
                                        {"state", name_of(finding.state)},
                                        {"found", finding.found},
@@ -168,8 +229,14 @@ Result<Answer> examine(Console& /*console*/) {
 }  // namespace
 
 void add_doctor(Program& program) {
-  add_command(program, "doctor", "Check how well this machine can render a touch, with advice",
-              "  palpable doctor", examine);
+  const auto hand_on_device = std::make_shared<std::string>();
+  Options options = add_command(
+      program, "doctor", "Check how well this machine can render a touch, with advice",
+      "  palpable doctor\n"
+      "  palpable doctor --measure-hand sim:?script=hold",
+      [hand_on_device](Console& console) { return examine(*hand_on_device, console); });
+  options.text("--measure-hand", *hand_on_device,
+               "Measure instead what the hand that holds this device adds to its damping (8 s)");
 }
 
 }  // namespace palpable::cli

@@ -44,6 +44,8 @@ struct TouchArguments {
   std::optional<double> rate_hz;
   std::string as_published;
   bool unlimited = false;
+  std::string transient = "none";
+  double hand_damping_Ns_per_m = haptics::kLeastHandDamping_Ns_per_m;
   ViewArguments view;
 };
 
@@ -59,6 +61,9 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
   settings.law_is_required = published.has_value();
   if (published) apply_published(*published, settings.law);
   if (!settings.law.radius_m) settings.law.radius_m = published ? 0.0 : session::default_law().radius_m;
+  const auto transient = haptics::transient_kind_from(arguments.transient);
+  settings.transient = transient.value_or(haptics::TransientKind::none);
+  settings.hand_damping_Ns_per_m = arguments.hand_damping_Ns_per_m;
   if (!arguments.unlimited) return settings;
   if (!published)
     return Error{ErrorCode::usage, "the limits are off only with --as-published", "--unlimited"};
@@ -357,6 +362,11 @@ void add_touch(Program& program) {
   options.flag("--unlimited", arguments->unlimited,
                "With --as-published: no stiffness limit, rise limit and passivity controller; for simulated "
                "devices and those of at most 4 N");
+  options.choice("--transients", arguments->transient, {"none", "rubber", "wood", "metal"},
+                 "What the surface vibrates like when it is struck; for devices with motors");
+  options.number("--hand-damping", arguments->hand_damping_Ns_per_m, {0.1, 40.0},
+                 "What the hand adds to the device's damping at least, in N·s/m; the stiffness limit depends "
+                 "on it (doctor --measure-hand measures it)");
   options.text("--device", arguments->device,
                "Device (palpable devices lists them); default: the page's pointer");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");

@@ -93,8 +93,11 @@ TEST(PageServer, LiftsOnlyTheProbesOfAPageThatDisconnects) {
   }
   // Probe 4 was lifted before: it may be another page's by now.
   wait_until_lifted(page.host, (1 << 4) + (1 << 1));
+  EXPECT_EQ(page.host.lifted & ((1 << 0) + (1 << 2)), 0) << "the hand, and the other page's probe";
   stays.send(R"({"type":"lift","probe":2})");
   wait_until_lifted(page.host, (1 << 4) + (1 << 1) + (1 << 2));
+  // A probe that was lifted twice would have been added twice.
+  EXPECT_EQ(page.host.lifted, (1 << 4) + (1 << 1) + (1 << 2));
 }
 
 TEST(PageServer, ReportsThatAPortIsInUse) {

@@ -3,6 +3,7 @@
 // Fast hands over cliffs, walls and hills of coarse and fine pixels, and round solids: no force in free air,
 // and a first contact in the tick in which it happens. The truth is taken from the surface itself, densely.
 #include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/models/scene/test_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,48 @@ TEST(FreeAir, HasNoForceAndEndsInTheTickOfTheFirstContactRoundSolids) {
     }
   }
   expect_free_air(findings);
+}
+
+TEST(FreeAir, HasNoForceUnderLawsWithoutMemoryEither) {
+  std::mt19937 random(7);
+  Findings findings;
+  for (const double pixel_m : {0.00025, 0.0007, 0.002})
+    for (const Law law : {Law::penalty, Law::averaged}) {
+      const models::Scene scene = rough_scene(pixel_m, random);
+      const auto& relief = *models::relief_of(scene);
+      LawParameters p = frictionless();
+      p.law = law;
+      p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
+      // The neighbours of `averaged` push before the hand is at the surface: that law blunts what it renders.
+      p.neighbour_weight = 0.0;
+      const auto touchable = made(scene, p);
+      for (int k = 0; k < 250; ++k)
+        follow(
+            *touchable, random_stroke(random, 2.0),
+            [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; }, findings);
+    }
+  EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
+  EXPECT_EQ(findings.late, 0) << "of " << findings.first_contacts;
+  EXPECT_GT(findings.first_contacts, 200);
+}
+
+TEST(FreeAir, HasNoForceAboveTheSurfaceOfAGrid) {
+  const auto plate = models::grid_scene({21, 21, 9}, 0.004F, [](int z) { return z <= 5; });
+  LawParameters p;
+  p.law = Law::grid;
+  const auto law = made(plate, p);
+  std::mt19937 random(8);
+  Findings findings;
+  for (int k = 0; k < 500; ++k) {
+    Stroke stroke = random_stroke(random, 2.0);
+    stroke.from = {0.3 * stroke.from.x, 0.3 * stroke.from.y, 0.0105};
+    stroke.to = {0.3 * stroke.to.x, 0.3 * stroke.to.y, 0.5 * stroke.to.z};
+    // Its surface is half a spacing above the last occupied points, to a hundredth of the spacing.
+    follow(
+        *law, stroke, [](Vec3 at) { return at.z - 0.00451; }, findings);
+  }
+  EXPECT_EQ(findings.pushed_in_air, 0) << "of " << findings.clear_ticks;
+  EXPECT_GT(findings.clear_ticks, 1000);
 }
 
 TEST(FreeAir, ComesAtOnceToAHandThatLeavesASlopeFast) {

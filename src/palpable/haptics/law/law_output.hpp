@@ -18,6 +18,9 @@ struct Hand {
   /// How a handle is turned, scene from tool, and how fast; of devices with torque.
   device::Rotation rotation = device::kNotTurned;
   Vector<SceneFrame> angular_velocity_rad_per_s = {};
+  /// From the reading to the middle of the time for which the motors hold the force that answers it: the
+  /// device's delay and half a tick. 0 where no loop holds a force.
+  double acts_after_s = 0.0;
 };
 
 /// What a law renders at one tick, before caps, ramps and passivity.

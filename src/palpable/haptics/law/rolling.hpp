@@ -15,7 +15,9 @@ extern const LawDescription kRollingLaw;
 
 /// `rolling`: the weight of a ball on the slope under the hand, f = -k_g grad z - k_v v (Shi & Pai 1997, eq.
 /// 1), with the exact gradient, so that without damping it is the gradient of k_g z and does no work round a
-/// closed path. Ignores the hand's z; always in contact; acts in the plane.
+/// closed path. In a loop the slope is that of the place where the hand will be when the force acts
+/// (Hand::acts_after_s): a force held for a tick and rendered with a delay would otherwise lag behind the
+/// slope, and make energy at each bend. Ignores the hand's z; always in contact; acts in the plane.
 template <models::HeightField Surface>
 class RollingLaw {
  public:
@@ -25,12 +27,14 @@ class RollingLaw {
       : surface_(std::move(surface)), slope_force_N_(slope_force_N), damping_Ns_per_m_(damping_Ns_per_m) {}
 
   LawOutput evaluate(const Hand& hand, State&) const noexcept {
-    const models::HeightSample s = surface_->sample(hand.position.v.x, hand.position.v.y);
+    const models::HeightSample here = surface_->sample(hand.position.v.x, hand.position.v.y);
     const Vec3 v = hand.velocity_m_per_s.v;
+    const Vec3 ahead = hand.position.v + hand.acts_after_s * v;
+    const models::HeightSample s = hand.acts_after_s > 0.0 ? surface_->sample(ahead.x, ahead.y) : here;
     LawOutput output;
     output.contact = true;
-    output.stored_J = slope_force_N_ * s.z_m;
-    output.spring_N.v = {-slope_force_N_ * s.dzdx, -slope_force_N_ * s.dzdy, 0.0};
+    output.stored_J = slope_force_N_ * here.z_m;
+    output.spring_N.v = {-slope_force_N_ * here.dzdx, -slope_force_N_ * here.dzdy, 0.0};
     output.force_N.v = {-slope_force_N_ * s.dzdx - damping_Ns_per_m_ * v.x,
                         -slope_force_N_ * s.dzdy - damping_Ns_per_m_ * v.y, 0.0};
     return output;

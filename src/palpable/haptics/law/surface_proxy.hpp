@@ -106,10 +106,10 @@ class ProxyFollower {
     if (proxy.place_m != hand_m) hold(hand_m, before, longest_m, proxy);
   }
 
-  /// A proxy that another surface kept: straight below its place, or, where this surface covers it, out along
-  /// the other's normal or straight up, whichever is nearer. Tick path.
+  /// A proxy that another surface kept: straight below its place, or, where this surface covers it, at the
+  /// nearest place out of it. At most about 200 evaluations. Tick path.
   void take_over(const HandOver& from, SurfaceProxy& proxy) const noexcept {
-    const Vec3 place = from.touching ? uncovered(from.place.v, from.normal.v) : from.place.v;
+    const Vec3 place = uncovered(from.place.v, from.touching ? from.normal.v : Vec3{});
     begin(place, proxy);
     proxy.hand_m = from.hand.v;
     proxy.slipping = from.slipping;
@@ -161,16 +161,23 @@ class ProxyFollower {
     return std::max(surface_.pixel_m(), 0.5 * longest_m);
   }
 
-  /// The first place out of the surface from `place` along `normal`; `place` itself where that is no nearer
-  /// than straight up.
+  /// The nearest place on or out of the surface that is found from `place`, which this surface covers by more
+  /// than a pixel: by sliding from straight above towards it, or along `normal` (0: unknown). Straight above
+  /// alone may be the top of a wall, from which the proxy would come down on the other side.
   Vec3 uncovered(Vec3 place, Vec3 normal) const noexcept {
-    const double rise_m = surface_.curved_sample(place.x, place.y).z_m - place.z;
-    const double step_m = std::max(0.5 * surface_.pixel_m(), rise_m / kMaxEvaluations);
-    for (double way_m = step_m; way_m < rise_m; way_m += step_m) {
+    const models::CurvedSample above = surface_.curved_sample(place.x, place.y);
+    if (above.z_m - place.z <= surface_.pixel_m()) return place;
+    SurfaceProxy slid;
+    rest(slid, place.x, place.y, above);
+    int evaluations = kMaxEvaluations;
+    slide<Steps::pixels>(place, surface_.pixel_m(), slid, evaluations);
+    const double nearest_m = norm(slid.place_m - place);
+    const double step_m = std::max(0.5 * surface_.pixel_m(), nearest_m / kMaxEvaluations);
+    for (double way_m = step_m; normal != Vec3{} && way_m < nearest_m; way_m += step_m) {
       const Vec3 p = place + way_m * normal;
       if (p.z >= surface_.curved_sample(p.x, p.y).z_m) return p;
     }
-    return place;
+    return slid.place_m;
   }
 
   /// A new touch at rest: under the surface it begins straight above the hand.

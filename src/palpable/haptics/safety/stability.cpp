@@ -22,12 +22,12 @@ double known_or(double value, double otherwise) { return std::isfinite(value) ? 
 }  // namespace
 
 SafeContact safe_contact(const device::Traits& device, double rate_hz, double scale, double stiffness_N_per_m,
-                         double damping_Ns_per_m) {
+                         double damping_Ns_per_m, double hand_damping_Ns_per_m) {
   SafeContact safe{stiffness_N_per_m, damping_Ns_per_m, StiffnessBound::none,
                    std::numeric_limits<double>::infinity()};
   if (!device.pushes_back) return safe;
   // In the device's frame a scene of scale s has the stiffness K·s and the damping B·s.
-  const double physical = known_or(device.damping_Ns_per_m, 0.0) + kLeastHandDamping_Ns_per_m;
+  const double physical = known_or(device.damping_Ns_per_m, 0.0) + hand_damping_Ns_per_m;
   const double held_s = (2.0 * std::max(device.delay_samples, 0) + 1.0) / rate_hz;
   const double needed = 0.5 * held_s * stiffness_N_per_m * scale / kHeldMargin;
   const double damping = std::min(std::max(damping_Ns_per_m * scale, needed), kWallsShare * physical);

@@ -46,7 +46,7 @@ inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 /// state bounds nothing, except its damping, which counts as 0. `scale` is the metres of scene to a metre of
 /// device: a scene shown smaller is stiffer in the hand. Stiffness > 0, damping >= 0, both in the scene.
 SafeContact safe_contact(const device::Traits& device, double rate_hz, double scale, double stiffness_N_per_m,
-                         double damping_Ns_per_m);
+                         double damping_Ns_per_m, double hand_damping_Ns_per_m = kLeastHandDamping_Ns_per_m);
 
 /// Why the stiffness was lowered, for the person: "the loop's rate and delay", … Empty for none.
 std::string reason(StiffnessBound bound);

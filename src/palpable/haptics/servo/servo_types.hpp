@@ -6,6 +6,7 @@
 #include "palpable/device/device.hpp"
 #include "palpable/device/touch_sample.hpp"
 #include "palpable/haptics/law/touchable.hpp"
+#include "palpable/haptics/servo/contact_transient.hpp"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +23,8 @@ struct HapticScene {
   Transform<SceneFrame, DeviceFrame> scene_from_device;
   /// Chosen by the caller; every sample says in which scene it was made.
   std::uint32_t id = 0;
+  /// How the surface vibrates when it is struck; not at all unless set.
+  ContactTransient transient = {};
 };
 
 /// What was special in a tick. Flags of TouchSample::flags.
@@ -118,6 +121,8 @@ struct TickCounts {
   std::uint64_t rate_capped_ticks = 0;
   std::uint64_t passivity_ticks = 0;
   std::uint64_t contact_ticks = 0;
+  /// Contact transients that began.
+  std::uint64_t transients = 0;
   /// Ticks that came so late that the force had been cut to zero before them.
   std::uint64_t stalls = 0;
   /// Ticks without a valid reading or force.

@@ -28,9 +28,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
       options_(options),
       max_force_N_(std::min(options.max_force_N, device.traits().max_force_N)),
       planar_(device.traits().degrees_of_freedom < 3),
-      max_speed_m_per_s_(device.traits().pushes_back ? options.max_speed_m_per_s
-                                                     : options.max_pointer_speed_m_per_s),
-      period_s_(1.0 / std::max(known_or(device.traits().rate_hz, 1000.0), 1.0)),
+      readings_(device.traits(), options),
       velocity_(known_or(device.traits().position_resolution_m, 0.0)),
       fine_(known_or(device.traits().position_resolution_m, 0.0)),
       has_torque_(device.traits().has_torque),
@@ -59,9 +57,9 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
     ++counts_.stalls;
     drop_force();
   }
-  const Accepted accepted = accept(reading, dt_s);
-  const bool good = accepted == Accepted::good;
-  const bool is_glitch = accepted == Accepted::glitch;
+  const ReadingUse use = accept(reading, dt_s);
+  const bool good = use == ReadingUse::continues || use == ReadingUse::new_touch;
+  const bool is_glitch = use == ReadingUse::glitch;
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
   if (fading() && faded_ >= 1.0) end_fade();
@@ -82,83 +80,30 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   return sample_;
 }
 
-TickPipeline::Accepted TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
+ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
   moved_ = {};
   turned_ = {};
-  since_good_s_ += dt_s;
-  if (reading.status != device::Status::ok) return Accepted::bad;
-  const Point<DeviceFrame> place = reading.position;
-  if (has_torque_ && !is_rotation(reading.rotation)) {
-    flags_ |= flag::kImplausible;
-    return Accepted::bad;
-  }
-  const bool plausible = std::isfinite(since_good_s_)
-                             ? is_plausible(place) && is_plausible_turn(reading.rotation)
-                             : is_in_reach(place);
-  if (!plausible) {
-    const Accepted jump = judge_jump(place, dt_s);
-    if (jump != Accepted::good) {
-      flags_ |= flag::kImplausible;
-      return jump;
-    }
-    // The hand is there: whatever brought it, this is a new touch, and the force comes up from zero.
+  const JudgedReading judged = readings_.judge(reading, dt_s);
+  if (judged.implausible) flags_ |= flag::kImplausible;
+  if (judged.use == ReadingUse::new_touch) {
+    // Whatever brought the hand there, the force comes up from zero.
     drop_force();
     begin_touch();
-    since_good_s_ = std::numeric_limits<double>::infinity();
   }
-  implausible_ = 0;
-  agreeing_ = 0;
-  take(reading, dt_s);
-  return Accepted::good;
+  if (judged.is_good()) take(reading, judged);
+  return judged.use;
 }
 
-bool TickPipeline::is_in_reach(Point<DeviceFrame> place) const noexcept {
-  return is_finite(place) &&
-         norm(place.v) <= options_.reach_in_workspaces * norm(device_.traits().workspace_m);
-}
-
-bool TickPipeline::is_plausible(Point<DeviceFrame> place) const noexcept {
-  if (!is_in_reach(place)) return false;
-  const double from_last_m = norm(place - position_);
-  // A late tick may be followed by an early one: the device moved for a period all the same.
-  if (from_last_m > max_speed_m_per_s_ * std::max(since_good_s_, period_s_)) return false;
-  // Nearer to where it jumped to than to where it was: the jump lasts.
-  return agreeing_ == 0 || norm(place - jumped_to_) >= from_last_m;
-}
-
-bool TickPipeline::is_plausible_turn(const device::Rotation& rotation) const noexcept {
-  if (!has_torque_ || !turn_.known()) return true;
-  return norm(turn_between(turn_.rotation(), rotation)) <= options_.max_turn_rad_per_s * since_good_s_;
-}
-
-TickPipeline::Accepted TickPipeline::judge_jump(Point<DeviceFrame> place, double dt_s) noexcept {
-  ++implausible_;
-  const bool agrees =
-      is_in_reach(place) &&
-      (agreeing_ == 0 || norm(place - jumped_to_) <= max_speed_m_per_s_ * std::max(dt_s, period_s_));
-  agreeing_ = agrees ? agreeing_ + 1 : (is_in_reach(place) ? 1 : 0);
-  jumped_to_ = place;
-  if (agreeing_ > options_.glitch_readings) return Accepted::good;
-  // The first reading of all has no force to keep.
-  return implausible_ <= options_.glitch_readings && std::isfinite(since_good_s_) ? Accepted::glitch
-                                                                                  : Accepted::bad;
-}
-
-void TickPipeline::take(const device::Reading& reading, double dt_s) noexcept {
-  const Point<DeviceFrame> place = reading.position;
-  const bool first = !std::isfinite(since_good_s_);
-  position_ = place;
-  const double passed_s = first ? dt_s : since_good_s_;
-  velocity_m_per_s_ = velocity_.update(place, passed_s);
+void TickPipeline::take(const device::Reading& reading, const JudgedReading& judged) noexcept {
+  position_ = reading.position;
+  velocity_m_per_s_ = velocity_.update(position_, judged.passed_s);
   const Point<DeviceFrame> before = fine_.place();
-  const Point<DeviceFrame> now = fine_.update(place, velocity_m_per_s_, passed_s);
-  if (!first) moved_ = now - before;
-  if (has_torque_) {
-    if (first) turn_.begin();
-    turn_.update(reading.rotation, passed_s);
-    turned_ = turn_.turned_rad();
-  }
-  since_good_s_ = 0.0;
+  const Point<DeviceFrame> now = fine_.update(position_, velocity_m_per_s_, judged.passed_s);
+  if (!judged.first) moved_ = now - before;
+  if (!has_torque_) return;
+  if (judged.first) turn_.begin();
+  turn_.update(reading.rotation, judged.passed_s);
+  turned_ = turn_.turned_rad();
 }
 
 void TickPipeline::drop_force() noexcept {
@@ -170,6 +115,7 @@ void TickPipeline::drop_force() noexcept {
   written_Nm_ = {};
   uncontrolled_Nm_ = {};
   sent_.fill({});
+  transient_.stop();
   velocity_.begin();
   shortened_ = true;
   scene_changes_ = false;
@@ -178,6 +124,7 @@ void TickPipeline::drop_force() noexcept {
 bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
   const auto& scene_from_device = side.scene->scene_from_device;
   Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
+  hand.acts_after_s = (static_cast<double>(delay_) + 0.5) * std::min(dt_s, options_.max_rise_time_s);
   if (has_torque_) {
     hand.rotation = turned_by(scene_from_device, turn_.rotation());
     hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, turn_.velocity_rad_per_s());
@@ -315,8 +262,25 @@ bool TickPipeline::is_free() const noexcept {
   return nothing(now_.output) && (!fading() || nothing(coming_.output));
 }
 
+Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept {
+  const LawOutput& output = now_.output;
+  const bool strikes = !std::exchange(was_in_contact_, output.contact) && output.contact;
+  // While a scene fades in or a force comes up, a vibration would be of neither surface.
+  if (!output.contact || fading() || ramp_.value() < 1.0) {
+    transient_.stop();
+    return force_N;
+  }
+  if (strikes) {
+    transient_.strike(now_.scene->transient, force_N, velocity_m_per_s_,
+                      {options_.max_transient_of_force * max_force_N_, options_.max_force_rate_N_per_s,
+                       options_.impact_speed_m_per_s});
+    counts_.transients += transient_.is_playing() ? 1 : 0;
+  }
+  return force_N + transient_.step(force_N, dt_s);
+}
+
 void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
-  const auto capped = cap_force(law_force_N_, max_force_N_);
+  const auto capped = cap_force(with_transient(law_force_N_, dt_s), max_force_N_);
   // After a stall the ramp begins as after any other start: it has not risen while nobody ticked.
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
   // A spring that came up under a hand that pressed already would give back what the hand did not give; so

@@ -7,48 +7,18 @@
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/safety/rise_limit.hpp"
+#include "palpable/haptics/servo/reading_filter.hpp"
 #include "palpable/haptics/servo/servo_types.hpp"
+#include "palpable/haptics/servo/tick_options.hpp"
+#include "palpable/haptics/servo/transient_player.hpp"
 #include "palpable/haptics/servo/turn.hpp"
 #include "palpable/haptics/servo/velocity.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace palpable::haptics {
-
-enum class Passivity { observe, control };
-
-struct TickOptions {
-  /// Lowered to the device's own; > 0.
-  double max_force_N = std::numeric_limits<double>::infinity();
-  /// Growth only; release is never delayed. The default lets a wall of 500 N/m met at 0.6 m/s through.
-  double max_force_rate_N_per_s = 300.0;
-  /// The same of a torque: 0.1 m times the force's.
-  double max_torque_rate_Nm_per_s = 30.0;
-  Passivity passivity = Passivity::control;
-  /// One scene gives way to the next in this time.
-  double fade_s = 0.15;
-  /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
-  double ramp_down_s = 0.02;
-  double ramp_up_s = 0.25;
-  /// A reading that moved faster than this since the last good one is not a hand's: it is not felt, and if it
-  /// lasts it is a new touch. The second is for devices without motors, whose probe may be anywhere.
-  double max_speed_m_per_s = 2.5;
-  double max_pointer_speed_m_per_s = 8.0;
-  /// A handle that turned faster is likewise no hand's.
-  double max_turn_rad_per_s = 60.0;
-  /// So many implausible readings in a row are taken for a glitch that may pass.
-  int glitch_readings = 2;
-  /// A reading further out than this many workspaces is no reading.
-  double reach_in_workspaces = 10.0;
-  /// A tick that comes later than this after the one before: by then the watchdog has written zero force, and
-  /// the force begins anew from there.
-  double stall_s = 0.005;
-  /// No tick's force grows by more than this time allows, however late the tick is.
-  double max_rise_time_s = 0.0015;
-};
 
 /// One tick of touch, without thread or clock: read the device; refuse what is not finite or plausible;
 /// evaluate the law; refuse what is not finite; observe the energy of the force that was held until now; cap
@@ -98,19 +68,8 @@ class TickPipeline {
     bool stalled = false;
   };
   When when_of(const device::Reading& reading, double t_s, double dt_s) noexcept;
-  /// What a reading is good for.
-  enum class Accepted : std::uint8_t {
-    good,
-    /// Not plausible, and not yet known whether it lasts: the force stays as it is.
-    glitch,
-    bad
-  };
-  Accepted accept(const device::Reading& reading, double dt_s) noexcept;
-  bool is_in_reach(Point<DeviceFrame> place) const noexcept;
-  bool is_plausible(Point<DeviceFrame> place) const noexcept;
-  bool is_plausible_turn(const device::Rotation& rotation) const noexcept;
-  Accepted judge_jump(Point<DeviceFrame> place, double dt_s) noexcept;
-  void take(const device::Reading& reading, double dt_s) noexcept;
+  ReadingUse accept(const device::Reading& reading, double dt_s) noexcept;
+  void take(const device::Reading& reading, const JudgedReading& judged) noexcept;
   void drop_force() noexcept;
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
@@ -124,6 +83,7 @@ class TickPipeline {
   void end_fade() noexcept;
   void observe(double dt_s) noexcept;
   bool is_free() const noexcept;
+  Vector<DeviceFrame> with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept;
   void make_force(double dt_s, bool wanted) noexcept;
   void begin_touch() noexcept;
   void describe(const device::Reading& reading) noexcept;
@@ -137,9 +97,6 @@ class TickPipeline {
   TickOptions options_;
   double max_force_N_;
   bool planar_;
-  double max_speed_m_per_s_;
-  /// Of the device, nominally.
-  double period_s_;
 
   Side now_;
   /// Its scene is null when nothing is fading in.
@@ -149,6 +106,7 @@ class TickPipeline {
   bool same_surface_ = false;
   const HapticScene* retired_ = nullptr;
 
+  ReadingFilter readings_;
   VelocityEstimator velocity_;
   FinePosition fine_;
   Vector<DeviceFrame> velocity_m_per_s_;
@@ -157,16 +115,12 @@ class TickPipeline {
   Vector<DeviceFrame> moved_;
   bool has_torque_;
   bool torque_capped_ = false;
+  TransientPlayer transient_;
+  /// The law was in contact in the tick before.
+  bool was_in_contact_ = false;
   TurnEstimator turn_;
   /// Since the tick before, rad.
   Vector<DeviceFrame> turned_;
-  /// Since the last good reading; infinite before the first.
-  double since_good_s_ = std::numeric_limits<double>::infinity();
-  /// Readings in a row that were not plausible, and how many of the last of them agree about where the hand
-  /// is.
-  int implausible_ = 0;
-  int agreeing_ = 0;
-  Point<DeviceFrame> jumped_to_;
 
   Ramp ramp_;
   /// Of the written force, and of what it would be without the controller.

@@ -2,17 +2,64 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/watchdog.hpp"
 
+#include "palpable/core/quantile.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
 #include "palpable/haptics/servo/real_time.hpp"
 
 #include <chrono>
+#include <vector>
 
 namespace palpable::haptics {
+namespace {
+
+/// Notes when its force was cut, and wakes who waits for it.
+class CutClock final : public device::Device {
+ public:
+  const device::Traits& traits() const noexcept override { return traits_; }
+  device::Reading read() noexcept override { return {}; }
+  void write(Vector<DeviceFrame> /*force_N*/) noexcept override {}
+  void stop() noexcept override {}
+  void cut_force() noexcept override {
+    cut_ns_.store(monotonic_ns(), std::memory_order_release);
+    cut_ns_.notify_all();
+  }
+  /// After the last call of this, or now.
+  std::int64_t wait_for_cut() noexcept {
+    cut_ns_.wait(0, std::memory_order_acquire);
+    return cut_ns_.exchange(0, std::memory_order_acq_rel);
+  }
+
+ private:
+  device::Traits traits_;
+  std::atomic<std::int64_t> cut_ns_{0};
+};
+
+}  // namespace
+
+WatchdogLatency measure_watchdog(double rate_hz, int hangs, int priority) {
+  constexpr int kWritesBetween = 5;
+  const double period_s = 1.0 / rate_hz;
+  CutClock device;
+  Watchdog watchdog(device, period_s, priority);
+  std::vector<double> latencies_ms;
+  for (int k = 0; k < hangs; ++k) {
+    for (int n = 0; n < kWritesBetween; ++n) {
+      watchdog.note_write(monotonic_ns());
+      std::this_thread::sleep_for(std::chrono::duration<double>(period_s));
+    }
+    const std::int64_t wrote_ns = monotonic_ns();
+    // Where this thread itself was held up, the force was cut already: not what is measured.
+    if (watchdog.take_cut()) device.wait_for_cut();
+    watchdog.note_write(wrote_ns);
+    latencies_ms.push_back(1e-6 * static_cast<double>(device.wait_for_cut() - wrote_ns));
+    watchdog.take_cut();
+  }
+  return {hangs, quantile_of(latencies_ms, 0.5), quantile_of(latencies_ms, 0.99),
+          quantile_of(latencies_ms, 1.0)};
+}
 
 Watchdog::Watchdog(device::Device& device, double period_s, int priority)
-    : device_(device),
-      allowed_ns_(static_cast<std::int64_t>(1e9 * (period_s + kPatience_s))),
-      thread_([this, priority] { watch(priority); }) {}
+    : device_(device), overdue_(period_s, kPatience_s), thread_([this, priority] { watch(priority); }) {}
 
 Watchdog::~Watchdog() {
   ending_.store(true, std::memory_order_release);
@@ -21,12 +68,9 @@ Watchdog::~Watchdog() {
 
 void Watchdog::watch(int priority) noexcept {
   static_cast<void>(request_priority(priority));
-  std::int64_t cut_after_ns = 0;
   while (!ending_.load(std::memory_order_acquire)) {
     std::this_thread::sleep_for(std::chrono::duration<double>(kPoll_s));
-    const std::int64_t wrote_ns = wrote_ns_.load(std::memory_order_acquire);
-    if (wrote_ns == 0 || wrote_ns == cut_after_ns || monotonic_ns() - wrote_ns <= allowed_ns_) continue;
-    cut_after_ns = wrote_ns;
+    if (!overdue_.must_cut(wrote_ns_.load(std::memory_order_acquire), monotonic_ns())) continue;
     device_.cut_force();
     cut_.store(true, std::memory_order_release);
   }

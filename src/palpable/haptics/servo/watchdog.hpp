@@ -10,6 +10,26 @@
 
 namespace palpable::haptics {
 
+/// Decides when a write is overdue. No clock of its own.
+class OverdueWrite {
+ public:
+  /// `period_s` > 0: the servo's; `patience_s` beyond it.
+  OverdueWrite(double period_s, double patience_s) noexcept
+      : allowed_ns_(static_cast<std::int64_t>(1e9 * (period_s + patience_s))) {}
+
+  /// Whether the force must be cut at `now_ns`, the last write having been at `wrote_ns` (0: none is
+  /// watched): once after each write.
+  bool must_cut(std::int64_t wrote_ns, std::int64_t now_ns) noexcept {
+    if (wrote_ns == 0 || wrote_ns == cut_after_ns_ || now_ns - wrote_ns <= allowed_ns_) return false;
+    cut_after_ns_ = wrote_ns;
+    return true;
+  }
+
+ private:
+  std::int64_t allowed_ns_;
+  std::int64_t cut_after_ns_ = 0;
+};
+
 /// Writes zero force when the servo's thread does not: a thread of its own, which watches when that thread
 /// last wrote. If a write is overdue by kPatience_s, it cuts the device's force, at most kPoll_s later, and
 /// again only after another write. So a loop that hangs, in a driver or in a law, leaves the motors without
@@ -39,12 +59,24 @@ class Watchdog {
   void watch(int priority) noexcept;
 
   device::Device& device_;
-  std::int64_t allowed_ns_;
+  OverdueWrite overdue_;
   /// 0: nothing is watched.
   std::atomic<std::int64_t> wrote_ns_{0};
   std::atomic<bool> cut_{false};
   std::atomic<bool> ending_{false};
   std::thread thread_;
 };
+
+/// From a loop's last write to the cut of its force, when it hangs; milliseconds.
+struct WatchdogLatency {
+  int hangs = 0;
+  double p50_ms = 0.0;
+  double p99_ms = 0.0;
+  double max_ms = 0.0;
+};
+
+/// Lets a loop that writes at `rate_hz` hang `hangs` times (> 0) on a device that only notes when its force
+/// is cut.
+WatchdogLatency measure_watchdog(double rate_hz, int hangs, int priority);
 
 }  // namespace palpable::haptics

@@ -92,5 +92,45 @@ TEST(Watchdog, CutsTheForceOfALoopThatHangsInItsDriver) {
   EXPECT_GE((*loop)->statistics().touch.stalls, 1U);
 }
 
+constexpr std::int64_t kMillisecond = 1'000'000;
+
+TEST(OverdueWrite, CutsOnceAfterAPeriodAndThePatience) {
+  OverdueWrite overdue(0.001, 0.003);
+  EXPECT_FALSE(overdue.must_cut(0, 1000 * kMillisecond)) << "nothing was written yet";
+  const std::int64_t wrote = 7 * kMillisecond;
+  EXPECT_FALSE(overdue.must_cut(wrote, wrote + 4 * kMillisecond));
+  EXPECT_TRUE(overdue.must_cut(wrote, wrote + 4 * kMillisecond + 1));
+  EXPECT_FALSE(overdue.must_cut(wrote, wrote + 500 * kMillisecond)) << "once";
+  EXPECT_FALSE(overdue.must_cut(wrote + 600 * kMillisecond, wrote + 601 * kMillisecond));
+  EXPECT_TRUE(overdue.must_cut(wrote + 600 * kMillisecond, wrote + 605 * kMillisecond)) << "and again";
+}
+
+TEST(OverdueWrite, CutsWithinFiveMillisecondsOfTheWriteThatWasDueAtEveryInstantOfAHang) {
+  // The watchdog's thread looks every kPoll_s, at any phase of the loop's.
+  constexpr auto kPoll = static_cast<std::int64_t>(1e9 * Watchdog::kPoll_s);
+  for (const std::int64_t period : {kMillisecond / 4, kMillisecond, 10 * kMillisecond})
+    for (std::int64_t phase = 0; phase < 1000; ++phase) {
+      OverdueWrite overdue(1e-9 * static_cast<double>(period), Watchdog::kPatience_s);
+      std::int64_t now = 1'000'000'000 + phase * kPoll / 1000;
+      const std::int64_t hangs_from = now + 50 * period;
+      std::int64_t wrote = 1;
+      std::int64_t cut = 0;
+      for (; cut == 0; now += kPoll) {
+        while (wrote + period <= now && wrote + period <= hangs_from)
+          wrote = wrote == 1 ? now : wrote + period;
+        if (overdue.must_cut(wrote, now) && wrote != 1) cut = now;
+      }
+      ASSERT_LE(cut - (wrote + period), 5 * kMillisecond) << "phase " << phase;
+      ASSERT_GT(cut, hangs_from) << "a loop that writes is never cut";
+    }
+}
+
+TEST(Watchdog, MeasuresHowSoonItCutsTheForceOfALoopThatHangs) {
+  const WatchdogLatency latency = measure_watchdog(1000.0, 5, 0);
+  EXPECT_EQ(latency.hangs, 5);
+  EXPECT_GE(latency.p50_ms, 1.0 + 1e3 * Watchdog::kPatience_s);
+  EXPECT_LE(latency.p50_ms, latency.max_ms);
+}
+
 }  // namespace
 }  // namespace palpable::haptics

@@ -6,6 +6,7 @@
 #include "palpable/haptics/law/texture.hpp"
 #include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/stability.hpp"
+#include "palpable/haptics/servo/transient_player.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +62,28 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
   }
 }
 
+/// The transient that was asked for, or none, with the reason, where this loop and device cannot render it.
+void choose_transient(haptics::TransientKind wanted, const device::Traits& device, double rate_hz,
+                      PreparedScene& prepared) {
+  const auto transient = haptics::transient_of(wanted);
+  if (haptics::can_render(transient, device, rate_hz)) {
+    prepared.transient = wanted;
+    prepared.scene.transient = transient;
+  } else if (wanted != haptics::TransientKind::none) {
+    prepared.notices.push_back(fmt::format(
+        "The contact transient {} ({:.0f} Hz) was left out: this loop and device cannot render it.",
+        haptics::name_of(wanted), transient.frequency_hz));
+  }
+}
+
 /// What the fingers that hold a handle add to its rotational damping at least: an assumption, in the spirit
 /// of haptics::kLeastHandDamping_Ns_per_m.
 constexpr double kLeastHandRotationalDamping_Nm_s = 0.004;
 
 /// The device as a place of a tool far from the hand meets it: its damping there is the handle's rotational
 /// one over the lever's square, where that is less.
-device::Traits at_lever(device::Traits device, const haptics::LawParameters& law, double scale) {
+device::Traits at_lever(device::Traits device, const haptics::LawParameters& law, double scale,
+                        double hand_damping_Ns_per_m) {
   if (law.law != haptics::Law::tool) return device;
   haptics::ToolShape shape;
   shape.radius_m = law.tool_radius_m.value_or(shape.radius_m);
@@ -75,8 +91,8 @@ device::Traits at_lever(device::Traits device, const haptics::LawParameters& law
   const double lever_m = (shape.length_m + shape.radius_m) / scale;
   const double rotational =
       std::isfinite(device.rotational_damping_Nm_s) ? device.rotational_damping_Nm_s : 0.0;
-  const double there_Ns_per_m = (rotational + kLeastHandRotationalDamping_Nm_s) / (lever_m * lever_m) -
-                                haptics::kLeastHandDamping_Ns_per_m;
+  const double there_Ns_per_m =
+      (rotational + kLeastHandRotationalDamping_Nm_s) / (lever_m * lever_m) - hand_damping_Ns_per_m;
   const double own = std::isfinite(device.damping_Ns_per_m) ? device.damping_Ns_per_m : 0.0;
   device.damping_Ns_per_m = std::min(own, there_Ns_per_m);
   return device;
@@ -84,11 +100,11 @@ device::Traits at_lever(device::Traits device, const haptics::LawParameters& law
 
 /// Lowers what the person or the materials ask for to what the device can render without making energy.
 void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
-               PreparedScene& prepared) {
+               double hand_damping_Ns_per_m, PreparedScene& prepared) {
   auto& law = prepared.law;
   const haptics::LawDescription& description = haptics::description_of(law.law);
   if (!description.is_contact) return;
-  const device::Traits held_device = at_lever(device, law, scale);
+  const device::Traits held_device = at_lever(device, law, scale, hand_damping_Ns_per_m);
   std::string lowered;
   for (auto& material : scene.materials) {
     const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
@@ -98,7 +114,8 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
     // A texture makes its wall stiffer.
     const double stiffening =
         description.renders_textures ? haptics::texture_stiffening(material.texture) : 1.0;
-    const auto safe = haptics::safe_contact(held_device, rate_hz, scale, stiffening * stiffness, damping);
+    const auto safe = haptics::safe_contact(held_device, rate_hz, scale, stiffening * stiffness, damping,
+                                            hand_damping_Ns_per_m);
     material.stiffness_N_per_m = safe.stiffness_N_per_m / stiffening;
     material.damping_Ns_per_m = safe.damping_Ns_per_m;
     if (safe.bound != haptics::StiffnessBound::none && lowered.empty())
@@ -108,6 +125,20 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
   law.stiffness_N_per_m.reset();
   law.damping_Ns_per_m.reset();
   if (!lowered.empty()) prepared.notices.push_back(std::move(lowered));
+}
+
+/// Lowers the force of a ball on a slope to what the device can give on one of 45 degrees: a force that is
+/// cut there is no longer the slope's, and pushes a hand uphill with less than downhill.
+void limit_slope_force(const device::Traits& device, PreparedScene& prepared) {
+  const auto* parameter = haptics::find_parameter(haptics::description_of(prepared.law.law),
+                                                  &haptics::LawParameters::slope_force_N);
+  if (parameter == nullptr || !device.pushes_back) return;
+  const double wanted_N = prepared.law.slope_force_N.value_or(parameter->preset.value_or(0.0));
+  if (!(wanted_N > device.max_force_N) || wanted_N > parameter->max) return;
+  prepared.law.slope_force_N = device.max_force_N;
+  prepared.notices.push_back(fmt::format(
+      "The force {:.2g} N on a slope of 1 was lowered to {:.2g} N: it is the greatest that the device gives.",
+      wanted_N, device.max_force_N));
 }
 
 /// The damping that was set for one law is not meant for another.
@@ -192,14 +223,16 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
   }
   auto deep = with_kept_depth(scene, settings.depth, kept);
   if (!deep) return std::move(deep).error();
+  if (settings.limits == Limits::of_device) limit_slope_force(device, prepared);
   if (settings.limits == Limits::of_device)
-    make_safe(*deep, device, rate_hz, scene_from_device.scale, prepared);
+    make_safe(*deep, device, rate_hz, scene_from_device.scale, settings.hand_damping_Ns_per_m, prepared);
   make_carried(*deep, device, rate_hz, scene_from_device.scale, prepared);
   prepared.materials = deep->materials;
   auto touchable = haptics::make_touchable(*deep, prepared.law, &kept.dilated);
   if (!touchable) return std::move(touchable).error();
   prepared.scene.touchable = std::move(*touchable);
   prepared.scene.scene_from_device = scene_from_device;
+  choose_transient(settings.transient, device, rate_hz, prepared);
   return prepared;
 }
 

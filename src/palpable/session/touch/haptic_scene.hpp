@@ -21,6 +21,8 @@ struct PreparedScene {
   haptics::LawParameters law;
   /// As the law feels them: what was asked for, lowered to what the device can render.
   std::vector<models::Material> materials;
+  /// As rendered.
+  haptics::TransientKind transient = haptics::TransientKind::none;
   /// One sentence for each value that the device's limits changed.
   std::vector<std::string> notices;
 };

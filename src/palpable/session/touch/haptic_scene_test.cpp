@@ -126,5 +126,45 @@ TEST_F(PreparingAScene, LowersNoStiffnessWhereTheLimitsAreOff) {
   EXPECT_TRUE(unlimited.notices.empty());
 }
 
+TEST_F(PreparingAScene, LimitsTheForceOfTheRollingBallToWhatTheDeviceGives) {
+  KeptSurfaces kept;
+  TouchSettings settings;
+  settings.law.law = haptics::Law::rolling;
+  EXPECT_TRUE(prepare(settings, kept).notices.empty()) << "the default is within it";
+  settings.law.slope_force_N = 50.0;
+  const auto limited = prepare(settings, kept);
+  EXPECT_EQ(limited.law.slope_force_N, traits_.max_force_N);
+  ASSERT_EQ(limited.notices.size(), 1U);
+  EXPECT_NE(limited.notices.front().find("greatest that the device gives"), std::string::npos);
+  settings.limits = Limits::off;
+  EXPECT_EQ(prepare(settings, kept).law.slope_force_N, 50.0);
+}
+
+TEST_F(PreparingAScene, AllowsStifferWallsInAHandThatDampsMore) {
+  KeptSurfaces kept;
+  TouchSettings settings;
+  settings.law.stiffness_N_per_m = 1e5;
+  const double loose = prepare(settings, kept).materials.front().stiffness_N_per_m;
+  settings.hand_damping_Ns_per_m = 2.0 * haptics::kLeastHandDamping_Ns_per_m;
+  EXPECT_GT(prepare(settings, kept).materials.front().stiffness_N_per_m, 1.5 * loose);
+}
+
+TEST_F(PreparingAScene, HasATransientWhereItIsAskedForAndTheDeviceCan) {
+  KeptSurfaces kept;
+  TouchSettings settings;
+  EXPECT_EQ(prepare(settings, kept).scene.transient.frequency_hz, 0.0);
+  settings.transient = haptics::TransientKind::wood;
+  const auto wood = prepare(settings, kept);
+  EXPECT_EQ(wood.scene.transient.frequency_hz, haptics::transient_of(settings.transient).frequency_hz);
+  EXPECT_TRUE(wood.notices.empty());
+  // 300 Hz has fewer than five ticks to a period.
+  settings.transient = haptics::TransientKind::metal;
+  const auto metal = prepare(settings, kept);
+  EXPECT_EQ(metal.scene.transient.frequency_hz, 0.0);
+  EXPECT_EQ(metal.transient, haptics::TransientKind::none);
+  ASSERT_EQ(metal.notices.size(), 1U);
+  EXPECT_NE(metal.notices.front().find("metal (300 Hz)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace palpable::session

@@ -87,6 +87,9 @@ RecordedTouch touch_from_json(const RecordedJson& json) {
   touch.law = law_from_json(json);
   touch.asked_for = json.contains("asked_for") ? law_from_json(json.at("asked_for")) : touch.law;
   touch.depth = json.at("depth").get<double>();
+  const auto transient = haptics::transient_kind_from(json.value("transient", "none"));
+  if (!transient) throw std::invalid_argument("contact transient");
+  touch.transient = *transient;
   for (const auto& material : json.at("materials")) touch.materials.push_back(material_from_json(material));
   touch.hashes.scene = json.at("scene_hash").get<std::string>();
   touch.hashes.shape = json.value("shape_hash", "");
@@ -103,6 +106,7 @@ std::string touch_json(const RecordedTouch& touch) {
   const auto& place = touch.scene_from_device;
   json["asked_for"] = law_to_json(touch.asked_for);
   json["depth"] = touch.depth;
+  json["transient"] = haptics::name_of(touch.transient);
   json["materials"] = RecordedJson::array();
   for (const auto& material : touch.materials) json["materials"].push_back(material_to_json(material));
   json["scene_hash"] = touch.hashes.scene;
@@ -143,7 +147,8 @@ Result<haptics::HapticScene> remade_scene(const RecordedTouch& touch, const mode
   }
   auto touchable = haptics::make_touchable(*deep, touch.law, &kept);
   if (!touchable) return std::move(touchable).error();
-  return haptics::HapticScene{std::move(*touchable), touch.scene_from_device, id};
+  return haptics::HapticScene{std::move(*touchable), touch.scene_from_device, id,
+                              haptics::transient_of(touch.transient)};
 }
 
 }  // namespace palpable::session

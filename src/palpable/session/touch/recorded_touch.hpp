@@ -8,6 +8,7 @@
 #include "palpable/haptics/servo/servo_types.hpp"
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/session/touch/scene_hash.hpp"
+#include "palpable/session/touch/touch_settings.hpp"
 
 #include <cstdint>
 #include <string>
@@ -23,6 +24,7 @@ struct RecordedTouch {
   haptics::LawParameters asked_for;
   /// Of a relief.
   double depth = 1.0;
+  haptics::TransientKind transient = haptics::TransientKind::none;
   /// One for each of the scene's; of a texture from a picture the forms are the scene's.
   std::vector<models::Material> materials;
   Transform<SceneFrame, DeviceFrame> scene_from_device;

@@ -36,7 +36,9 @@ constexpr TickNumber kTickNumbers[]{
     {"max_pointer_speed_m_per_s", &haptics::TickOptions::max_pointer_speed_m_per_s},
     {"reach_in_workspaces", &haptics::TickOptions::reach_in_workspaces},
     {"stall_s", &haptics::TickOptions::stall_s},
-    {"max_rise_time_s", &haptics::TickOptions::max_rise_time_s}};
+    {"max_rise_time_s", &haptics::TickOptions::max_rise_time_s},
+    {"max_transient_of_force", &haptics::TickOptions::max_transient_of_force},
+    {"impact_speed_m_per_s", &haptics::TickOptions::impact_speed_m_per_s}};
 
 HeaderJson tick_to_json(const haptics::TickOptions& tick) {
   HeaderJson json;
@@ -52,8 +54,10 @@ HeaderJson tick_to_json(const haptics::TickOptions& tick) {
 haptics::TickOptions tick_from_json(const HeaderJson& json) {
   haptics::TickOptions tick;
   for (const TickNumber& number : kTickNumbers) {
-    const auto& value = json.at(std::string(number.name));
-    tick.*number.value = value.is_null() ? std::numeric_limits<double>::infinity() : value.get<double>();
+    const auto value = json.find(std::string(number.name));
+    // An older program had no such option; nothing that it recorded depends on it.
+    if (value == json.end()) continue;
+    tick.*number.value = value->is_null() ? std::numeric_limits<double>::infinity() : value->get<double>();
   }
   tick.glitch_readings = json.at("glitch_readings").get<int>();
   tick.passivity = json.at("passivity").get<std::string>() == "observe" ? haptics::Passivity::observe
@@ -65,6 +69,7 @@ haptics::TickOptions tick_from_json(const HeaderJson& json) {
 HeaderJson estimator_json() {
   return {{"velocity", "first-order adaptive windowing, end-fit"},
           {"samples", haptics::VelocityEstimator::kSamples},
+          {"acts_after", "delay and half a tick"},
           {"reserve_s", haptics::PassivityObserver::kReserve_s}};
 }
 

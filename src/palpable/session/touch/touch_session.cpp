@@ -27,6 +27,7 @@ RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings&
   touch.law = prepared.law;
   touch.asked_for = asked.law;
   touch.depth = asked.depth;
+  touch.transient = prepared.transient;
   touch.materials = prepared.materials;
   touch.scene_from_device = prepared.scene.scene_from_device;
   return touch;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "palpable/haptics/law/laws.hpp"
+#include "palpable/haptics/safety/stability.hpp"
+#include "palpable/haptics/servo/contact_transient.hpp"
 
 namespace palpable::session {
 
@@ -35,6 +37,11 @@ struct TouchSettings {
   /// A relief's height is multiplied by this, -4…4; negative engraves, 0 is flat.
   double depth = 1.0;
   Limits limits = Limits::of_device;
+  /// What the surface vibrates like when it is struck (haptics/servo/transient_player.hpp).
+  haptics::TransientKind transient = haptics::TransientKind::none;
+  /// What the hand that holds the device adds to its damping at least; the stiffness limit depends on it
+  /// (haptics/safety/stability.hpp). 0.1 ... 40 N·s/m.
+  double hand_damping_Ns_per_m = haptics::kLeastHandDamping_Ns_per_m;
 };
 
 }  // namespace palpable::session
