@@ -114,6 +114,18 @@ TEST(CheckRecording, GoesOnThroughAChangeOfScene) {
   EXPECT_EQ(report.scene_hashes.size(), 2U);
 }
 
+TEST(CheckRecording, RecomputesTheVibrationOfASurfaceThatIsStruck) {
+  auto options = recorded_touch_of(2.0, "transient.rec");
+  options.settings.transient = haptics::TransientKind::wood;
+  const auto statistics = touch_headless(makes({waves(0.010)}), options, {});
+  ASSERT_TRUE(statistics) << statistics.error().sentence();
+  EXPECT_GT(statistics->servo.touch.transients, 0U);
+  EXPECT_EQ(statistics->servo.allocations_in_ticks, 0U);
+  const auto report = checked(options.recording, {waves(0.010)});
+  EXPECT_EQ(report.recomputed, report.ticks) << said(report);
+  EXPECT_EQ(report.differing, 0U) << said(report);
+}
+
 TEST(CheckRecording, RecomputesForceAndTorqueOfATool) {
   recipes::FieldRecipe recipe;
   recipe.field.resolution = 48;
