@@ -200,6 +200,31 @@ TEST(Strokes, LetNoHandThroughWallsOfAReliefWhileSceneRadiusAndFrictionChange) {
   expect_held(findings);
 }
 
+TEST(Strokes, KeepAProxyAtTheFootOfAWallOnItsSideWhenTheBallGrows) {
+  const Ground small = walled_ground(thin_walls(0.0001), 0.0);
+  const Ground large = walled_ground(thin_walls(0.0002), 0.0, 0.0015);
+  constexpr double kWall_m = 0.004;
+  constexpr double kDeep_m = -0.002;
+  for (const double side : {-1.0, 1.0})
+    for (const double beyond_m : {0.0005, 0.002, 0.005, 0.012}) {
+      TouchState state;
+      LawOutput output;
+      for (double z = 0.009; z > kDeep_m; z -= 1e-4)
+        output = output_at(*small.touchable, state, {kWall_m + 0.002 * side, 0.001, z});
+      // Under the wall and beyond it: the proxy stays at its foot.
+      for (double x = 0.002; x > -beyond_m; x -= 1e-4)
+        output = output_at(*small.touchable, state, {kWall_m + x * side, 0.001, kDeep_m});
+      ASSERT_GT(side * (output.proxy.v.x - kWall_m), 0.0);
+      TouchState taken;
+      large.touchable->take_over(small.touchable->hand_over(state), taken);
+      for (int n = 0; n < 50; ++n) {
+        output = output_at(*large.touchable, taken, {kWall_m - beyond_m * side, 0.001, kDeep_m});
+        ASSERT_TRUE(output.contact);
+        ASSERT_GT(side * (output.proxy.v.x - kWall_m), 0.0) << side << " " << beyond_m << " tick " << n;
+      }
+    }
+}
+
 template <class Solid>
 Ground solid_ground(double friction, double radius_m = 0.0) {
   const Solid solid;

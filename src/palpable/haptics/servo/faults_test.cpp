@@ -135,8 +135,8 @@ const TouchedLaw kTouched[]{
     {"penalty", [] { return relief_scenes(Law::penalty); }},
     {"averaged", [] { return relief_scenes(Law::averaged); }},
     {"groove", groove_scenes},
-    // Its surface is level to a hundredth of its spacing.
-    {"grid", grid_scenes, 0.05},
+    // A plate has a lower side too, where it pushes down a hand that jumped there.
+    {"grid", grid_scenes, std::numeric_limits<double>::infinity()},
     {"proxy_on_a_field",
      [] {
        return solid_scenes([](auto solid, MaterialMap materials, double radius_m) {

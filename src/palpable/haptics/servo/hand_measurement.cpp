@@ -169,7 +169,7 @@ Result<MeasuredHand> hand_of(std::span<const TouchSample> samples, const device:
     const double from_s = options.settling_s + options.every_s * number;
     while (begin < samples.size() && samples[begin].t_s < from_s) ++begin;
     std::size_t end = begin;
-    while (end < samples.size() && samples[end].t_s < from_s + options.every_s) ++end;
+    while (end < samples.size() && samples[end].t_s < from_s + options.fitted_s) ++end;
     const Pulse pulse = pulse_of(number);
     if (pulse.axis + 1 > static_cast<std::size_t>(device.degrees_of_freedom)) continue;
     const auto fitted = fit_impedance(pushed_samples(samples, begin, end, pulse.axis, device));

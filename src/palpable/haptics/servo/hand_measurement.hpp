@@ -18,8 +18,10 @@ struct PulseOptions {
   /// Greatest force of a pulse (half a sine); lowered to a third of the device's.
   double pulse_N = 0.8;
   double pulse_s = 0.06;
-  /// From one pulse's begin to the next one's.
+  /// From one pulse's begin to the next one's; and how much of the response is fitted. Later the hand is
+  /// slow, and the device's friction holds it with an unknown force.
   double every_s = 0.4;
+  double fitted_s = 0.15;
   int pulses = 18;
   /// Before the first one.
   double settling_s = 0.6;
