@@ -170,7 +170,9 @@ std::string_view name_of(Finding::State state) {
 
 /// The hand that holds a device, as --hand-damping wants it.
 Result<Answer> examine_hand(const std::string& device_url, Console& console) {
-  auto device = device::open_device(device_url, {console.options().seed});
+  device::OpenOptions open;
+  open.seed = console.options().seed;
+  auto device = device::open_device(device_url, open);
   if (!device) return std::move(device).error();
   const haptics::PulseOptions pulses;
   console.note(fmt::format(

@@ -35,7 +35,7 @@ struct MadeLaw {
 
 Error usage_error(std::string message);
 
-/// Numbers that are equal for equal content: families of states are told apart by them.
+/// Hashes of content, equal for equal content: they distinguish families of states.
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value);
 inline std::uint64_t mixed(std::uint64_t hash, double value) {
   return mixed(hash, std::bit_cast<std::uint64_t>(value));

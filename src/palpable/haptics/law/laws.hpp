@@ -25,7 +25,7 @@ std::optional<Law> law_from(std::string_view name);
 std::vector<Law> laws_for(const models::Scene& scene);
 
 /// A relief dilated by the ball that touches it: what make_touchable() took long to make, kept by who changes
-/// parameters while somebody touches. Empty at first. One thread at a time.
+/// parameters during a touch. Empty at first. One thread at a time.
 struct DilatedRelief {
   std::shared_ptr<const models::Relief> of;
   double radius_m = 0.0;

@@ -76,7 +76,7 @@ class Walls {
     }
     return wall.distance_m < p.z ? wall : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
   }
-  /// Whether a wall stands between two places, and reaches 2 mm above both.
+  /// Whether there is a wall between two places, and reaches 2 mm above both.
   static bool divides(Vec3 a, Vec3 b) {
     const double wall = 0.008 * std::round(0.5 * (a.x + b.x) / 0.008);
     return (a.x < wall) != (b.x < wall) && std::max(a.z, b.z) < 0.007;

@@ -316,7 +316,7 @@ class ProxyFollower {
     proxy.slipping = false;
   }
 
-  /// A step of more than a pixel becomes one of a pixel where something between its ends stands higher than
+  /// A step of more than a pixel becomes one of a pixel where something between its ends is higher than
   /// it is long.
   void shorten_at_walls(Vec3 place, double& dx, double& dy) const noexcept {
     const double length2 = dx * dx + dy * dy;

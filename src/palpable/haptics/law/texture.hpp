@@ -13,13 +13,13 @@
 
 namespace palpable::haptics {
 
-/// The hand's speed that a texture must be carried at; faster strokes fade it out.
+/// The hand's speed at which a texture must be rendered; faster strokes fade it out.
 inline constexpr double kTextureSpeed_m_per_s = 0.1;
 /// A form that passes in fewer ticks than this is no form any more; at half of it (Nyquist) it would be
 /// another.
 inline constexpr double kTicksPerForm = 4.0;
 
-/// The finest pitch that a loop can carry at kTextureSpeed_m_per_s and a sensor can resolve: four ticks and
+/// The finest pitch that a loop can render at kTextureSpeed_m_per_s and a sensor can resolve: four ticks and
 /// four of the sensor's steps a form.
 inline double min_pitch_m(double rate_hz, double position_resolution_m) noexcept {
   return std::max(kTicksPerForm * kTextureSpeed_m_per_s / rate_hz, 4.0 * position_resolution_m);
@@ -65,7 +65,7 @@ class Textures {
     return number > 0 ? &patterns_[number - 1U] : nullptr;
   }
 
-  /// How much of a pattern a loop can carry when the hand moves so fast: all of it up to a quarter of a form
+  /// How much of a pattern a loop can render when the hand moves so fast: all of it up to a quarter of a form
   /// a tick, nothing from half of one. Tick path.
   static double carried(Vec3 velocity_m_per_s, double dt_s, double pitch_m) noexcept {
     // Most strokes are slow: they wait for no root.

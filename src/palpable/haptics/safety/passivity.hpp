@@ -19,7 +19,7 @@ namespace palpable::haptics {
 /// to take out more than that, b·v²·T. What it took out in the last kReserve_s, R, is the reserve of the
 /// virtual damper: W is not allowed to fall below -R, because energy that friction took out long ago pays for
 /// nothing that is made now. W > 0 in a tick in which the hand receives energy (f·dx > 0) is energy made
-/// beyond the reserve; while the hand still gives, a positive W only stands in a spring (the first tick
+/// beyond the reserve; while the hand still gives, a positive W is only stored in a spring (the first tick
 /// inside a wall stores ½K·dx² unpaid) and the damper may yet take it. Under a ramp or a change of scene the
 /// springs store more than the hand gave: W may then fall but not rise.
 ///
@@ -53,7 +53,7 @@ class PassivityObserver {
     bool scene_changes = false;
   };
 
-  /// How a new account begins. From no force: the ramp stands at zero, as in free air.
+  /// How a new account begins. From no force: the ramp is at zero, as in free air.
   enum class Beginning { from_no_force, in_contact };
 
   /// Another scene, or a new touch: what is stored now is where counting goes on from.

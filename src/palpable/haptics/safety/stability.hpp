@@ -42,7 +42,7 @@ inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 /// The wall nearest to the one asked for that is safe on the device at `rate_hz`. The damping is raised to
 /// what the stiffness needs, but to no more than 0.55 of what device and hand have, where both bounds nearly
 /// meet; then the stiffness is lowered below each bound: to 65 % of what the held spring's damper could pay
-/// for (it knows an old velocity, and one with steps), to nine tenths of the others. What the device does not
+/// for (its velocity is delayed and quantised), to nine tenths of the others. What the device does not
 /// state bounds nothing, except its damping, which counts as 0. `scale` is the metres of scene to a metre of
 /// device: a scene shown smaller is stiffer in the hand. Stiffness > 0, damping >= 0, both in the scene.
 SafeContact safe_contact(const device::Traits& device, double rate_hz, double scale, double stiffness_N_per_m,

@@ -19,7 +19,7 @@ struct KeptRate {
   }
 };
 
-/// Of a loop that misses more, nobody can say that it has its rate.
+/// A loop that misses more does not keep its rate.
 inline constexpr double kMostMissedFraction = 0.2;
 
 /// Runs an empty loop for `seconds` as the servo would: same pacing, same priority (0: ordinary), on a thread

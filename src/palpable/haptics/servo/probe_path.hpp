@@ -27,7 +27,7 @@ void probe_path(const Touchable& touchable, std::span<const PathSample> path,
 /// The first fault of a path, as a sentence for the person with the sample's number; nothing if it is valid.
 Result<void> check_path(std::span<const PathSample> path);
 
-/// What `bench` tells of one law on one path.
+/// What `bench` reports of one law on one path.
 struct TickTimes {
   LatencySummary latency;
   /// Share of the ticks in contact, 0 ... 1.

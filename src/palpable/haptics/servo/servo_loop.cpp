@@ -30,7 +30,7 @@ constexpr std::size_t kTimings = 8192;
 constexpr std::size_t kRetired = 16;
 constexpr auto kMaintenancePeriod = std::chrono::milliseconds(50);
 
-/// How long one tick took and how far it stands from the one before.
+/// How long one tick took, and how long after the one before it began.
 struct Timing {
   std::int64_t period_ns = 0;
   std::int64_t compute_ns = 0;

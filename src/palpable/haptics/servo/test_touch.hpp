@@ -3,7 +3,7 @@
 #pragma once
 
 // What the tests of the servo share: analytic surfaces under a plain spring-damper law, and a device that
-// does what a test tells it.
+// gives the readings that a test sets.
 
 #include "palpable/device/device.hpp"
 #include "palpable/haptics/law/touchable.hpp"

@@ -281,7 +281,7 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
 
 void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   const auto capped = cap_force(with_transient(law_force_N_, dt_s), max_force_N_);
-  // After a stall the ramp begins as after any other start: it has not risen while nobody ticked.
+  // After a stall the ramp begins as after any other start: it has not risen while no tick came.
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
   // A spring that came up under a hand that pressed already would give back what the hand did not give; so
   // the ramp is only for hands that are in contact where their touch begins.

@@ -41,7 +41,7 @@ class TickPipeline {
   /// The scene that the last step() stopped using, once; else null.
   const HapticScene* take_retired() noexcept;
   void set_paused(bool paused) noexcept { paused_ = paused; }
-  /// Somebody else has written zero force: the next step() begins from there.
+  /// Another thread has written zero force: the next step() begins from there.
   void note_cut_force() noexcept { force_was_cut_ = true; }
 
   const TickCounts& counts() const noexcept { return counts_; }

@@ -43,7 +43,7 @@ class VelocityEstimator {
 
 /// Where a hand most likely is within its sensor's step. A reading says no more than in which step; within it
 /// the hand moves with its estimated velocity. For accounts of energy, where a jump of a whole step under the
-/// old force would look like energy that nobody made. With resolution 0 it is the reading. Tick path.
+/// old force would look like energy that the law made. With resolution 0 it is the reading. Tick path.
 class FinePosition {
  public:
   explicit FinePosition(double resolution_m) : half_m_(0.5 * resolution_m) {}
