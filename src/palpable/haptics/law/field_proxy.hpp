@@ -90,8 +90,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return hand_over_of(state.proxy, state.proxy.normal, state.memory);
   }
 
-  /// A proxy that held the hand goes to the nearest place of this surface, if it is near, and keeps its friction;
-  /// a free one stays where it is, unless this surface covers that place.
+  /// A proxy that held the hand goes to the nearest place of this surface, if it is near, and keeps its
+  /// friction; a free one stays where it is, unless this surface covers that place.
   void take_over(const HandOver& from, State& state) const noexcept {
     if (!from.has_proxy) return;
     FieldProxy& proxy = state.proxy;

@@ -72,8 +72,8 @@ class ProxyLaw : public ContactLaw<Surface> {
     return hand_over_of(state.proxy, unit(Vec3{-s.dzdx, -s.dzdy, 1.0}), state.memory);
   }
 
-  /// A proxy that held the hand goes straight up or down to this surface, and keeps its friction state; a free one
-  /// stays where it is, unless this surface covers that place.
+  /// A proxy that held the hand goes straight up or down to this surface, and keeps its friction state; a
+  /// free one stays where it is, unless this surface covers that place.
   void take_over(const HandOver& from, State& state) const noexcept {
     if (!from.has_proxy) return;
     ProxyFollower<Surface>(this->surface(), {}).take_over(from, state.proxy);
