@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/match.hpp"
 
+#include "palpable/core/memory.hpp"
+#include "palpable/vision/stereo/methods/matching_memory.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
 #include "palpable/vision/stereo/problem/stereo_method.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
@@ -67,6 +69,13 @@ Result<void> check_sizes(const StereoPair& pair) {
   return {};
 }
 
+/// Asked before the work: where the system does not say what is available, matching is tried.
+Result<void> check_memory(const StereoPair& pair, StereoMethod method, int disparities) {
+  const auto available = available_memory_bytes();
+  if (!available) return {};
+  return check_matching_memory(method, pair.left.width, pair.left.height, disparities, *available);
+}
+
 void mirror(MatchInput& input) {
   const auto flip = [](auto& picture) {
     for (int y = 0; y < picture.height(); ++y) std::reverse(picture.row(y).begin(), picture.row(y).end());
@@ -110,6 +119,7 @@ Result<StereoMatch> match_prepared(const StereoPair& pair, const MethodEntry& me
   }
   input.disparities = range.max_px - range.min_px + 1;
   input.right_first = std::max(0, range.min_px);
+  if (auto fits = check_memory(pair, method.method, input.disparities); !fits) return std::move(fits).error();
   Result<MatchOutput> output =
       exchanged ? match_mirrored(input, method, options, work) : method.function(input, options, work);
   if (!output) return output.error();
@@ -160,6 +170,8 @@ Result<StereoMatch> match(const StereoPair& pair, StereoMethod method, const Ste
                  "the greatest disparity must lie between 1 and the picture's width less one, " +
                      std::to_string(pair.left.width - 1) + " pixels",
                  {}};
+  if (auto fits = check_memory(pair, method, std::max(1, options.max_disparity_px)); !fits)
+    return std::move(fits).error();
   try {
     return match_prepared(pair, entry_of(method), options, work);
   } catch (const std::bad_alloc&) {
