@@ -5,7 +5,7 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 #include "palpable/formats/packing/npz.hpp"
-#include "palpable/sources/picture/exr.hpp"
+#include "palpable/sources/picture/file_marks.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/picture/picture_reply.hpp"
 
