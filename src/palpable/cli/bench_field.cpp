@@ -4,6 +4,7 @@
 
 #include "palpable/sculpt/field/field_from_source.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -75,19 +76,23 @@ Result<models::Scene> own_field_scene(const Work& work) {
 
 std::vector<haptics::PathSample> own_field_path(const models::DistanceField& field) {
   constexpr int kTicks = 60000;
-  constexpr double kTick_s = 0.001, kUnder_m = 0.0005;
+  constexpr double kTick_s = 0.001, kUnder_m = 0.0005, kFastest_m_per_s = 1.0;
   std::vector<haptics::PathSample> path;
   path.reserve(kTicks);
+  // The hand goes towards a place that moves through both balls, along their surface.
+  Vec3 hand{0.0, 0.0, 0.03};
   for (int i = 0; i < kTicks; ++i) {
     const double t = i * kTick_s, turn = 2.0 * std::numbers::pi;
-    Vec3 p{0.055 * std::sin(turn * 0.31 * t), 0.03 * std::sin(turn * 0.47 * t),
-           0.03 * std::cos(turn * 0.23 * t)};
+    const Vec3 way = Vec3{0.055 * std::sin(turn * 0.31 * t), 0.03 * std::sin(turn * 0.47 * t),
+                          0.03 * std::cos(turn * 0.23 * t)} -
+                     hand;
+    hand += std::min(1.0, kFastest_m_per_s * kTick_s / std::max(norm(way), 1e-9)) * way;
     constexpr int kSteps = 12;
     for (int step = 0; step < kSteps; ++step) {
-      const models::FieldSample s = field.sample(p);
-      p -= (s.distance_m + kUnder_m) * unit(s.gradient);
+      const models::FieldSample s = field.sample(hand);
+      hand -= (s.distance_m + kUnder_m) * unit(s.gradient);
     }
-    path.push_back({t, {p}});
+    path.push_back({t, {hand}});
   }
   return path;
 }

@@ -108,7 +108,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
  private:
   /// Of a resting hand; for each cell that it moved; and at most.
   static constexpr int kEvaluations = 3;
-  static constexpr double kPerCell = 2.0;
+  static constexpr double kPerCell = 1.25;
   static constexpr int kMaxEvaluations = 64;
   /// To find the surface from somewhere near it, once.
   static constexpr int kSettling = 12;
@@ -121,8 +121,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   /// What a bend may make of a step.
   static constexpr double kLeastBent = 0.4;
   static constexpr double kMostBent = 2.5;
-  /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
-  static constexpr double kTolerance_m = 1e-7;
+  /// Nearer than this to where it belongs, the proxy rests: 0.5 mN at 500 N/m.
+  static constexpr double kTolerance_m = 1e-6;
+  /// A step that would have to be shorter to bring the proxy nearer is none.
+  static constexpr double kShortest_m = 1e-7;
   /// A field's gradient is within a few per cent of 1.
   static constexpr double kSafe = 0.95;
   /// Cosine between the normals of places half a cell apart on one face.
@@ -294,7 +296,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const bool through = dot(out, normal) > kOn_m && dot(out, along) > 0.0;
       if (!settled || through || squared_norm(hand_m - next) >= squared_norm(d)) {
         share *= 0.25;
-        if (step_m < kTolerance_m) {
+        if (step_m < kShortest_m) {
           share = 1.0;
           break;
         }

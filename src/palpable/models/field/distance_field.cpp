@@ -106,6 +106,49 @@ std::size_t root_index(const FieldGrid& grid, int x, int y, int z) {
 /// Two finest cells along each axis.
 using CellPairs = std::array<std::array<int, 2>, 3>;
 
+/// The part of the window on one side of the nearest face: its finest cell, share, and derivative per cell.
+struct WindowSide {
+  int cell = 0;
+  double share = 0.0, slope = 0.0;
+};
+/// Below and above that face along one axis: the window crosses at most one.
+struct WindowSides {
+  std::array<WindowSide, 2> side;
+
+  WindowSides(double place, int cells) {
+    const int face = static_cast<int>(place + 0.5);
+    const Share share = share_above(place - face);
+    side[0] = {std::max(face - 1, 0), 1.0 - share.upper, -share.slope};
+    side[1] = {std::min(face, cells - 1), share.upper, share.slope};
+  }
+  bool is_in(const DistanceField::Leaf& leaf, std::size_t axis) const {
+    return side[0].cell >= leaf.corner[axis] && side[1].cell < leaf.corner[axis] + leaf.side;
+  }
+  /// The side that is not in a leaf that holds the other.
+  const WindowSide& out_of(const DistanceField::Leaf& leaf, std::size_t axis) const {
+    return side[1].cell >= leaf.corner[axis] + leaf.side ? side[1] : side[0];
+  }
+};
+
+/// The only axis along which the window leaves a leaf; 3 if there is none or more than one.
+std::size_t only_axis_out_of(const DistanceField::Leaf& leaf, const std::array<WindowSides, 3>& sides) {
+  const bool x = sides[0].is_in(leaf, 0), y = sides[1].is_in(leaf, 1), z = sides[2].is_in(leaf, 2);
+  if (!x && y && z) return 0;
+  if (x && !y && z) return 1;
+  return x && y && !z ? 2 : 3;
+}
+
+/// The samples of the only two leaves under the window, that of the second weighted with `side`.
+FieldSample blended(const FieldSample& a, const FieldSample& b, const WindowSide& side, std::size_t axis,
+                    double cells_per_m) {
+  const double difference_m = b.distance_m - a.distance_m;
+  FieldSample sample{a.distance_m + side.share * difference_m,
+                     a.gradient + side.share * (b.gradient - a.gradient)};
+  const double along = side.slope * difference_m * cells_per_m;
+  (axis == 0 ? sample.gradient.x : axis == 1 ? sample.gradient.y : sample.gradient.z) += along;
+  return sample;
+}
+
 /// The leaves of eight finest cells, found from an entry `from` at `level` that contains all of them, or from
 /// the roots. Descends level by level, so that the eight loads of a level overlap.
 std::array<DistanceField::Leaf, 8> leaves_of(const FieldGrid& grid, const FieldTree& tree,
@@ -240,23 +283,24 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   return sample;
 }
 
-FieldSample DistanceField::mixed(Vec3 cells, const Leaf& /*home*/, Descent& way) const noexcept {
-  // On each axis the window crosses at most the nearest face of the finest grid.
-  struct Side {
-    int cell;
-    double share, slope;
-  };
-  std::array<std::array<Side, 2>, 3> sides;
-  const std::array<double, 3> place{cells.x, cells.y, cells.z};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int face = static_cast<int>(place[axis] + 0.5);
-    const Share share = share_above(place[axis] - face);
-    sides[axis][0] = {std::max(face - 1, 0), 1.0 - share.upper, -share.slope};
-    sides[axis][1] = {std::min(face, grid_.cells(axis) - 1), share.upper, share.slope};
+FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept {
+  const std::array<WindowSides, 3> sides{WindowSides(cells.x, grid_.cells(0)),
+                                         WindowSides(cells.y, grid_.cells(1)),
+                                         WindowSides(cells.z, grid_.cells(2))};
+  // Most windows that leave their leaf leave it along one axis, to one other leaf.
+  if (const std::size_t axis = only_axis_out_of(home, sides); axis < 3) {
+    const WindowSide& side = sides[axis].out_of(home, axis);
+    std::array<int, 3> cell = way.cell;
+    cell[axis] = side.cell;
+    const Leaf other = down_to(cell[0], cell[1], cell[2], way);
+    if (sides[(axis + 1) % 3].is_in(other, (axis + 1) % 3) &&
+        sides[(axis + 2) % 3].is_in(other, (axis + 2) % 3))
+      return blended(leaf_sample(home, cells), leaf_sample(other, cells), side, axis, cells_per_m_);
   }
-  const CellPairs pairs{{{sides[0][0].cell, sides[0][1].cell},
-                         {sides[1][0].cell, sides[1][1].cell},
-                         {sides[2][0].cell, sides[2][1].cell}}};
+  const auto pair = [&](std::size_t axis) {
+    return std::array{sides[axis].side[0].cell, sides[axis].side[1].cell};
+  };
+  const CellPairs pairs{pair(0), pair(1), pair(2)};
   // The path to the middle leaf contains the last entry common to the paths to all eight.
   unsigned differing = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -278,7 +322,8 @@ FieldSample DistanceField::mixed(Vec3 cells, const Leaf& /*home*/, Descent& way)
   std::array<Part, 8> parts;
   std::size_t count = 0;
   for (unsigned octant = 0; octant < 8; ++octant) {
-    const Side &x = sides[0][octant & 1U], &y = sides[1][octant >> 1U & 1U], &z = sides[2][octant >> 2U];
+    const WindowSide &x = sides[0].side[octant & 1U], &y = sides[1].side[octant >> 1U & 1U],
+                     &z = sides[2].side[octant >> 2U];
     std::size_t k = 0;
     while (k < count && !are_one(leaves[octant], *parts[k].leaf)) ++k;
     if (k == count) parts[count++] = {&leaves[octant], 0.0, 0.0, 0.0, 0.0};
