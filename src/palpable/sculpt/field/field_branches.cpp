@@ -33,7 +33,7 @@ class SharedSamples {
     from_grid_m_ = from_grid_m;
     origin_m_ = grid.origin_m + from_grid_m;
     step_m_ = step_m;
-    count_ = static_cast<std::uint64_t>(count);
+    bricks_ = static_cast<std::uint64_t>(count + kBrick - 1) / kBrick;
     hint_ = {};
     ++lattice_;
   }
@@ -44,11 +44,9 @@ class SharedSamples {
     double coarse_m = 0.0, coarse_turn = 0.0;
   };
   const Answer& at(std::array<int, 3> place) {
-    const std::uint64_t index =
-        (static_cast<std::uint64_t>(place[2]) * count_ + static_cast<std::uint64_t>(place[1])) * count_ +
-        static_cast<std::uint64_t>(place[0]);
+    const std::uint64_t index = index_of(place);
     const std::uint64_t key = lattice_ << 40U | index;
-    Slot& slot = slots_[index % slots_.size()];
+    Slot& slot = slots_[index & (slots_.size() - 1)];
     if (slot.key != key) {
       const Vec3 from_first_m = step_m_ * Vec3{static_cast<double>(place[0]), static_cast<double>(place[1]),
                                                static_cast<double>(place[2])};
@@ -72,8 +70,16 @@ class SharedSamples {
   FieldSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
 
  private:
+  /// In bricks of 4 x 4 x 4 places: those of one cell lie near each other in memory.
+  std::uint64_t index_of(std::array<int, 3> place) const {
+    const auto at = [&](std::size_t axis) { return static_cast<std::uint64_t>(place[axis]); };
+    const std::uint64_t brick = (at(2) / kBrick * bricks_ + at(1) / kBrick) * bricks_ + at(0) / kBrick;
+    return ((brick * kBrick + at(2) % kBrick) * kBrick + at(1) % kBrick) * kBrick + at(0) % kBrick;
+  }
+  static constexpr int kBrick = 4;
+  /// A power of two.
   static constexpr std::size_t kSlots = std::size_t{1} << 19U;
-  struct Slot {
+  struct alignas(64) Slot {
     /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
     std::uint64_t key = 0;
     Answer answer;
@@ -83,7 +89,8 @@ class SharedSamples {
   DistanceSource::Hint hint_;
   Vec3 origin_m_, from_grid_m_;
   double step_m_ = 0.0;
-  std::uint64_t count_ = 0;
+  /// Along each axis.
+  std::uint64_t bricks_ = 0;
   std::uint64_t lattice_ = 0;
   std::vector<Slot> slots_;
 };

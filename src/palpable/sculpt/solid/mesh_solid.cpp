@@ -33,6 +33,8 @@ std::vector<std::string> MeshRepair::notes() const {
   if (rounded > 0)
     notes.push_back(std::to_string(rounded) + " small facets were smoothed, by at most " +
                     std::to_string(std::lround(1e6 * rounded_m)) + " um.");
+  add(ground, "One triangle of the ground around the solid was left out.",
+      " triangles of the ground around the solid were left out.");
   const auto in_mm = [](double metres) { return figure(1e3 * metres, 2); };
   if (thin + sheets > 0)
     notes.push_back("Walls that are too thin for the field's cells (" + std::to_string(thin + sheets) +
@@ -72,6 +74,8 @@ std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, con
 void thicken(MeshSolid& solid, const Mesh& surface, const Mesh& whole, std::size_t sheet_candidates,
              double finest_m, const WallOptions& options, const Work& work) {
   auto walls = thickened_walls(solid.distance, surface, whole, sheet_candidates, finest_m, options, work);
+  solid.repair.ground = walls.ground;
+  solid.repair.inner -= std::min(solid.repair.inner, walls.ground);
   if (!walls.distance) return;
   solid.distance = std::move(walls.distance);
   solid.repair.thin = walls.thin;

@@ -35,6 +35,8 @@ struct MeshRepair {
   /// thickness that these walls have now, at least, and the most that was added to a side.
   std::size_t thin = 0;
   std::size_t sheets = 0;
+  /// Of sheets that are the ground around the solid: left out.
+  std::size_t ground = 0;
   double wall_m = 0.0;
   double thickened_m = 0.0;
   /// One sentence each, for the person.

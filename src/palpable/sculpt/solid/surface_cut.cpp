@@ -39,6 +39,13 @@ class SideTester {
     if (front == back) return Sides::inner;
     return back ? Sides::surface : Sides::turned;
   }
+  /// The same at a place of one of the tree's triangles, with its normal. Where no other triangle is near,
+  /// the winding number rises by 1 from the front to the back: one value is enough.
+  Sides sides_of(std::uint32_t triangle, Vec3 place, Vec3 normal) const {
+    if (tree_.any_within(place, 2.0 * lift_m_, triangle)) return sides_at(place, normal);
+    const double front = tree_.winding(place + lift_m_ * normal);
+    return front > -0.5 && front <= 0.5 ? Sides::surface : Sides::inner;
+  }
 
  private:
   const TriangleTree& tree_;
@@ -259,7 +266,7 @@ bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t firs
       if (!is_own.load(std::memory_order_relaxed) || work.cancelled()) return;
       const Corners c = corners_of(mesh, i);
       const Vec3 normal = normal_of(c), middle = (c[0] + c[1] + c[2]) / 3.0;
-      bool fits = side_tester.sides_at(middle, normal) == Sides::surface;
+      bool fits = side_tester.sides_of(static_cast<std::uint32_t>(i), middle, normal) == Sides::surface;
       constexpr double kOutwards = 0.9;
       for (std::size_t k = 0; is_suspect[i] != 0 && fits && k < 3; ++k)
         for (const Vec3 border : {c[k], 0.5 * (c[k] + c[(k + 1) % 3])})

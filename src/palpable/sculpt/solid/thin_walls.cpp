@@ -9,6 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
 namespace palpable::sculpt {
@@ -16,6 +21,7 @@ namespace {
 
 // Thin walls are thickened in this many steps of thickness: each gets what it lacks of the least thickness.
 constexpr int kSteps = 4;
+constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
 /// The middle of a triangle and a place near each of its corners.
 std::array<Vec3, 4> places_of(const std::array<Vec3, 3>& c) {
@@ -40,9 +46,11 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
   constexpr double kOpposite = 0.9, kTold = 0.02;
   const Vec3 normal = unit(cross(c[1] - c[0], c[2] - c[0]));
   const double depth_m = 0.5 * least_m;
-  int thin = 0;
+  int thin = 0, left = kPlaces;
   double sum_m = 0.0;
   for (const Vec3 place : places_of(c)) {
+    // Most walls are thick: two places decide.
+    if (thin + left-- < kMostPlaces) return least_m;
     const models::FieldSample there = solid.at(place - depth_m * normal, hint);
     if (dot(there.gradient, normal) > -kOpposite) continue;
     const double thickness_m = depth_m - there.distance_m;
@@ -91,37 +99,56 @@ class SheetFinder {
 
 /// Triangles whose sides are moved by the same distance.
 struct Layer {
-  Layer(const Mesh& mesh, double by_m) : tree(mesh), added_m(by_m) {}
+  Layer(const Mesh& mesh, double by_m, bool sheets) : tree(mesh), added_m(by_m), is_sheets(sheets) {}
   TriangleTree tree;
   double added_m;
+  /// Outside the solid; else the triangles are part of its surface.
+  bool is_sheets;
 };
 
+/// The union of the solid and of what is within `added_m` of each layer. Where a layer is part of the
+/// surface, it lies farther from what is inside by that. Planes stay planes, so that a field needs few cells.
 class ThickenedSource final : public DistanceSource {
  public:
-  ThickenedSource(std::unique_ptr<DistanceSource> solid, std::vector<Layer> layers)
-      : solid_(std::move(solid)), layers_(std::move(layers)) {}
+  /// `rest`: the solid's surface without the layers.
+  ThickenedSource(std::unique_ptr<DistanceSource> solid, std::vector<Layer> layers, const Mesh& rest)
+      : solid_(std::move(solid)), layers_(std::move(layers)) {
+    if (!rest.triangles.empty()) rest_.emplace(rest);
+  }
 
   models::FieldSample at(Vec3 p, Hint& hint) const override {
-    const models::FieldSample solid = solid_->at(p, hint);
-    models::FieldSample least = solid;
-    hint.of_parts.resize(layers_.size());
+    models::FieldSample solid = solid_->at(p, hint);
+    hint.of_parts.resize(layers_.size() + 1);
+    constexpr double kFar_m = std::numeric_limits<double>::infinity();
+    models::FieldSample joined{kFar_m, {}}, under{-kFar_m, {}};
+    double surface_m = kFar_m;
     for (std::size_t k = 0; k < layers_.size(); ++k) {
-      const NearestTriangle near = nearest_in_ball(layers_[k].tree, p, hint.of_parts[k]);
+      const Layer& layer = layers_[k];
+      const NearestTriangle near = nearest_in_ball(layer.tree, p, hint.of_parts[k]);
       hint.of_parts[k].triangle = near.triangle;
-      const models::FieldSample thick = thickened(solid, p - near.point_m, layers_[k].added_m);
-      if (thick.distance_m < least.distance_m) least = thick;
+      const Vec3 way = p - near.point_m;
+      const double layer_m = norm(way);
+      const Vec3 away = layer_m > 0.0 ? way / layer_m : solid.gradient;
+      if (layer_m - layer.added_m < joined.distance_m) joined = {layer_m - layer.added_m, away};
+      if (layer.is_sheets) continue;
+      surface_m = std::min(surface_m, layer_m);
+      if (-layer_m - layer.added_m > under.distance_m)
+        under = {-layer_m - layer.added_m, layer_m > 0.0 ? -1.0 * away : solid.gradient};
     }
-    return least;
+    // The nearest triangle is known to a few parts in ten thousand.
+    if (solid.distance_m < 0.0 && surface_m <= -1.001 * solid.distance_m)
+      solid = below_layers(p, surface_m, solid, under, hint.of_parts.back());
+    return joined.distance_m < solid.distance_m ? joined : solid;
   }
   void enter(Vec3 centre_m, double radius_m, Hint& hint) const override {
     solid_->enter(centre_m, radius_m, hint);
-    hint.of_parts.resize(layers_.size());
+    hint.of_parts.resize(layers_.size() + 1);
     for (std::size_t k = 0; k < layers_.size(); ++k)
       enter_ball(layers_[k].tree, centre_m, radius_m, hint.of_parts[k]);
   }
   void leave(Hint& hint) const override {
     solid_->leave(hint);
-    for (Hint& part : hint.of_parts) leave_ball(part);
+    for (std::size_t k = 0; k < layers_.size(); ++k) leave_ball(hint.of_parts[k]);
   }
   Box bounds() const override {
     Box box = solid_->bounds();
@@ -135,21 +162,21 @@ class ThickenedSource final : public DistanceSource {
   }
 
  private:
-  /// Outside: the distance to the layer minus the added thickness. Inside: deeper by the added thickness
-  /// near the layer, decreasing to 0 where other surfaces are nearer by that much, so that the distance is
-  /// continuous.
-  static models::FieldSample thickened(const models::FieldSample& solid, Vec3 way, double added_m) {
-    const double layer_m = norm(way);
-    const Vec3 from_layer = layer_m > 0.0 ? way / layer_m : solid.gradient;
-    if (solid.distance_m >= 0.0) return {layer_m - added_m, from_layer};
-    const double more_m = added_m - (layer_m + solid.distance_m);
-    if (more_m <= 0.0) return solid;
-    if (more_m >= added_m) return {solid.distance_m - added_m, solid.gradient};
-    return {solid.distance_m - more_m, unit(from_layer + 2.0 * solid.gradient)};
+  /// Inside the solid, near a layer `surface_m` away that is part of its surface: `under` the moved layers,
+  /// or nearer to the rest.
+  models::FieldSample below_layers(Vec3 p, double surface_m, const models::FieldSample& solid,
+                                   const models::FieldSample& under, Hint& hint) const {
+    if (!rest_) return under;
+    const NearestTriangle near = nearest_in_ball(*rest_, p, hint);
+    hint.triangle = near.triangle;
+    const double rest_m = std::sqrt(near.squared_distance_m2);
+    if (rest_m < surface_m) return solid;
+    return -rest_m > under.distance_m ? models::FieldSample{-rest_m, (near.point_m - p) / rest_m} : under;
   }
 
   std::unique_ptr<DistanceSource> solid_;
   std::vector<Layer> layers_;
+  std::optional<TriangleTree> rest_;
 };
 
 void add_triangle(Mesh& mesh, const std::array<Vec3, 3>& c) {
@@ -172,6 +199,101 @@ std::vector<int> steps_of(std::size_t count, const Work& work, const StepOf& ste
   return steps;
 }
 
+/// Triangles that share vertices, as one sheet.
+struct SheetPatch {
+  Box box;
+  Vec3 area_m2;
+  double size_m2 = 0.0;
+
+  void add(const std::array<Vec3, 3>& c) {
+    const Vec3 doubled = cross(c[1] - c[0], c[2] - c[0]);
+    // Sheets need not be oriented.
+    area_m2 += dot(doubled, area_m2) < 0.0 ? -0.5 * doubled : 0.5 * doubled;
+    size_m2 += 0.5 * norm(doubled);
+    for (const Vec3 corner : c) box.grow(corner);
+  }
+  /// Ground on which the solid stands, as that of a city: it faces one direction, lies under or over all of
+  /// the solid, and goes on beyond it.
+  bool is_ground(const Box& solid) const {
+    constexpr double kFacingShare = 0.75, kBeyondShare = 0.05;
+    if (norm(area_m2) < kFacingShare * size_m2) return false;
+    const auto along = [](Vec3 v) { return std::array{v.x, v.y, v.z}; };
+    const auto facing = along(area_m2), least = along(solid.least_m - box.least_m),
+               most = along(box.most_m - solid.most_m), size = along(solid.size_m());
+    const auto across = static_cast<std::size_t>(
+        std::max_element(facing.begin(), facing.end(),
+                         [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+        facing.begin());
+    double beyond_m = 0.0;
+    for (const std::size_t axis : {(across + 1) % 3, (across + 2) % 3}) {
+      if (least[axis] < 0.0 || most[axis] < 0.0) return false;
+      beyond_m = std::max({beyond_m, least[axis], most[axis]});
+    }
+    return beyond_m > kBeyondShare * *std::max_element(size.begin(), size.end());
+  }
+};
+
+/// For each triangle the first one of those that it is connected to by vertices; only `wanted` ones count.
+std::vector<std::uint32_t> connected(const Mesh& mesh, const std::vector<char>& wanted) {
+  std::vector<std::uint32_t> first(mesh.triangles.size()), at_vertex(mesh.vertices_m.size(), kNobody);
+  std::iota(first.begin(), first.end(), 0U);
+  const auto find = [&](std::uint32_t t) {
+    while (first[t] != t) t = first[t] = first[first[t]];
+    return t;
+  };
+  for (std::uint32_t t = 0; t < wanted.size(); ++t) {
+    if (wanted[t] == 0) continue;
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      if (at_vertex[v] == kNobody) at_vertex[v] = t;
+      const std::uint32_t a = find(at_vertex[v]), b = find(t);
+      first[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  for (std::uint32_t t = 0; t < first.size(); ++t) first[t] = find(t);
+  return first;
+}
+
+/// Which triangles of `wanted` belong to patches that are ground.
+std::vector<char> ground_among(const Mesh& mesh, const std::vector<char>& wanted, const Box& solid) {
+  const std::vector<std::uint32_t> first = connected(mesh, wanted);
+  std::map<std::uint32_t, SheetPatch> patches;
+  for (std::uint32_t t = 0; t < wanted.size(); ++t) {
+    if (wanted[t] == 0) continue;
+    const auto corners = corners_at(mesh, t);
+    patches.try_emplace(first[t], SheetPatch{bounds_of(std::span(corners)), {}, 0.0})
+        .first->second.add(corners);
+  }
+  std::vector<char> ground(wanted.size());
+  for (std::uint32_t t = 0; t < wanted.size(); ++t)
+    ground[t] = wanted[t] != 0 && patches.at(first[t]).is_ground(solid);
+  return ground;
+}
+
+/// The parts of a mesh's first triangles that lie outside the solid, without the ground.
+Mesh sheets_of(const DistanceSource& solid, const Mesh& mesh, std::size_t candidates, double finest_m,
+               const Work& work, ThickenedWalls& walls) {
+  const SheetFinder finder(solid, finest_m);
+  std::vector<std::vector<std::array<Vec3, 3>>> found(candidates);
+  constexpr int kGrain = 64;
+  parallel_for(work, static_cast<int>(candidates), kGrain, [&](int begin, int end) {
+    DistanceSource::Hint hint;
+    for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end) && !work.cancelled();
+         ++t)
+      finder.add(corners_at(mesh, t), hint, found[t]);
+  });
+  std::vector<char> is_sheet(candidates);
+  for (std::size_t t = 0; t < candidates; ++t) is_sheet[t] = !found[t].empty();
+  const std::vector<char> is_ground = ground_among(mesh, is_sheet, solid.bounds());
+  Mesh sheets;
+  for (std::size_t t = 0; t < candidates; ++t) {
+    if (is_sheet[t] == 0) continue;
+    ++(is_ground[t] != 0 ? walls.ground : walls.sheets);
+    if (is_ground[t] == 0)
+      for (const auto& part : found[t]) add_triangle(sheets, part);
+  }
+  return sheets;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(WallOptions& o) {
@@ -186,34 +308,29 @@ ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mes
   const double least_m = options.least_cells * finest_m;
   if (!(least_m > 0.0)) return walls;
   std::array<Mesh, kSteps> layers;
+  Mesh rest;
   const auto thin = steps_of(surface.triangles.size(), work, [&](std::size_t t, DistanceSource::Hint& hint) {
     const double thickness_m = thickness_behind(*solid, hint, corners_at(surface, t), least_m);
     return std::min(kSteps, static_cast<int>(kSteps * thickness_m / least_m));
   });
-  for (std::size_t t = 0; t < thin.size(); ++t)
-    if (thin[t] < kSteps)
-      add_triangle(layers[static_cast<std::size_t>(thin[t])], corners_at(surface, t)), ++walls.thin;
-  const SheetFinder finder(*solid, finest_m);
-  std::vector<std::vector<std::array<Vec3, 3>>> sheets(sheet_candidates);
-  constexpr int kGrain = 64;
-  parallel_for(work, static_cast<int>(sheet_candidates), kGrain, [&](int begin, int end) {
-    DistanceSource::Hint hint;
-    for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end) && !work.cancelled();
-         ++t)
-      finder.add(corners_at(sheets_from, t), hint, sheets[t]);
-  });
-  for (const auto& parts : sheets) {
-    for (const auto& part : parts) add_triangle(layers[0], part);
-    walls.sheets += parts.empty() ? 0 : 1;
+  for (std::size_t t = 0; t < thin.size(); ++t) {
+    const bool is_thin = thin[t] < kSteps;
+    add_triangle(is_thin ? layers[static_cast<std::size_t>(thin[t])] : rest, corners_at(surface, t));
+    walls.thin += is_thin ? 1 : 0;
   }
+  const Mesh sheets = sheets_of(*solid, sheets_from, sheet_candidates, finest_m, work, walls);
   std::vector<Layer> made;
-  for (int k = 0; k < kSteps; ++k) {
-    const Mesh& mesh = layers[static_cast<std::size_t>(k)];
-    if (mesh.triangles.empty()) continue;
-    made.emplace_back(mesh, 0.5 * least_m * (1.0 - static_cast<double>(k) / kSteps));
-    walls.added_m = std::max(walls.added_m, made.back().added_m);
-  }
-  if (!made.empty()) walls.distance = std::make_unique<ThickenedSource>(std::move(solid), std::move(made));
+  const auto add_layer = [&](const Mesh& mesh, double by_m, bool is_sheets) {
+    if (mesh.triangles.empty()) return;
+    made.emplace_back(mesh, by_m, is_sheets);
+    walls.added_m = std::max(walls.added_m, by_m);
+  };
+  for (int k = 0; k < kSteps; ++k)
+    add_layer(layers[static_cast<std::size_t>(k)], 0.5 * least_m * (1.0 - static_cast<double>(k) / kSteps),
+              false);
+  add_layer(sheets, 0.5 * least_m, true);
+  if (!made.empty())
+    walls.distance = std::make_unique<ThickenedSource>(std::move(solid), std::move(made), rest);
   return walls;
 }
 

@@ -84,6 +84,50 @@ TEST(ThinWalls, OfASheetThatIsPartlyInTheSolidAreWhereItIsNot) {
   EXPECT_NEAR(distance_at(*solid, {0.0, 0.006, 0.01}), -0.004, 1e-6);
 }
 
+/// Triangles on both sides of a level square.
+Mesh level_square(double half_m, double z_m) {
+  Mesh square;
+  square.vertices_m = {
+      {-half_m, -half_m, z_m}, {half_m, -half_m, z_m}, {half_m, half_m, z_m}, {-half_m, half_m, z_m}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}};
+  return square;
+}
+
+TEST(ThinWalls, AreNotTheGroundThatReachesBeyondTheSolid) {
+  const Mesh house = box_mesh({-0.02, -0.03, 0.0}, {0.02, 0.03, 0.02});
+  const auto solid = solid_from_mesh(together(house, level_square(0.05, -0.001)), kFinest_m, {}, {}, kWalls);
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.ground, 4U);
+  EXPECT_EQ(solid->repair.sheets, 0U);
+  EXPECT_EQ(solid->distance->bounds().size_m(), (Vec3{0.04, 0.06, 0.02}));
+  EXPECT_GT(distance_at(*solid, {0.04, 0.04, -0.001}), 0.02);
+  // A shelf under a part of it is a wall.
+  const auto shelf = solid_from_mesh(together(house, level_square(0.025, -0.001)), kFinest_m, {}, {}, kWalls);
+  ASSERT_TRUE(shelf);
+  EXPECT_EQ(shelf->repair.ground, 0U);
+  EXPECT_EQ(shelf->repair.sheets, 4U);
+}
+
+TEST(ThinWalls, KeepTheDepthUnderAThickWallBesideThem) {
+  const auto solid = solid_from_mesh(plate_with_wall(0.0001), kFinest_m, {}, {}, kWalls);
+  ASSERT_TRUE(solid);
+  // Beside the wall the plate's top is nearest, under the wall only its thickened sides are farther away.
+  EXPECT_NEAR(distance_at(*solid, {0.0, 0.002, 0.004}), -0.001, 1e-7);
+  EXPECT_NEAR(distance_at(*solid, {0.03, 0.002, 0.0045}), -0.0005, 1e-7);
+}
+
+TEST(ThinWalls, TakeFewMoreCellsOfAFieldThanThickOnes) {
+  const auto thin = solid_from_mesh(plate_with_wall(0.0001), 0.1 / 256, {}, {}, kWalls);
+  const auto thick = solid_from_mesh(plate_with_wall(2.0 * 0.1 / 256), 0.1 / 256, {});
+  ASSERT_TRUE(thin && thick);
+  const FieldOptions options{.resolution = 256};
+  const auto of_thin = field_from_source(*thin->distance, options, {});
+  const auto of_thick = field_from_source(*thick->distance, options, {});
+  ASSERT_TRUE(of_thin && of_thick);
+  // Its edges are round.
+  EXPECT_LT(static_cast<double>(of_thin->leaves()), 1.75 * static_cast<double>(of_thick->leaves()));
+}
+
 TEST(ThinWalls, LeaveNoStepInTheDistance) {
   const auto solid = solid_from_mesh(plate_with_wall(0.0001), kFinest_m, {}, {}, kWalls);
   ASSERT_TRUE(solid);
