@@ -31,8 +31,8 @@ struct ThickenedWalls {
   /// Triangles of walls too thin, and of sheets that enclose no solid.
   std::size_t thin = 0;
   std::size_t sheets = 0;
-  /// Triangles of sheets that are the ground on which the solid stands, as the land of a city model: they face
-  /// one direction, lie under all of the solid and reach beyond it. They are left out.
+  /// Triangles of sheets that are the ground on which the solid stands, as the land of a city model: they
+  /// face one direction, lie under all of the solid and reach beyond it. They are left out.
   std::size_t ground = 0;
   /// The most that was added to a side.
   double added_m = 0.0;
