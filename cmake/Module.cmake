@@ -41,7 +41,7 @@ function(palpable_module)
     target_link_libraries(palpable_${M_NAME}_test PRIVATE palpable_options palpable_${M_NAME} ${M_TEST_LINKS}
                                                           GTest::gmock GTest::gtest_main)
     if(M_NAME STREQUAL "sources" OR "sources" IN_LIST M_USES)
-      add_dependencies(palpable_${M_NAME}_test palpable_decoder)
+      add_dependencies(palpable_${M_NAME}_test palpable_decoder palpable_video_decoder)
     endif()
     if(M_NAME STREQUAL "haptics" OR "haptics" IN_LIST M_USES)
       add_dependencies(palpable_${M_NAME}_test palpable_guardian)

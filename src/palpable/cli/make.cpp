@@ -7,12 +7,14 @@
 #include "palpable/cli/material_options.hpp"
 #include "palpable/cli/scene_argument.hpp"
 #include "palpable/cli/title_options.hpp"
+#include "palpable/cli/video_outputs.hpp"
 #include "palpable/draw/comparison_view.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/session/make/compare_details.hpp"
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,6 +27,7 @@ struct MakeCommandArguments {
   TitleArguments title;
   std::string as_published;
   std::string output;
+  VideoOutputs video;
 };
 
 Json json_of(const session::ComparedDetail& compared) {
@@ -88,6 +91,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
     apply_published(**published, arguments.make);
     console.note(std::string((*published)->differs));
   }
+  if (is_video(arguments.make.inputs, arguments.make.kind)) arguments.video.poses = std::exchange(arguments.make.poses, {});
   auto options = make_options(arguments.make);
   if (!options) return options.error();
   if (*published && arguments.make.as.empty()) options->as = (*published)->as;
@@ -105,6 +109,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);
+  if (const auto written = write_video_outputs(arguments.video, made->video.get()); !written) return written.error();
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   apply_title(*title, scene);
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
@@ -134,10 +139,12 @@ void add_make(Program& program) {
       "  palpable make scan.png -o scan.palp --as contours\n"
       "  palpable make depth.png -o cloth.palp --kind depth --material "
       "0:texture=ridges,pitch=2,friction=0.4\n"
-      "  palpable make house.obj -o house.palp --size 100x100x50 --title 'The town hall'",
+      "  palpable make house.obj -o house.palp --size 100x100x50 --title 'The town hall'\n"
+      "  palpable make model.mp4 -o model.palp --poses poses.csv --structure points.ply",
       [arguments](Console& console) { return make(*arguments, console); });
   options.required_output("-o,--output", arguments->output, {}, "Scene to write (.palp)");
   add_make_options(options, arguments->make);
+  add_video_outputs(options, arguments->video);
   add_as_published(options, arguments->as_published);
   add_title_options(options, arguments->title);
   add_material_options(options, arguments->material);

@@ -125,7 +125,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--max-error", arguments.max_error_mm, {1e-6, 1000.0},
                  "Greatest error of the distance near the surface, mm; default: 1/10000 of the longest side");
   options.text("--poses", arguments.poses,
-               "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz");
+               "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz; a video: "
+               "written there");
   options.flag("--no-cache", arguments.no_cache,
                "Do not take a mesh's field from the cache, where it is kept after it was made "
                "(~/.cache/palpable)");

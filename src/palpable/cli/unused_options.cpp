@@ -28,16 +28,18 @@ struct Effect {
 const std::vector<Effect>& effects() {
   static const Inputs any{}, depth{InputKind::depth}, pair{InputKind::stereo},
       seen{InputKind::stereo, InputKind::depth},
+      film{InputKind::video}, posed{InputKind::depth, InputKind::video},
+      seen_or_filmed{InputKind::stereo, InputKind::depth, InputKind::video},
       solid{InputKind::mesh, InputKind::points, InputKind::shapes, InputKind::level_set};
   static const Inputs made{InputKind::picture, InputKind::stereo, InputKind::depth,    InputKind::mesh,
-                           InputKind::points,  InputKind::shapes, InputKind::level_set};
+                           InputKind::points,  InputKind::shapes, InputKind::level_set, InputKind::video};
   static const std::vector<std::string_view> all{}, contours{"contours"}, fields{"field", "dense-field"};
   static const std::vector<Effect> table{{"--size", made, all},
                                          {"--depth-scale", depth, all},
                                          {"--depth-as", depth, all},
                                          {"--near-plane", depth, all},
                                          {"--far-plane", depth, all},
-                                         {"--poses", depth, all},
+                                         {"--poses", posed, all},
                                          {"--near", seen, all},
                                          {"--far", seen, all},
                                          {"--exaggerate", seen, all},
@@ -48,7 +50,9 @@ const std::vector<Effect>& effects() {
                                          {"--samples", seen, all},
                                          {"--engrave", seen, all},
                                          {"--texture", seen, all},
-                                         {"--calibration", seen, all},
+                                         {"--calibration", seen_or_filmed, all},
+                                         {"--structure", film, all},
+                                         {"--depth-dir", film, all},
                                          {"--method", pair, all},
                                          {"--max-disparity", pair, all},
                                          {"--rectify", pair, all},

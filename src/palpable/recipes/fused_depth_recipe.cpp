@@ -23,6 +23,25 @@ SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place)
   return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
 
+/// The solid of all views, placed as the recipe says.
+Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe, const Work& work) {
+  sculpt::FusionOptions fusion = recipe.fusion;
+  fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
+  const auto set = sculpt::fused_depth(views, fusion, work);
+  if (!set) return set.error();
+  auto surface = sculpt::surface_of_level_set(*set, work);
+  if (!surface) return surface.error();
+  const double voxel_m = norm(set->steps_m[0]);
+  // The noise of depth maps is at least this share of a voxel.
+  constexpr double kVoxelError = 0.5;
+  auto solid = solid_of_contour(std::move(*surface), kVoxelError * voxel_m, recipe.field);
+  if (!solid) return solid.error();
+  solid->notes.insert(solid->notes.begin(),
+                      Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", views.size(),
+                                       views.size() == 1 ? " was" : "s were", 1000.0 * voxel_m * solid->scene_from_input.scale)));
+  return solid;
+}
+
 }  // namespace
 
 Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, const FusedDepthRecipe& recipe,
@@ -39,28 +58,24 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
   std::vector<sculpt::DepthView> views;
   views.reserve(given.size());
   for (const PosedDepth& view : given) views.push_back({&view.depth, upright * view.world_from_camera});
-  sculpt::FusionOptions fusion = recipe.fusion;
-  fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
-  const auto set = sculpt::fused_depth(views, fusion, work);
-  if (!set) return set.error();
-  auto surface = sculpt::surface_of_level_set(*set, work);
-  if (!surface) return surface.error();
-  const double voxel_m = norm(set->steps_m[0]);
-  notes.emplace_back(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", given.size(),
-                                 given.size() == 1 ? " was" : "s were", 1000.0 * voxel_m));
-  // The noise of depth cameras is at least this share of a voxel.
-  constexpr double kVoxelError = 0.5;
   // Depth cameras' metres are known, and y is up by now.
-  FieldRecipe field = recipe.field;
-  field.placement.default_size = sculpt::DefaultSize::own;
-  field.placement.convention = {AxisDirection::plus_y, LengthUnit::metre};
-  if (field.placement.size_m && field.placement.lay == sculpt::Lay::automatic)
-    field.placement.lay = sculpt::Lay::upright;
-  auto solid = solid_of_contour(std::move(*surface), kVoxelError * voxel_m, field);
+  FusedDepthRecipe upright_recipe = recipe;
+  sculpt::PlacementOptions& placement = upright_recipe.field.placement;
+  placement.default_size = sculpt::DefaultSize::own;
+  placement.convention = {AxisDirection::plus_y, LengthUnit::metre};
+  if (placement.size_m && placement.lay == sculpt::Lay::automatic) placement.lay = sculpt::Lay::upright;
+  auto solid = fused_solid(views, upright_recipe, work);
   if (!solid) return solid.error();
   solid->scene_from_input = composed(upright, solid->scene_from_input);
   solid->notes.insert(solid->notes.begin(), notes.begin(), notes.end());
   return field_scene(*std::move(solid), "depth", recipe.field, work);
+}
+
+Result<MadeScene> field_from_views(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                                   const std::string& input, const Work& work) {
+  auto solid = fused_solid(views, recipe, work);
+  if (!solid) return solid.error();
+  return field_scene(*std::move(solid), input, recipe.field, work);
 }
 
 }  // namespace palpable::recipes

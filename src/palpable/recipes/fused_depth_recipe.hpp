@@ -10,6 +10,8 @@
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
 
+#include <span>
+#include <string>
 #include <vector>
 
 namespace palpable::recipes {
@@ -34,5 +36,10 @@ struct FusedDepthRecipe {
 /// field_from_level_set().
 Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& views, const FusedDepthRecipe& recipe,
                                         const Work& work);
+
+/// The same from views in axes of their own, which recipe.field.placement describes. `input` names them in the scene's
+/// provenance.
+Result<MadeScene> field_from_views(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                                   const std::string& input, const Work& work);
 
 }  // namespace palpable::recipes

@@ -5,9 +5,12 @@
 #include "palpable/core/note.hpp"
 #include "palpable/models/scene/scene.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace palpable::recipes {
+
+struct VideoReconstruction;
 
 /// The result of every recipe. scene.source.method names the recipe and its method; the caller fills in
 /// where the values came from (scene.source.inputs and made_by).
@@ -15,6 +18,8 @@ struct MadeScene {
   models::Scene scene;
   /// Notes for the person about the input or the result.
   std::vector<Note> notes;
+  /// Of a video: what was found on the way (video_recipe.hpp).
+  std::shared_ptr<const VideoReconstruction> video;
 };
 
 }  // namespace palpable::recipes

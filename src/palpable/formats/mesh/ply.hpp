@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/core/mesh.hpp"
+#include "palpable/core/point_cloud.hpp"
 #include "palpable/core/result.hpp"
 
 #include <cstddef>
@@ -13,5 +14,8 @@ namespace palpable::formats {
 /// Binary little-endian PLY in metres: float x, y, z, and triangles. Errors: failed for a mesh without
 /// triangles.
 Result<std::vector<std::byte>> encode_ply(const Mesh& mesh);
+
+/// The same of points, without triangles and normals. Errors: failed for a cloud without points.
+Result<std::vector<std::byte>> encode_ply(const PointCloud& cloud);
 
 }  // namespace palpable::formats

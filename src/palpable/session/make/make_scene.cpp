@@ -42,16 +42,10 @@ std::string few_names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 Error cannot_become(const sources::Input& input) {
-  if (input.kind == InputKind::video)
-    return {
-        ErrorCode::usage,
-        "are more pictures than a pair: videos and sequences of pictures are not supported yet; give the two "
-        "pictures of a pair",
-        few_names_of(input.files), Reason::unexpected_input_kind};
   return {ErrorCode::usage,
           "a " + std::string(sources::name_of(input.kind)) +
-              " cannot be made into that: give a stereo pair, a depth map, a mesh, points with normals or a "
-              "scene",
+              " cannot be made into that: give a stereo pair, a depth map, a mesh, points with normals, a "
+              "video or a scene",
           few_names_of(input.files), Reason::unexpected_input_kind};
 }
 
@@ -69,7 +63,7 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
     return Error{ErrorCode::usage, "dense storage is for fields, and this does not become one",
                  names_of(input.files), Reason::needs_field};
   const bool possible = field_by_input || (input.kind == InputKind::mesh && options.as == MakeAs::relief);
-  if (is_solid(input.kind)) return possible ? Result<void>() : cannot_become(input);
+  if (is_solid(input.kind) || input.kind == InputKind::video) return possible ? Result<void>() : cannot_become(input);
   if (input.kind == InputKind::scene || input.kind == InputKind::depth || input.kind == InputKind::stereo)
     return {};
   return cannot_become(input);
@@ -105,6 +99,12 @@ struct RunRecipe {
   }
   Result<MadeScene> operator()(recipes::DepthInput depth) const {
     return filled(relief_from_depth(std::move(depth), options.recipes.relief, work), options, work);
+  }
+  Result<MadeScene> operator()(const Film& film) const {
+    recipes::VideoRecipe recipe = options.recipes.video;
+    recipe.fusion = options.recipes.fusion;
+    recipe.field = options.recipes.field;
+    return field_from_video(film.frames, film.camera, recipe, work);
   }
   Result<MadeScene> operator()(const std::vector<recipes::PosedDepth>& views) const {
     return field_from_depth_maps(views, {options.recipes.fusion, options.recipes.field}, work);

@@ -41,6 +41,8 @@ struct Recipes {
   /// Of several depth maps; their field is stored as `field` says.
   sculpt::FusionOptions fusion;
   recipes::GridRecipe grid;
+  /// Its field is fused and stored as `fusion` and `field` say.
+  recipes::VideoRecipe video;
 };
 
 /// The field that a touch of a mesh begins with while the one that is asked for is made. Chosen so that a

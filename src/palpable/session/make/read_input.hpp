@@ -12,6 +12,7 @@
 #include "palpable/models/scene/scene.hpp"
 #include "palpable/recipes/fused_depth_recipe.hpp"
 #include "palpable/recipes/relief_recipe.hpp"
+#include "palpable/recipes/video_recipe.hpp"
 #include "palpable/session/make/stereo_input.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/input/input.hpp"
@@ -46,9 +47,15 @@ struct InputOptions {
   std::optional<double> moved_m;
 };
 
+/// The frames of a video and what is known of its camera.
+struct Film {
+  std::vector<recipes::FilmedFrame> frames;
+  vision::VideoCamera camera;
+};
+
 /// What the files hold.
 using InputValues =
-    std::variant<Image, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>, sources::MeshFile,
+    std::variant<Image, Film, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>, sources::MeshFile,
                  PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
 
 struct ReadInput {
@@ -64,7 +71,7 @@ Result<sources::Input> recognise(const InputOptions& options);
 
 /// Reads files of a kind that recognise() found, or those of holds_depth_maps(), as values in memory; a pair
 /// is rectified. Long work. Errors: invalid_input, naming the file; usage for options that do not fit and for
-/// kinds that cannot be read (video, map); interrupted.
+/// kinds that cannot be read (map); interrupted.
 Result<ReadInput> read_input(const sources::Input& input, const InputOptions& options, const Work& work);
 
 /// One of the files, whatever it is, as a picture. Errors: usage for more than one; as

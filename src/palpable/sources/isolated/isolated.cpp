@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<Job, std::string_view>, 11> kJobNames{
+constexpr std::array<std::pair<Job, std::string_view>, 12> kJobNames{
     {{Job::obj, "obj"},
      {Job::stl, "stl"},
      {Job::glb, "glb"},
@@ -40,7 +40,8 @@ constexpr std::array<std::pair<Job, std::string_view>, 11> kJobNames{
      {Job::heif, "heif"},
      {Job::heif_depth, "heif-depth"},
      {Job::heif_announces_depth, "heif-announces-depth"},
-     {Job::opencv_calibration, "opencv-calibration"}}};
+     {Job::opencv_calibration, "opencv-calibration"},
+     {Job::video, "video"}}};
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;
 
@@ -64,12 +65,14 @@ Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
   return memory;
 }
 
-Result<fs::path> decoder_program() {
-  auto program = helper_program(kDecoderName, "PALPABLE_DECODER", PALPABLE_DECODER_FOLDER);
+Result<fs::path> decoder_program(Job job) {
+  const bool film = job == Job::video;
+  const char* name = film ? kVideoDecoderName : kDecoderName;
+  auto program = helper_program(name, film ? "PALPABLE_VIDEO_DECODER" : "PALPABLE_DECODER", PALPABLE_DECODER_FOLDER);
   if (program) return program;
   return Error{ErrorCode::failed,
                fmt::format("cannot be read: the program {}, which reads this kind of file, is missing: {}",
-                           kDecoderName, program.error().message),
+                           name, program.error().message),
                {}};
 }
 
@@ -157,6 +160,11 @@ Limits limits_of(Job job, std::size_t file_bytes) {
       limits.memory_bytes = kBase;
       limits.result_bytes = 16 * kMiB;
       break;
+    case Job::video:
+      // Frames as they are given back, and those that the codec keeps; films pack much into few bytes.
+      limits.memory_bytes = kBase + 3072 * kMiB;
+      limits.result_bytes = 1300 * kMiB;
+      break;
     default:
       // kMaxPixels of four floats, once as the library gives them and once as ours.
       limits.memory_bytes = kBase + 3072 * kMiB;
@@ -166,7 +174,8 @@ Limits limits_of(Job job, std::size_t file_bytes) {
   if (const auto available = available_memory_bytes())
     limits.memory_bytes =
         std::min<std::uint64_t>(limits.memory_bytes, std::max<std::uint64_t>(*available, kBase));
-  limits.processor_time = std::chrono::seconds(8 + mebibytes);
+  constexpr std::uint64_t kStart = 8, kFilmStart = 60;
+  limits.processor_time = std::chrono::seconds((job == Job::video ? kFilmStart : kStart) + mebibytes);
   limits.time = 3 * limits.processor_time;
   return limits;
 }
@@ -186,7 +195,7 @@ Reply::~Reply() {
 
 Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& limits) {
   if (file.empty()) return invalid_input("is empty");
-  const auto program = decoder_program();
+  const auto program = decoder_program(job);
   if (!program) return program.error();
   auto input = sealed_copy(file);
   if (!input) return input.error();

@@ -25,7 +25,8 @@ enum class Job : std::uint8_t {
   heif,
   heif_depth,
   heif_announces_depth,
-  opencv_calibration
+  opencv_calibration,
+  video
 };
 
 std::string_view name_of(Job job);

@@ -11,6 +11,7 @@ namespace palpable::sources::isolated {
 /// Changed with every change of what is below or of a reply's layout.
 inline constexpr std::string_view kProtocolVersion = "1";
 inline constexpr const char* kDecoderName = "palpable-decoder";
+inline constexpr const char* kVideoDecoderName = "palpable-video-decoder";
 
 // Descriptors that the decoder process begins with; all others are closed.
 inline constexpr int kInputDescriptor = 3;

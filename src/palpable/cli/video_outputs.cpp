@@ -1,0 +1,102 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/cli/video_outputs.hpp"
+
+#include "palpable/core/atomic_file.hpp"
+#include "palpable/formats/mesh/ply.hpp"
+#include "palpable/formats/picture/picture.hpp"
+#include "palpable/models/field/superquadric.hpp"
+#include "palpable/sources/input/input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace palpable::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using recipes::VideoReconstruction;
+
+Result<void> write_text(const fs::path& path, const std::string& text) {
+  return write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+Result<void> write_poses(const fs::path& path, const VideoReconstruction& video) {
+  std::string text = "frame,qw,qx,qy,qz,tx,ty,tz\n";
+  for (const auto& [frame, pose] : video.poses) {
+    const auto q = models::quaternion_of(pose.rotation);
+    const Vec3 t = pose.translation_m;
+    text += fmt::format("{},{:.9f},{:.9f},{:.9f},{:.9f},{:.9g},{:.9g},{:.9g}\n", frame, q[0], q[1], q[2], q[3], t.x, t.y, t.z);
+  }
+  return write_text(path, text);
+}
+
+Result<void> write_structure(const fs::path& path, const VideoReconstruction& video) {
+  const auto bytes = formats::encode_ply(video.structure);
+  if (!bytes) return bytes.error();
+  return write_file_atomically(path, *bytes);
+}
+
+// The unit in which the greatest depth just fits 16 bits.
+double depth_unit(const VideoReconstruction& video) {
+  float greatest = 0.0F;
+  for (const auto& depth : video.depth_maps)
+    for (const float z : depth.map.depth_m.values())
+      if (z > greatest) greatest = z;
+  return static_cast<double>(greatest) / 65535.0;
+}
+
+Result<void> write_depth_maps(const fs::path& folder, const VideoReconstruction& video) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  if (fault) return Error{ErrorCode::failed, "cannot be made: " + fault.message(), folder.string()};
+  const double unit = depth_unit(video);
+  for (const auto& depth : video.depth_maps) {
+    Raster<std::uint16_t> values(depth.map.depth_m.width(), depth.map.depth_m.height());
+    std::transform(depth.map.depth_m.values().begin(), depth.map.depth_m.values().end(), values.values().begin(), [&](float z) {
+      return z > 0 ? static_cast<std::uint16_t>(std::lround(static_cast<double>(z) / unit)) : std::uint16_t{0};
+    });
+    if (auto written = formats::write_png(folder / fmt::format("{:04}.png", depth.frame_number), values); !written) return written;
+  }
+  const Pinhole& camera = *video.depth_maps.front().map.camera;
+  const nlohmann::json sidecar{{"scale", unit}, {"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx},
+                               {"cy", camera.cy}, {"width", camera.width}, {"height", camera.height}};
+  return write_text(folder / "depth.json", sidecar.dump(2) + "\n");
+}
+
+}  // namespace
+
+void add_video_outputs(Options& options, VideoOutputs& outputs) {
+  options.under("Videos");
+  options.output("--structure", outputs.structure, {".ply"}, "Write the points that were found, PLY");
+  options.text("--depth-dir", outputs.depth_folder, "Write the depth maps that were computed, 16-bit PNG, and their scale");
+}
+
+bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
+  if (inputs.size() != 1 || (!kind.empty() && kind != sources::name_of(sources::InputKind::video))) return false;
+  std::error_code none;
+  if (fs::is_directory(inputs.front(), none)) return true;
+  const auto found = sources::kind_of_file(inputs.front());
+  return found && *found == sources::InputKind::video;
+}
+
+Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction* video) {
+  if (video == nullptr) {
+    for (const auto& [name, value] : {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder)})
+      if (!value->empty()) return Error{ErrorCode::usage, "is for videos", name};
+    return {};
+  }
+  if (!outputs.poses.empty())
+    if (auto written = write_poses(outputs.poses, *video); !written) return written;
+  if (!outputs.structure.empty())
+    if (auto written = write_structure(outputs.structure, *video); !written) return written;
+  return outputs.depth_folder.empty() ? Result<void>() : write_depth_maps(outputs.depth_folder, *video);
+}
+
+}  // namespace palpable::cli

@@ -1,0 +1,31 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/cli/options.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/recipes/video_recipe.hpp"
+
+#include <string>
+#include <vector>
+
+namespace palpable::cli {
+
+/// What is written beside the scene of a video.
+struct VideoOutputs {
+  /// Poses of the cameras, CSV.
+  std::string poses;
+  /// Points on the surfaces, PLY.
+  std::string structure;
+  /// A folder: depth maps as 16-bit PNG, and depth.json with their scale.
+  std::string depth_folder;
+};
+void add_video_outputs(Options& options, VideoOutputs& outputs);
+
+/// Whether these inputs are one film, or the folder of a sequence: --poses is then written, else read.
+bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
+
+/// Errors: usage where outputs are wanted and the scene is none of a video; failed as write_file_atomically().
+Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction* video);
+
+}  // namespace palpable::cli

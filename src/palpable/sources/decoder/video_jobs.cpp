@@ -1,0 +1,26 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/decoder/jobs.hpp"
+#include "palpable/sources/isolated/flat.hpp"
+#include "palpable/sources/video/video_decoder.hpp"
+#include "palpable/sources/video/video_reply.hpp"
+
+#include <exception>
+
+// The jobs of palpable-video-decoder: FFmpeg's libraries take longer to load than most files to read, so they have a
+// program of their own.
+namespace palpable::sources::decoder {
+
+void prepare(isolated::Job) {}
+
+std::vector<std::byte> run(isolated::Job job, std::span<const std::byte> file) {
+  if (job != isolated::Job::video) return {};
+  try {
+    const auto video = decode_video(file);
+    return video ? isolated::reply_of(*video) : isolated::error_reply(video.error());
+  } catch (const std::exception&) {
+    return isolated::error_reply(invalid_input("is damaged or too large: it needs more memory than its size explains"));
+  }
+}
+
+}  // namespace palpable::sources::decoder

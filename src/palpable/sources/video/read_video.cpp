@@ -1,0 +1,57 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/video/read_video.hpp"
+
+#include "palpable/core/read_file.hpp"
+#include "palpable/sources/picture/picture.hpp"
+#include "palpable/sources/video/video_reply.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::sources {
+namespace {
+
+Raster<Rgb8> reduced_to_side(const Raster<Rgb8>& picture, int longest) {
+  const double scale = static_cast<double>(longest) / std::max(picture.width(), picture.height());
+  if (scale >= 1.0) return picture;
+  Raster<Rgb8> out(std::max(1, static_cast<int>(std::lround(scale * picture.width()))),
+                   std::max(1, static_cast<int>(std::lround(scale * picture.height()))));
+  const cv::Mat from(picture.height(), picture.width(), CV_8UC3, const_cast<Rgb8*>(picture.data()));
+  cv::Mat to(out.height(), out.width(), CV_8UC3, out.data());
+  cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+  return out;
+}
+
+Result<Video> read_pictures(std::span<const std::filesystem::path> files, const Work& work) {
+  Video video;
+  const std::size_t step = (files.size() + kMostVideoFrames - 1) / kMostVideoFrames;
+  for (std::size_t i = 0; i < files.size(); i += step) {
+    if (work.cancelled()) return Work::interrupted();
+    work.report(static_cast<double>(i) / static_cast<double>(files.size()), "reading the pictures");
+    const auto image = read_picture(files[i]);
+    if (!image) return image.error();
+    if (i == 0) video.full_width = image->width, video.full_height = image->height;
+    if (image->width != video.full_width || image->height != video.full_height)
+      return invalid_input("has another size than the pictures before it; one camera takes pictures of one size",
+                           files[i].string());
+    video.frames.push_back({static_cast<int>(i), reduced_to_side(rgb8(*image), kLongestVideoSide)});
+  }
+  return video;
+}
+
+}  // namespace
+
+Result<Video> read_video(std::span<const std::filesystem::path> files, const Work& work) {
+  if (files.size() != 1) return read_pictures(files, work);
+  work.report(0.0, "reading the film");
+  const auto bytes = read_file(files.front());
+  if (!bytes) return bytes.error();
+  auto video = isolated::decode_video(*bytes);
+  if (!video) return Error{video.error().code, video.error().message, files.front().string(), video.error().reason};
+  return video;
+}
+
+}  // namespace palpable::sources

@@ -1,0 +1,19 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/sources/video/video.hpp"
+
+#include <filesystem>
+#include <span>
+
+namespace palpable::sources {
+
+/// The frames of a film (one file), or of pictures in the order given, which are numbered from 0. Reduced to
+/// kLongestVideoSide; of more than kMostVideoFrames only some are kept. Long work. Errors: invalid_input, naming the
+/// file, for what cannot be read and for pictures of different sizes; interrupted.
+Result<Video> read_video(std::span<const std::filesystem::path> files, const Work& work);
+
+}  // namespace palpable::sources

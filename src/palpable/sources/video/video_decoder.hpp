@@ -1,0 +1,17 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/sources/video/video.hpp"
+
+#include <cstddef>
+#include <span>
+
+namespace palpable::sources {
+
+/// Decodes a film with FFmpeg. May crash or hang on a hostile file: only for the decoder process and the fuzzers; others
+/// call isolated::decode_video(). Errors, without a place: invalid_input.
+Result<Video> decode_video(std::span<const std::byte> file);
+
+}  // namespace palpable::sources

@@ -1,0 +1,82 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/motion/first_pair.hpp"
+
+#include "palpable/vision/motion/triangulation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <ceres/rotation.h>
+#include <opencv2/calib3d.hpp>
+
+namespace palpable::vision {
+namespace {
+
+struct CommonPlaces {
+  std::vector<cv::Point2d> first, second;
+};
+
+CommonPlaces common_places(std::span<const PointTrack> tracks, int a, int b) {
+  CommonPlaces out;
+  for (const PointTrack& track : tracks) {
+    if (!track.in_frame(a) || !track.in_frame(b)) continue;
+    out.first.emplace_back(track.in(a).x, track.in(a).y);
+    out.second.emplace_back(track.in(b).x, track.in(b).y);
+  }
+  return out;
+}
+
+BundlePose pose_of(const cv::Mat& rotation, const cv::Mat& translation) {
+  BundlePose out{};
+  const cv::Matx33d r(rotation.ptr<double>());
+  ceres::RotationMatrixToAngleAxis(ceres::RowMajorAdapter3x3(r.val), out.data());
+  for (int i = 0; i < 3; ++i) out[static_cast<std::size_t>(3 + i)] = translation.at<double>(i);
+  return out;
+}
+
+// The pose of the second camera, and how many of the places determine a point with it.
+std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole& camera,
+                                       const BatchMotionOptions& options) {
+  const cv::Matx33d k(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  cv::Mat inliers;
+  const cv::Mat essential =
+      cv::findEssentialMat(places.first, places.second, k, cv::RANSAC, 0.9999, options.outlier_px / 2, inliers);
+  if (essential.rows != 3) return std::nullopt;
+  cv::Mat rotation, translation;
+  cv::recoverPose(essential, places.first, places.second, k, rotation, translation, inliers);
+  FirstPair out{0, 0, pose_of(rotation, translation), 0};
+  for (std::size_t i = 0; i < places.first.size(); ++i) {
+    if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0) continue;
+    const PosedSighting both[] = {{BundlePose{}, {places.first[i].x, places.first[i].y}},
+                                  {out.second_pose, {places.second[i].x, places.second[i].y}}};
+    if (triangulated_point(both, camera, {options.least_angle_deg, options.outlier_px})) ++out.points;
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes,
+                                    const Pinhole& camera, const BatchMotionOptions& options, const Work& work) {
+  FirstPair best;
+  const int count = static_cast<int>(keyframes.size());
+  for (int a = 0; a + 1 < count; a += std::max(1, count / 6)) {
+    for (int b = a + 1; b < count; ++b) {
+      if (work.cancelled()) return Work::interrupted();
+      const CommonPlaces places = common_places(tracks, keyframes[static_cast<std::size_t>(a)], keyframes[static_cast<std::size_t>(b)]);
+      if (static_cast<int>(places.first.size()) < 2 * options.least_points) break;
+      auto pair = relative_pose(places, camera, options);
+      if (!pair || pair->points <= best.points) continue;
+      pair->first = a, pair->second = b;
+      best = *pair;
+    }
+  }
+  if (best.points < options.least_points)
+    return Error{ErrorCode::failed,
+                 "the camera hardly moved sideways, or little of the picture can be followed: film again, "
+                 "moving slowly around the model with all of it in view", {}, Reason::unspecified};
+  return best;
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,55 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/vision/motion/bundle.hpp"
+#include "palpable/vision/motion/first_pair.hpp"
+#include "palpable/vision/motion/triangulation.hpp"
+
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+// Inside vision's sources only.
+namespace palpable::vision {
+
+/// Incremental structure from motion: poses of frames and points of tracks, as far as they are known. It refers to the
+/// tracks, which must outlive it.
+class Reconstruction {
+ public:
+  /// `frames` in rising order: the keyframes, until add_all_frames().
+  Reconstruction(std::span<const PointTrack> tracks, std::vector<int> frames, const VideoCamera& camera,
+                 const BatchMotionOptions& options);
+
+  void begin(const FirstPair& pair, const Work& work);
+  /// The frame without a pose that sees most known points; -1 where none sees enough of them.
+  int next_keyframe() const;
+  /// False where its points do not determine its pose; it is tried again when another frame was added.
+  bool add_keyframe(int index);
+  /// Computes the points of tracks that enough frames with poses see.
+  void triangulate_all();
+  /// Refines everything and removes points with large errors.
+  void refine(int iterations, const Work& work);
+  /// Every frame, not only the keyframes, gets its pose by the points that it sees.
+  void add_all_frames(int frame_count, const Work& work);
+  /// In the first posed camera's frame, with unit median depth of the points.
+  CameraMotion result(std::vector<int> keyframes) const;
+
+ private:
+  std::vector<std::size_t> seen_points(int frame) const;
+  const BundlePose* nearest_pose(int index) const;
+  std::optional<BundlePose> pose_from_points(int frame, const BundlePose* guess) const;
+  std::vector<PosedSighting> sightings_of(std::size_t track) const;
+
+  std::span<const PointTrack> tracks_;
+  std::vector<int> frames_;
+  Pinhole camera_;
+  bool focal_length_known_ = true;
+  BatchMotionOptions options_;
+  std::vector<std::optional<BundlePose>> poses_;
+  std::vector<std::optional<std::array<double, 3>>> points_;
+  std::set<int> refused_;
+};
+
+}  // namespace palpable::vision

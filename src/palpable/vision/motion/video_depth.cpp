@@ -1,0 +1,114 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/motion/video_depth.hpp"
+
+#include "palpable/core/quantile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace palpable::vision {
+namespace {
+
+std::vector<int> posed_frames(const CameraMotion& motion) {
+  std::vector<int> out;
+  for (std::size_t i = 0; i < motion.poses.size(); ++i)
+    if (motion.poses[i]) out.push_back(static_cast<int>(i));
+  return out;
+}
+
+const CameraPose& pose_of(const CameraMotion& motion, int frame) {
+  return *motion.poses[static_cast<std::size_t>(frame)];
+}
+
+// The depths of the structure as the cameras of all frames see it, sorted out of outliers, with a margin.
+struct Depths {
+  DepthSpan span;
+  double middle = 0.0;
+};
+Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames) {
+  std::vector<double> depths;
+  for (const int frame : frames) {
+    const auto camera_from_world = pose_of(motion, frame).inverse();
+    for (const StructurePoint& point : motion.points)
+      if (const double z = (camera_from_world * point.position).v.z; z > 0) depths.push_back(z);
+  }
+  if (depths.empty()) return {};
+  constexpr double kOutliers = 0.005, kMargin = 0.2;
+  const double near = quantile_of(depths, kOutliers), far = quantile_of(depths, 1 - kOutliers);
+  return {{near * (1 - kMargin), far * (1 + kMargin)}, quantile_of(depths, 0.5)};
+}
+
+// The frame in one direction (+1, -1) that sees the middle of the scene under the angle; -1 where the video ends too early.
+int frame_at_angle(const CameraMotion& motion, const std::vector<int>& frames, std::size_t from, int direction,
+                   double wanted) {
+  const Vec3 here = pose_of(motion, frames[from]).translation_m;
+  for (auto i = static_cast<std::ptrdiff_t>(from) + direction; i >= 0 && i < std::ssize(frames); i += direction) {
+    const int frame = frames[static_cast<std::size_t>(i)];
+    if (norm(pose_of(motion, frame).translation_m - here) >= wanted) return frame;
+  }
+  return -1;
+}
+
+std::vector<int> compared_frames(const CameraMotion& motion, const std::vector<int>& frames, std::size_t from,
+                                 double middle, const VideoDepthOptions& options) {
+  std::set<int> out;
+  for (const double degrees : {options.near_angle_deg, options.far_angle_deg})
+    for (const int direction : {-1, 1})
+      out.insert(frame_at_angle(motion, frames, from, direction, degrees * std::numbers::pi / 180 * middle));
+  out.erase(-1);
+  return {out.begin(), out.end()};
+}
+
+std::vector<FrameDepth> only_consistent(std::vector<FrameDepth> maps, std::vector<PosedDepthMap> consistent) {
+  for (std::size_t i = 0; i < maps.size(); ++i) maps[i].map = std::move(consistent[i]);
+  return maps;
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(VideoDepthOptions& o) {
+  std::vector<Parameter> out{
+      {"maps", &o.maps, {2, 200}, "", "Frames whose depth is computed"},
+      {"near_angle_deg", &o.near_angle_deg, {0.2, 30}, "degrees", "Angle to the nearer frames compared"},
+      {"far_angle_deg", &o.far_angle_deg, {0.2, 30}, "degrees", "Angle to the farther frames compared"}};
+  append_parameters(out, "sweep", parameters_of(o.sweep));
+  append_parameters(out, "consistency", parameters_of(o.consistency));
+  return out;
+}
+
+Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* const> pictures,
+                                               const CameraMotion& motion, const Pinhole& camera,
+                                               const VideoDepthOptions& options, const Work& work) {
+  if (auto checked = check_ranges(options); !checked) return checked.error();
+  const std::vector<int> frames = posed_frames(motion);
+  const Depths depths = depths_of(motion, frames);
+  const auto wanted = std::min<std::size_t>(frames.size(), static_cast<std::size_t>(options.maps));
+  std::vector<FrameDepth> maps;
+  for (std::size_t i = 0; i < wanted; ++i) {
+    work.report(static_cast<double>(i) / static_cast<double>(wanted), "computing depth");
+    const std::size_t from = wanted > 1 ? i * (frames.size() - 1) / (wanted - 1) : 0;
+    std::vector<PosedFrame> others;
+    for (const int other : compared_frames(motion, frames, from, depths.middle, options))
+      others.push_back({pictures[static_cast<std::size_t>(other)], pose_of(motion, other)});
+    if (others.empty()) continue;
+    const PosedFrame reference{pictures[static_cast<std::size_t>(frames[from])], pose_of(motion, frames[from])};
+    auto depth = multi_view_depth(reference, others, camera, depths.span, options.sweep, work);
+    if (!depth) return depth.error();
+    maps.push_back({frames[from], {std::move(*depth), reference.pose}});
+  }
+  if (maps.size() < 2)
+    return Error{ErrorCode::failed, "the camera moved too little to compute depth: film again, moving farther around the model",
+                 {}, Reason::unspecified};
+  std::vector<PosedDepthMap> raw;
+  for (const FrameDepth& map : maps) raw.push_back(map.map);
+  ConsistencyOptions consistency = options.consistency;
+  consistency.least_agreeing = std::min(consistency.least_agreeing, static_cast<int>(maps.size()) - 1);
+  auto consistent = consistent_depth(raw, consistency, work);
+  if (!consistent) return consistent.error();
+  return only_consistent(std::move(maps), std::move(*consistent));
+}
+
+}  // namespace palpable::vision
