@@ -58,6 +58,9 @@ std::vector<std::byte> decoded(Job job, Bytes file) {
       return announcement(heif_announces_depth(file));
     case Job::opencv_calibration:
       return reply_to(calibration_from_opencv(as_text(file)));
+    case Job::video:
+      // palpable-video-decoder's.
+      break;
   }
   return {};
 }
