@@ -6,7 +6,8 @@
 N times, in turn: `make`, `export`, `correct`, a recording, and a save on the page, each over an old file, are killed at an instant chosen
 evenly over the time that a whole run takes. Afterwards the file must be the old one or a new one, never neither: a scene or an export
 equal to the old bytes or the new ones, a recording that `palpable check` reads. Then the run is repeated whole, after which no other
-file may be in the folder. Prints what was not so, and the counts."""
+file may be in the folder. Prints what was not so, and the counts; --minutes ends it
+earlier."""
 import argparse
 import collections
 import os
@@ -144,14 +145,19 @@ def main():
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("program", type=os.path.abspath)
     arguments.add_argument("--count", type=int, default=1000)
+    arguments.add_argument("--minutes", type=float, default=float("inf"))
     arguments.add_argument("--seed", type=int, default=1)
     given = arguments.parse_args()
     rng = random.Random(given.seed)
     counts = collections.defaultdict(collections.Counter)
-    faults = 0
+    faults = done = 0
+    end = time.monotonic() + 60 * given.minutes
     with tempfile.TemporaryDirectory() as name:
         cases = cases_of(given.program, pathlib.Path(name))
         for k in range(given.count):
+            if time.monotonic() > end:
+                break
+            done += 1
             case = cases[k % len(cases)]
             kept = case.kill(rng.random() * 1.05)
             # Every tenth, because a whole run takes as long again.
@@ -162,7 +168,7 @@ def main():
                 print(f"{case.name}, number {k}: {kept}{', left over: ' + ' '.join(left) if left else ''}", flush=True)
     for name, kept in counts.items():
         print(f"{name}: " + ", ".join(f"{count} {what}" for what, count in sorted(kept.items())))
-    print(f"{given.count} kills with seed {given.seed}, {faults} faults")
+    print(f"{done} kills with seed {given.seed}, {faults} faults")
     sys.exit(1 if faults else 0)
 
 

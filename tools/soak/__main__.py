@@ -29,6 +29,7 @@ from watch import GrowingRecording, used_by
 
 PERIOD_S = 5
 WARM_UP = 0.1
+MOST_FINDINGS = 40
 PANELS = [{"resident memory, MiB": "resident_MiB", "of it private": "own_MiB"}, {"descriptors": "descriptors", "threads": "threads"},
           {"ticks per second": "ticks_per_s"}, {"energy balance, J: lowest": "least_J", "highest": "most_J"}, {"greatest force, N": "most_N"},
           {"messages from pages, per s": "messages_per_s"}]
@@ -108,7 +109,7 @@ def check(program, folder):
     run = subprocess.run([program, "check", str(folder / "soak.rec"), str(folder / "scene.palp"), "--json", "--quiet"], capture_output=True, text=True)
     report = json.loads(run.stdout) if run.stdout.startswith("{") else {}
     return {"code": run.returncode, **{k: report.get(k) for k in ("clean", "problems", "end", "ticks", "recomputed", "energy", "lost_ticks")},
-            "findings": sorted({f["kind"] for f in report.get("findings", [])})}
+            "findings": [f["sentence"] for f in report.get("findings", []) if f["problem"]][:MOST_FINDINGS]}
 
 
 def main():

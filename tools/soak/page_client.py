@@ -21,6 +21,10 @@ def let_in(host, port, token):
     return cookie.split(";")[0]
 
 
+class PagesAreFull(ConnectionError):
+    """The session is open in as many pages as it allows."""
+
+
 class PageClient:
     """One open page. Errors of the socket are OSError."""
 
@@ -35,7 +39,8 @@ class PageClient:
         head, self._bytes = self._bytes.split(b"\r\n\r\n", 1)
         if b" 101 " not in head.split(b"\r\n")[0]:
             self._socket.close()
-            raise ConnectionError(head.split(b"\r\n")[0].decode(errors="replace"))
+            answer = head.split(b"\r\n")[0].decode(errors="replace")
+            raise PagesAreFull(answer) if " 503 " in answer else ConnectionError(answer)
 
     def _receive(self):
         part = self._socket.recv(65536)

@@ -9,7 +9,7 @@ import socket
 import threading
 import time
 
-from page_client import PageClient
+from page_client import PageClient, PagesAreFull
 
 LAWS = ("proxy", "penalty", "proxy")
 
@@ -28,6 +28,9 @@ class Visitor(threading.Thread):
             try:
                 self.visit()
                 self.visits += 1
+            except PagesAreFull:
+                # The neighbour holds the fourth, or the program has not seen yet that one was left.
+                self.stop.wait(0.5)
             except (OSError, ValueError) as fault:
                 self.faults[str(fault)] = self.faults.get(str(fault), 0) + 1
                 self.stop.wait(0.5)
