@@ -19,7 +19,7 @@ struct MadeScene {
   /// Notes for the person about the input or the result.
   std::vector<Note> notes;
   /// Of a video: what was found on the way (video_recipe.hpp).
-  std::shared_ptr<const VideoReconstruction> video;
+  std::shared_ptr<const VideoReconstruction> video = nullptr;
 };
 
 }  // namespace palpable::recipes

@@ -67,7 +67,9 @@ TEST(PointTracks, LoseAPointWhosePlaceIsCovered) {
   const auto tracks = track_points(frames, {}, {});
   ASSERT_TRUE(tracks);
   for (const PointTrack& track : *tracks)
-    if (track.in_frame(4) && track.in(4).x < 60) EXPECT_FALSE(track.in_frame(5)) << track.in(4).x;
+    if (track.in_frame(4) && track.in(4).x < 60) {
+      EXPECT_FALSE(track.in_frame(5)) << track.in(4).x;
+    }
 }
 
 TEST(PointTracks, RefuseFramesOfDifferentSizes) {
