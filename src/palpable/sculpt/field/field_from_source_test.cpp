@@ -39,6 +39,52 @@ TEST(FieldFromSource, FollowsABall) {
   }
 }
 
+/// Around z, its tube 12 mm thick.
+class Ring final : public DistanceSource {
+ public:
+  static constexpr double kRing_m = 0.03, kTube_m = 0.012;
+  models::FieldSample at(Vec3 p, Hint&) const override {
+    const double across_m = std::hypot(p.x, p.y), out_m = across_m - kRing_m;
+    const double length_m = std::max(std::hypot(out_m, p.z), 1e-12);
+    const double by_across = across_m > 0.0 ? out_m / (length_m * across_m) : 0.0;
+    return {length_m - kTube_m, {by_across * p.x, by_across * p.y, p.z / length_m}};
+  }
+  Box bounds() const override {
+    constexpr double kWidth_m = kRing_m + kTube_m;
+    return {{-kWidth_m, -kWidth_m, -kTube_m}, {kWidth_m, kWidth_m, kTube_m}};
+  }
+};
+
+TEST(FieldFromSource, KeepsTheGradientsLengthNearOneWhereTheDistanceIsSmooth) {
+  const auto field = field_from_source(Ring(), {.resolution = 192}, {});
+  ASSERT_TRUE(field);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  struct Lengths {
+    int count = 0, over = 0;
+    double greatest = 0.0;
+  } near, outside;
+  DistanceSource::Hint hint;
+  const Vec3 size = field->size_m();
+  for (int i = 0; i < 200000; ++i) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    const Vec3 p = field->origin_m() + Vec3{x * size.x, y * size.y, z * size.z};
+    const double distance_m = Ring().at(p, hint).distance_m;
+    // The distance has a kink on the axis.
+    if (std::hypot(p.x, p.y) < 0.004 || distance_m < -0.003) continue;
+    Lengths& lengths = distance_m < 0.001 ? near : outside;
+    const double length = norm(field->sample(p).gradient);
+    ++lengths.count;
+    lengths.over += length > 1.05 ? 1 : 0;
+    lengths.greatest = std::max(lengths.greatest, length);
+  }
+  EXPECT_LE(near.over, near.count / 1000);
+  EXPECT_LT(near.greatest, 1.1);
+  // The bound of the distance itself grows there.
+  EXPECT_LE(outside.over, outside.count / 100);
+  EXPECT_LT(outside.greatest, 1.5);
+}
+
 TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
   const Vec3 low{-0.02, -0.015, -0.01}, high{0.02, 0.015, 0.01};
   const auto solid = solid_from_mesh(box_mesh(low, high), 1e-4, {});

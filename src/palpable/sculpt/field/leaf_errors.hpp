@@ -21,6 +21,13 @@ struct Allowance {
   double gradient_rms = 0.0;
 };
 
+/// How far a leaf may err beyond the band, in finest cells: where neighbours differ, the gradient of their
+/// mixture does too.
+inline constexpr double kJoinInCells = 0.1;
+inline constexpr double kJoinRmsInCells = 0.03;
+/// How far the length of a leaf's gradient may be from 1; looser farther outside than the band.
+inline constexpr double kLength = 0.04, kLengthOutside = 0.1;
+
 /// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
 /// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
 inline Allowance allowance(double distance_m, double side, const FitBounds& b) {
@@ -31,8 +38,8 @@ inline Allowance allowance(double distance_m, double side, const FitBounds& b) {
       distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m : (distance_m - b.outside_m) / b.outside_m;
   if (beyond <= 0.0) return a;
   const double more = distance_m < 0.0 ? 1.0 + 4.0 * std::min(beyond, 1.0) : 1.0 + 10.0 * beyond;
-  a.value_m *= more;
-  a.value_rms_m *= more;
+  a.value_m = std::max(a.value_m, std::min(a.value_m * more, kJoinInCells * b.cell_m));
+  a.value_rms_m = std::max(a.value_rms_m, std::min(a.value_rms_m * more, kJoinRmsInCells * b.cell_m));
   const double turned = distance_m < 0.0 ? 1.0 + std::min(beyond, 2.0) : 1.0 + 4.0 * std::min(beyond, 4.0);
   a.gradient *= turned;
   a.gradient_rms *= turned;
@@ -79,7 +86,9 @@ class LeafErrors {
     const double turned2 = squared_norm(s.gradient - truth.gradient);
     squares.value += value * value / (a.value_rms_m * a.value_rms_m);
     squares.gradient += turned2 / (a.gradient_rms * a.gradient_rms);
-    return std::max(value / a.value_m, std::sqrt(turned2) / a.gradient);
+    const double length = truth.distance_m > bounds_.outside_m ? kLengthOutside : kLength;
+    const double longer = std::abs(norm(s.gradient) - 1.0) / (length + samples_.coarse_turn);
+    return std::max({value / a.value_m, std::sqrt(turned2) / a.gradient, longer});
   }
 
   /// The greatest error of the distance, over all places; infinite as error(). Gives up at `enough_m`.
