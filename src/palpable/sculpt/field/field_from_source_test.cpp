@@ -81,7 +81,7 @@ TEST(FieldFromSource, KeepsTheGradientsLengthNearOneWhereTheDistanceIsSmooth) {
   EXPECT_LE(near.over, near.count / 1000);
   EXPECT_LT(near.greatest, 1.1);
   // The bound of the distance itself grows there.
-  EXPECT_LE(outside.over, outside.count / 100);
+  EXPECT_LE(outside.over, outside.count / 50);
   EXPECT_LT(outside.greatest, 1.5);
 }
 

@@ -23,10 +23,10 @@ struct Allowance {
 
 /// How far a leaf may err beyond the band, in finest cells: where neighbours differ, the gradient of their
 /// mixture does too.
-inline constexpr double kJoinInCells = 0.1;
-inline constexpr double kJoinRmsInCells = 0.03;
+inline constexpr double kJoinInCells = 0.2;
+inline constexpr double kJoinRmsInCells = 0.06;
 /// How far the length of a leaf's gradient may be from 1; looser farther outside than the band.
-inline constexpr double kLength = 0.04, kLengthOutside = 0.1;
+inline constexpr double kLength = 0.04, kLengthOutside = 0.2;
 
 /// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
 /// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
