@@ -270,8 +270,8 @@ std::vector<char> ground_among(const Mesh& mesh, const std::vector<char>& wanted
 }
 
 /// The parts of a mesh's first triangles that lie outside the solid, without the ground.
-Mesh sheets_of(const DistanceSource& solid, const Mesh& mesh, std::size_t candidates, double finest_m,
-               const Work& work, ThickenedWalls& walls) {
+Mesh sheets_outside(const DistanceSource& solid, const Mesh& mesh, std::size_t candidates, double finest_m,
+                    const Work& work, ThickenedWalls& walls) {
   const SheetFinder finder(solid, finest_m);
   std::vector<std::vector<std::array<Vec3, 3>>> found(candidates);
   constexpr int kGrain = 64;
@@ -318,7 +318,7 @@ ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mes
     add_triangle(is_thin ? layers[static_cast<std::size_t>(thin[t])] : rest, corners_at(surface, t));
     walls.thin += is_thin ? 1 : 0;
   }
-  const Mesh sheets = sheets_of(*solid, sheets_from, sheet_candidates, finest_m, work, walls);
+  const Mesh sheets = sheets_outside(*solid, sheets_from, sheet_candidates, finest_m, work, walls);
   std::vector<Layer> made;
   const auto add_layer = [&](const Mesh& mesh, double by_m, bool is_sheets) {
     if (mesh.triangles.empty()) return;
