@@ -307,7 +307,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (!relief) return relief.error();
   const auto stereo = stereo_recipe(arguments);
   if (!stereo) return stereo.error();
-  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {}};
+  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {}, {}};
   options.recipes.grid.occupancy.resolution = arguments.grid_points;
   if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
   options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
