@@ -38,6 +38,7 @@ stand_in node <<<'echo 20'
 stand_in npm <<<''
 stand_in ninja <<<'[ -e '"$room"'/broken ] && { echo "error: broken"; exit 1; }; echo "ninja: no work to do."'
 stand_in ../project/build/run/bin/palpable <<<'printf "<%s>" "$PWD" "$@"'
+unset CI
 run() { (cd "$room" && PATH=$room/bin:$PATH project/run "$@" </dev/null >out 2>err); }
 
 : >"$room/calls"

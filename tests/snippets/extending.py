@@ -41,11 +41,11 @@ def main() -> None:
         subprocess.run([cmake, f"-DDOCUMENT={copy}/docs/architecture.md", "-P", copy / "cmake/CheckArchitecture.cmake"], check=True)
         (copy / "main.cpp").write_text(PROGRAM, encoding="utf-8")
         # What the copy's list of sources names, and what it uses of core.
-        listed = re.search(r"SOURCES ([^\n]*)", (copy / "src/palpable/device/CMakeLists.txt").read_text(encoding="utf-8"))
+        listed = re.search(r"SOURCES(.*?)TESTS", (copy / "src/palpable/device/CMakeLists.txt").read_text(encoding="utf-8"), re.DOTALL)
         devices = [copy / "src/palpable/device" / name for name in listed.group(1).split()]
         core = [path for path in (copy / "src/palpable/core").glob("*.cpp") if not path.stem.endswith("_test") and path.stem != "allocation_counter"]
         program = copy / "program"
-        subprocess.run([compiler, "-std=c++20", "-O0", f"-I{copy}/src", copy / "main.cpp", *devices, *core, "-pthread", "-o", program], check=True)
+        subprocess.run([compiler, "-std=c++20", "-O0", f"-I{copy}/src", copy / "main.cpp", *devices, *core, "-pthread", "-lz", "-o", program], check=True)
         subprocess.run([program], check=True)
 
 

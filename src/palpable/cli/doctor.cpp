@@ -232,11 +232,11 @@ Result<Answer> examine(const std::string& hand_on_device, Console& console) {
 
 void add_doctor(Program& program) {
   const auto hand_on_device = std::make_shared<std::string>();
-  Options options = add_command(
-      program, "doctor", "Check how well this machine can render a touch, with advice",
-      "  palpable doctor\n"
-      "  palpable doctor --measure-hand sim:?script=hold",
-      [hand_on_device](Console& console) { return examine(*hand_on_device, console); });
+  Options options =
+      add_command(program, "doctor", "Check how well this machine can render a touch, with advice",
+                  "  palpable doctor\n"
+                  "  palpable doctor --measure-hand sim:?script=hold",
+                  [hand_on_device](Console& console) { return examine(*hand_on_device, console); });
   options.text("--measure-hand", *hand_on_device,
                "Measure instead what the hand that holds this device adds to its damping (8 s)");
 }

@@ -91,7 +91,8 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
     apply_published(**published, arguments.make);
     console.note(std::string((*published)->differs));
   }
-  if (is_video(arguments.make.inputs, arguments.make.kind)) arguments.video.poses = std::exchange(arguments.make.poses, {});
+  if (is_video(arguments.make.inputs, arguments.make.kind))
+    arguments.video.poses = std::exchange(arguments.make.poses, {});
   auto options = make_options(arguments.make);
   if (!options) return options.error();
   if (*published && arguments.make.as.empty()) options->as = (*published)->as;
@@ -109,7 +110,8 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);
-  if (const auto written = write_video_outputs(arguments.video, made->video.get()); !written) return written.error();
+  if (const auto written = write_video_outputs(arguments.video, made->video.get()); !written)
+    return written.error();
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   apply_title(*title, scene);
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();

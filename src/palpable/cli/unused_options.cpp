@@ -27,11 +27,11 @@ struct Effect {
 
 const std::vector<Effect>& effects() {
   static const Inputs any{}, depth{InputKind::depth}, pair{InputKind::stereo},
-      seen{InputKind::stereo, InputKind::depth},
-      film{InputKind::video}, posed{InputKind::depth, InputKind::video},
+      seen{InputKind::stereo, InputKind::depth}, film{InputKind::video},
+      posed{InputKind::depth, InputKind::video},
       seen_or_filmed{InputKind::stereo, InputKind::depth, InputKind::video},
       solid{InputKind::mesh, InputKind::points, InputKind::shapes, InputKind::level_set};
-  static const Inputs made{InputKind::picture, InputKind::stereo, InputKind::depth,    InputKind::mesh,
+  static const Inputs made{InputKind::picture, InputKind::stereo, InputKind::depth,     InputKind::mesh,
                            InputKind::points,  InputKind::shapes, InputKind::level_set, InputKind::video};
   static const std::vector<std::string_view> all{}, contours{"contours"}, fields{"field", "dense-field"};
   static const std::vector<Effect> table{{"--size", made, all},

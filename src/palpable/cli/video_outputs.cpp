@@ -32,7 +32,8 @@ Result<void> write_poses(const fs::path& path, const VideoReconstruction& video)
   for (const auto& [frame, pose] : video.poses) {
     const auto q = models::quaternion_of(pose.rotation);
     const Vec3 t = pose.translation_m;
-    text += fmt::format("{},{:.9f},{:.9f},{:.9f},{:.9f},{:.9g},{:.9g},{:.9g}\n", frame, q[0], q[1], q[2], q[3], t.x, t.y, t.z);
+    text += fmt::format("{},{:.9f},{:.9f},{:.9f},{:.9f},{:.9g},{:.9g},{:.9g}\n", frame, q[0], q[1], q[2],
+                        q[3], t.x, t.y, t.z);
   }
   return write_text(path, text);
 }
@@ -59,14 +60,19 @@ Result<void> write_depth_maps(const fs::path& folder, const VideoReconstruction&
   const double unit = depth_unit(video);
   for (const auto& depth : video.depth_maps) {
     Raster<std::uint16_t> values(depth.map.depth_m.width(), depth.map.depth_m.height());
-    std::transform(depth.map.depth_m.values().begin(), depth.map.depth_m.values().end(), values.values().begin(), [&](float z) {
-      return z > 0 ? static_cast<std::uint16_t>(std::lround(static_cast<double>(z) / unit)) : std::uint16_t{0};
-    });
-    if (auto written = formats::write_png(folder / fmt::format("{:04}.png", depth.frame_number), values); !written) return written;
+    std::transform(depth.map.depth_m.values().begin(), depth.map.depth_m.values().end(),
+                   values.values().begin(), [&](float z) {
+                     return z > 0 ? static_cast<std::uint16_t>(std::lround(static_cast<double>(z) / unit))
+                                  : std::uint16_t{0};
+                   });
+    if (auto written = formats::write_png(folder / fmt::format("{:04}.png", depth.frame_number), values);
+        !written)
+      return written;
   }
   const Pinhole& camera = *video.depth_maps.front().map.camera;
-  const nlohmann::json sidecar{{"scale", unit}, {"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx},
-                               {"cy", camera.cy}, {"width", camera.width}, {"height", camera.height}};
+  const nlohmann::json sidecar{{"scale", unit},          {"fx", camera.fx}, {"fy", camera.fy},
+                               {"cx", camera.cx},        {"cy", camera.cy}, {"width", camera.width},
+                               {"height", camera.height}};
   return write_text(folder / "depth.json", sidecar.dump(2) + "\n");
 }
 
@@ -75,11 +81,13 @@ Result<void> write_depth_maps(const fs::path& folder, const VideoReconstruction&
 void add_video_outputs(Options& options, VideoOutputs& outputs) {
   options.under("Videos");
   options.output("--structure", outputs.structure, {".ply"}, "Write the points that were found, PLY");
-  options.text("--depth-dir", outputs.depth_folder, "Write the depth maps that were computed, 16-bit PNG, and their scale");
+  options.text("--depth-dir", outputs.depth_folder,
+               "Write the depth maps that were computed, 16-bit PNG, and their scale");
 }
 
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
-  if (inputs.size() != 1 || (!kind.empty() && kind != sources::name_of(sources::InputKind::video))) return false;
+  if (inputs.size() != 1 || (!kind.empty() && kind != sources::name_of(sources::InputKind::video)))
+    return false;
   std::error_code none;
   if (fs::is_directory(inputs.front(), none)) return true;
   const auto found = sources::kind_of_file(inputs.front());
@@ -88,7 +96,8 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
 
 Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction* video) {
   if (video == nullptr) {
-    for (const auto& [name, value] : {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder)})
+    for (const auto& [name, value] :
+         {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder)})
       if (!value->empty()) return Error{ErrorCode::usage, "is for videos", name};
     return {};
   }

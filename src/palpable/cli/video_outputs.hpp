@@ -25,7 +25,8 @@ void add_video_outputs(Options& options, VideoOutputs& outputs);
 /// Whether these inputs are one film, or the folder of a sequence: --poses is then written, else read.
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 
-/// Errors: usage where outputs are wanted and the scene is none of a video; failed as write_file_atomically().
+/// Errors: usage where outputs are wanted and the scene is none of a video; failed as
+/// write_file_atomically().
 Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction* video);
 
 }  // namespace palpable::cli

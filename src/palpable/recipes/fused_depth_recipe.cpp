@@ -24,7 +24,8 @@ SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place)
 }
 
 /// The solid of all views, placed as the recipe says.
-Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe, const Work& work) {
+Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
+                          const Work& work) {
   sculpt::FusionOptions fusion = recipe.fusion;
   fusion.resolution = std::clamp(recipe.field.field.resolution, 16, fusion.resolution);
   const auto set = sculpt::fused_depth(views, fusion, work);
@@ -38,7 +39,8 @@ Result<Solid> fused_solid(std::span<const sculpt::DepthView> views, const FusedD
   if (!solid) return solid.error();
   solid->notes.insert(solid->notes.begin(),
                       Note(fmt::format("{} depth map{} fused in voxels of {:.3g} mm.", views.size(),
-                                       views.size() == 1 ? " was" : "s were", 1000.0 * voxel_m * solid->scene_from_input.scale)));
+                                       views.size() == 1 ? " was" : "s were",
+                                       1000.0 * voxel_m * solid->scene_from_input.scale)));
   return solid;
 }
 

@@ -37,8 +37,8 @@ struct FusedDepthRecipe {
 Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& views, const FusedDepthRecipe& recipe,
                                         const Work& work);
 
-/// The same from views in axes of their own, which recipe.field.placement describes. `input` names them in the scene's
-/// provenance.
+/// The same from views in axes of their own, which recipe.field.placement describes. `input` names them in
+/// the scene's provenance.
 Result<MadeScene> field_from_views(std::span<const sculpt::DepthView> views, const FusedDepthRecipe& recipe,
                                    const std::string& input, const Work& work);
 

@@ -86,7 +86,8 @@ Transform<SceneFrame, CameraFrame> TableAxes::scene_from(const vision::CameraPos
   return turn * pose;
 }
 
-TableAxes table_axes(const PointCloud& structure, std::span<const vision::CameraPose> poses, std::uint64_t seed) {
+TableAxes table_axes(const PointCloud& structure, std::span<const vision::CameraPose> poses,
+                     std::uint64_t seed) {
   Vec3 forward, up;
   for (const vision::CameraPose& pose : poses) {
     forward += pose.rotate({0, 0, 1});

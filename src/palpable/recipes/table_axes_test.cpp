@@ -10,7 +10,8 @@
 namespace palpable::recipes {
 namespace {
 
-// A camera that looks down at a slope onto a table: its world is its own frame, so the table's normal is (0, -c, -s).
+// A camera that looks down at a slope onto a table: its world is its own frame, so the table's normal is (0,
+// -c, -s).
 constexpr double kDown = 0.7;
 
 TEST(TableAxes, PointZOutOfThePlaneThatMostPointsLieOnAndYAway) {

@@ -21,9 +21,9 @@ std::vector<Raster<std::uint8_t>> greys_of(const std::vector<FilmedFrame>& frame
   std::vector<Raster<std::uint8_t>> out;
   for (const FilmedFrame& frame : frames) {
     Raster<std::uint8_t> grey(frame.picture.width(), frame.picture.height());
-    std::transform(frame.picture.values().begin(), frame.picture.values().end(), grey.values().begin(), [](Rgb8 p) {
-      return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
-    });
+    std::transform(
+        frame.picture.values().begin(), frame.picture.values().end(), grey.values().begin(),
+        [](Rgb8 p) { return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000); });
     out.push_back(std::move(grey));
   }
   return out;
@@ -32,7 +32,8 @@ std::vector<Raster<std::uint8_t>> greys_of(const std::vector<FilmedFrame>& frame
 Point<WorldFrame> seen_at(const FrameDepth& depth, int x, int y) {
   const Pinhole& camera = *depth.map.depth.camera;
   const double z = static_cast<double>(depth.map.depth.depth_m(x, y));
-  return depth.map.pose * Point<CameraFrame>{{(x - camera.cx) / camera.fx * z, (y - camera.cy) / camera.fy * z, z}};
+  return depth.map.pose *
+         Point<CameraFrame>{{(x - camera.cx) / camera.fx * z, (y - camera.cy) / camera.fy * z, z}};
 }
 
 // Every few pixels of every map.
@@ -90,7 +91,8 @@ Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const
                                    const VideoRecipe& recipe, const Work& work) {
   const auto tracks = vision::track_points(greys_of(frames), recipe.tracks, work);
   if (!tracks) return tracks.error();
-  const auto motion = vision::motion_from_tracks(*tracks, static_cast<int>(frames.size()), camera, recipe.motion, work);
+  const auto motion =
+      vision::motion_from_tracks(*tracks, static_cast<int>(frames.size()), camera, recipe.motion, work);
   if (!motion) return motion.error();
   std::vector<const Raster<Rgb8>*> pictures;
   for (const FilmedFrame& frame : frames) pictures.push_back(&frame.picture);
@@ -98,8 +100,10 @@ Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const
   if (!maps) return maps.error();
   PointCloud structure = structure_of(*maps);
   if (structure.places_m.empty())
-    return Error{ErrorCode::failed, "no surface was seen alike from several sides: film again, more slowly and in more light",
-                 {}, Reason::unspecified};
+    return Error{ErrorCode::failed,
+                 "no surface was seen alike from several sides: film again, more slowly and in more light",
+                 {},
+                 Reason::unspecified};
   std::vector<vision::CameraPose> poses;
   for (const FrameDepth& map : *maps) poses.push_back(map.map.pose);
   const TableAxes axes = table_axes(structure, poses, work.seed);
@@ -113,10 +117,11 @@ Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const
   if (field.placement.lay == sculpt::Lay::automatic) field.placement.lay = sculpt::Lay::flat;
   auto made = field_from_views(views, {recipe.fusion, field}, "video", work);
   if (!made) return made.error();
-  made->notes.insert(made->notes.begin(),
-                     Note(fmt::format("The camera's path was found in {} of {} frames; points are {:.2f} px from where "
-                                      "they should be (root mean square).",
-                                      reconstruction.poses.size(), frames.size(), motion->reprojection_rms_px)));
+  made->notes.insert(
+      made->notes.begin(),
+      Note(fmt::format("The camera's path was found in {} of {} frames; points are {:.2f} px from where "
+                       "they should be (root mean square).",
+                       reconstruction.poses.size(), frames.size(), motion->reprojection_rms_px)));
   made->notes.emplace_back("No length is known: the scale of the video's scene is its own.");
   made->video = std::make_shared<const VideoReconstruction>(std::move(reconstruction));
   return made;

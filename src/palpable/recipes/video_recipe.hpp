@@ -50,10 +50,11 @@ struct VideoReconstruction {
   double reprojection_rms_px = 0.0;
 };
 
-/// The field of what a video shows: points are followed, the camera's path is found (vision::motion_from_tracks()), the
-/// depth of frames along it is computed and fused. The plane on which most of it stands becomes the base, its upward
-/// direction points to the person. Frames in order, all of the camera's size. Long work. Errors: as
-/// vision::motion_from_tracks(), vision::depth_of_video(), sculpt::fused_depth() and field_from_level_set().
+/// The field of what a video shows: points are followed, the camera's path is found
+/// (vision::motion_from_tracks()), the depth of frames along it is computed and fused. The plane on which
+/// most of it stands becomes the base, its upward direction points to the person. Frames in order, all of the
+/// camera's size. Long work. Errors: as vision::motion_from_tracks(), vision::depth_of_video(),
+/// sculpt::fused_depth() and field_from_level_set().
 Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const vision::VideoCamera& camera,
                                    const VideoRecipe& recipe, const Work& work);
 

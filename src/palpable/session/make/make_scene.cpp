@@ -63,7 +63,8 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
     return Error{ErrorCode::usage, "dense storage is for fields, and this does not become one",
                  names_of(input.files), Reason::needs_field};
   const bool possible = field_by_input || (input.kind == InputKind::mesh && options.as == MakeAs::relief);
-  if (is_solid(input.kind) || input.kind == InputKind::video) return possible ? Result<void>() : cannot_become(input);
+  if (is_solid(input.kind) || input.kind == InputKind::video)
+    return possible ? Result<void>() : cannot_become(input);
   if (input.kind == InputKind::scene || input.kind == InputKind::depth || input.kind == InputKind::stereo)
     return {};
   return cannot_become(input);

@@ -16,8 +16,10 @@ namespace {
 
 // The camera of reduced pictures; pixel centres are at integers.
 Pinhole reduced_to(const Pinhole& camera, int width, int height) {
-  const double sx = static_cast<double>(width) / camera.width, sy = static_cast<double>(height) / camera.height;
-  return {camera.fx * sx, camera.fy * sy, (camera.cx + 0.5) * sx - 0.5, (camera.cy + 0.5) * sy - 0.5, width, height};
+  const double sx = static_cast<double>(width) / camera.width,
+               sy = static_cast<double>(height) / camera.height;
+  return {camera.fx * sx, camera.fy * sy, (camera.cx + 0.5) * sx - 0.5, (camera.cy + 0.5) * sy - 0.5,
+          width,          height};
 }
 
 // A field of view of 62 degrees across the longer side, as most phones have it.
@@ -34,11 +36,13 @@ Result<vision::VideoCamera> camera_of(const sources::Video& video, const std::fi
   if (!read) return read.error();
   const Pinhole camera = sources::pinhole_of(read->left);
   constexpr double kSameShape = 0.01;
-  const double shape = static_cast<double>(camera.width) * video.full_height / (static_cast<double>(camera.height) * video.full_width);
+  const double shape = static_cast<double>(camera.width) * video.full_height /
+                       (static_cast<double>(camera.height) * video.full_width);
   if (!(std::abs(shape - 1.0) < kSameShape))
-    return invalid_input(fmt::format("is for pictures of {}, the frames are {}", size_text(camera.width, camera.height),
-                                     size_text(video.full_width, video.full_height)),
-                         calibration.string());
+    return invalid_input(
+        fmt::format("is for pictures of {}, the frames are {}", size_text(camera.width, camera.height),
+                    size_text(video.full_width, video.full_height)),
+        calibration.string());
   return vision::VideoCamera{reduced_to(camera, width, height), true};
 }
 
@@ -51,7 +55,8 @@ Result<ReadInput> read_film(const sources::Input& input, const InputOptions& opt
   if (!camera) return camera.error();
   ReadInput out{Film{{}, *camera}, input.notes};
   if (!camera->focal_length_known)
-    out.notes.emplace_back("The camera's focal length is not given: it was estimated from the video.", Reason::needs_calibration);
+    out.notes.emplace_back("The camera's focal length is not given: it was estimated from the video.",
+                           Reason::needs_calibration);
   auto& frames = std::get<Film>(out.values).frames;
   for (sources::VideoFrame& frame : video->frames) frames.push_back({frame.number, std::move(frame.picture)});
   return out;

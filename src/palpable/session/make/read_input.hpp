@@ -55,8 +55,8 @@ struct Film {
 
 /// What the files hold.
 using InputValues =
-    std::variant<Image, Film, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>, sources::MeshFile,
-                 PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
+    std::variant<Image, Film, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>,
+                 sources::MeshFile, PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
 
 struct ReadInput {
   InputValues values;

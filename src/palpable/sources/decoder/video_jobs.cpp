@@ -7,8 +7,8 @@
 
 #include <exception>
 
-// The jobs of palpable-video-decoder: FFmpeg's libraries take longer to load than most files to read, so they have a
-// program of their own.
+// The jobs of palpable-video-decoder: FFmpeg's libraries take longer to load than most files to read, so they
+// have a program of their own.
 namespace palpable::sources::decoder {
 
 void prepare(isolated::Job) {}
@@ -19,7 +19,8 @@ std::vector<std::byte> run(isolated::Job job, std::span<const std::byte> file) {
     const auto video = decode_video(file);
     return video ? isolated::reply_of(*video) : isolated::error_reply(video.error());
   } catch (const std::exception&) {
-    return isolated::error_reply(invalid_input("is damaged or too large: it needs more memory than its size explains"));
+    return isolated::error_reply(
+        invalid_input("is damaged or too large: it needs more memory than its size explains"));
   }
 }
 

@@ -35,8 +35,9 @@ Result<Video> read_pictures(std::span<const std::filesystem::path> files, const 
     if (!image) return image.error();
     if (i == 0) video.full_width = image->width, video.full_height = image->height;
     if (image->width != video.full_width || image->height != video.full_height)
-      return invalid_input("has another size than the pictures before it; one camera takes pictures of one size",
-                           files[i].string());
+      return invalid_input(
+          "has another size than the pictures before it; one camera takes pictures of one size",
+          files[i].string());
     video.frames.push_back({static_cast<int>(i), reduced_to_side(rgb8(*image), kLongestVideoSide)});
   }
   return video;
@@ -50,7 +51,8 @@ Result<Video> read_video(std::span<const std::filesystem::path> files, const Wor
   const auto bytes = read_file(files.front());
   if (!bytes) return bytes.error();
   auto video = isolated::decode_video(*bytes);
-  if (!video) return Error{video.error().code, video.error().message, files.front().string(), video.error().reason};
+  if (!video)
+    return Error{video.error().code, video.error().message, files.front().string(), video.error().reason};
   return video;
 }
 

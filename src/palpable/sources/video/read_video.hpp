@@ -12,8 +12,8 @@
 namespace palpable::sources {
 
 /// The frames of a film (one file), or of pictures in the order given, which are numbered from 0. Reduced to
-/// kLongestVideoSide; of more than kMostVideoFrames only some are kept. Long work. Errors: invalid_input, naming the
-/// file, for what cannot be read and for pictures of different sizes; interrupted.
+/// kLongestVideoSide; of more than kMostVideoFrames only some are kept. Long work. Errors: invalid_input,
+/// naming the file, for what cannot be read and for pictures of different sizes; interrupted.
 Result<Video> read_video(std::span<const std::filesystem::path> files, const Work& work);
 
 }  // namespace palpable::sources

@@ -26,7 +26,8 @@ struct MemoryFile {
 
   static int read(void* self, std::uint8_t* to, int wanted) {
     auto& file = *static_cast<MemoryFile*>(self);
-    const std::size_t count = std::min(static_cast<std::size_t>(std::max(wanted, 0)), file.bytes.size() - file.at);
+    const std::size_t count =
+        std::min(static_cast<std::size_t>(std::max(wanted, 0)), file.bytes.size() - file.at);
     if (count == 0) return AVERROR_EOF;
     std::memcpy(to, file.bytes.data() + file.at, count);
     file.at += count;
@@ -36,7 +37,9 @@ struct MemoryFile {
     auto& file = *static_cast<MemoryFile*>(self);
     const auto size = static_cast<std::int64_t>(file.bytes.size());
     if (whence == AVSEEK_SIZE) return size;
-    const std::int64_t base = whence == SEEK_CUR ? static_cast<std::int64_t>(file.at) : whence == SEEK_END ? size : 0;
+    const std::int64_t base = whence == SEEK_CUR   ? static_cast<std::int64_t>(file.at)
+                              : whence == SEEK_END ? size
+                                                   : 0;
     if (offset < -base || offset > size - base) return AVERROR(EINVAL);
     file.at = static_cast<std::size_t>(base + offset);
     return base + offset;
@@ -98,11 +101,12 @@ class Film {
   Result<void> open() {
     av_log_set_level(AV_LOG_QUIET);
     constexpr int kBuffer = 1 << 16;
-    io_.reset(avio_alloc_context(static_cast<std::uint8_t*>(av_malloc(kBuffer)), kBuffer, 0, &file_, MemoryFile::read,
-                                 nullptr, MemoryFile::seek));
+    io_.reset(avio_alloc_context(static_cast<std::uint8_t*>(av_malloc(kBuffer)), kBuffer, 0, &file_,
+                                 MemoryFile::read, nullptr, MemoryFile::seek));
     AVFormatContext* format = avformat_alloc_context();
     format->pb = io_.get();
-    if (avformat_open_input(&format, nullptr, nullptr, nullptr) < 0) return damaged("it is no film that can be read");
+    if (avformat_open_input(&format, nullptr, nullptr, nullptr) < 0)
+      return damaged("it is no film that can be read");
     format_.reset(format);
     if (avformat_find_stream_info(format, nullptr) < 0) return damaged("its streams are not described");
     const AVCodec* codec = nullptr;
@@ -110,9 +114,11 @@ class Film {
     if (stream_ < 0 || codec == nullptr) return invalid_input("holds no pictures");
     codec_.reset(avcodec_alloc_context3(codec));
     const AVStream& stream = *format->streams[stream_];
-    if (avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0) return damaged("its codec is not described");
+    if (avcodec_parameters_to_context(codec_.get(), stream.codecpar) < 0)
+      return damaged("its codec is not described");
     codec_->thread_count = 2;
-    if (avcodec_open2(codec_.get(), codec, nullptr) < 0) return invalid_input("uses a codec that cannot be read");
+    if (avcodec_open2(codec_.get(), codec, nullptr) < 0)
+      return invalid_input("uses a codec that cannot be read");
     turns_ = quarter_turns(stream);
     return {};
   }
@@ -122,7 +128,8 @@ class Film {
     const AVStream& stream = *format_->streams[stream_];
     if (stream.nb_frames > 0) return static_cast<double>(stream.nb_frames);
     const double seconds = static_cast<double>(format_->duration) / AV_TIME_BASE;
-    return std::max(0.0, seconds * av_q2d(stream.avg_frame_rate.den > 0 ? stream.avg_frame_rate : AVRational{30, 1}));
+    return std::max(
+        0.0, seconds * av_q2d(stream.avg_frame_rate.den > 0 ? stream.avg_frame_rate : AVRational{30, 1}));
   }
 
   Result<Video> read() {
@@ -165,7 +172,8 @@ class Film {
     const int strides[4] = {stride, 0, 0, 0};
     sws_scale(scaler_.get(), frame.data, frame.linesize, 0, frame.height, planes, strides);
     for (int y = 0; y < scaled_height_; ++y)
-      std::memcpy(picture.row(y).data(), rows_.data() + static_cast<std::size_t>(stride) * static_cast<std::size_t>(y),
+      std::memcpy(picture.row(y).data(),
+                  rows_.data() + static_cast<std::size_t>(stride) * static_cast<std::size_t>(y),
                   picture.row(y).size_bytes());
     video_.frames.push_back({number_, turned(picture, turns_)});
     return {};
@@ -176,8 +184,9 @@ class Film {
     const double scale = std::min(1.0, static_cast<double>(kLongestVideoSide) / std::max(width_, height_));
     scaled_width_ = std::max(1, static_cast<int>(std::lround(scale * width_)));
     scaled_height_ = std::max(1, static_cast<int>(std::lround(scale * height_)));
-    scaler_.reset(sws_getContext(width_, height_, static_cast<AVPixelFormat>(frame.format), scaled_width_, scaled_height_,
-                                 AV_PIX_FMT_RGB24, SWS_AREA | SWS_FULL_CHR_H_INT | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
+    scaler_.reset(sws_getContext(
+        width_, height_, static_cast<AVPixelFormat>(frame.format), scaled_width_, scaled_height_,
+        AV_PIX_FMT_RGB24, SWS_AREA | SWS_FULL_CHR_H_INT | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
     const bool lies = turns_ % 2 == 1;
     video_.full_width = lies ? height_ : width_;
     video_.full_height = lies ? width_ : height_;

@@ -17,8 +17,8 @@ static_assert(sizeof(Rgb8) == 3);
 
 bool is_valid(const Header& header) {
   const auto fits = [](std::int32_t side) { return side >= 1 && side <= kLongestVideoSide; };
-  return header.frames >= 1 && header.frames <= 2 * kMostVideoFrames && fits(header.width) && fits(header.height) &&
-         check_picture_size(header.full_width, header.full_height).has_value();
+  return header.frames >= 1 && header.frames <= 2 * kMostVideoFrames && fits(header.width) &&
+         fits(header.height) && check_picture_size(header.full_width, header.full_height).has_value();
 }
 
 }  // namespace
@@ -27,8 +27,8 @@ std::vector<std::byte> reply_of(const Video& video) {
   FlatWriter reply;
   begin_value(reply);
   const Raster<Rgb8>& first = video.frames.front().picture;
-  reply.put(Header{static_cast<std::int32_t>(video.frames.size()), first.width(), first.height(), video.full_width,
-                   video.full_height});
+  reply.put(Header{static_cast<std::int32_t>(video.frames.size()), first.width(), first.height(),
+                   video.full_width, video.full_height});
   for (const VideoFrame& frame : video.frames) {
     reply.put(static_cast<std::int32_t>(frame.number));
     reply.put_array(frame.picture.values());

@@ -14,8 +14,8 @@ namespace palpable::sources::isolated {
 
 std::vector<std::byte> reply_of(const Video& video);
 
-/// What a reply says, checked: sizes, counts, rising frame numbers. Errors: the reply's own; invalid_input for one that
-/// is not what it should be.
+/// What a reply says, checked: sizes, counts, rising frame numbers. Errors: the reply's own; invalid_input
+/// for one that is not what it should be.
 Result<Video> video_in(std::span<const std::byte> reply);
 
 /// Errors as video_decoder.hpp, and those of isolated::decode().

@@ -43,7 +43,8 @@ TEST(VideoReply, IsRefusedWhereItIsCutOrTooLongOrItsNumbersAreWild) {
 
 // YUV4MPEG2: a film that can be written by hand.
 std::string film(int width, int height, int frames) {
-  std::string out = "YUV4MPEG2 W" + std::to_string(width) + " H" + std::to_string(height) + " F30:1 Ip A1:1 C420jpeg\n";
+  std::string out =
+      "YUV4MPEG2 W" + std::to_string(width) + " H" + std::to_string(height) + " F30:1 Ip A1:1 C420jpeg\n";
   const auto pixels = static_cast<std::size_t>(width * height);
   for (int i = 0; i < frames; ++i) {
     out += "FRAME\n";

@@ -71,9 +71,11 @@ void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& o
         new ProjectionError{&camera, sighting.place});  // owned by the problem
     problem.AddResidualBlock(cost, new ceres::HuberLoss(options.robust_px),
                              bundle.poses[static_cast<std::size_t>(sighting.pose)].data(),
-                             bundle.points[static_cast<std::size_t>(sighting.point)].data(), &bundle.focal_scale);
+                             bundle.points[static_cast<std::size_t>(sighting.point)].data(),
+                             &bundle.focal_scale);
   }
-  if (problem.HasParameterBlock(bundle.poses[0].data())) problem.SetParameterBlockConstant(bundle.poses[0].data());
+  if (problem.HasParameterBlock(bundle.poses[0].data()))
+    problem.SetParameterBlockConstant(bundle.poses[0].data());
   auto* ordering = new ceres::ParameterBlockOrdering;  // owned by the options
   for (auto& point : bundle.points) {
     if (!problem.HasParameterBlock(point.data())) continue;

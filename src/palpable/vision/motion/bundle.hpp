@@ -45,8 +45,8 @@ struct BundleOptions {
 double projection_error_px(const Pinhole& camera, const BundlePose& pose, const std::array<double, 3>& point,
                            ImagePoint seen);
 
-/// Moves poses and points to the least sum of robust squared errors (Ceres, sparse Schur complement). The first pose
-/// stays. Polls cancel between iterations and returns early then.
+/// Moves poses and points to the least sum of robust squared errors (Ceres, sparse Schur complement). The
+/// first pose stays. Polls cancel between iterations and returns early then.
 void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options, const Work& work);
 
 }  // namespace palpable::vision

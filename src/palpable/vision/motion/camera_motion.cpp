@@ -25,7 +25,8 @@ std::vector<int> choose_keyframes(std::span<const PointTrack> tracks, int frame_
   std::vector<int> out{0};
   for (int frame = 1; frame < frame_count; ++frame) {
     const double moved = moved_px(tracks, out.back(), frame, 4 * options.least_points);
-    if (moved > options.keyframe_step * camera.width || (moved < 0 && frame > out.back() + 1) || frame + 1 == frame_count)
+    if (moved > options.keyframe_step * camera.width || (moved < 0 && frame > out.back() + 1) ||
+        frame + 1 == frame_count)
       out.push_back(frame);
   }
   return out;
@@ -34,7 +35,11 @@ std::vector<int> choose_keyframes(std::span<const PointTrack> tracks, int frame_
 }  // namespace
 
 std::vector<Parameter> parameters_of(BatchMotionOptions& o) {
-  return {{"keyframe_step", &o.keyframe_step, {0.002, 0.5}, "", "Movement of points between keyframes, share of the width"},
+  return {{"keyframe_step",
+           &o.keyframe_step,
+           {0.002, 0.5},
+           "",
+           "Movement of points between keyframes, share of the width"},
           {"least_angle_deg", &o.least_angle_deg, {0.1, 20}, "degrees", "Least angle between lines of sight"},
           {"outlier_px", &o.outlier_px, {0.1, 20}, "px", "Larger errors count as wrong tracks"},
           {"robust_px", &o.robust_px, {0.05, 10}, "px", "Larger errors count linearly"},
@@ -56,7 +61,8 @@ Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int 
     if (!reconstruction.add_keyframe(next)) continue;
     if (++added % 3 == 0) reconstruction.refine(5, work);
     reconstruction.triangulate_all();
-    work.report(static_cast<double>(added) / static_cast<double>(keyframes.size()), "finding the camera's path");
+    work.report(static_cast<double>(added) / static_cast<double>(keyframes.size()),
+                "finding the camera's path");
   }
   reconstruction.refine(20, work);
   reconstruction.triangulate_all();

@@ -56,12 +56,12 @@ struct VideoCamera {
   bool focal_length_known = true;
 };
 
-/// Poses of all frames and positions of the tracked points by bundle adjustment (Triggs et al. 2000): the pair
-/// of keyframes that determines most points begins, further keyframes join by their known points, all is
-/// refined together with a robust loss, an unknown focal length too. The world is the camera of the first keyframe, in which the median
-/// depth of the points is one. Long work: reports progress, polls cancel. Errors:
-/// usage for options out of range; failed where the camera hardly moved, only turned, or too few points are
-/// followed; interrupted.
+/// Poses of all frames and positions of the tracked points by bundle adjustment (Triggs et al. 2000): the
+/// pair of keyframes that determines most points begins, further keyframes join by their known points, all is
+/// refined together with a robust loss, an unknown focal length too. The world is the camera of the first
+/// keyframe, in which the median depth of the points is one. Long work: reports progress, polls cancel.
+/// Errors: usage for options out of range; failed where the camera hardly moved, only turned, or too few
+/// points are followed; interrupted.
 Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int frame_count,
                                         const VideoCamera& camera, const BatchMotionOptions& options,
                                         const Work& work);

@@ -15,7 +15,8 @@ using testing::HasSubstr;
 constexpr Pinhole kCamera{500, 500, 319.5, 239.5, 640, 480};
 constexpr int kFrames = 30;
 
-// A camera at an angle round the origin, 1 away, that looks at it; or one in one place that turns by the angle.
+// A camera at an angle round the origin, 1 away, that looks at it; or one in one place that turns by the
+// angle.
 CameraPose pose_at(double angle, bool turns_only) {
   CameraPose pose;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -42,18 +43,21 @@ Filmed film(double arc, bool turns_only, double noise_px) {
     for (const CameraPose& pose : out.poses) {
       const Vec3 v = (pose.inverse() * point).v;
       const double dx = noise_px > 0 ? noise(random) : 0, dy = noise_px > 0 ? noise(random) : 0;
-      track.places.push_back({kCamera.fx * v.x / v.z + kCamera.cx + dx, kCamera.fy * v.y / v.z + kCamera.cy + dy});
+      track.places.push_back(
+          {kCamera.fx * v.x / v.z + kCamera.cx + dx, kCamera.fy * v.y / v.z + kCamera.cy + dy});
     }
     out.tracks.push_back(track);
   }
   return out;
 }
 
-// How much the angle between two frames' cameras, and the shares of the path between three, differ from the truth.
+// How much the angle between two frames' cameras, and the shares of the path between three, differ from the
+// truth.
 void expect_same_path(const CameraMotion& motion, const Filmed& truth, double tolerance) {
   const auto turned = [](const CameraPose& a, const CameraPose& b) {
     const auto between = a.inverse() * b;
-    return std::acos(std::clamp((between.rotation[0] + between.rotation[4] + between.rotation[8] - 1) / 2, -1.0, 1.0));
+    return std::acos(
+        std::clamp((between.rotation[0] + between.rotation[4] + between.rotation[8] - 1) / 2, -1.0, 1.0));
   };
   const auto share = [](const CameraPose& a, const CameraPose& b, const CameraPose& c) {
     return norm(b.translation_m - a.translation_m) / norm(c.translation_m - a.translation_m);
@@ -61,7 +65,8 @@ void expect_same_path(const CameraMotion& motion, const Filmed& truth, double to
   ASSERT_EQ(motion.poses.size(), truth.poses.size());
   for (std::size_t i = 1; i + 1 < motion.poses.size(); ++i) {
     ASSERT_TRUE(motion.poses[i]) << i;
-    EXPECT_NEAR(turned(*motion.poses[0], *motion.poses[i]), turned(truth.poses[0], truth.poses[i]), tolerance);
+    EXPECT_NEAR(turned(*motion.poses[0], *motion.poses[i]), turned(truth.poses[0], truth.poses[i]),
+                tolerance);
     EXPECT_NEAR(share(*motion.poses.front(), *motion.poses[i], *motion.poses.back()),
                 share(truth.poses.front(), truth.poses[i], truth.poses.back()), tolerance);
   }

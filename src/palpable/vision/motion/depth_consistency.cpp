@@ -14,8 +14,8 @@ class Neighbours {
     for (const PosedDepthMap& map : maps) there_from_self_.push_back(map.pose.inverse() * maps[self].pose);
   }
 
-  // The depth that map `other` has where it sees the point of pixel (x, y) at `depth`, turned back into this map's
-  // camera; NaN where it sees none.
+  // The depth that map `other` has where it sees the point of pixel (x, y) at `depth`, turned back into this
+  // map's camera; NaN where it sees none.
   double depth_seen_by(std::size_t other, int x, int y, double depth) const {
     const Point<CameraFrame> there = there_from_self_[other] * point(maps_[self_], x, y, depth);
     const PosedDepthMap& map = maps_[other];
@@ -38,8 +38,8 @@ class Neighbours {
   std::vector<Transform<CameraFrame, CameraFrame>> there_from_self_;
 };
 
-float agreed_depth(const Neighbours& neighbours, std::size_t count, std::size_t self, int x, int y, float depth,
-                   const ConsistencyOptions& options) {
+float agreed_depth(const Neighbours& neighbours, std::size_t count, std::size_t self, int x, int y,
+                   float depth, const ConsistencyOptions& options) {
   double sum = depth;
   int agreeing = 0;
   for (std::size_t other = 0; other < count; ++other) {

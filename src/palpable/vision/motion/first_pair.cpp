@@ -40,8 +40,8 @@ std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole
                                        const BatchMotionOptions& options) {
   const cv::Matx33d k(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
   cv::Mat inliers;
-  const cv::Mat essential =
-      cv::findEssentialMat(places.first, places.second, k, cv::RANSAC, 0.9999, options.outlier_px / 2, inliers);
+  const cv::Mat essential = cv::findEssentialMat(places.first, places.second, k, cv::RANSAC, 0.9999,
+                                                 options.outlier_px / 2, inliers);
   if (essential.rows != 3) return std::nullopt;
   cv::Mat rotation, translation;
   cv::recoverPose(essential, places.first, places.second, k, rotation, translation, inliers);
@@ -58,13 +58,15 @@ std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole
 }  // namespace
 
 Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes,
-                                    const Pinhole& camera, const BatchMotionOptions& options, const Work& work) {
+                                    const Pinhole& camera, const BatchMotionOptions& options,
+                                    const Work& work) {
   FirstPair best;
   const int count = static_cast<int>(keyframes.size());
   for (int a = 0; a + 1 < count; a += std::max(1, count / 6)) {
     for (int b = a + 1; b < count; ++b) {
       if (work.cancelled()) return Work::interrupted();
-      const CommonPlaces places = common_places(tracks, keyframes[static_cast<std::size_t>(a)], keyframes[static_cast<std::size_t>(b)]);
+      const CommonPlaces places = common_places(tracks, keyframes[static_cast<std::size_t>(a)],
+                                                keyframes[static_cast<std::size_t>(b)]);
       if (static_cast<int>(places.first.size()) < 2 * options.least_points) break;
       auto pair = relative_pose(places, camera, options);
       if (!pair || pair->points <= best.points) continue;
@@ -75,7 +77,9 @@ Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::spa
   if (best.points < options.least_points)
     return Error{ErrorCode::failed,
                  "the camera hardly moved sideways, or little of the picture can be followed: film again, "
-                 "moving slowly around the model with all of it in view", {}, Reason::unspecified};
+                 "moving slowly around the model with all of it in view",
+                 {},
+                 Reason::unspecified};
   return best;
 }
 

@@ -32,7 +32,8 @@ MatchView view_of(const PosedFrame& frame, const VolumeOptions& options, const W
   return match_view(*frame.picture, luma_of(*frame.picture), options.census, work);
 }
 
-// Where a pixel of the reference at inverse depth w lies in another picture: (h + w e) / z, in homogeneous coordinates.
+// Where a pixel of the reference at inverse depth w lies in another picture: (h + w e) / z, in homogeneous
+// coordinates.
 struct Epipolar {
   Eigen::Matrix3d at_infinity;
   Eigen::Vector3d per_inverse_depth;
@@ -41,7 +42,8 @@ struct Epipolar {
     Eigen::Matrix3d k;
     k << camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1;
     const auto relative = other.pose.inverse() * reference.pose;
-    const Eigen::Matrix3d r = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(relative.rotation.data());
+    const Eigen::Matrix3d r =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(relative.rotation.data());
     at_infinity = k * r * k.inverse();
     const Vec3 t = relative.translation_m;
     per_inverse_depth = k * Eigen::Vector3d(t.x, t.y, t.z);
@@ -61,8 +63,10 @@ struct CostTables {
     const auto cost = [](double difference, double scale) {
       return static_cast<std::uint16_t>(std::lround(kCostUnit * (1 - std::exp(-difference / scale))));
     };
-    for (std::size_t i = 0; i < colour.size(); ++i) colour[i] = cost(static_cast<double>(i), options.colour_scale);
-    for (std::size_t i = 0; i < census.size(); ++i) census[i] = cost(static_cast<double>(i), options.census_scale);
+    for (std::size_t i = 0; i < colour.size(); ++i)
+      colour[i] = cost(static_cast<double>(i), options.colour_scale);
+    for (std::size_t i = 0; i < census.size(); ++i)
+      census[i] = cost(static_cast<double>(i), options.census_scale);
   }
 };
 
@@ -85,7 +89,8 @@ int steps_needed(const Sweep& sweep, const Pinhole& camera, const MultiViewOptio
   for (const Epipolar& line : sweep.epipolar)
     for (const int x : {0, camera.width / 2, camera.width - 1})
       for (const int y : {0, camera.height / 2, camera.height - 1})
-        longest = std::max(longest, (line.place(x, y, 1 / sweep.span.near) - line.place(x, y, 1 / sweep.span.far)).norm());
+        longest = std::max(
+            longest, (line.place(x, y, 1 / sweep.span.near) - line.place(x, y, 1 / sweep.span.far)).norm());
   return std::clamp(static_cast<int>(std::ceil(longest / options.step_px)) + 1, 16, options.most_steps);
 }
 
@@ -93,11 +98,14 @@ int steps_needed(const Sweep& sweep, const Pinhole& camera, const MultiViewOptio
 constexpr std::uint16_t kUnseen = 0xFFFF;
 void costs_in_other(const Sweep& sweep, std::size_t other, int x, int y, std::uint16_t* out) {
   const MatchView& there = sweep.others[other];
-  const Eigen::Vector3d start = sweep.epipolar[other].start(x, y) + sweep.inverse_depth(0) * sweep.epipolar[other].per_inverse_depth;
-  const Eigen::Vector3d step = (sweep.inverse_depth(1) - sweep.inverse_depth(0)) * sweep.epipolar[other].per_inverse_depth;
+  const Eigen::Vector3d start =
+      sweep.epipolar[other].start(x, y) + sweep.inverse_depth(0) * sweep.epipolar[other].per_inverse_depth;
+  const Eigen::Vector3d step =
+      (sweep.inverse_depth(1) - sweep.inverse_depth(0)) * sweep.epipolar[other].per_inverse_depth;
   const std::uint64_t census = sweep.reference.census(x, y), mask = sweep.reference.similar(x, y);
   const int scale = census_scale(mask);
-  const int r = sweep.reference.colour.r(x, y), g = sweep.reference.colour.g(x, y), b = sweep.reference.colour.b(x, y);
+  const int r = sweep.reference.colour.r(x, y), g = sweep.reference.colour.g(x, y),
+            b = sweep.reference.colour.b(x, y);
   const double right = there.colour.width() - 0.5, bottom = there.colour.height() - 0.5;
   for (int i = 0; i < sweep.steps; ++i) {
     const double z = 1 / (start.z() + i * step.z());
@@ -107,7 +115,8 @@ void costs_in_other(const Sweep& sweep, std::size_t other, int x, int y, std::ui
       continue;
     }
     const int ui = static_cast<int>(u + 0.5), vi = static_cast<int>(v + 0.5);
-    const int bits = std::min(63, std::popcount((census ^ there.census(ui, vi)) & mask) * scale / kCensusScaleUnit);
+    const int bits =
+        std::min(63, std::popcount((census ^ there.census(ui, vi)) & mask) * scale / kCensusScaleUnit);
     const int colour = std::max({std::abs(r - there.colour.r(ui, vi)), std::abs(g - there.colour.g(ui, vi)),
                                  std::abs(b - there.colour.b(ui, vi))});
     out[i] = static_cast<std::uint16_t>(sweep.tables.colour[static_cast<std::size_t>(colour)] +
@@ -121,7 +130,8 @@ std::uint16_t robust_mean(std::array<std::uint16_t, kMostOthers>& costs, std::si
   std::sort(costs.begin(), end);
   const auto seen = static_cast<std::size_t>(std::find(costs.begin(), end, kUnseen) - costs.begin());
   if (seen == 0) return kCostUnit;
-  const auto used = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(share * static_cast<double>(seen))));
+  const auto used =
+      std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(share * static_cast<double>(seen))));
   unsigned sum = 0;
   for (std::size_t i = 0; i < used; ++i) sum += costs[i];
   return static_cast<std::uint16_t>(sum / used);
@@ -162,8 +172,17 @@ Result<DepthMap> multi_view_depth(const PosedFrame& reference, std::span<const P
                                   const Work& work) {
   if (auto checked = check_ranges(options); !checked) return checked.error();
   if (others.empty() || others.size() > kMostOthers || !(span.near > 0 && span.far > span.near))
-    return Error{ErrorCode::usage, "multi-view depth needs 1 to 16 other frames and a span of depths", {}, Reason::unspecified};
-  Sweep sweep{view_of(reference, options.volume, work), {}, {}, CostTables(options.volume), span, 0, options.seen_share};
+    return Error{ErrorCode::usage,
+                 "multi-view depth needs 1 to 16 other frames and a span of depths",
+                 {},
+                 Reason::unspecified};
+  Sweep sweep{view_of(reference, options.volume, work),
+              {},
+              {},
+              CostTables(options.volume),
+              span,
+              0,
+              options.seen_share};
   for (const PosedFrame& other : others) {
     sweep.others.push_back(view_of(other, options.volume, work));
     sweep.epipolar.emplace_back(reference, other, camera);

@@ -29,22 +29,23 @@ struct DepthSpan {
 };
 
 struct MultiViewOptions {
-  /// Inverse depths are tried in steps that move a pixel so far in the frame where it moves most, px, 0.2 … 4.
+  /// Inverse depths are tried in steps that move a pixel so far in the frame where it moves most, px, 0.2
+  /// … 4.
   double step_px = 0.7;
   /// But at most so many, 16 … 1024.
   int most_steps = 256;
-  /// Share of the other frames, those in which a pixel matches best, that count: a surface is hidden in some of them;
-  /// 0.1 … 1.
+  /// Share of the other frames, those in which a pixel matches best, that count: a surface is hidden in some
+  /// of them; 0.1 … 1.
   double seen_share = 0.5;
   VolumeOptions volume = {};
   SgmOptions sgm = {};
 };
 std::vector<Parameter> parameters_of(MultiViewOptions& options);
 
-/// The depth of `reference` by comparing it with other frames at planes of constant depth (plane sweep, Collins 1996;
-/// AD-Census costs, semi-global paths): known at every pixel, also where it is wrong; see consistent_depth(). All
-/// pictures have the camera's size. Long work, on all threads. Errors: usage for options out of range, no other
-/// frame, or an empty span; interrupted.
+/// The depth of `reference` by comparing it with other frames at planes of constant depth (plane sweep,
+/// Collins 1996; AD-Census costs, semi-global paths): known at every pixel, also where it is wrong; see
+/// consistent_depth(). All pictures have the camera's size. Long work, on all threads. Errors: usage for
+/// options out of range, no other frame, or an empty span; interrupted.
 Result<DepthMap> multi_view_depth(const PosedFrame& reference, std::span<const PosedFrame> others,
                                   const Pinhole& camera, DepthSpan span, const MultiViewOptions& options,
                                   const Work& work);
@@ -63,8 +64,8 @@ struct ConsistencyOptions {
 };
 std::vector<Parameter> parameters_of(ConsistencyOptions& options);
 
-/// The maps with only those pixels on which enough other maps agree, each the mean of the agreeing depths; the others
-/// become unknown. Errors: usage for options out of range; interrupted.
+/// The maps with only those pixels on which enough other maps agree, each the mean of the agreeing depths;
+/// the others become unknown. Errors: usage for options out of range; interrupted.
 Result<std::vector<PosedDepthMap>> consistent_depth(std::span<const PosedDepthMap> maps,
                                                     const ConsistencyOptions& options, const Work& work);
 

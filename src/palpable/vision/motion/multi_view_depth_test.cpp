@@ -14,7 +14,8 @@ constexpr Pinhole kCamera{120, 120, 79.5, 59.5, 160, 120};
 // The texture of a slanted plane, by its own coordinates.
 Rgb8 texture(double u, double v) {
   const auto wave = [](double a) { return static_cast<std::uint8_t>(std::lround(127 + 120 * std::sin(a))); };
-  return {wave(61 * u + 3 * std::sin(17 * v)), wave(53 * v + 2 * std::sin(23 * u)), wave(37 * u * v + 71 * v)};
+  return {wave(61 * u + 3 * std::sin(17 * v)), wave(53 * v + 2 * std::sin(23 * u)),
+          wave(37 * u * v + 71 * v)};
 }
 
 constexpr double kSlope = 0.3;  // z = 1 + kSlope x
@@ -43,13 +44,15 @@ CameraPose moved(double x, double y) {
   return pose;
 }
 
-double true_depth(const CameraPose& pose, int x, int y) { return (pose.inverse() * Point<WorldFrame>{on_plane(pose, x, y)}).v.z; }
+double true_depth(const CameraPose& pose, int x, int y) {
+  return (pose.inverse() * Point<WorldFrame>{on_plane(pose, x, y)}).v.z;
+}
 
 class MultiViewDepth : public testing::Test {
  protected:
   CameraPose here_ = moved(0, 0), right_ = moved(0.08, 0), up_ = moved(0, -0.08), left_ = moved(-0.08, 0.02);
-  Raster<Rgb8> here_picture_ = picture_from(here_), right_picture_ = picture_from(right_), up_picture_ = picture_from(up_),
-               left_picture_ = picture_from(left_);
+  Raster<Rgb8> here_picture_ = picture_from(here_), right_picture_ = picture_from(right_),
+               up_picture_ = picture_from(up_), left_picture_ = picture_from(left_);
 };
 
 TEST_F(MultiViewDepth, OfASlantedPlaneIsWithinOnePercent) {
@@ -73,7 +76,8 @@ TEST_F(MultiViewDepth, NeedsAnotherFrameAndASpan) {
 PosedDepthMap exact_map(const CameraPose& pose) {
   PosedDepthMap out{{Raster<float>(kCamera.width, kCamera.height), kCamera}, pose};
   for (int y = 0; y < kCamera.height; ++y)
-    for (int x = 0; x < kCamera.width; ++x) out.depth.depth_m(x, y) = static_cast<float>(true_depth(pose, x, y));
+    for (int x = 0; x < kCamera.width; ++x)
+      out.depth.depth_m(x, y) = static_cast<float>(true_depth(pose, x, y));
   return out;
 }
 

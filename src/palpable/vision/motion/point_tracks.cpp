@@ -54,7 +54,8 @@ class Tracker {
   cv::Size window() const { return {options_.window_px, options_.window_px}; }
   int most_wanted() const { return options_.most_points; }
   const Pyramid& pyramid_of(int frame) const {
-    return std::find_if(pyramids_.begin(), pyramids_.end(), [&](const PyramidOf& p) { return p.frame == frame; })
+    return std::find_if(pyramids_.begin(), pyramids_.end(),
+                        [&](const PyramidOf& p) { return p.frame == frame; })
         ->levels;
   }
 
@@ -80,13 +81,14 @@ class Tracker {
     cv::calcOpticalFlowPyrLK(pyramid_of(first), pyramid_of(frame), from, to, found, cv::noArray(), window(),
                              options_.levels, stop, flags, 1e-4);
     back = from;
-    cv::calcOpticalFlowPyrLK(pyramid_of(frame), pyramid_of(first), to, back, returned, cv::noArray(), window(),
-                             options_.levels, stop, flags, 1e-4);
+    cv::calcOpticalFlowPyrLK(pyramid_of(frame), pyramid_of(first), to, back, returned, cv::noArray(),
+                             window(), options_.levels, stop, flags, 1e-4);
     for (std::size_t i = 0; i < group.size(); ++i) {
       const cv::Point2f error = back[i] - from[i];
       const bool inside = to[i].x >= 0 && to[i].y >= 0 && to[i].x <= static_cast<float>(size.cols - 1) &&
                           to[i].y <= static_cast<float>(size.rows - 1);
-      if (!found[i] || !returned[i] || !inside || std::hypot(error.x, error.y) > options_.return_limit_px) continue;
+      if (!found[i] || !returned[i] || !inside || std::hypot(error.x, error.y) > options_.return_limit_px)
+        continue;
       group[i].last = to[i];
       tracks_[group[i].track].places.push_back({to[i].x, to[i].y});
       kept.push_back(group[i]);
@@ -104,8 +106,8 @@ class Tracker {
     const int distance = static_cast<int>(std::lround(options_.least_distance_px));
     for (const Followed& point : followed_) cv::circle(free, point.last, distance, cv::Scalar(0), cv::FILLED);
     std::vector<cv::Point2f> corners;
-    cv::goodFeaturesToTrack(grey, corners, most_wanted() - static_cast<int>(followed_.size()), options_.least_quality,
-                            options_.least_distance_px, free, 5);
+    cv::goodFeaturesToTrack(grey, corners, most_wanted() - static_cast<int>(followed_.size()),
+                            options_.least_quality, options_.least_distance_px, free, 5);
     for (const cv::Point2f& corner : corners) {
       followed_.push_back({tracks_.size(), frame, corner, corner});
       tracks_.push_back({frame, {{corner.x, corner.y}}});
@@ -121,13 +123,18 @@ class Tracker {
 }  // namespace
 
 std::vector<Parameter> parameters_of(TrackOptions& o) {
-  return {{"most_points", &o.most_points, {16, 20000}, "", "Points followed at the same time"},
-          {"least_distance_px", &o.least_distance_px, {2, 100}, "px", "Distance of new points from others"},
-          {"least_quality", &o.least_quality, {1e-4, 1}, "", "Weakest corner, as a share of the strongest"},
-          {"window_px", &o.window_px, {5, 61}, "px", "Side of the window that is compared; odd"},
-          {"levels", &o.levels, {0, 8}, "", "Halvings of the picture"},
-          {"return_limit_px", &o.return_limit_px, {0.01, 10}, "px", "Error at which a point followed back is lost"},
-          {"frames_per_template", &o.frames_per_template, {1, 100}, "", "Frames with one template of a point"}};
+  return {
+      {"most_points", &o.most_points, {16, 20000}, "", "Points followed at the same time"},
+      {"least_distance_px", &o.least_distance_px, {2, 100}, "px", "Distance of new points from others"},
+      {"least_quality", &o.least_quality, {1e-4, 1}, "", "Weakest corner, as a share of the strongest"},
+      {"window_px", &o.window_px, {5, 61}, "px", "Side of the window that is compared; odd"},
+      {"levels", &o.levels, {0, 8}, "", "Halvings of the picture"},
+      {"return_limit_px",
+       &o.return_limit_px,
+       {0.01, 10},
+       "px",
+       "Error at which a point followed back is lost"},
+      {"frames_per_template", &o.frames_per_template, {1, 100}, "", "Frames with one template of a point"}};
 }
 
 Result<std::vector<PointTrack>> track_points(std::span<const Raster<std::uint8_t>> frames,

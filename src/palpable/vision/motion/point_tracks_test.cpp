@@ -11,15 +11,16 @@ namespace {
 
 // A smooth pattern without repetition, defined at every real place.
 double pattern(double x, double y) {
-  return 128 + 40 * std::sin(0.31 * x + 0.7 * std::sin(0.11 * y)) + 40 * std::cos(0.27 * y + 0.9 * std::sin(0.13 * x)) +
-         20 * std::sin(0.057 * x * (1 + 0.01 * y));
+  return 128 + 40 * std::sin(0.31 * x + 0.7 * std::sin(0.11 * y)) +
+         40 * std::cos(0.27 * y + 0.9 * std::sin(0.13 * x)) + 20 * std::sin(0.057 * x * (1 + 0.01 * y));
 }
 
 // The pattern moved by (dx, dy).
 Raster<std::uint8_t> frame_moved(double dx, double dy) {
   Raster<std::uint8_t> out(160, 120);
   for (int y = 0; y < out.height(); ++y)
-    for (int x = 0; x < out.width(); ++x) out(x, y) = static_cast<std::uint8_t>(std::lround(pattern(x - dx, y - dy)));
+    for (int x = 0; x < out.width(); ++x)
+      out(x, y) = static_cast<std::uint8_t>(std::lround(pattern(x - dx, y - dy)));
   return out;
 }
 

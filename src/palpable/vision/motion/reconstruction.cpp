@@ -20,8 +20,8 @@ auto& at(T& values, int index) {
 
 }  // namespace
 
-Reconstruction::Reconstruction(std::span<const PointTrack> tracks, std::vector<int> frames, const VideoCamera& camera,
-                               const BatchMotionOptions& options)
+Reconstruction::Reconstruction(std::span<const PointTrack> tracks, std::vector<int> frames,
+                               const VideoCamera& camera, const BatchMotionOptions& options)
     : tracks_(tracks),
       frames_(std::move(frames)),
       camera_(camera.pinhole),
@@ -57,7 +57,8 @@ int Reconstruction::next_keyframe() const {
 const BundlePose* Reconstruction::nearest_pose(int index) const {
   for (int step = 1; step < static_cast<int>(frames_.size()); ++step)
     for (const int other : {index - step, index + step})
-      if (other >= 0 && other < static_cast<int>(frames_.size()) && at(poses_, other)) return &*at(poses_, other);
+      if (other >= 0 && other < static_cast<int>(frames_.size()) && at(poses_, other))
+        return &*at(poses_, other);
   return nullptr;
 }
 
@@ -86,8 +87,9 @@ std::optional<BundlePose> Reconstruction::pose_from_points(int frame, const Bund
     rotation = (cv::Mat_<double>(3, 1) << (*guess)[0], (*guess)[1], (*guess)[2]);
     translation = (cv::Mat_<double>(3, 1) << (*guess)[3], (*guess)[4], (*guess)[5]);
   }
-  const bool found = cv::solvePnPRansac(points, places, k, cv::noArray(), rotation, translation, guess != nullptr, 200,
-                                        static_cast<float>(2 * options_.outlier_px), 0.999, inliers);
+  const bool found =
+      cv::solvePnPRansac(points, places, k, cv::noArray(), rotation, translation, guess != nullptr, 200,
+                         static_cast<float>(2 * options_.outlier_px), 0.999, inliers);
   if (!found || inliers.rows < options_.least_points || 2 * inliers.rows < static_cast<int>(points.size()))
     return std::nullopt;
   BundlePose out{};
@@ -106,7 +108,8 @@ std::vector<PosedSighting> Reconstruction::sightings_of(std::size_t track) const
 void Reconstruction::triangulate_all() {
   for (std::size_t i = 0; i < tracks_.size(); ++i)
     if (!points_[i])
-      points_[i] = triangulated_point(sightings_of(i), camera_, {options_.least_angle_deg, options_.outlier_px});
+      points_[i] =
+          triangulated_point(sightings_of(i), camera_, {options_.least_angle_deg, options_.outlier_px});
 }
 
 void Reconstruction::refine(int iterations, const Work& work) {
@@ -119,21 +122,26 @@ void Reconstruction::refine(int iterations, const Work& work) {
     if (!points_[i]) continue;
     for (std::size_t k = 0; k < frames_.size(); ++k)
       if (poses_[k] && tracks_[i].in_frame(frames_[k]))
-        bundle.sightings.push_back({pose_index[k], static_cast<int>(bundle.points.size()), tracks_[i].in(frames_[k])});
+        bundle.sightings.push_back(
+            {pose_index[k], static_cast<int>(bundle.points.size()), tracks_[i].in(frames_[k])});
     bundle.points.push_back(*points_[i]);
     point_tracks.push_back(i);
   }
   // Fewer views do not tell a longer focal length from a longer distance.
   constexpr std::size_t kViewsForFocalLength = 4;
   const bool refine_focal = !focal_length_known_ && bundle.poses.size() >= kViewsForFocalLength;
-  adjust_bundle(bundle, camera_,
-                {.robust_px = options_.robust_px, .most_iterations = iterations, .refine_focal_length = refine_focal}, work);
+  adjust_bundle(
+      bundle, camera_,
+      {.robust_px = options_.robust_px, .most_iterations = iterations, .refine_focal_length = refine_focal},
+      work);
   camera_.fx *= bundle.focal_scale, camera_.fy *= bundle.focal_scale;
   for (std::size_t k = 0; k < frames_.size(); ++k)
     if (poses_[k]) poses_[k] = at(bundle.poses, pose_index[k]);
   std::vector<double> worst(bundle.points.size(), 0.0);
   for (const Sighting& s : bundle.sightings)
-    at(worst, s.point) = std::max(at(worst, s.point), projection_error_px(camera_, at(bundle.poses, s.pose), at(bundle.points, s.point), s.place));
+    at(worst, s.point) =
+        std::max(at(worst, s.point),
+                 projection_error_px(camera_, at(bundle.poses, s.pose), at(bundle.points, s.point), s.place));
   for (std::size_t p = 0; p < point_tracks.size(); ++p) {
     auto& point = points_[point_tracks[p]];
     point = worst[p] <= options_.outlier_px ? std::optional(bundle.points[p]) : std::nullopt;
@@ -157,7 +165,8 @@ CameraMotion Reconstruction::result(std::vector<int> keyframes) const {
   CameraMotion out;
   out.camera = camera_;
   out.keyframes = std::move(keyframes);
-  const auto first = std::find_if(poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); });
+  const auto first =
+      std::find_if(poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); });
   const Transform<WorldFrame, WorldFrame> turned = [&] {
     // The old world as the first camera sees it.
     const auto camera_from_world = camera_pose(**first).inverse();
@@ -174,7 +183,8 @@ CameraMotion Reconstruction::result(std::vector<int> keyframes) const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (!points_[i]) continue;
-    const Point<WorldFrame> placed = turned * Point<WorldFrame>{{(*points_[i])[0], (*points_[i])[1], (*points_[i])[2]}};
+    const Point<WorldFrame> placed =
+        turned * Point<WorldFrame>{{(*points_[i])[0], (*points_[i])[1], (*points_[i])[2]}};
     out.points.push_back({{scale * placed.v}, i});
     for (const PosedSighting& s : sightings_of(i)) {
       const double error = projection_error_px(camera_, s.pose, *points_[i], s.place);

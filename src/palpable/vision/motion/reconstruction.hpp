@@ -14,8 +14,8 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// Incremental structure from motion: poses of frames and points of tracks, as far as they are known. It refers to the
-/// tracks, which must outlive it.
+/// Incremental structure from motion: poses of frames and points of tracks, as far as they are known. It
+/// refers to the tracks, which must outlive it.
 class Reconstruction {
  public:
   /// `frames` in rising order: the keyframes, until add_all_frames().

@@ -18,8 +18,8 @@ struct Ray {
 
 Ray line_of_sight(const PosedSighting& sighting, const Pinhole& camera) {
   const CameraPose pose = camera_pose(sighting.pose);
-  const Vec3 direction = unit(pose.rotate({(sighting.place.x - camera.cx) / camera.fx,
-                                           (sighting.place.y - camera.cy) / camera.fy, 1.0}));
+  const Vec3 direction = unit(pose.rotate(
+      {(sighting.place.x - camera.cx) / camera.fx, (sighting.place.y - camera.cy) / camera.fy, 1.0}));
   const Vec3& origin = pose.translation_m;
   return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
 }
@@ -44,9 +44,10 @@ std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedSig
   if (least_cosine > std::cos(options.least_angle_deg * std::numbers::pi / 180)) return std::nullopt;
   const Eigen::Vector3d p = normal.ldlt().solve(right);
   const std::array<double, 3> point{p.x(), p.y(), p.z()};
-  const bool fits = p.allFinite() && std::all_of(sightings.begin(), sightings.end(), [&](const PosedSighting& s) {
-                      return projection_error_px(camera, s.pose, point, s.place) <= options.outlier_px;
-                    });
+  const bool fits =
+      p.allFinite() && std::all_of(sightings.begin(), sightings.end(), [&](const PosedSighting& s) {
+        return projection_error_px(camera, s.pose, point, s.place) <= options.outlier_px;
+      });
   return fits ? std::optional(point) : std::nullopt;
 }
 

@@ -23,8 +23,8 @@ struct TriangulationOptions {
   double outlier_px = 2.0;
 };
 
-/// The point nearest to the lines of sight (sum of squared distances). None where it lies behind a camera, the
-/// lines are nearly parallel, or an error is too large.
+/// The point nearest to the lines of sight (sum of squared distances). None where it lies behind a camera,
+/// the lines are nearly parallel, or an error is too large.
 std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedSighting> sightings,
                                                         const Pinhole& camera,
                                                         const TriangulationOptions& options);

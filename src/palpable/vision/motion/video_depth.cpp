@@ -41,11 +41,13 @@ Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames) {
   return {{near * (1 - kMargin), far * (1 + kMargin)}, quantile_of(depths, 0.5)};
 }
 
-// The frame in one direction (+1, -1) that sees the middle of the scene under the angle; -1 where the video ends too early.
-int frame_at_angle(const CameraMotion& motion, const std::vector<int>& frames, std::size_t from, int direction,
-                   double wanted) {
+// The frame in one direction (+1, -1) that sees the middle of the scene under the angle; -1 where the video
+// ends too early.
+int frame_at_angle(const CameraMotion& motion, const std::vector<int>& frames, std::size_t from,
+                   int direction, double wanted) {
   const Vec3 here = pose_of(motion, frames[from]).translation_m;
-  for (auto i = static_cast<std::ptrdiff_t>(from) + direction; i >= 0 && i < std::ssize(frames); i += direction) {
+  for (auto i = static_cast<std::ptrdiff_t>(from) + direction; i >= 0 && i < std::ssize(frames);
+       i += direction) {
     const int frame = frames[static_cast<std::size_t>(i)];
     if (norm(pose_of(motion, frame).translation_m - here) >= wanted) return frame;
   }
@@ -94,14 +96,17 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
     for (const int other : compared_frames(motion, frames, from, depths.middle, options))
       others.push_back({pictures[static_cast<std::size_t>(other)], pose_of(motion, other)});
     if (others.empty()) continue;
-    const PosedFrame reference{pictures[static_cast<std::size_t>(frames[from])], pose_of(motion, frames[from])};
+    const PosedFrame reference{pictures[static_cast<std::size_t>(frames[from])],
+                               pose_of(motion, frames[from])};
     auto depth = multi_view_depth(reference, others, camera, depths.span, options.sweep, work);
     if (!depth) return depth.error();
     maps.push_back({frames[from], {std::move(*depth), reference.pose}});
   }
   if (maps.size() < 2)
-    return Error{ErrorCode::failed, "the camera moved too little to compute depth: film again, moving farther around the model",
-                 {}, Reason::unspecified};
+    return Error{ErrorCode::failed,
+                 "the camera moved too little to compute depth: film again, moving farther around the model",
+                 {},
+                 Reason::unspecified};
   std::vector<PosedDepthMap> raw;
   for (const FrameDepth& map : maps) raw.push_back(map.map);
   ConsistencyOptions consistency = options.consistency;
