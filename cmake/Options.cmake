@@ -17,6 +17,8 @@ if(PALPABLE_WERROR)
                            -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=free-nonheap-object)
   endif()
 endif()
+# Recordings name the build that made them.
+add_link_options(-Wl,--build-id)
 find_package(Threads REQUIRED)
 target_link_libraries(palpable_options INTERFACE Threads::Threads)
 

@@ -47,20 +47,50 @@ PointCloud structure_of(const std::vector<FrameDepth>& maps) {
   return out;
 }
 
-// What lies far outside of what most frames saw is left out: the room around the table.
+// The heights at which most places lie: the table's.
+double table_height(std::vector<double> heights) {
+  std::sort(heights.begin(), heights.end());
+  // The narrowest interval with so many of them.
+  constexpr double kShare = 0.3;
+  const auto count = static_cast<std::size_t>(kShare * static_cast<double>(heights.size()));
+  std::size_t best = 0;
+  for (std::size_t i = 0; i + count < heights.size(); ++i)
+    if (heights[i + count] - heights[i] < heights[best + count] - heights[best]) best = i;
+  return heights[best + count / 2];
+}
+
+// The places that rise above the table; all where hardly any does.
+std::vector<Vec3> raised(const std::vector<Vec3>& places) {
+  constexpr double kRise = 0.02, kHardlyAny = 0.01;
+  std::vector<double> heights, across;
+  for (const Vec3& p : places) heights.push_back(p.z), across.push_back(p.x);
+  const double extent = quantile_of(across, 0.95) - quantile_of(across, 0.05);
+  const double table = table_height(std::move(heights));
+  std::vector<Vec3> out;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(out),
+               [&](const Vec3& p) { return p.z > table + kRise * extent; });
+  return static_cast<double>(out.size()) < kHardlyAny * static_cast<double>(places.size()) ? places : out;
+}
+
+// What lies far around the model is left out: the table's rest and the room.
 void crop(std::vector<FrameDepth>& maps, const TableAxes& axes, const PointCloud& structure) {
-  constexpr double kOutliers = 0.01, kMargin = 0.03;
-  std::array<std::vector<double>, 3> along;
-  for (const Vec3& place : structure.places_m) {
-    const Vec3 p = axes.rotate({place}).v;
-    along[0].push_back(p.x), along[1].push_back(p.y), along[2].push_back(p.z);
-  }
+  constexpr double kOutliers = 0.01, kMargin = 0.1;
+  std::vector<Vec3> places;
+  for (const Vec3& place : structure.places_m) places.push_back(axes.rotate({place}).v);
+  std::array<std::vector<double>, 2> across;
+  for (const Vec3& p : raised(places)) across[0].push_back(p.x), across[1].push_back(p.y);
   std::array<double, 3> least{}, most{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    least[i] = quantile_of(along[i], kOutliers), most[i] = quantile_of(along[i], 1 - kOutliers);
+  for (std::size_t i = 0; i < 2; ++i) {
+    least[i] = quantile_of(across[i], kOutliers), most[i] = quantile_of(across[i], 1 - kOutliers);
     const double margin = kMargin * (most[i] - least[i]);
     least[i] -= margin, most[i] += margin;
   }
+  std::vector<double> heights;
+  for (const Vec3& p : places)
+    if (p.x >= least[0] && p.x <= most[0] && p.y >= least[1] && p.y <= most[1]) heights.push_back(p.z);
+  least[2] = quantile_of(heights, kOutliers / 2), most[2] = quantile_of(heights, 1 - kOutliers / 10);
+  const double margin = kMargin * (most[2] - least[2]);
+  least[2] -= margin, most[2] += margin;
   for (FrameDepth& map : maps)
     for (int y = 0; y < map.map.depth.depth_m.height(); ++y)
       for (int x = 0; x < map.map.depth.depth_m.width(); ++x) {

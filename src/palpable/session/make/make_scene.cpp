@@ -169,7 +169,7 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
     out.notes = std::move(read->notes);
   }
   // Of a depth map and its colour picture, the depth comes second.
-  out.place = input->kind == InputKind::depth ? input->files.back().string() : names_of(input->files);
+  out.place = input->kind == InputKind::depth ? input->files.back().string() : few_names_of(input->files);
   if (asks_for_regions(options.recipes.relief) && !has_regions(options, *input))
     out.last_notes.emplace_back(
         "Ground and background are found in pairs and single depth maps only: this is as without them.",

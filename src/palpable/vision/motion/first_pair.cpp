@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/first_pair.hpp"
 
+#include "palpable/core/quantile.hpp"
 #include "palpable/vision/motion/triangulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include <Eigen/Dense>
 #include <ceres/rotation.h>
 #include <opencv2/calib3d.hpp>
 
@@ -35,6 +38,32 @@ BundlePose pose_of(const cv::Mat& rotation, const cv::Mat& translation) {
   return out;
 }
 
+Eigen::Vector3d direction(const Pinhole& camera, const cv::Point2d& place) {
+  return Eigen::Vector3d((place.x - camera.cx) / camera.fx, (place.y - camera.cy) / camera.fy, 1)
+      .normalized();
+}
+
+// How far places move, at the median, beyond the turn of the camera that explains most of it (Kabsch 1976):
+// without such a remainder nothing says how far anything is.
+double parallax_px(const CommonPlaces& places, const Pinhole& camera, const cv::Mat& inliers) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < places.first.size(); ++i)
+    if (inliers.at<std::uint8_t>(static_cast<int>(i)) != 0)
+      sum += direction(camera, places.second[i]) * direction(camera, places.first[i]).transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  const Eigen::Matrix3d turn =
+      svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  std::vector<double> left_px;
+  for (std::size_t i = 0; i < places.first.size(); ++i) {
+    const Eigen::Vector3d d = turn * direction(camera, places.first[i]);
+    if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0 || d.z() <= 0) continue;
+    left_px.push_back(std::hypot(camera.fx * d.x() / d.z() + camera.cx - places.second[i].x,
+                                 camera.fy * d.y() / d.z() + camera.cy - places.second[i].y));
+  }
+  return left_px.empty() ? 0.0 : quantile_of(left_px, 0.5);
+}
+
 // The pose of the second camera, and how many of the places determine a point with it.
 std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole& camera,
                                        const BatchMotionOptions& options) {
@@ -45,6 +74,7 @@ std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole
   if (essential.rows != 3) return std::nullopt;
   cv::Mat rotation, translation;
   cv::recoverPose(essential, places.first, places.second, k, rotation, translation, inliers);
+  if (parallax_px(places, camera, inliers) < options.outlier_px) return std::nullopt;
   FirstPair out{0, 0, pose_of(rotation, translation), 0};
   for (std::size_t i = 0; i < places.first.size(); ++i) {
     if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0) continue;
