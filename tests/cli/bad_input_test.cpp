@@ -85,7 +85,7 @@ TEST_F(BadInput, AFolderOfManyPicturesIsNamedByItsFirst) {
   for (int i = 0; i < 12; ++i)
     std::filesystem::copy_file(path("left.png"), path("many/" + std::to_string(100 + i) + ".png"));
   const Outcome outcome = palpable({"make", path("many"), "-o", path("out.palp")});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("100.png and 11 more"));
   EXPECT_THAT(outcome.err, HasSubstr("the camera hardly moved"));
   EXPECT_THAT(outcome.err, Not(HasSubstr("111.png")));

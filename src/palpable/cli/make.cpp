@@ -84,6 +84,14 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
   return answer;
 }
 
+/// Every file that the command line names, except the poses.
+std::vector<std::string> files_of(const MakeCommandArguments& arguments) {
+  std::vector<std::string> files = arguments.make.inputs;
+  files.insert(files.end(), {arguments.output, arguments.make.stereo.calibration, arguments.video.structure});
+  std::erase(files, "");
+  return files;
+}
+
 Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   const auto published = published_as(arguments.as_published);
   if (!published) return published.error();
@@ -91,8 +99,10 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
     apply_published(**published, arguments.make);
     console.note(std::string((*published)->differs));
   }
-  if (is_video(arguments.make.inputs, arguments.make.kind))
-    arguments.video.poses = std::exchange(arguments.make.poses, {});
+  const bool video = is_video(arguments.make.inputs, arguments.make.kind);
+  if (video) arguments.video.poses = std::exchange(arguments.make.poses, {});
+  if (auto checked = check_video_outputs(arguments.video, video, files_of(arguments)); !checked)
+    return checked.error();
   auto options = make_options(arguments.make);
   if (!options) return options.error();
   if (*published && arguments.make.as.empty()) options->as = (*published)->as;
@@ -110,8 +120,9 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);
-  if (const auto written = write_video_outputs(arguments.video, made->video.get()); !written)
-    return written.error();
+  if (made->video)
+    if (const auto written = write_video_outputs(arguments.video, *made->video); !written)
+      return written.error();
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   apply_title(*title, scene);
   if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();

@@ -19,8 +19,8 @@ namespace {
 constexpr const char* kMadeBy = "palpable " PALPABLE_VERSION;
 
 /// The kinds of input that a scene can be made from.
-const std::vector<std::string> kInputKinds{"picture",   "stereo", "depth",  "mesh",
-                                           "level-set", "points", "shapes", "scene"};
+const std::vector<std::string> kInputKinds{"picture", "stereo", "depth", "mesh", "level-set",
+                                           "points",  "shapes", "video", "scene"};
 
 session::MakeAs make_as_from(const std::string& word) {
   if (word == "relief") return session::MakeAs::relief;
@@ -64,7 +64,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   constexpr int kMostInputs = 4096;
   constexpr Range kDepthUnits{-1e6, 1e6};
   options.arguments("INPUT", arguments.inputs, kMostInputs,
-                    "A pair (left first), a depth map, a mesh, points, shapes, or a scene");
+                    "A pair (left first), a depth map, a mesh, points, shapes, a video, or a scene");
   options.under("How the scene is made");
   options.choice(
       "--as", arguments.as, {"relief", "contours", "field", "grid"},

@@ -76,6 +76,37 @@ Result<void> write_depth_maps(const fs::path& folder, const VideoReconstruction&
   return write_text(folder / "depth.json", sidecar.dump(2) + "\n");
 }
 
+Error wrong_output(std::string message, const fs::path& place) {
+  return {ErrorCode::usage, std::move(message), place.string()};
+}
+
+Result<void> check_parent(const fs::path& file) {
+  std::error_code none;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  return fs::is_directory(folder, none) ? Result<void>()
+                                        : wrong_output("there is no folder " + folder.string(), file);
+}
+
+Result<void> check_poses_file(const fs::path& file, const std::vector<std::string>& files) {
+  std::error_code none;
+  if (file.extension() != ".csv") return wrong_output("poses of a video are written as .csv", file);
+  if (fs::is_directory(file, none)) return wrong_output("is a folder", file);
+  for (const std::string& other : files)
+    if (file.lexically_normal() == fs::path(other).lexically_normal() || fs::equivalent(file, other, none))
+      return wrong_output("would be overwritten: the command names it as another file too", file);
+  if (auto parent = check_parent(file); !parent) return parent;
+  return check_room(file);
+}
+
+// A new folder, an empty one, or one that holds depth maps of before.
+Result<void> check_depth_folder(const fs::path& folder) {
+  std::error_code none;
+  if (!fs::exists(folder, none)) return check_parent(folder);
+  if (!fs::is_directory(folder, none)) return wrong_output("is a file, not a folder", folder);
+  const bool ours = fs::exists(folder / "depth.json", none) || fs::is_empty(folder, none);
+  return ours ? Result<void>() : wrong_output("holds other files; name a new folder", folder);
+}
+
 }  // namespace
 
 void add_video_outputs(Options& options, VideoOutputs& outputs) {
@@ -94,18 +125,25 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
   return found && *found == sources::InputKind::video;
 }
 
-Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction* video) {
-  if (video == nullptr) {
+Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
+                                 const std::vector<std::string>& files) {
+  if (!video) {
     for (const auto& [name, value] :
          {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder)})
-      if (!value->empty()) return Error{ErrorCode::usage, "is for videos", name};
+      if (!value->empty()) return Error{ErrorCode::usage, "only videos have this output", name};
     return {};
   }
   if (!outputs.poses.empty())
-    if (auto written = write_poses(outputs.poses, *video); !written) return written;
+    if (auto checked = check_poses_file(outputs.poses, files); !checked) return checked;
+  return outputs.depth_folder.empty() ? Result<void>() : check_depth_folder(outputs.depth_folder);
+}
+
+Result<void> write_video_outputs(const VideoOutputs& outputs, const VideoReconstruction& video) {
+  if (!outputs.poses.empty())
+    if (auto written = write_poses(outputs.poses, video); !written) return written;
   if (!outputs.structure.empty())
-    if (auto written = write_structure(outputs.structure, *video); !written) return written;
-  return outputs.depth_folder.empty() ? Result<void>() : write_depth_maps(outputs.depth_folder, *video);
+    if (auto written = write_structure(outputs.structure, video); !written) return written;
+  return outputs.depth_folder.empty() ? Result<void>() : write_depth_maps(outputs.depth_folder, video);
 }
 
 }  // namespace palpable::cli

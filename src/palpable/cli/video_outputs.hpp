@@ -25,8 +25,14 @@ void add_video_outputs(Options& options, VideoOutputs& outputs);
 /// Whether these inputs are one film, or the folder of a sequence: --poses is then written, else read.
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 
-/// Errors: usage where outputs are wanted and the scene is none of a video; failed as
-/// write_file_atomically().
-Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction* video);
+/// Whether all of them can be written, asked before any work is done. `files`: the inputs and every other
+/// file of the command line, none of which may be overwritten. Errors: usage for outputs where `video` is
+/// false (the input is none), for a file that is one of `files`, a folder that is missing or holds other
+/// files; failed where there is no room.
+Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
+                                 const std::vector<std::string>& files);
+
+/// Writes them. Errors: failed, as write_file_atomically().
+Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction& video);
 
 }  // namespace palpable::cli

@@ -130,7 +130,7 @@ Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const
   if (!maps) return maps.error();
   PointCloud structure = structure_of(*maps);
   if (structure.places_m.empty())
-    return Error{ErrorCode::failed,
+    return Error{ErrorCode::invalid_input,
                  "no surface was seen alike from several sides: film again, more slowly and in more light",
                  {},
                  Reason::unspecified};
@@ -152,7 +152,6 @@ Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const
       Note(fmt::format("The camera's path was found in {} of {} frames; points are {:.2f} px from where "
                        "they should be (root mean square).",
                        reconstruction.poses.size(), frames.size(), motion->reprojection_rms_px)));
-  made->notes.emplace_back("No length is known: the scale of the video's scene is its own.");
   made->video = std::make_shared<const VideoReconstruction>(std::move(reconstruction));
   return made;
 }

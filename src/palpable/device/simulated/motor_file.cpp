@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cerrno>
 #include <ctime>
+#include <filesystem>
 #include <new>
 #include <system_error>
 
@@ -26,6 +27,11 @@ Result<std::unique_ptr<MotorFile>> MotorFile::create(const std::filesystem::path
     return Error{ErrorCode::failed, "cannot be written: " + std::generic_category().message(errno),
                  path.string()};
   };
+  std::error_code none;
+  const auto size = std::filesystem::file_size(path, none);
+  if (!none && size != 0 && size != sizeof(Content))
+    return Error{ErrorCode::usage, "exists and was not written by a simulated device; name another file",
+                 path.string()};
   constexpr mode_t kReadableByAll = 0644;
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, kReadableByAll);
   if (descriptor < 0) return failed();

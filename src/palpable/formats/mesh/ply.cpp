@@ -13,7 +13,7 @@ namespace palpable::formats {
 namespace {
 
 constexpr const char* kHeader =
-    "ply\nformat binary_little_endian 1.0\ncomment metres\nelement vertex {}\nproperty float x\n"
+    "ply\nformat binary_little_endian 1.0\n{}element vertex {}\nproperty float x\n"
     "property float y\nproperty float z\n{}end_header\n";
 
 void put_text(ByteWriter& file, const std::string& text) {
@@ -32,7 +32,7 @@ std::vector<std::byte> bytes_of(const ByteWriter& file) { return {file.bytes().b
 Result<std::vector<std::byte>> encode_ply(const Mesh& mesh) {
   if (mesh.triangles.empty()) return Error{ErrorCode::failed, "there is no surface to write", {}};
   ByteWriter file;
-  put_text(file, fmt::format(fmt::runtime(kHeader), mesh.vertices_m.size(),
+  put_text(file, fmt::format(fmt::runtime(kHeader), "comment metres\n", mesh.vertices_m.size(),
                              fmt::format("element face {}\nproperty list uchar int vertex_indices\n",
                                          mesh.triangles.size())));
   put_places(file, mesh.vertices_m);
@@ -46,7 +46,7 @@ Result<std::vector<std::byte>> encode_ply(const Mesh& mesh) {
 Result<std::vector<std::byte>> encode_ply(const PointCloud& cloud) {
   if (cloud.places_m.empty()) return Error{ErrorCode::failed, "there are no points to write", {}};
   ByteWriter file;
-  put_text(file, fmt::format(fmt::runtime(kHeader), cloud.places_m.size(), ""));
+  put_text(file, fmt::format(fmt::runtime(kHeader), "", cloud.places_m.size(), ""));
   put_places(file, cloud.places_m);
   return bytes_of(file);
 }

@@ -15,7 +15,7 @@ namespace palpable::formats {
 /// triangles.
 Result<std::vector<std::byte>> encode_ply(const Mesh& mesh);
 
-/// The same of points, without triangles and normals. Errors: failed for a cloud without points.
+/// The same of points, without triangles, normals and unit. Errors: failed for a cloud without points.
 Result<std::vector<std::byte>> encode_ply(const PointCloud& cloud);
 
 }  // namespace palpable::formats

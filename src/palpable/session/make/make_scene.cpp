@@ -42,11 +42,12 @@ std::string few_names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 Error cannot_become(const sources::Input& input) {
-  return {ErrorCode::usage,
-          "a " + std::string(sources::name_of(input.kind)) +
-              " cannot be made into that: give a stereo pair, a depth map, a mesh, points with normals, a "
-              "video or a scene",
-          few_names_of(input.files), Reason::unexpected_input_kind};
+  const std::string what = input.kind == InputKind::map ? "street maps are not supported yet"
+                           : input.kind == InputKind::video
+                               ? "a video becomes a field and nothing else yet"
+                               : "a " + std::string(sources::name_of(input.kind)) +
+                                     " cannot become the kind of scene that is asked for";
+  return {ErrorCode::usage, what, few_names_of(input.files), Reason::unexpected_input_kind};
 }
 
 /// Whether this input can become the kind of scene that is asked for, before any of it is read.
@@ -59,12 +60,12 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
   }
   if (is_contours(options, input)) return {};
   const bool adaptive = options.recipes.field.storage == recipes::FieldStorage::adaptive;
-  if (!adaptive && options.as != MakeAs::field && !is_solid(input.kind))
+  const bool becomes_field = is_solid(input.kind) || input.kind == InputKind::video;
+  if (!adaptive && options.as != MakeAs::field && !becomes_field)
     return Error{ErrorCode::usage, "dense storage is for fields, and this does not become one",
                  names_of(input.files), Reason::needs_field};
   const bool possible = field_by_input || (input.kind == InputKind::mesh && options.as == MakeAs::relief);
-  if (is_solid(input.kind) || input.kind == InputKind::video)
-    return possible ? Result<void>() : cannot_become(input);
+  if (becomes_field) return possible ? Result<void>() : cannot_become(input);
   if (input.kind == InputKind::scene || input.kind == InputKind::depth || input.kind == InputKind::stereo)
     return {};
   return cannot_become(input);

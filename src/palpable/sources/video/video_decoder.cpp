@@ -143,6 +143,11 @@ class Film {
     if (avcodec_send_packet(codec_.get(), nullptr) == 0)
       if (auto taken = take_frames(); !taken) return taken.error();
     if (video_.frames.empty()) return damaged("none of its frames can be read");
+    // Some writers count a frame too many.
+    const std::int64_t stated = format_->streams[stream_]->nb_frames;
+    if (!full() && number_ + 1 < stated)
+      return damaged(
+          ("it states " + std::to_string(stated) + " frames and holds " + std::to_string(number_)).c_str());
     return std::move(video_);
   }
 

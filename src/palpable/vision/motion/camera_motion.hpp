@@ -60,8 +60,8 @@ struct VideoCamera {
 /// pair of keyframes that determines most points begins, further keyframes join by their known points, all is
 /// refined together with a robust loss, an unknown focal length too. The world is the camera of the first
 /// keyframe, in which the median depth of the points is one. Long work: reports progress, polls cancel.
-/// Errors: usage for options out of range; failed where the camera hardly moved, only turned, or too few
-/// points are followed; interrupted.
+/// Errors: usage for options out of range; invalid_input where the camera hardly moved, only turned, or too
+/// few points are followed; interrupted.
 Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int frame_count,
                                         const VideoCamera& camera, const BatchMotionOptions& options,
                                         const Work& work);

@@ -106,7 +106,7 @@ TEST(CameraMotion, SaysWhatIsWrongWhereTheCameraOnlyTurns) {
   const Filmed truth = film(0.3, true, 0.1);
   const auto motion = motion_from_tracks(truth.tracks, kFrames, {kCamera, true}, {}, {});
   ASSERT_FALSE(motion);
-  EXPECT_EQ(motion.error().code, ErrorCode::failed);
+  EXPECT_EQ(motion.error().code, ErrorCode::invalid_input);
   EXPECT_THAT(motion.error().message, HasSubstr("moving slowly around"));
 }
 

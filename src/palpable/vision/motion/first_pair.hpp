@@ -22,7 +22,7 @@ struct FirstPair {
 };
 
 /// The pair of keyframes whose relative pose (Nistér's five points, in RANSAC) determines most points with
-/// the angle that the options want. Errors: failed, with what the camera did wrong; interrupted.
+/// the angle that the options want. Errors: invalid_input, with what the camera did wrong; interrupted.
 Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes,
                                     const Pinhole& camera, const BatchMotionOptions& options,
                                     const Work& work);

@@ -103,7 +103,7 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
     maps.push_back({frames[from], {std::move(*depth), reference.pose}});
   }
   if (maps.size() < 2)
-    return Error{ErrorCode::failed,
+    return Error{ErrorCode::invalid_input,
                  "the camera moved too little to compute depth: film again, moving farther around the model",
                  {},
                  Reason::unspecified};

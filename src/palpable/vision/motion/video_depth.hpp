@@ -30,8 +30,8 @@ struct FrameDepth {
 
 /// Depth maps of frames along a video whose camera's path is known (multi_view_depth()), with the pixels on
 /// which they agree (consistent_depth()); in the unit of the poses. Pictures, one for each pose, have the
-/// camera's size. Long work: reports progress, polls cancel. Errors: usage for options out of range; failed
-/// where fewer than two frames can be compared with others; interrupted.
+/// camera's size. Long work: reports progress, polls cancel. Errors: usage for options out of range;
+/// invalid_input where fewer than two frames can be compared with others; interrupted.
 Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* const> pictures,
                                                const CameraMotion& motion, const Pinhole& camera,
                                                const VideoDepthOptions& options, const Work& work);
