@@ -74,7 +74,7 @@ std::vector<Vec3> raised(const std::vector<Vec3>& places) {
 
 // What lies far around the model is left out: the table's rest and the room.
 void crop(std::vector<FrameDepth>& maps, const TableAxes& axes, const PointCloud& structure) {
-  constexpr double kOutliers = 0.01, kMargin = 0.1;
+  constexpr double kOutliers = 0.01, kMargin = 0.15;
   std::vector<Vec3> places;
   for (const Vec3& place : structure.places_m) places.push_back(axes.rotate({place}).v);
   std::array<std::vector<double>, 2> across;
