@@ -143,8 +143,9 @@ void place_block(const std::vector<std::byte>& raw, const Block& block, const La
   const std::uint32_t rows = std::min(block.height, layout.height - block.top);
   std::array<float, 256> of_byte{};
   for (std::size_t k = 0; layout.bits == 8 && k < of_byte.size(); ++k) {
-    const auto byte = static_cast<std::byte>(k);
-    of_byte[k] = sample_at(&byte, layout);
+    // As long as the longest sample, which sample_at() may read.
+    const std::array<std::byte, sizeof(float)> sample{static_cast<std::byte>(k)};
+    of_byte[k] = sample_at(sample.data(), layout);
   }
   for (std::size_t y = 0; y < rows; ++y) {
     const std::byte* from = raw.data() + y * block.width * step * sample_bytes;
