@@ -5,6 +5,7 @@
 #include "palpable/core/quantile.hpp"
 #include "palpable/recipes/fused_depth_recipe.hpp"
 #include "palpable/recipes/table_axes.hpp"
+#include "palpable/vision/image/luma.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -19,13 +20,7 @@ using vision::FrameDepth;
 
 std::vector<Raster<std::uint8_t>> greys_of(const std::vector<FilmedFrame>& frames) {
   std::vector<Raster<std::uint8_t>> out;
-  for (const FilmedFrame& frame : frames) {
-    Raster<std::uint8_t> grey(frame.picture.width(), frame.picture.height());
-    std::transform(
-        frame.picture.values().begin(), frame.picture.values().end(), grey.values().begin(),
-        [](Rgb8 p) { return static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000); });
-    out.push_back(std::move(grey));
-  }
+  for (const FilmedFrame& frame : frames) out.push_back(vision::luma8(frame.picture));
   return out;
 }
 

@@ -2,25 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/read_film.hpp"
 
+#include "palpable/session/make/places.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/video/read_video.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-
-#include <fmt/format.h>
+#include <vector>
 
 namespace palpable::session {
 namespace {
-
-// The camera of reduced pictures; pixel centres are at integers.
-Pinhole reduced_to(const Pinhole& camera, int width, int height) {
-  const double sx = static_cast<double>(width) / camera.width,
-               sy = static_cast<double>(height) / camera.height;
-  return {camera.fx * sx, camera.fy * sy, (camera.cx + 0.5) * sx - 0.5, (camera.cy + 0.5) * sy - 0.5,
-          width,          height};
-}
 
 // A field of view of 62 degrees across the longer side, as most phones have it.
 vision::VideoCamera usual_camera(int width, int height) {
@@ -29,21 +20,24 @@ vision::VideoCamera usual_camera(int width, int height) {
   return {{focal_length, focal_length, (width - 1) / 2.0, (height - 1) / 2.0, width, height}, false};
 }
 
-Result<vision::VideoCamera> camera_of(const sources::Video& video, const std::filesystem::path& calibration) {
+Result<vision::VideoCamera> camera_of(const sources::Video& video, const std::filesystem::path& calibration,
+                                      std::vector<Note>& notes) {
   const int width = video.frames.front().picture.width(), height = video.frames.front().picture.height();
-  if (calibration.empty()) return usual_camera(width, height);
+  if (calibration.empty()) {
+    notes.emplace_back("The camera's focal length is not given: it was estimated from the video.",
+                       Reason::needs_calibration);
+    return usual_camera(width, height);
+  }
   const auto read = sources::read_calibration(calibration);
   if (!read) return read.error();
-  const Pinhole camera = sources::pinhole_of(read->left);
-  constexpr double kSameShape = 0.01;
-  const double shape = static_cast<double>(camera.width) * video.full_height /
-                       (static_cast<double>(camera.height) * video.full_width);
-  if (!(std::abs(shape - 1.0) < kSameShape))
-    return invalid_input(
-        fmt::format("is for pictures of {}, the frames are {}", size_text(camera.width, camera.height),
-                    size_text(video.full_width, video.full_height)),
-        calibration.string());
-  return vision::VideoCamera{reduced_to(camera, width, height), true};
+  // The frames may be smaller than those in the file.
+  const auto fitting = sources::calibration_for(*read, width, height);
+  if (!fitting) return at_place(fitting.error(), calibration.string());
+  const auto& bend = fitting->left.distortion;
+  if (std::any_of(bend.begin(), bend.end(), [](double k) { return k != 0.0; }))
+    notes.emplace_back(
+        "The lens's distortion, which the calibration states, is not corrected in videos yet.");
+  return vision::VideoCamera{sources::pinhole_of(fitting->left), true};
 }
 
 }  // namespace
@@ -51,12 +45,10 @@ Result<vision::VideoCamera> camera_of(const sources::Video& video, const std::fi
 Result<ReadInput> read_film(const sources::Input& input, const InputOptions& options, const Work& work) {
   auto video = sources::read_video(input.files, work);
   if (!video) return video.error();
-  const auto camera = camera_of(*video, options.calibration);
+  std::vector<Note> notes = input.notes;
+  const auto camera = camera_of(*video, options.calibration, notes);
   if (!camera) return camera.error();
-  ReadInput out{Film{{}, *camera}, input.notes};
-  if (!camera->focal_length_known)
-    out.notes.emplace_back("The camera's focal length is not given: it was estimated from the video.",
-                           Reason::needs_calibration);
+  ReadInput out{Film{{}, *camera}, std::move(notes)};
   auto& frames = std::get<Film>(out.values).frames;
   for (sources::VideoFrame& frame : video->frames) frames.push_back({frame.number, std::move(frame.picture)});
   return out;

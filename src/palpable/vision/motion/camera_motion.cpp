@@ -70,7 +70,7 @@ Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int 
   reconstruction.add_all_frames(frame_count, work);
   reconstruction.refine(30, work);
   if (work.cancelled()) return Work::interrupted();
-  return reconstruction.result(keyframes);
+  return reconstruction.result();
 }
 
 }  // namespace palpable::vision

@@ -29,8 +29,6 @@ struct CameraMotion {
   /// One for each frame; not given for frames whose points do not determine it.
   std::vector<std::optional<CameraPose>> poses;
   std::vector<StructurePoint> points;
-  /// Frames between which the picture has changed enough to compute depth.
-  std::vector<int> keyframes;
   /// Root mean square distance between seen and projected places, px.
   double reprojection_rms_px = 0.0;
 };

@@ -3,6 +3,7 @@
 #include "palpable/vision/motion/multi_view_depth.hpp"
 
 #include "palpable/vision/image/census.hpp"
+#include "palpable/vision/image/luma.hpp"
 #include "palpable/vision/stereo/cost/least_cost.hpp"
 #include "palpable/vision/stereo/cost/matching_cost.hpp"
 #include "palpable/vision/stereo/cost/sub_pixel.hpp"
@@ -19,17 +20,8 @@ namespace {
 
 constexpr std::size_t kMostOthers = 16;
 
-Raster<std::uint8_t> luma_of(const Raster<Rgb8>& picture) {
-  Raster<std::uint8_t> out(picture.width(), picture.height());
-  for (std::size_t i = 0; i < picture.count(); ++i) {
-    const Rgb8 p = picture.values()[i];
-    out.values()[i] = static_cast<std::uint8_t>((299 * p.r + 587 * p.g + 114 * p.b + 500) / 1000);
-  }
-  return out;
-}
-
 MatchView view_of(const PosedFrame& frame, const VolumeOptions& options, const Work& work) {
-  return match_view(*frame.picture, luma_of(*frame.picture), options.census, work);
+  return match_view(*frame.picture, luma8(*frame.picture), options.census, work);
 }
 
 // Where a pixel of the reference at inverse depth w lies in another picture: (h + w e) / z, in homogeneous

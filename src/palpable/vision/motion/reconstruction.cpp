@@ -161,10 +161,9 @@ void Reconstruction::add_all_frames(int frame_count, const Work& work) {
   poses_ = std::move(poses);
 }
 
-CameraMotion Reconstruction::result(std::vector<int> keyframes) const {
+CameraMotion Reconstruction::result() const {
   CameraMotion out;
   out.camera = camera_;
-  out.keyframes = std::move(keyframes);
   const auto first =
       std::find_if(poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); });
   const Transform<WorldFrame, WorldFrame> turned = [&] {

@@ -34,7 +34,7 @@ class Reconstruction {
   /// Every frame, not only the keyframes, gets its pose by the points that it sees.
   void add_all_frames(int frame_count, const Work& work);
   /// In the first posed camera's frame, with unit median depth of the points.
-  CameraMotion result(std::vector<int> keyframes) const;
+  CameraMotion result() const;
 
  private:
   std::vector<std::size_t> seen_points(int frame) const;
