@@ -3,6 +3,7 @@
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 
 #include "palpable/sculpt/solid/nearest_in_balls.hpp"
+#include "palpable/sculpt/solid/surface_cut.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
@@ -121,8 +122,11 @@ class MeshDistance final : public DistanceSource {
  public:
   MeshDistance(const Mesh& surface, const Mesh& whole)
       : tree_(surface), joints_(surface), bounds_(bounds_of(surface)) {
-    if (&surface != &whole) whole_.emplace(whole);
     const Box box = bounds_of(whole);
+    if (&surface != &whole) {
+      whole_.emplace(whole);
+      thinnest_m_ = kThinnestSolid * norm(box.most_m - box.least_m);
+    }
     // Files keep single precision: what touches there may be apart by its last digit.
     touching_m_ = 2e-7 * norm(box.most_m - box.least_m);
     normals_valid_within_m_ = touching_m_ / TriangleTree::kNearestSlack;
@@ -149,8 +153,9 @@ class MeshDistance final : public DistanceSource {
       return {dot(way, there), there};
     if (distance <= touching_m_) return {0.0, joints_.face(near.triangle)};
     const bool by_normal = joints_.all_closed() && distance <= normals_valid_within_m_;
-    const TriangleTree& whole = whole_ ? *whole_ : tree_;
-    const bool inside = by_normal ? is_behind(whole, p, way, there, hint) : is_behind(whole, p, hint);
+    const InsideTest solid{whole_ ? *whole_ : tree_, thinnest_m_};
+    const bool inside =
+        by_normal ? is_behind(solid, p, way, there, hint) : is_behind(solid, p, distance, hint);
     const double sign = inside ? -1.0 : 1.0;
     return {sign * distance, (sign / distance) * way};
   }
@@ -159,6 +164,8 @@ class MeshDistance final : public DistanceSource {
   Joints joints_;
   /// The mesh that the surface was taken from, if it is another.
   std::optional<TriangleTree> whole_;
+  /// Only that mesh may have parts that are not the solid's.
+  double thinnest_m_ = 0.0;
   Box bounds_;
   double touching_m_ = 0.0;
   /// Farther away, one side of a thin sheet may have been taken for the nearest triangle instead of the

@@ -273,7 +273,7 @@ models::FieldSample SmoothSurface::faceted(Vec3 p, const NearestTriangle& near, 
   if (near.part == TrianglePart::face) return {dot(way, normal), normal};
   const double distance = std::sqrt(near.squared_distance_m2);
   if (distance == 0.0) return {0.0, unit(normal)};
-  const double sign = is_behind(tree_, p, way, normal, hint) ? -1.0 : 1.0;
+  const double sign = is_behind(InsideTest{tree_}, p, way, normal, hint) ? -1.0 : 1.0;
   return {sign * distance, (sign / distance) * way};
 }
 

@@ -32,7 +32,7 @@ Vec3 normal_of(const Corners& c) { return unit(cross(c[1] - c[0], c[2] - c[0]));
 /// Tests whether the solid is on either side of a point of the surface.
 class SideTester {
  public:
-  SideTester(const TriangleTree& tree, double size_m) : tree_(tree), lift_m_(2e-6 * size_m) {}
+  SideTester(const TriangleTree& tree, double size_m) : tree_(tree), lift_m_(0.5 * kThinnestSolid * size_m) {}
   Sides sides_at(Vec3 place, Vec3 normal) const {
     const bool front = tree_.winding(place + lift_m_ * normal) > 0.5;
     const bool back = tree_.winding(place - lift_m_ * normal) > 0.5;

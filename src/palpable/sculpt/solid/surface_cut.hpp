@@ -19,6 +19,11 @@ struct SolidSurface {
   std::size_t inner = 0;
 };
 
+/// Thinner parts of a mesh are no solid, as a share of the diagonal of its box: 0.4 um in 200 mm. Both sides
+/// of a triangle are tested at half of this distance from it; files in single precision are exact to a
+/// thirtieth.
+inline constexpr double kThinnestSolid = 4e-6;
+
 /// Whether the solid lies behind every triangle and nothing before it, by the winding number: then the mesh
 /// is its solid's surface already. Tested at the centre of each triangle; for those from `first_added` on,
 /// and for all that are near them, at six more places. `tree` holds the mesh. All threads; polls cancel.
