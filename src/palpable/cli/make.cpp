@@ -120,12 +120,17 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);
-  if (made->video)
-    if (const auto written = write_video_outputs(arguments.video, *made->video); !written)
-      return written.error();
   if (const auto applied = apply_materials(arguments.material, scene); !applied) return applied.error();
   apply_title(*title, scene);
-  if (const auto written = formats::write_scene(arguments.output, scene); !written) return written.error();
+  // None of them appears before all of them are on the disk.
+  AtomicFiles files;
+  if (made->video)
+    if (const auto added = add_video_outputs(arguments.video, *made->video, files); !added)
+      return added.error();
+  const auto encoded = formats::encode_scene(scene);
+  if (!encoded) return Error{encoded.error().code, encoded.error().message, arguments.output};
+  if (const auto added = files.add(arguments.output, *encoded); !added) return added.error();
+  if (const auto written = files.commit(); !written) return written.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
   const Vec3 size = models::size_m(scene);

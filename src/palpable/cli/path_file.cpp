@@ -8,15 +8,9 @@
 
 namespace palpable::cli {
 
-Result<std::string> read_table_text(const std::filesystem::path& file) {
-  const auto bytes = read_file(file);
-  if (!bytes) return bytes.error();
-  return std::string(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-}
-
 Result<NumberTable> read_number_table(const std::filesystem::path& file,
                                       std::span<const std::string_view> wanted) {
-  const auto text = read_table_text(file);
+  const auto text = read_text_file(file);
   if (!text) return text.error();
   auto table = parse_number_table(*text, wanted);
   if (!table) return invalid_input(table.error().message, file.string());

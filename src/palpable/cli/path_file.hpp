@@ -6,13 +6,9 @@
 #include "palpable/haptics/servo/probe_path.hpp"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace palpable::cli {
-
-/// A file's whole text. Errors: invalid_input, naming the file.
-Result<std::string> read_table_text(const std::filesystem::path& file);
 
 /// The columns `wanted` of a CSV file. Errors: as parse_number_table(), with the file's name.
 Result<NumberTable> read_number_table(const std::filesystem::path& file,

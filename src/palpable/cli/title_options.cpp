@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/title_options.hpp"
 
-#include "palpable/core/byte_reader.hpp"
 #include "palpable/core/plain_text.hpp"
 #include "palpable/core/read_file.hpp"
 
@@ -52,9 +51,14 @@ void add_title_options(Options& options, TitleArguments& arguments) {
 
 Result<TitleArguments> read_title(TitleArguments arguments) {
   if (arguments.description.starts_with('@')) {
-    const auto file = read_file(arguments.description.substr(1));
-    if (!file) return file.error();
-    arguments.description = as_text(*file);
+    if (arguments.description.size() == 1)
+      return usage("@ is followed by the name of a text file", "--describe");
+    // White space around the description does not count.
+    constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 20U;
+    static_assert(kMaxBytes > models::kMaxDescriptionBytes);
+    auto text = read_text_file(arguments.description.substr(1), kMaxBytes);
+    if (!text) return text.error();
+    arguments.description = *std::move(text);
   }
   TitleArguments title{trimmed(arguments.title), trimmed(arguments.description)};
   if (title.title.find('\n') != std::string::npos) return usage("a title is one line", "--title");

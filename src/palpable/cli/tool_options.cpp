@@ -3,6 +3,7 @@
 #include "palpable/cli/tool_options.hpp"
 
 #include "palpable/cli/path_file.hpp"
+#include "palpable/core/read_file.hpp"
 #include "palpable/models/field/superquadric.hpp"
 
 #include <array>
@@ -84,7 +85,7 @@ Result<std::vector<haptics::ToolPlace>> tool_from(const std::string& tool) {
 Result<ToolPath> read_tool_path(const std::filesystem::path& file) {
   constexpr std::array<std::string_view, 1> kProbe{"probe"};
   constexpr std::array<std::string_view, 4> kTurned{"qw", "qx", "qy", "qz"};
-  const auto text = read_table_text(file);
+  const auto text = read_text_file(file);
   if (!text) return text.error();
   ToolPath path;
   path.names_probes = has_columns(*text, kProbe);

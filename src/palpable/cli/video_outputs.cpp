@@ -4,7 +4,7 @@
 
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/formats/mesh/ply.hpp"
-#include "palpable/formats/picture/picture.hpp"
+#include "palpable/formats/picture/png.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/sources/input/input.hpp"
 
@@ -23,11 +23,11 @@ namespace {
 namespace fs = std::filesystem;
 using recipes::VideoReconstruction;
 
-Result<void> write_text(const fs::path& path, const std::string& text) {
-  return write_file_atomically(path, std::as_bytes(std::span(text)));
+Result<void> add_text(const fs::path& path, const std::string& text, AtomicFiles& files) {
+  return files.add(path, std::as_bytes(std::span(text)));
 }
 
-Result<void> write_poses(const fs::path& path, const VideoReconstruction& video) {
+Result<void> add_poses(const fs::path& path, const VideoReconstruction& video, AtomicFiles& files) {
   std::string text = "frame,qw,qx,qy,qz,tx,ty,tz\n";
   for (const auto& [frame, pose] : video.poses) {
     const auto q = models::quaternion_of(pose.rotation);
@@ -35,13 +35,13 @@ Result<void> write_poses(const fs::path& path, const VideoReconstruction& video)
     text += fmt::format("{},{:.9f},{:.9f},{:.9f},{:.9f},{:.9g},{:.9g},{:.9g}\n", frame, q[0], q[1], q[2],
                         q[3], t.x, t.y, t.z);
   }
-  return write_text(path, text);
+  return add_text(path, text, files);
 }
 
-Result<void> write_structure(const fs::path& path, const VideoReconstruction& video) {
+Result<void> add_structure(const fs::path& path, const VideoReconstruction& video, AtomicFiles& files) {
   const auto bytes = formats::encode_ply(video.structure);
   if (!bytes) return bytes.error();
-  return write_file_atomically(path, *bytes);
+  return files.add(path, *bytes);
 }
 
 // The unit in which the greatest depth just fits 16 bits.
@@ -53,10 +53,8 @@ double depth_unit(const VideoReconstruction& video) {
   return static_cast<double>(greatest) / 65535.0;
 }
 
-Result<void> write_depth_maps(const fs::path& folder, const VideoReconstruction& video) {
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  if (fault) return Error{ErrorCode::failed, "cannot be made: " + fault.message(), folder.string()};
+Result<void> add_depth_maps(const fs::path& folder, const VideoReconstruction& video, AtomicFiles& files) {
+  if (auto made = files.make_folder(folder); !made) return made;
   const double unit = depth_unit(video);
   for (const auto& depth : video.depth_maps) {
     Raster<std::uint16_t> values(depth.map.depth_m.width(), depth.map.depth_m.height());
@@ -65,15 +63,16 @@ Result<void> write_depth_maps(const fs::path& folder, const VideoReconstruction&
                      return z > 0 ? static_cast<std::uint16_t>(std::lround(static_cast<double>(z) / unit))
                                   : std::uint16_t{0};
                    });
-    if (auto written = formats::write_png(folder / fmt::format("{:04}.png", depth.frame_number), values);
-        !written)
-      return written;
+    const auto png = formats::encode_png(values);
+    if (!png) return png.error();
+    const fs::path file = folder / fmt::format("{:04}.png", depth.frame_number);
+    if (auto added = files.add(file, *png); !added) return added;
   }
   const Pinhole& camera = *video.depth_maps.front().map.camera;
   const nlohmann::json sidecar{{"scale", unit},          {"fx", camera.fx}, {"fy", camera.fy},
                                {"cx", camera.cx},        {"cy", camera.cy}, {"width", camera.width},
                                {"height", camera.height}};
-  return write_text(folder / "depth.json", sidecar.dump(2) + "\n");
+  return add_text(folder / "depth.json", sidecar.dump(2) + "\n", files);
 }
 
 Error wrong_output(std::string message, const fs::path& place) {
@@ -138,12 +137,13 @@ Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
   return outputs.depth_folder.empty() ? Result<void>() : check_depth_folder(outputs.depth_folder);
 }
 
-Result<void> write_video_outputs(const VideoOutputs& outputs, const VideoReconstruction& video) {
+Result<void> add_video_outputs(const VideoOutputs& outputs, const VideoReconstruction& video,
+                               AtomicFiles& files) {
   if (!outputs.poses.empty())
-    if (auto written = write_poses(outputs.poses, video); !written) return written;
+    if (auto added = add_poses(outputs.poses, video, files); !added) return added;
   if (!outputs.structure.empty())
-    if (auto written = write_structure(outputs.structure, video); !written) return written;
-  return outputs.depth_folder.empty() ? Result<void>() : write_depth_maps(outputs.depth_folder, video);
+    if (auto added = add_structure(outputs.structure, video, files); !added) return added;
+  return outputs.depth_folder.empty() ? Result<void>() : add_depth_maps(outputs.depth_folder, video, files);
 }
 
 }  // namespace palpable::cli

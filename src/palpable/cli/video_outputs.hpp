@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
+#include "palpable/core/atomic_files.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/recipes/video_recipe.hpp"
 
@@ -32,7 +33,8 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
                                  const std::vector<std::string>& files);
 
-/// Writes them. Errors: failed, as write_file_atomically().
-Result<void> write_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction& video);
+/// Adds them to the files of the command, which appear together. Errors: failed, as AtomicFiles::add().
+Result<void> add_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction& video,
+                               AtomicFiles& files);
 
 }  // namespace palpable::cli

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/read_file.hpp"
 
+#include "palpable/core/byte_reader.hpp"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -22,8 +24,11 @@ Error unreadable(const std::filesystem::path& path, int reason) {
 
 Result<File> open_for_reading(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    return invalid_input("is a folder, not a file", path.string());
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) return invalid_input("is a folder, not a file", path.string());
+  // It may never end, or reading may change it.
+  if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
+    return invalid_input("is a device, not a file", path.string());
   File file(std::fopen(path.c_str(), "rbe"));
   if (!file) return unreadable(path, errno);
   return file;
@@ -52,18 +57,27 @@ Result<std::vector<std::byte>> read_up_to(std::FILE* file, std::size_t limit,
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path, std::uintmax_t max_bytes) {
   auto file = open_for_reading(path);
   if (!file) return std::move(file).error();
-  const auto too_large = [&] {
-    return invalid_input("is larger than the " + std::to_string(max_bytes >> 20U) + " MiB that are read",
-                         path.string());
-  };
   std::error_code no_size;
   const std::uintmax_t size = std::filesystem::file_size(path, no_size);
+  if (no_size) max_bytes = std::min(max_bytes, kMaxPipeBytes);
+  const auto too_large = [&] {
+    const bool in_mebibytes = max_bytes >= std::uintmax_t{1} << 20U;
+    return invalid_input("is larger than the " + std::to_string(max_bytes >> (in_mebibytes ? 20U : 10U)) +
+                             (in_mebibytes ? " MiB" : " KiB") + " that are read",
+                         path.string());
+  };
   if (!no_size && size > max_bytes) return too_large();
-  const auto limit = static_cast<std::size_t>(no_size ? max_bytes : std::min(size, max_bytes));
+  const auto limit = static_cast<std::size_t>(no_size ? max_bytes : size);
   // One byte more than allowed shows a file that grows, or a pipe that goes on.
   auto bytes = read_up_to(file->get(), limit + 1, path);
   if (bytes && bytes->size() > max_bytes) return too_large();
   return bytes;
+}
+
+Result<std::string> read_text_file(const std::filesystem::path& path, std::uintmax_t max_bytes) {
+  const auto bytes = read_file(path, max_bytes);
+  if (!bytes) return bytes.error();
+  return std::string(as_text(*bytes));
 }
 
 Result<std::vector<std::byte>> read_file_start(const std::filesystem::path& path, std::size_t count) {

@@ -197,7 +197,9 @@ TEST(Replay, RefusesARecordingThatIsDamagedAndTakesOneThatWasInterrupted) {
   auto bytes = *read_file(file);
   bytes.resize(bytes.size() - 5);
   ASSERT_TRUE(write_file_atomically(file, bytes));
-  EXPECT_TRUE(open_device("replay:" + file.string(), {}));
+  const auto interrupted = open_device("replay:" + file.string(), {});
+  ASSERT_TRUE(interrupted);
+  EXPECT_NE((*interrupted)->traits().name.find("interrupted"), std::string::npos);
   bytes[bytes.size() / 2] ^= std::byte{1};
   ASSERT_TRUE(write_file_atomically(file, bytes));
   const auto damaged = open_device("replay:" + file.string(), {});

@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kAhead = std::size_t{1} << 15U;
 constexpr auto kReadPeriod = std::chrono::milliseconds(100);
 
-/// Whether the recording holds a tick, and nothing in it is damaged. One that was interrupted is good.
-Result<void> check_whole(const std::string& file) {
+/// How a recording that holds a tick, and in which nothing is damaged, ends. One that was interrupted is good.
+Result<RecordingEnd> end_of(const std::string& file) {
   const auto reader = RecordingReader::open(file);
   if (!reader) return reader.error();
   std::uint64_t ticks = 0;
@@ -29,7 +29,7 @@ Result<void> check_whole(const std::string& file) {
   if ((*reader)->end() == RecordingEnd::more_after_end)
     return invalid_input("is a recording with something after the mark of its end", file);
   if (ticks == 0) return invalid_input("is a recording without a tick", file);
-  return {};
+  return (*reader)->end();
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& o
   if (auto valid = url.finish(); !valid) return std::move(valid).error();
   if (url.path().empty())
     return Error{ErrorCode::usage, "needs the recording's file: replay:FILE", "replay:"};
-  if (auto whole = check_whole(url.path()); !whole) return std::move(whole).error();
+  const auto end = end_of(url.path());
+  if (!end) return end.error();
   auto reader = RecordingReader::open(url.path());
   if (!reader) return std::move(reader).error();
   auto traits = recorded_traits((*reader)->header_json());
@@ -94,6 +95,7 @@ Result<std::unique_ptr<Device>> open_replay(DeviceUrl& url, const OpenOptions& o
     traits->pushes_back = false;
   }
   traits->name = traits->name.empty() ? "replay" : "replay of " + traits->name;
+  if (*end == RecordingEnd::cut) traits->name += " (the recording was interrupted)";
   return std::unique_ptr<Device>(std::make_unique<ReplayDevice>(*std::move(reader), *traits));
 }
 

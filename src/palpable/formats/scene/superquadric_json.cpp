@@ -78,7 +78,9 @@ Result<std::vector<models::Superquadric>> decode_superquadrics(std::span<const s
 }
 
 Result<std::vector<models::Superquadric>> read_superquadrics(const std::filesystem::path& path) {
-  const auto file = read_file(path);
+  // 256 of them take a tenth of it.
+  constexpr std::uintmax_t kMaxBytes = std::uintmax_t{1} << 20U;
+  const auto file = read_file(path, kMaxBytes);
   if (!file) return file.error();
   auto shapes = decode_superquadrics(*file);
   if (!shapes) shapes.error().place = path.string();

@@ -41,10 +41,9 @@ std::optional<long> number_of(const fs::path& file) {
 
 Result<std::map<long, Pose>> read_poses(const fs::path& file) {
   constexpr std::array<std::string_view, 8> kColumns{"frame", "qw", "qx", "qy", "qz", "tx", "ty", "tz"};
-  const auto bytes = read_file(file);
-  if (!bytes) return bytes.error();
-  const auto table =
-      parse_number_table({reinterpret_cast<const char*>(bytes->data()), bytes->size()}, kColumns);
+  const auto text = read_text_file(file);
+  if (!text) return text.error();
+  const auto table = parse_number_table(*text, kColumns);
   if (!table) return invalid_input(table.error().message, file.string());
   std::map<long, Pose> poses;
   for (std::size_t i = 0; i < table->rows(); ++i) {

@@ -141,15 +141,39 @@ bool counted_before(const std::string& a, const std::string& b) {
   return a.size() - i < b.size() - j;
 }
 
-Result<std::vector<fs::path>> pictures_in(const fs::path& folder) {
+/// Whether a file is called like a picture, whatever it holds.
+bool is_named_as_picture(const fs::path& file) {
+  constexpr std::array<std::string_view, 13> kSuffixes{".png",  ".jpg",  ".jpeg", ".jpe",  ".tif",
+                                                       ".tiff", ".heic", ".heif", ".avif", ".webp",
+                                                       ".pnm",  ".ppm",  ".pgm"};
+  std::string suffix = file.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
+}
+
+/// Names for a sentence: the first of them, and how many more.
+std::string some_of(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end(), counted_before);
+  if (names.size() == 1) return names.front();
+  return fmt::format("{} and {} more", names.front(), names.size() - 1);
+}
+
+/// The pictures of a folder, as they are counted. `notes`: which files were left out though they are called
+/// like pictures.
+Result<std::vector<fs::path>> pictures_in(const fs::path& folder, std::vector<Note>& notes) {
   std::error_code failed;
   std::vector<fs::path> files;
+  std::vector<std::string> left_out;
   for (auto it = fs::directory_iterator(folder, failed); !failed && it != fs::directory_iterator();
        it.increment(failed)) {
     std::error_code unknown;
     if (!it->is_regular_file(unknown) || it->path().filename().string().starts_with('.')) continue;
     const auto start = read_file_start(it->path(), kStartBytes);
-    if (start && picture_format_of(*start)) files.push_back(it->path());
+    if (start && picture_format_of(*start))
+      files.push_back(it->path());
+    else if (is_named_as_picture(it->path()))
+      left_out.push_back(it->path().filename().string());
   }
   if (failed) return invalid_input("cannot be read: " + failed.message(), folder.string());
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -157,15 +181,21 @@ Result<std::vector<fs::path>> pictures_in(const fs::path& folder) {
   });
   if (files.size() < 2)
     return invalid_input("is a folder with fewer than two pictures, so not a sequence", folder.string());
+  if (!left_out.empty()) {
+    const char* const why = left_out.size() == 1 ? "was left out: it is no picture that can be read"
+                                                 : "were left out: they are no pictures that can be read";
+    notes.emplace_back(fmt::format("{} {}.", some_of(std::move(left_out)), why), Reason::unspecified);
+  }
   return files;
 }
 
 Result<Input> recognise_folder(const fs::path& folder, std::optional<InputKind> wanted) {
   if (wanted.value_or(InputKind::video) != InputKind::video)
     return invalid_input("is a folder; only a sequence of pictures (video) can be one", folder.string());
-  auto files = pictures_in(folder);
+  std::vector<Note> notes;
+  auto files = pictures_in(folder, notes);
   if (!files) return std::move(files).error();
-  return Input{InputKind::video, *std::move(files), {}};
+  return Input{InputKind::video, *std::move(files), std::move(notes)};
 }
 
 bool holds_a_picture(InputKind kind) { return kind == InputKind::picture || kind == InputKind::stereo; }

@@ -135,6 +135,23 @@ TEST_F(AnInput, OfAFolderIsASequenceInTheOrderOfItsNumbers) {
   EXPECT_FALSE(recognise_input(std::vector{folder_}, InputKind::scene));
 }
 
+TEST_F(AnInput, OfAFolderNamesThePicturesThatCannotBeRead) {
+  for (const char* name : {"f1.png", "f2.png", "f4.png"}) picture(name);
+  text("f3.png", "no picture");
+  const auto one = recognise_input(std::vector{folder_});
+  ASSERT_TRUE(one);
+  ASSERT_EQ(one->notes.size(), 1U);
+  EXPECT_EQ(one->notes[0].sentence, "f3.png was left out: it is no picture that can be read.");
+  text("f10.JPG", "");
+  text("readme.txt", "not a frame");
+  const auto two = recognise_input(std::vector{folder_});
+  ASSERT_TRUE(two);
+  EXPECT_EQ(two->files.size(), 3U);
+  ASSERT_EQ(two->notes.size(), 1U);
+  EXPECT_EQ(two->notes[0].sentence,
+            "f3.png and 1 more were left out: they are no pictures that can be read.");
+}
+
 TEST_F(AnInput, CanBeCalledSomethingElse) {
   EXPECT_EQ(kind({picture("d.png")}, InputKind::depth), "depth");
   EXPECT_EQ(kind({picture("sbs.png")}, InputKind::stereo), "stereo");
