@@ -39,7 +39,7 @@ function(palpable_module)
   if(M_TESTS AND PALPABLE_TESTS)
     add_executable(palpable_${M_NAME}_test ${M_TESTS})
     target_link_libraries(palpable_${M_NAME}_test PRIVATE palpable_options palpable_${M_NAME} ${M_TEST_LINKS}
-                                                          GTest::gmock GTest::gtest_main)
+                                                          palpable_test_folder GTest::gmock GTest::gtest_main)
     if(M_NAME STREQUAL "sources" OR "sources" IN_LIST M_USES)
       add_dependencies(palpable_${M_NAME}_test palpable_decoder palpable_video_decoder)
     endif()
