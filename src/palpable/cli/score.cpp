@@ -115,6 +115,7 @@ void add_score_relief(Program& program) {
 void add_score(Program& program) {
   add_score_relief(program);
   add_score_contours(program);
+  add_score_structure(program);
   const auto arguments = std::make_shared<ScoreArguments>();
   Options options = add_command_below(
       program, "score", "disparity", "Bad pixels, coverage and RMS of a disparity map",

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/session/make/read_depth_maps.hpp"
 
-#include "palpable/core/number_table.hpp"
-#include "palpable/core/read_file.hpp"
-#include "palpable/models/field/superquadric.hpp"
+#include "palpable/session/make/camera_poses.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -22,7 +17,7 @@ namespace palpable::session {
 namespace {
 
 namespace fs = std::filesystem;
-using Pose = Transform<models::InputFrame, CameraFrame>;
+using Pose = CameraPoses::mapped_type;
 
 /// The last number in a file's name, its ending left out: 15 in frame-000015.depth.png.
 std::optional<long> number_of(const fs::path& file) {
@@ -39,30 +34,7 @@ std::optional<long> number_of(const fs::path& file) {
   return number;
 }
 
-Result<std::map<long, Pose>> read_poses(const fs::path& file) {
-  constexpr std::array<std::string_view, 8> kColumns{"frame", "qw", "qx", "qy", "qz", "tx", "ty", "tz"};
-  const auto text = read_text_file(file);
-  if (!text) return text.error();
-  const auto table = parse_number_table(*text, kColumns);
-  if (!table) return invalid_input(table.error().message, file.string());
-  std::map<long, Pose> poses;
-  for (std::size_t i = 0; i < table->rows(); ++i) {
-    const auto row = table->row(i);
-    const double length = std::sqrt(row[1] * row[1] + row[2] * row[2] + row[3] * row[3] + row[4] * row[4]);
-    constexpr double kRounded = 1e-2, kMostFrames = 1e9;
-    if (!(std::abs(length - 1.0) < kRounded))
-      return invalid_input(fmt::format("the rotation of row {} is no unit quaternion", i + 1), file.string());
-    if (row[0] != std::floor(row[0]) || !(std::abs(row[0]) < kMostFrames))
-      return invalid_input(fmt::format("the frame of row {} is no whole number", i + 1), file.string());
-    Pose pose;
-    pose.rotation = models::rotation_of({row[1] / length, row[2] / length, row[3] / length, row[4] / length});
-    pose.translation_m = {row[5], row[6], row[7]};
-    poses[static_cast<long>(row[0])] = pose;
-  }
-  return poses;
-}
-
-Result<Pose> pose_of(const std::map<long, Pose>& poses, const fs::path& file, const fs::path& table) {
+Result<Pose> pose_of(const CameraPoses& poses, const fs::path& file, const fs::path& table) {
   const auto number = number_of(file);
   if (!number) return invalid_input("has no number in its name, which would say its pose", file.string());
   const auto found = poses.find(*number);
@@ -101,9 +73,9 @@ Result<sources::DepthSettings> depth_settings(const InputOptions& options) {
 Result<ReadInput> read_depth_maps(const InputOptions& options, const Work& work) {
   const auto settings = depth_settings(options);
   if (!settings) return settings.error();
-  std::map<long, Pose> poses;
+  CameraPoses poses;
   if (!options.poses.empty()) {
-    auto read = read_poses(options.poses);
+    auto read = read_camera_poses(options.poses);
     if (!read) return read.error();
     poses = std::move(*read);
   }
