@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The relief on the page: heights over a rectangle centred on the origin, x right, y up, z towards the person.
+// The relief on the page: heights over a rectangle centred on the origin, x right, y up, z towards the user.
 
 export interface Place {
   x: number;

@@ -11,31 +11,31 @@
 
 namespace palpable::cli {
 
-/// What one of the five papers set together, as far as this program holds it. None of them states a
-/// stiffness or a damping in a unit: those stay the scene's. What the person sets goes before it.
+/// The settings of one of the five papers, as far as this program can reproduce them. No paper states a
+/// stiffness or damping with a unit, so these stay the scene's. Settings of the user take precedence.
 struct Published {
   std::string_view name;
-  /// With its parameters; the probe is a point in all of them.
+  /// The law with its parameters; the probe is a point in all papers.
   haptics::LawParameters law;
-  /// Of the servo; not given where the paper states none.
+  /// Rate of the servo; nullopt if the paper states none.
   std::optional<double> rate_hz;
-  /// What of the paper is not the same here, a sentence each.
+  /// Differences from the paper, one sentence each.
   std::string_view differs;
-  /// What the scene became.
+  /// The kind of scene in the paper.
   session::MakeAs as = session::MakeAs::by_input;
-  /// How the scene is made.
+  /// Sets how the scene is made.
   void (*make)(MakeArguments&) = nullptr;
 };
 
 /// Adds --as-published. `name` must outlive the parsing.
 void add_as_published(Options& options, std::string& name);
 
-/// The paper's settings; nothing for an empty name. Errors: usage, for another name.
+/// The paper's settings; nullopt for an empty name. Errors: usage, for an unknown name.
 Result<std::optional<Published>> published_as(const std::string& name);
 
-/// Sets how the scene is made where `arguments` leave it open.
+/// Sets the arguments for making the scene that `arguments` leave open.
 void apply_published(const Published& published, MakeArguments& arguments);
-/// The paper's parameters of its law where `parameters`, which are of that law, leave them open.
+/// Sets the paper's law parameters that `parameters`, which must be of that law, leave open.
 void apply_published(const Published& published, haptics::LawParameters& parameters);
 
 }  // namespace palpable::cli

@@ -10,13 +10,13 @@
 
 namespace palpable::cli {
 
-/// Our own solid for `bench`: two balls that meet in a crease, 100 mm long, as a field of 512 cells.
+/// The built-in solid of `bench`: two intersecting balls, 100 mm long, as a field of 512 cells.
 Result<models::Scene> own_field_scene(const Work& work);
 
-/// Round both balls, half a millimetre under the surface.
+/// A path around both balls, half a millimetre below the surface.
 std::vector<haptics::PathSample> own_field_path(const models::DistanceField& field);
 
-/// Distance and gradient at each sample of the path, and nothing else.
+/// Times only the evaluation of distance and gradient at each sample of the path.
 haptics::TickTimes time_samples(const models::DistanceField& field,
                                 std::span<const haptics::PathSample> path);
 

@@ -14,13 +14,13 @@
 
 namespace palpable::cli {
 
-/// What every command shares.
+/// Options that every command has.
 struct CommonOptions {
   bool json = false;
   bool quiet = false;
   int threads = 0;
   std::uint64_t seed = 1;
-  /// The command line as it was given, without the program.
+  /// The command line as given, without the program name.
   std::vector<std::string> command;
 };
 
@@ -34,8 +34,8 @@ class Console {
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
 
-  /// A note for the person on standard error, one line, with the options that would change it (hints.hpp);
-  /// silent with --quiet.
+  /// Writes a note to standard error, one line, with the options that would change it (hints.hpp); nothing
+  /// with --quiet.
   void note(const Note& note);
   /// A sentence that is shown even with --quiet: on standard output, or on standard error with --json.
   void say(std::string_view sentence);
@@ -59,9 +59,9 @@ class Console {
   std::chrono::steady_clock::time_point last_shown_;
 };
 
-/// Set by the first SIGINT, SIGTERM or SIGHUP once catch_interrupts() was called. Work that has not ended 0.7
-/// s later is cut off: every servo writes zero force, and the program ends with 130. A second signal ends it
-/// at once, after every servo has written zero force.
+/// Set by the first SIGINT, SIGTERM or SIGHUP after catch_interrupts() was called. If the work has not ended
+/// 0.7 s later, every servo writes zero force and the program ends with exit code 130. After a second signal
+/// this happens at once.
 const std::atomic<bool>& interrupted();
 void catch_interrupts();
 

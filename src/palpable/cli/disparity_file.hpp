@@ -11,13 +11,13 @@
 
 namespace palpable::cli {
 
-/// A disparity map in pixels, NaN = unknown, whose stored values are disparity times `scale`. In pictures of
-/// integers 0 is unknown. Not given: 1 for PFM and NumPy files, else 256, as `palpable depth` writes PNG.
-/// Errors: invalid_input, also where a scale is not given and 256 would leave all below a pixel, as with
-/// 8-bit pictures.
+/// Reads a disparity map in pixels, NaN = unknown. Stored values are disparity times `scale`; 0 means unknown
+/// in integer pictures. If `scale` is not given: 1 for PFM and NumPy files, else 256, as `palpable depth`
+/// writes PNG. Errors: invalid_input; also if no scale is given and 256 would make all disparities less than
+/// a pixel, as with 8-bit pictures.
 Result<Raster<float>> read_disparity(const std::filesystem::path& file, std::optional<double> scale);
 
-/// A mask: the picture's grey values, 8 bit.
+/// Reads a mask: the picture's grey values, 8 bits.
 Result<Raster<std::uint8_t>> read_mask(const std::filesystem::path& file);
 
 }  // namespace palpable::cli

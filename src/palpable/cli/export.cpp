@@ -163,7 +163,7 @@ Result<Answer> export_vdb(const Distance& field, const ExportArguments& argument
 }
 
 /// Distances on a lattice, `grid` samples along the longest side: distance_m[i, j, k] is at origin_m +
-/// spacing_m (i, j, k), x right, y up, z towards the person.
+/// spacing_m (i, j, k), x right, y up, z towards the user.
 template <models::DistanceSurface Distance>
 Result<Answer> export_distances(const Distance& field, const ExportArguments& arguments, const Work& work) {
   const Vec3 origin = field.origin_m(), size = field.size_m();
@@ -204,7 +204,7 @@ Result<Answer> export_model(const models::SolidField<Distance>& field, const mod
   return Error{ErrorCode::usage, "a field is exported as .stl, .ply, .glb, .vdb or .npz", arguments.output};
 }
 
-/// occupied[i, j, k] (0 or 1) is at origin_m + spacing_m (i, j, k), x right, y up, z towards the person.
+/// occupied[i, j, k] (0 or 1) is at origin_m + spacing_m (i, j, k), x right, y up, z towards the user.
 Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*scene*/,
                             const ExportArguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);

@@ -12,11 +12,11 @@ class FormatterBase;
 
 namespace palpable::cli {
 
-/// How help texts are written: "INPUT..." for several arguments, "NUMBER, 0.1 to 10" for a number and its
+/// The formatter of help texts: "INPUT..." for several arguments, "NUMBER, 0.1 to 10" for a number and its
 /// range, "a|b|c" for a choice.
 std::shared_ptr<CLI::FormatterBase> help_format();
 
-/// CLI11's complaint about a wrong number of values, "--size: 1 required TEXT missing", as a sentence.
+/// Converts CLI11's message about a wrong number of values, "--size: 1 required TEXT missing", to a sentence.
 std::string mismatch_sentence(const std::string& complaint);
 
 }  // namespace palpable::cli

@@ -11,7 +11,7 @@
 
 namespace palpable::cli {
 
-/// The options that would change what a reason states, as "--calibration FILE"; empty where none would.
+/// The options that would change the fact behind a reason, as "--calibration FILE"; empty if there are none.
 std::string_view hint_for(Reason reason);
 
 /// An error or a note with the options that would help: "…: give --calibration FILE".

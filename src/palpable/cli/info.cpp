@@ -38,7 +38,7 @@ Json json_of(const models::Material& material) {
   return json;
 }
 
-/// One line for a person; a texture after it where there is one.
+/// One line for a user; a texture after it where there is one.
 std::string words_of(const models::Material& material) {
   std::string words = fmt::format("  material {}: {} N/m, {} N·s/m, friction {} (sliding {})", material.name,
                                   figure(material.stiffness_N_per_m, 3), figure(material.damping_Ns_per_m, 3),

@@ -11,19 +11,19 @@
 
 namespace palpable::cli {
 
-/// A probe that keys move over a scene, and what is said of it; the same keys, steps and words as on the
-/// page.
+/// A probe that is moved over a scene by keys, and its spoken output; with the same keys, steps and words as
+/// on the page.
 class KeyExplorer {
  public:
-  /// What the key means for the touch around it.
+  /// What a key requests from the touch.
   enum class Request { nothing, pause, end };
 
-  /// Carries the key out. `words`: what to say now, or empty.
+  /// Executes a key. `words`: what to say now, or empty.
   Request press(const TerminalKey& key, const models::Scene& scene, double depth, std::string& words);
-  /// Where the hand is: the middle of the ball that touches, at rest on the surface or pressed below it.
+  /// The hand's position: the centre of the touching ball, on the surface or pressed below it.
   Point<SceneFrame> hand(const models::Scene& scene, const session::TouchSettings& settings) const;
 
-  /// The keys, a line each.
+  /// The keys, one line each.
   static std::string help(const models::Scene& scene);
 
  private:
@@ -32,12 +32,12 @@ class KeyExplorer {
 
   describe::Place place_;
   double press_m_ = kRestingPress_m;
-  /// The part of the description that comes next.
+  /// The next part of the description.
   std::size_t next_part_ = 0;
   static constexpr double kRestingPress_m = 0.0015;
 };
 
-/// Whether the key moves the probe in the plane: of several that wait, the words of the last one say enough.
+/// Whether the key moves the probe in the plane. Of several waiting moves, only the last one is described.
 bool is_move(const TerminalKey& key);
 
 }  // namespace palpable::cli

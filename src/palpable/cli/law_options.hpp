@@ -11,28 +11,28 @@
 
 namespace palpable::cli {
 
-/// A number given for a law: `option` is LawParameter::option.
+/// A number for a law; `option` is LawParameter::option.
 struct LawNumber {
   std::string option;
   std::optional<double> value;
 };
 
-/// How the surface responds, as given on the command line. Without a law: the scene's own default.
+/// The law and its parameters on the command line. Without a law: the scene's default.
 struct LawArguments {
   std::string law;
   /// As typed: lengths in mm.
   std::vector<LawNumber> numbers;
 };
 
-/// Adds --law and an option for every parameter of every law. `arguments` must outlive the parsing, in its
-/// place.
+/// Adds --law and an option for every parameter of every law. `arguments` must outlive the parsing and must
+/// not move.
 void add_law_options(Options& options, LawArguments& arguments);
 
-/// What the library takes, the law by its name only (a scene that is not there yet may still refuse it);
-/// without a name `otherwise`. Errors: usage, for an unknown name.
+/// The law parameters for the library. Only the law's name is checked, since there may be no scene yet;
+/// without a name, `otherwise` is used. Errors: usage, for an unknown name.
 Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, haptics::Law otherwise);
 
-/// What the library takes for this scene. Errors: usage, for a law that there is not for this kind of scene.
+/// The law parameters for this scene. Errors: usage, for a law that does not support this kind of scene.
 Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, const models::Scene& scene);
 
 /// "proxy-friction", "rolling", …: the law as `bench` names it.

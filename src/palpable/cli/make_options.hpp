@@ -14,13 +14,13 @@
 
 namespace palpable::cli {
 
-/// The word for --detail that asks for all operators side by side.
+/// The value of --detail that compares all operators side by side.
 inline constexpr const char* kCompareDetails = "compare";
 
-/// What a scene is made from, and how, as given on the command line; shared by make and touch.
+/// The input of a scene and how it is made, as given on the command line; shared by make and touch.
 struct MakeArguments {
   std::vector<std::string> inputs;
-  /// The names of the options that are on the command line.
+  /// Returns the names of the options on the command line.
   std::function<std::vector<std::string>()> given;
   std::string kind, size, up;
   /// "relief", "contours", "field", "grid"; empty: by the input.
@@ -30,7 +30,7 @@ struct MakeArguments {
   StereoArguments stereo;
   std::optional<double> depth_scale, near, far;
   std::string depth_as;
-  /// A renderer's planes, metres.
+  /// A renderer's near and far planes, metres.
   std::optional<double> near_plane, far_plane;
   double exaggerate = 1.0;
   double compression = 10.0;
@@ -64,17 +64,17 @@ struct MakeArguments {
 /// Adds INPUT… and the options. `arguments` must outlive the parsing.
 void add_make_options(Options& options, MakeArguments& arguments);
 
-/// What the session takes. Errors: usage, for a kind, size or method that there is not.
+/// The options for the session. Errors: usage, for an unknown kind, size or method.
 Result<session::MakeOptions> make_options(const MakeArguments& arguments);
 
-/// What fit-shapes takes: `shapes` as --set changes them. Errors: usage.
+/// The options of fit-shapes: `shapes`, changed by --set. Errors: usage.
 Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments, sculpt::ShapeSetOptions shapes);
 
 /// A note on options that were given and have no effect on this scene (unused_options.hpp).
 std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,
                                    const models::Scene& made);
 
-/// "WxHxD" in millimetres as metres; each 1 to 1000 mm. Errors: usage.
+/// Parses "WxHxD" in millimetres and returns metres; each 1 to 1000 mm. Errors: usage.
 Result<Vec3> size_from(const std::string& text);
 
 }  // namespace palpable::cli

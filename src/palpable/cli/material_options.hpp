@@ -11,7 +11,7 @@
 
 namespace palpable::cli {
 
-/// What a scene's surfaces are made of, as given on the command line.
+/// A scene's materials, as given on the command line.
 struct MaterialArguments {
   /// "LABEL:key=value,…" each; see apply_materials().
   std::vector<std::string> materials;
@@ -22,14 +22,14 @@ struct MaterialArguments {
 /// Adds --material and --labels. `arguments` must outlive the parsing.
 void add_material_options(Options& options, MaterialArguments& arguments);
 
-/// Whether apply_materials() can read what was given, asked before a scene is made. Errors: as there, but for
-/// what depends on the scene.
+/// Checks before a scene is made that apply_materials() can parse its texts. Errors: as there, except those
+/// that depend on the scene.
 Result<void> check_materials(const MaterialArguments& arguments);
 
-/// Gives `scene` the materials and label picture. Each text is LABEL (0 … 255), a colon and pairs of
-/// name=TEXT, stiffness=N/m, damping=N·s/m, friction=MU, sliding=MU (5/6 of friction unless given),
-/// texture=none|grain|ridges|bumps, pitch=MM, height=MM, angle=DEGREES; what is not given stays. Labels
-/// between take the first material's values. Errors: usage for a text that is wrong; invalid_input for a
+/// Sets the materials and the label picture of `scene`. Each text is LABEL (0 … 255), a colon and pairs of
+/// name=TEXT, stiffness=N/m, damping=N·s/m, friction=MU, sliding=MU (default: 5/6 of friction),
+/// texture=none|grain|ridges|bumps, pitch=MM, height=MM, angle=DEGREES; other values do not change. Missing
+/// labels in between get the first material's values. Errors: usage for an invalid text; invalid_input for a
 /// picture of another shape or with labels without a material.
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene);
 

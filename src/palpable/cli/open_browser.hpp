@@ -7,10 +7,10 @@
 
 namespace palpable::cli {
 
-/// The page's address, opened in the person's browser where there is a screen for it. The address holds the
-/// page's token and other users can read command lines, so the browser is given a file that only this user
-/// can read and that leads on to the address; it is removed with this. Where nothing can be opened the person
-/// takes the address from the console.
+/// Opens the page's address in the user's browser if there is a display. The address contains the page's
+/// token, and other users can read command lines. So the browser is given a file that only this user can read
+/// and that redirects to the address; the destructor removes it. If nothing can be opened, the user takes the
+/// address from the console.
 class OpenedBrowser {
  public:
   explicit OpenedBrowser(const std::string& address);
@@ -22,8 +22,8 @@ class OpenedBrowser {
   std::filesystem::path redirect_;
 };
 
-/// A new file, readable by this user alone, whose page leads on to `address`; empty where it cannot be
-/// written. In the user's runtime folder, else in the folder for temporary files.
+/// Writes a new file, readable by this user alone, whose page redirects to `address`; returns an empty path
+/// if it cannot be written. It is in the user's runtime folder, else in the folder for temporary files.
 std::filesystem::path write_redirect(const std::string& address);
 
 }  // namespace palpable::cli

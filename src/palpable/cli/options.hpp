@@ -65,8 +65,8 @@ class Options {
   /// Without a sign, up to 2^63 - 1.
   void count(const std::string& name, std::uint64_t& value, const std::string& help);
 
-  /// Lists, once the command line was parsed, the names of the options that are on it: "--size". The command
-  /// must outlive it.
+  /// Returns a function that lists, after parsing, the names of the options on the command line: "--size".
+  /// The command must outlive it.
   std::function<std::vector<std::string>()> given() const;
 
  private:

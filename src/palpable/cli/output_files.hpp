@@ -23,14 +23,15 @@ struct OutputOption {
   const std::string* value = nullptr;
   /// The suffixes that select a format, each with its dot; empty = any name.
   std::vector<std::string> suffixes;
-  /// What the names of the files add to the value; one empty word where the value is the name itself.
+  /// Suffixes of the file names that are appended to the value; one empty string if the value is the name
+  /// itself.
   std::vector<std::string> endings{std::string()};
 };
 
-/// Whether everything that the command is to write can be written, asked before any work is done. `words` are
-/// the other values on its command line: no output may be a file that one of them names, also through links.
-/// Nothing is changed on the disk. Errors: usage for such a file, for two outputs of one name, a wrong
-/// suffix, a folder that is missing, is none or may not be written to; failed where there is no room.
+/// Checks before any work that all outputs of a command can be written. `words` are the other values on its
+/// command line: no output may be a file that one of them names, also through links. Nothing is changed on
+/// the disk. Errors: usage for such a file, for two outputs of one name, a wrong suffix, a folder that is
+/// missing, is not a folder or is not writable; failed if the disk is full.
 Result<void> check_outputs(std::span<const OutputOption> outputs, std::span<const std::string> words);
 
 }  // namespace palpable::cli

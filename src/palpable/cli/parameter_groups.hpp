@@ -16,30 +16,30 @@
 
 namespace palpable::cli {
 
-/// Everything whose parameters --set reaches, beside the stereo methods.
+/// All options whose parameters --set can change, except those of the stereo methods.
 struct SettableOptions {
   session::Recipes recipes;
   sculpt::ShapeSetOptions shapes;
   vision::FitThresholds verdict;
 };
 
-/// The parameters of one step between an input and its scene.
+/// The parameters of one processing step.
 struct ParameterGroup {
-  /// Their names begin with it and a dot: "contours.standard.half_contrast".
+  /// Prefix of their names: "contours" in "contours.standard.half_contrast".
   std::string_view name;
   std::string_view summary;
-  /// What its defaults were chosen on.
+  /// The data on which the defaults were chosen.
   std::string_view tuned_on;
   std::vector<Parameter> (*parameters)(SettableOptions&);
 };
 
-/// All groups: a new one is a line in this table.
+/// All groups; a new one is added to this table.
 std::span<const ParameterGroup> parameter_groups();
 
-/// The group of this name; null where there is none.
+/// The group with this name; null if there is none.
 const ParameterGroup* find_group(std::string_view name);
 
-/// Its parameters under their full names, which refer to `options`.
+/// The group's parameters with their full names; they refer to `options`.
 std::vector<Parameter> parameters_of(const ParameterGroup& group, SettableOptions& options);
 
 /// Sets each NAME=VALUE of `given` among the `known` parameters. `owner` completes "palpable methods …",

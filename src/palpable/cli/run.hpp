@@ -4,9 +4,9 @@
 
 namespace palpable::cli {
 
-/// The whole program: parses the arguments, carries out one command and returns the process's exit code
-/// (0 done, 1 failed, 2 wrong usage, 3 invalid input, 4 device, 130 interrupted). Prints; catches SIGINT,
-/// SIGTERM and SIGHUP and turns the first of them into Work::cancel. Call once, from the main thread.
+/// The whole program: parses the arguments, executes one command and returns the process's exit code (0 done,
+/// 1 failed, 2 wrong usage, 3 invalid input, 4 device, 130 interrupted). Prints; catches SIGINT, SIGTERM and
+/// SIGHUP; the first of them sets Work::cancel. Call once, from the main thread.
 int run(int argc, char** argv);
 
 }  // namespace palpable::cli

@@ -8,17 +8,16 @@
 
 namespace palpable::cli {
 
-/// Everything on the command line that a scene is made from.
+/// All command-line arguments for making a scene.
 struct SceneArguments {
   MakeArguments make;
   MaterialArguments material;
   TitleArguments title;
 };
 
-/// The arguments with the sample that comes with the program for their input: its stereo pair, its
-/// calibration and, unless others are given, its title, its description and the names of its objects. Looked
-/// for beside an installed program, then where it was built. Errors: failed, where it is not there;
-/// invalid_input for a damaged one.
+/// Sets the included sample as the input: its stereo pair, its calibration and, unless others are given, its
+/// title, description and names of objects. It is searched beside the installed program, then where it was
+/// built. Errors: failed, if it is not found; invalid_input, if it is damaged.
 Result<SceneArguments> with_sample(SceneArguments arguments);
 
 }  // namespace palpable::cli

@@ -8,7 +8,8 @@
 
 namespace palpable::cli {
 
-/// Speaks with the person's own voice and waits for its end; a note says why where nothing can speak.
+/// Speaks a sentence with the user's speech settings and waits until it ends. If no speech output is
+/// available, a note gives the reason.
 void say_aloud(std::string_view sentence, Console& console);
 
 }  // namespace palpable::cli

@@ -8,9 +8,9 @@
 
 namespace palpable::cli {
 
-/// The scene file that a command's SCENE names. Errors: as formats::read_scene(); for a file that is an input
-/// of another kind (a picture, a mesh, …) the sentence says what it is and which command makes a scene of it;
-/// for a pipe or a folder, that it is no scene.
+/// Reads the scene file in a command's argument SCENE. Errors: as formats::read_scene(). For an input of
+/// another kind (a picture, a mesh, …) the message says what it is and which command makes a scene of it; for
+/// a pipe or a folder, that it is not a scene.
 Result<formats::SceneFile> read_scene_argument(const std::filesystem::path& path);
 
 /// The error of a file that cannot be read as a mesh: `reason`, or what the file is instead.

@@ -8,10 +8,10 @@
 
 namespace palpable::cli {
 
-/// All that is measured of a disparity map against its truth.
+/// All scores of a disparity map against its ground truth.
 struct DisparityScores {
   measure::DisparityScore pixels;
-  /// NaN where the truth is too plain to make a relief of.
+  /// NaN if the truth has too little relief.
   measure::DisparityTouch touch;
 };
 
@@ -19,7 +19,7 @@ struct DisparityScores {
 Result<DisparityScores> scores_of(const Raster<float>& result_px, const Raster<float>& truth_px,
                                   const Raster<std::uint8_t>& mask);
 
-/// As the command line's contract names the fields; what is not a number is null.
+/// The scores as JSON (docs/cli.md); values that are not numbers are null.
 Json json_of(const DisparityScores& scores);
 
 /// Share of the pixels whose value is finite, 0 … 1.

@@ -14,24 +14,23 @@
 
 namespace palpable::cli {
 
-/// A pair and how it is matched, as given on the command line.
+/// A stereo pair and how it is matched, as given on the command line.
 struct StereoArguments {
-  /// `right` is empty where one file holds both pictures. Commands that take other input too leave both
-  /// empty.
+  /// `right` is empty if one file contains both pictures. Both are empty in commands with other input.
   std::string left, right;
-  /// How one file holds both; empty: as it states itself.
+  /// How one file contains both pictures; empty: as stated in the file.
   std::string layout;
   /// Empty: the command chooses.
   std::string method;
   int max_disparity_px = 0;
-  /// NAME=VALUE, as `palpable methods` lists them.
+  /// NAME=VALUE; `palpable methods` lists the names.
   std::vector<std::string> parameters;
   std::string calibration;
   std::string rectify = "auto";
   std::optional<double> moved_mm;
 };
 
-/// Adds LEFT and RIGHT, the second of which may be left out. `arguments` must outlive the parsing.
+/// Adds LEFT and the optional RIGHT. `arguments` must outlive the parsing.
 void add_pair_arguments(Options& options, StereoArguments& arguments);
 
 /// Adds --method, --max-disparity, --calibration, --rectify, --moved and --layout.
@@ -43,28 +42,28 @@ void add_parameter_options(Options& options, StereoArguments& arguments);
 /// The same without --method, for commands that run every method or one of their own.
 void add_pair_options(Options& options, StereoArguments& arguments);
 
-/// The pair of LEFT and RIGHT, read as the arguments say. Errors: as session::read_stereo_pair(), and usage
-/// if there is only LEFT, which is no stereo file, and no --layout says how it contains two pictures.
+/// Reads the pair. Errors: as session::read_stereo_pair(); usage if there is only LEFT, it is not a stereo
+/// file, and --layout is missing.
 Result<session::ReadyPair> read_pair(const StereoArguments& arguments, const Work& work);
-/// LEFT and RIGHT for an error's place or a picture's heading; by their names without folders for the latter.
+/// The pair's file names: with folders for the place of an error, without them for headings.
 std::string places_of(const StereoArguments& arguments);
 std::string names_of(const StereoArguments& arguments);
-/// --layout.
+/// The value of --layout.
 sources::StereoLayout layout_of(const StereoArguments& arguments);
-/// --rectify.
+/// The value of --rectify.
 session::Rectification rectification_of(const StereoArguments& arguments);
-/// --moved in metres.
+/// The value of --moved, in metres.
 std::optional<double> moved_m_of(const StereoArguments& arguments);
 
 /// How the pair was rectified: `by`, `residual_before_px`, `residual_px` (null where not measured),
 /// `features`.
 Json rectification_json(const session::ReadyPair& ready);
 
-/// The method asked for, or recipes::default_method(). Errors: usage, for a method that there is not.
+/// The chosen method, or recipes::default_method(). Errors: usage, for an unknown method.
 Result<vision::StereoMethod> stereo_method(const StereoArguments& arguments);
 
-/// The options of this method as --max-disparity and --set say. Errors: usage, for an unknown name, a value
-/// that is no number, or one out of its range.
+/// The options of this method from --max-disparity and --set. Errors: usage, for an unknown name, a value
+/// that is not a number, or one out of range.
 Result<vision::StereoOptions> stereo_options(const StereoArguments& arguments, vision::StereoMethod method,
                                              std::vector<Parameter> more = {});
 

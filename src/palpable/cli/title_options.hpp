@@ -20,11 +20,11 @@ struct TitleArguments {
 /// Adds --title and --describe. `arguments` must outlive the parsing.
 void add_title_options(Options& options, TitleArguments& arguments);
 
-/// With the description's file read and surrounding white space removed. Errors: usage for a title of several
-/// lines, or for text that is too long or not UTF-8; what the file's reading gives.
+/// Reads the description's file and removes surrounding white space. Errors: usage for a title of several
+/// lines, or for text that is too long or not UTF-8; errors of reading the file.
 Result<TitleArguments> read_title(TitleArguments arguments);
 
-/// Gives `scene` what is set; what is empty stays as the scene has it. `title` comes from read_title().
+/// Sets the title and description that are not empty. `title` comes from read_title().
 void apply_title(const TitleArguments& title, models::Scene& scene);
 
 }  // namespace palpable::cli

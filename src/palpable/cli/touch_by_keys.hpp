@@ -16,13 +16,13 @@ struct KeyTouchOptions {
   std::int64_t begin_ns = 0;
   /// Empty = no recording.
   std::filesystem::path recording;
-  /// Say the words aloud too.
+  /// Whether the answers are spoken too.
   bool aloud = false;
 };
 
-/// A touch in the terminal: keys move the probe and ask, the answers are printed, a line each, for a braille
-/// display or a terminal's screen reader. Ends with Q, at the end of standard input, or when interrupted.
-/// Errors: the maker's if no scene came; the session's and the recording's.
+/// Runs a touch in the terminal: keys move the probe and ask questions; the answers are printed, one line
+/// each, for a braille display or a terminal's screen reader. It ends with Q, at the end of standard input,
+/// or when interrupted. Errors: the maker's if there was no scene; the session's and the recording's.
 Result<session::TouchStatistics> touch_by_keys(const session::SceneMaker& make,
                                                const KeyTouchOptions& options, Console& console);
 

@@ -11,9 +11,9 @@
 
 namespace palpable::cli {
 
-/// A sentence that names those of the options `given` ("--size") that have no effect on a scene of this kind,
-/// made from this kind of input; nothing where all have one. One table says which option is for what; an
-/// option that is not in it always has an effect, or is refused where it has none.
+/// A sentence that names the options of `given` ("--size") that have no effect on a scene of this kind from
+/// this kind of input; nullopt if all have one. One table lists which option applies to what. An option that
+/// is not in it always has an effect, or is rejected otherwise.
 std::optional<std::string> unused_options(std::span<const std::string> given, sources::InputKind input,
                                           const models::Model& made);
 

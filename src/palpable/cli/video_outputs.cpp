@@ -44,7 +44,7 @@ Result<void> add_structure(const fs::path& path, const VideoReconstruction& vide
   return files.add(path, *bytes);
 }
 
-// The unit in which the greatest depth just fits 16 bits.
+// The unit in which the greatest depth fits into 16 bits.
 double depth_unit(const VideoReconstruction& video) {
   float greatest = 0.0F;
   for (const auto& depth : video.depth_maps)
@@ -97,7 +97,7 @@ Result<void> check_poses_file(const fs::path& file, const std::vector<std::strin
   return check_room(file);
 }
 
-// A new folder, an empty one, or one that holds depth maps of before.
+// Accepts a new folder, an empty one, or one with earlier depth maps.
 Result<void> check_depth_folder(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder, none)) return check_parent(folder);

@@ -19,7 +19,7 @@ struct ViewArguments {
 /// Adds --view and --walk. `arguments` must outlive the parsing.
 void add_view_options(Options& options, ViewArguments& arguments);
 
-/// How the explorer goes; empty for the exocentric view. Egocentric without a walk: in the middle, facing up.
+/// The explorer's walk; empty for the exocentric view. Egocentric without a walk: at the centre, facing up.
 /// The file is a CSV t_s,x_m,y_m,heading_deg. Errors: usage for a walk without --view egocentric;
 /// invalid_input, naming the file.
 Result<std::vector<session::WalkStep>> walk_from(const ViewArguments& arguments);

@@ -1,21 +1,21 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Linked as an object into programs that count allocations. glibc lets a program define malloc and its kin;
-// its own remain reachable as __libc_*. operator new needs no replacement: it calls malloc. Sanitizers bring
-// their own malloc, so there their hook is used instead.
+// Linked as an object into programs that count allocations. glibc lets a program define malloc and related
+// functions; the originals remain available as __libc_*. operator new needs no replacement, since it calls
+// malloc. Sanitizers have their own malloc, so their hook is used there.
 #include "palpable/core/allocations.hpp"
 
 #include <cerrno>
 #include <cstddef>
 
 namespace {
-// Runs while the program starts, before any thread of ours.
+// Runs during static initialisation, before any thread of this program.
 const bool kDeclared = (palpable::allocation_counter::declare_linked(), true);
 }  // namespace
 
 #ifdef PALPABLE_SANITIZED
 
-// Every sanitizer's run-time library has it; g++'s package comes without the header that declares it.
+// Every sanitizer's run-time library defines it, but g++'s package lacks the header that declares it.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*, std::size_t),
                                                          void (*on_free)(const volatile void*));
 

@@ -4,7 +4,7 @@
 
 namespace palpable {
 namespace {
-// Constant-initialised: malloc is called before any constructor runs.
+// Constant-initialised, since malloc is called before any constructor runs.
 constinit thread_local std::uint64_t count = 0;
 constinit bool linked = false;
 }  // namespace

@@ -6,16 +6,18 @@
 
 namespace palpable {
 
-/// Heap allocations that the calling thread has made since it began: malloc, calloc, realloc and everything
-/// built on them, operator new included, in our code and in every library. Counted only in programs that
-/// link the object library palpable_allocation_counter; 0 elsewhere. Never allocates; any thread.
+/// Number of heap allocations that the calling thread has made since it started: malloc, calloc, realloc and
+/// everything built on them, operator new included, in this project's code and in all libraries. Counted only
+/// in programs that link the object library palpable_allocation_counter; 0 elsewhere. Never allocates; any
+/// thread.
 std::uint64_t allocations_of_this_thread() noexcept;
 
-/// Whether this program counts (see above). Tests assert it first, so that a guard cannot pass unlinked.
+/// Whether this program counts allocations (see above). Tests check this first, so that a guard without the
+/// counter cannot pass.
 bool allocations_are_counted() noexcept;
 
-/// What the calling thread allocated since the scope began.
-///   AllocationScope scope;  law.feel(hand, state);  EXPECT_EQ(scope.count(), 0U);
+/// Counts the calling thread's allocations since the scope began.
+///   AllocationScope scope; law.feel(hand, state); EXPECT_EQ(scope.count(), 0U);
 class AllocationScope {
  public:
   AllocationScope() noexcept : begin_(allocations_of_this_thread()) {}
@@ -25,7 +27,7 @@ class AllocationScope {
   std::uint64_t begin_;
 };
 
-/// For palpable_allocation_counter only.
+/// Only for palpable_allocation_counter.
 namespace allocation_counter {
 void note() noexcept;
 void declare_linked() noexcept;

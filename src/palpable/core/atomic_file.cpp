@@ -20,7 +20,7 @@
 namespace palpable {
 namespace {
 
-/// What is there now and not a regular file (a device, a pipe) cannot be replaced by renaming.
+/// An existing file that is not regular (a device, a pipe) cannot be replaced by renaming.
 bool takes_a_stream(const std::filesystem::path& path) {
   std::error_code none;
   const auto status = std::filesystem::status(path, none);
@@ -28,11 +28,12 @@ bool takes_a_stream(const std::filesystem::path& path) {
          !std::filesystem::is_directory(status);
 }
 
-/// The permissions of the file that is replaced; of a new one, what the person's umask leaves of rw-rw-rw-.
+/// The permissions of the replaced file; for a new one, rw-rw-rw- restricted by the user's umask.
 mode_t permissions_for(const std::filesystem::path& path) {
   struct stat old {};
   if (::stat(path.c_str(), &old) == 0) return old.st_mode & 07777U;
-  // umask can only be read by setting it, and that would race with other threads; Linux shows it here.
+  // umask() reads the mask only by setting it, which would race with other threads; Linux reports it in this
+  // file.
   constexpr mode_t kUsual = 0644;
   std::FILE* status = std::fopen("/proc/self/status", "re");
   if (status == nullptr) return kUsual;
@@ -59,7 +60,7 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
-// What a new file beside NAME is called: .NAME. and six characters, as mkostemp() chooses them.
+// Name of a new file in the folder of NAME: .NAME. and six characters, as mkostemp() chooses them.
 constexpr std::string_view kRandomPart = "XXXXXX";
 
 std::filesystem::path name_pattern(const std::filesystem::path& path) {
@@ -68,7 +69,7 @@ std::filesystem::path name_pattern(const std::filesystem::path& path) {
 
 constexpr int kMostNames = 1000;
 
-/// Differs from process to process, and from call to call.
+/// Differs between processes and between calls.
 std::string random_name(const std::filesystem::path& path, int attempt) {
   constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   timespec now{};
@@ -81,7 +82,8 @@ std::string random_name(const std::filesystem::path& path, int attempt) {
   return name;
 }
 
-/// Removes what programs that were killed left beside `path`: files of the names above that nobody writes.
+/// Removes files that killed programs left in the folder of `path`: files with the names above that no
+/// program is writing.
 void remove_abandoned(const std::filesystem::path& path) {
   const std::string pattern = name_pattern(path).filename().string();
   const std::string_view start = std::string_view(pattern).substr(0, pattern.size() - kRandomPart.size());
@@ -124,14 +126,14 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
     return Error{ErrorCode::failed, "cannot be written: it is a folder", path.string()};
   remove_abandoned(file.path_);
   const std::filesystem::path folder = folder_of(file.path_);
-  // A file without a name vanishes with the program, however that ends.
+  // A file without a name disappears with the program, however that ends.
   file.descriptor_ = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
   if (file.descriptor_ >= 0) return file;
   if (!file.name_beside()) return file.failure("cannot be written");
   return file;
 }
 
-/// Makes a new file of a name of its own. Its lock tells others that it is still being written.
+/// Creates a new file with a unique name. Its lock shows other processes that it is being written.
 bool AtomicFile::name_beside() {
   while (true) {
     std::string beside = name_pattern(path_).string();
@@ -139,14 +141,14 @@ bool AtomicFile::name_beside() {
     if (descriptor_ < 0) return false;
     beside_ = beside;
     struct stat now {};
-    // Somebody who found it before it was locked took it for abandoned and removed it.
+    // Another process that found it before it was locked may have removed it as abandoned.
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor_, &now) == 0 && now.st_nlink > 0)
       return true;
     discard();
   }
 }
 
-/// Gives the file without a name one, because only a name can be renamed over the old file's.
+/// Links the file without a name to one, because only a name can be renamed over the old file.
 bool AtomicFile::link_beside() {
   const std::string opened = "/proc/self/fd/" + std::to_string(descriptor_);
   static_cast<void>(::flock(descriptor_, LOCK_EX | LOCK_NB));
@@ -202,11 +204,11 @@ Result<void> AtomicFile::commit() {
     discard();
     return {};
   }
-  // A file system without permissions (a USB stick) still deserves the file.
+  // Fails on a file system without permissions (a USB stick); the file is written all the same.
   static_cast<void>(::fchmod(descriptor_, permissions_for(path_)));
   if (::fsync(descriptor_) != 0) return failure("cannot be written");
   if (beside_.empty() && !link_beside()) return failure("cannot be written");
-  // Not closed before it is renamed: its lock keeps others from taking it for abandoned.
+  // Closed only after renaming: its lock keeps other processes from removing it as abandoned.
   if (::rename(beside_.c_str(), path_.c_str()) != 0) return failure("cannot be replaced");
   beside_.clear();
   sync_folder(folder_of(path_));
@@ -217,7 +219,8 @@ Result<void> AtomicFile::commit() {
 Result<void> check_room(const std::filesystem::path& path) {
   auto file = AtomicFile::create(path);
   if (!file) return std::move(file).error();
-  // A page, which a full disk cannot give; smaller files may lie in the folder itself.
+  // A page needs a block, which a full disk cannot allocate; smaller files may be stored in the folder
+  // itself.
   constexpr std::array<std::byte, 4096> kPage{};
   return file->write(kPage);
 }

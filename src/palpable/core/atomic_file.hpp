@@ -11,21 +11,22 @@
 
 namespace palpable {
 
-/// A file that comes into being whole or not at all: bytes go into a new file beside it, and commit() makes
-/// them durable and renames it over the old one, whose permissions stay. Destroyed without commit(): the new
-/// file is removed and the old one is as it was. Where the file system can (ext4, XFS, Btrfs, tmpfs), the new
-/// file has no name until commit(), so that a killed program leaves nothing; elsewhere the next write of the
-/// same name removes what was left. Not for the tick path.
+/// A file that is created completely or not at all. Bytes go into a new file in the same folder; commit()
+/// flushes it to the disk and renames it over the old file, whose permissions are kept. Without commit() the
+/// destructor removes the new file, and the old one is unchanged. On ext4, XFS, Btrfs and tmpfs the new file
+/// has no name until commit(), so a killed program leaves nothing; elsewhere the next write of the same name
+/// removes what was left. Not for the tick path.
 class AtomicFile {
  public:
-  /// Errors: failed, with the system's reason (no such folder, not permitted, disk full …).
+  /// Creates the new file. Errors: failed, with the system's reason (no such folder, permission denied, disk
+  /// full ...).
   static Result<AtomicFile> create(const std::filesystem::path& path);
   AtomicFile(AtomicFile&& other) noexcept;
   AtomicFile& operator=(AtomicFile&& other) noexcept;
   ~AtomicFile();
 
   Result<void> write(std::span<const std::byte> bytes);
-  /// Flushes to the disk and renames. At most once, as the last call.
+  /// Flushes the file to the disk and renames it. At most once, as the last call.
   Result<void> commit();
 
  private:
@@ -41,7 +42,7 @@ class AtomicFile {
   bool is_stream_ = false;
 };
 
-/// Whether there is room for a file at that place now: tried with a new one beside it, which is removed.
+/// Checks that a file can be created at `path` now: creates a new file in the same folder and removes it.
 /// Errors: failed, with the system's reason.
 Result<void> check_room(const std::filesystem::path& path);
 

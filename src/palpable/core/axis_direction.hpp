@@ -10,20 +10,20 @@
 
 namespace palpable {
 
-/// A direction along one of the axes of some coordinates.
+/// A direction along a coordinate axis.
 enum class AxisDirection { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };
 
 inline constexpr std::array kAxisDirections{AxisDirection::plus_x, AxisDirection::minus_x,
                                             AxisDirection::plus_y, AxisDirection::minus_y,
                                             AxisDirection::plus_z, AxisDirection::minus_z};
 
-/// "x", "-x", "y" ...; and back, nullopt for another name.
+/// "x", "-x", "y" ...; and the reverse, nullopt for an unknown name.
 std::string_view name_of(AxisDirection direction);
 std::optional<AxisDirection> axis_direction_from(std::string_view name);
 
 Vec3 unit_vector(AxisDirection direction);
 
-/// The direction that is nearest to a vector other than 0.
+/// The direction with the smallest angle to a vector, which must not be 0.
 AxisDirection nearest_axis_direction(Vec3 vector);
 
 }  // namespace palpable

@@ -14,7 +14,7 @@
 namespace palpable {
 namespace {
 
-/// Looks for the identifier in the notes of one segment.
+/// Searches the notes of one segment for the identifier.
 std::string id_in(std::span<const std::byte> notes, std::size_t alignment) {
   const auto padded = [alignment](std::size_t size) {
     return (size + alignment - 1) / alignment * alignment;

@@ -7,7 +7,7 @@
 namespace palpable {
 
 /// The identifier that the linker gave to the running program: a hash of its content, in hexadecimal (the ELF
-/// note .note.gnu.build-id, as `file` and `readelf -n` show it). Empty where it has none.
+/// note .note.gnu.build-id, which `file` and `readelf -n` print). Empty if it has none.
 std::string build_id();
 
 }  // namespace palpable

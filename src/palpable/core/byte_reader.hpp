@@ -13,8 +13,8 @@
 
 namespace palpable {
 
-/// Reads numbers from bytes that nobody vouches for. Past the end it gives zeros and ok() becomes false for
-/// good, so a parser asks once, at its end. Never allocates or throws.
+/// Reads numbers from untrusted bytes. A read past the end gives zeros and sets ok() to false permanently, so
+/// a parser may check once, at its end. Never allocates or throws.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes, std::endian order = std::endian::little)
@@ -25,7 +25,7 @@ class ByteReader {
   void set_order(std::endian order) { order_ = order; }
   std::size_t position() const { return position_; }
   std::size_t left() const { return bytes_.size() - position_; }
-  /// Goes to a place counted from the start.
+  /// Sets the position, counted from the start.
   void seek(std::size_t position) {
     if (position > bytes_.size()) ok_ = false;
     position_ = std::min(position, bytes_.size());
@@ -38,7 +38,7 @@ class ByteReader {
   std::uint64_t u64() { return number<std::uint64_t>(); }
   float f32() { return std::bit_cast<float>(number<std::uint32_t>()); }
   double f64() { return std::bit_cast<double>(number<std::uint64_t>()); }
-  /// The next `count` bytes; fewer than that left: none, and ok() becomes false.
+  /// The next `count` bytes. If fewer are left: an empty span, and ok() becomes false.
   std::span<const std::byte> bytes(std::size_t count) {
     if (count > left()) {
       ok_ = false;
@@ -67,7 +67,7 @@ class ByteReader {
   bool ok_ = true;
 };
 
-/// The same bytes as text and back, without copying.
+/// Views bytes as text and text as bytes, without copying.
 inline std::string_view as_text(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -75,7 +75,7 @@ inline std::span<const std::byte> as_bytes(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-/// True where `bytes` holds exactly `magic` at `offset`.
+/// True if `bytes` contains `magic` at `offset`.
 inline bool has_magic(std::span<const std::byte> bytes, std::string_view magic, std::size_t offset = 0) {
   return as_text(bytes).substr(std::min(offset, bytes.size())).starts_with(magic);
 }

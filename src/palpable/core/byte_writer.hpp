@@ -12,7 +12,7 @@
 
 namespace palpable {
 
-/// Puts numbers into bytes, little-endian: what ByteReader reads.
+/// Appends numbers to a byte vector in little-endian order, for ByteReader.
 class ByteWriter {
  public:
   void u8(std::uint8_t value) { bytes_.push_back(std::byte{value}); }
@@ -21,7 +21,7 @@ class ByteWriter {
   void u64(std::uint64_t value) { number(value); }
   void f64(double value) { number(std::bit_cast<std::uint64_t>(value)); }
   void text(std::string_view value) {
-    // One by one: g++ 12 warns wrongly of an overflow where a range is inserted behind numbers (-O3).
+    // One by one: g++ 12 at -O3 falsely warns of an overflow if a range is inserted after numbers.
     for (const char c : value) u8(static_cast<std::uint8_t>(c));
   }
 

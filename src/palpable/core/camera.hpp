@@ -9,7 +9,8 @@
 
 namespace palpable {
 
-/// A pinhole camera without distortion. Pixels, pixel centres at integers. fx, fy > 0.
+/// A pinhole camera without distortion. Focal lengths and principal point in pixels; pixel centres are at
+/// integers. fx, fy > 0.
 struct Pinhole {
   double fx = 0.0;
   double fy = 0.0;
@@ -25,29 +26,29 @@ struct Pinhole {
 struct StereoRig {
   Pinhole left;
   double baseline_m = 0.0;
-  /// x-difference of the principal points, cx_right - cx_left, as Middlebury's `doffs`.
+  /// Difference of the principal points in x, cx_right - cx_left, px: Middlebury's `doffs`.
   double doffs_px = 0.0;
   bool operator==(const StereoRig&) const = default;
 };
 
-/// The value of a depth or disparity that is not known.
+/// The value of an unknown depth or disparity.
 inline constexpr float kUnknownDepth = std::numeric_limits<float>::quiet_NaN();
 
-/// Depth along the camera's z axis in metres (float), NaN = unknown. The camera is known where the source
-/// stated it.
+/// Depth along the camera's z axis, metres; NaN = unknown. The camera is present if the source states it.
 struct DepthMap {
   Raster<float> depth_m;
   std::optional<Pinhole> camera;
 };
 
-/// Disparity of the left picture in pixels, d = x_left - x_right >= 0 for points in front, NaN = unknown.
+/// Disparity of the left picture, px: d = x_left - x_right, >= 0 for points in front of the cameras; NaN =
+/// unknown.
 struct DisparityMap {
   Raster<float> disparity_px;
   std::optional<StereoRig> rig;
 };
 
-/// Metric depth where the rig is known (its formula above); pixels without positive Z become NaN.
-/// Without a rig: nullopt.
+/// Metric depth by the formula of StereoRig; pixels without positive Z become NaN. nullopt if the rig is
+/// unknown.
 std::optional<DepthMap> depth_from_disparity(const DisparityMap& disparity);
 
 }  // namespace palpable

@@ -4,12 +4,12 @@
 
 namespace palpable {
 
-/// Prints the failed condition with its place to standard error and aborts: for our own bugs only, never for
-/// input.
+/// Prints the failed condition with its source location to standard error and aborts. Only for bugs of this
+/// program, never for input.
 [[noreturn]] void check_failed(const char* condition, const char* file, int line);
 
 }  // namespace palpable
 
-/// An assertion that is on in every build. Not for the tick path, which must not be able to stop.
+/// An assertion that is active in every build. Not for the tick path, which must not stop.
 #define PALPABLE_CHECK(condition) \
   ((condition) ? static_cast<void>(0) : ::palpable::check_failed(#condition, __FILE__, __LINE__))

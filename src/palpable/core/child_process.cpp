@@ -16,7 +16,8 @@ namespace palpable {
 namespace {
 
 constexpr int kFirstPassed = 3;
-/// Above every number that a child begins with, so that no copy overwrites another's source.
+/// Greater than every descriptor number of a child at its start, so that no copy overwrites the source of
+/// another one.
 constexpr int kPassable = 16;
 
 Error system_failure(int number) { return {ErrorCode::failed, std::generic_category().message(number), {}}; }

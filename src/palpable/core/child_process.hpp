@@ -13,10 +13,10 @@
 
 #include <sys/types.h>
 
-// Helper programs of ours that run as processes of their own.
+// Helper programs that run as separate processes.
 namespace palpable {
 
-/// An open file descriptor, closed by its owner's end; -1: none.
+/// Owns an open file descriptor and closes it on destruction; -1: none.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -33,24 +33,24 @@ class Descriptor {
   int number_;
 };
 
-/// A copy of `descriptor`, close-on-exec, with a number that start_child() can pass on. None if there is
-/// none.
+/// A duplicate of `descriptor`, close-on-exec, with a number that start_child() can pass on. None if
+/// `descriptor` is none.
 Descriptor passable(Descriptor descriptor);
 
 /// A pipe, close-on-exec: the end to read and the end to write, which is passable. Errors: failed.
 Result<std::pair<Descriptor, Descriptor>> make_pipe();
 
-/// Where the helper program `name` is: at the value of the environment variable `variable`; else beside the
-/// program that runs, as a build and a copied folder have it; else in `installed`. Errors: failed, without a
-/// place, with the places that were tried.
+/// Finds the helper program `name`: at the path in the environment variable `variable`; else beside the
+/// running program, as in a build tree and in a copied folder; else in `installed`. Errors: failed, without a
+/// place; the message lists the paths that were tried.
 Result<std::filesystem::path> helper_program(std::string_view name, const char* variable,
                                              const std::filesystem::path& installed);
 
-/// Starts `program` with these arguments. `descriptors` (passable) are its descriptors 3, 4 ...; its standard
-/// streams are /dev/null and all others are closed. Every signal has its default action and is let through,
-/// and the process has a group of its own, so that a terminal's Ctrl-C does not reach it. The address space
-/// is not copied, so any thread may call it, also while a servo runs. Errors: failed, without a place, with
-/// the system's reason.
+/// Starts `program` with these arguments. `descriptors` (passable) become its descriptors 3, 4, ...; its
+/// standard streams are /dev/null, and all other descriptors are closed. All signals have their default
+/// actions and are unblocked. The process gets its own process group, so that Ctrl-C in a terminal does not
+/// reach it. The address space is not copied, so any thread may call it, also while a servo runs. Errors:
+/// failed, without a place, with the system's reason.
 Result<pid_t> start_child(const std::filesystem::path& program, std::vector<std::string> arguments,
                           std::span<const int> descriptors);
 

@@ -6,10 +6,10 @@
 
 namespace palpable {
 
-/// What one unit of some coordinates is.
+/// The length of one coordinate unit.
 enum class LengthUnit { unknown, metre };
 
-/// What a file format says about the coordinates of its solids.
+/// What a file format defines about the coordinates of a solid.
 struct CoordinateConvention {
   AxisDirection up = AxisDirection::plus_y;
   LengthUnit unit = LengthUnit::unknown;

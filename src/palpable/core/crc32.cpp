@@ -7,7 +7,7 @@
 namespace palpable {
 
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t before) {
-  // zlib takes a null pointer for a question after the first value.
+  // zlib returns its initial value for a null pointer.
   if (bytes.empty()) return before;
   return static_cast<std::uint32_t>(
       ::crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));

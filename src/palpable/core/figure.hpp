@@ -6,9 +6,9 @@
 
 namespace palpable {
 
-/// `digits` significant digits, and never fewer than stand before the decimal point; without exponent,
-/// without zeros at the end of the fraction, without "-0": "110", "3.4", "0.25". What is smaller than 1e-9 is
-/// "0"; what is not finite is "unknown".
+/// A number as text with `digits` significant digits, but always with all digits before the decimal point;
+/// without exponent, trailing zeros of the fraction or "-0": "110", "3.4", "0.25". Magnitudes below 1e-9 give
+/// "0"; values that are not finite give "unknown".
 std::string figure(double value, int digits = 2);
 
 }  // namespace palpable

@@ -11,7 +11,7 @@
 
 namespace palpable {
 
-/// The 64-bit FNV-1a hash (Fowler, Noll, Vo) of numbers and texts, the same on every machine. Not for
+/// The 64-bit FNV-1a hash (Fowler, Noll, Vo) of numbers and strings; the same on every machine. Not for
 /// security.
 class Fnv1a {
  public:

@@ -8,20 +8,20 @@
 
 namespace palpable {
 
-// Frames. Each is only a name: values of different frames do not mix, and the compiler says so.
+// Frames. Each is only a tag type; the compiler rejects expressions that mix frames.
 
-/// The scene that is touched: metres, right-handed, x right, y up, z out of the picture towards the person.
+/// The frame of the touched scene: metres, right-handed, x right, y up, z out of the picture towards the
+/// user.
 struct SceneFrame;
-/// A device's own workspace: metres, axes as SceneFrame (x right, y up, z towards the person), origin at its
-/// centre.
+/// The frame of a device's workspace: metres, axes as SceneFrame (x right, y up, z towards the user), origin
+/// at its centre.
 struct DeviceFrame;
 /// A camera: metres, x right, y down, z forward (OpenCV's convention).
 struct CameraFrame;
-/// The world of a sequence of pictures: metres or unit scale, right-handed.
+/// The world frame of a picture sequence: metres or unit scale, right-handed.
 struct WorldFrame;
 
-/// A difference, velocity or force, expressed in `Frame`. Units are stated by the name of the variable or
-/// member.
+/// A difference, velocity or force in `Frame`. The unit is part of the name of the variable or member.
 template <class Frame>
 struct Vector {
   Vec3 v;
@@ -30,7 +30,7 @@ struct Vector {
   constexpr Vector& operator-=(Vector b) { return v -= b.v, *this; }
 };
 
-/// A position in metres, expressed in `Frame`.
+/// A position in `Frame`, metres.
 template <class Frame>
 struct Point {
   Vec3 v;
@@ -86,8 +86,9 @@ bool is_finite(Point<F> a) {
   return is_finite(a.v);
 }
 
-/// Similarity `To` <- `From`: p_to = scale * rotation * p_from + translation. Read `scene_from_device *
-/// p_device`. `rotation` is row-major and must be orthonormal with determinant +1; scale > 0.
+/// A similarity transform from `From` to `To`: p_to = scale * rotation * p_from + translation. It is named in
+/// this order: `scene_from_device * p_device`. `rotation` is row-major and must be orthonormal with
+/// determinant +1; scale > 0.
 template <class To, class From>
 struct Transform {
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -100,7 +101,7 @@ struct Transform {
             r[6] * p.x + r[7] * p.y + r[8] * p.z};
   }
   constexpr Point<To> operator*(Point<From> p) const { return {scale * rotate(p.v) + translation_m}; }
-  /// Rotates and scales; for positions' differences and velocities. Forces use rotate_force().
+  /// Rotates and scales; for differences of positions and for velocities. For forces use rotate_force().
   constexpr Vector<To> operator*(Vector<From> p) const { return {scale * rotate(p.v)}; }
 
   constexpr Transform<From, To> inverse() const {
@@ -113,7 +114,7 @@ struct Transform {
   }
 };
 
-/// `to_from_mid * mid_from` composed: first the right one, then the left one.
+/// Composition: `b` is applied first, then `a`.
 template <class To, class Mid, class From>
 constexpr Transform<To, From> operator*(const Transform<To, Mid>& a, const Transform<Mid, From>& b) {
   Transform<To, From> c;
@@ -126,7 +127,7 @@ constexpr Transform<To, From> operator*(const Transform<To, Mid>& a, const Trans
   return c;
 }
 
-/// The transform as a 4 x 4 matrix, row-major: what `palpable info` prints as scene_from_input.
+/// The transform as a 4 x 4 matrix, row-major, as `palpable info` prints scene_from_input.
 template <class To, class From>
 constexpr std::array<double, 16> matrix_of(const Transform<To, From>& t) {
   const auto& r = t.rotation;
@@ -136,7 +137,7 @@ constexpr std::array<double, 16> matrix_of(const Transform<To, From>& t) {
           s * r[6], s * r[7], s * r[8], m.z, 0.0,      0.0,      0.0,      1.0};
 }
 
-/// A force in newtons keeps its size when a scene is shown larger or smaller: only its direction turns.
+/// Rotates a force. Its magnitude in newtons does not change if the scene is scaled.
 template <class To, class From>
 constexpr Vector<To> rotate_force(const Transform<To, From>& to_from, Vector<From> force_N) {
   return {to_from.rotate(force_N.v)};

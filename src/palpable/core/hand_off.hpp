@@ -14,11 +14,12 @@
 
 namespace palpable {
 
-/// Two threads that share a cache line slow each other down; 64 bytes on every processor that we build for.
+/// Size of a cache line on all supported processors. Variables of different threads are kept in different
+/// lines, since sharing a line slows both threads down.
 inline constexpr std::size_t kCacheLine_bytes = 64;
 
-/// The latest value from one writing thread to one reading thread (a triple buffer). Values in between are
-/// lost by design; a value is never torn. Neither side waits, locks or allocates.
+/// Passes the latest value from one writer thread to one reader thread (a triple buffer). Older values that
+/// were not read are dropped by design; a value is never torn. Neither side waits, locks or allocates.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class LatestValue {
@@ -29,8 +30,8 @@ class LatestValue {
     write_ = middle_.exchange(write_ | kFresh, std::memory_order_acq_rel) & kIndex;
   }
 
-  /// Reader's thread: true and the newest value if one came since the last take(); false and `value`
-  /// untouched otherwise.
+  /// Reader's thread: stores the newest value and returns true if one was put since the last take(); else
+  /// returns false and leaves `value` unchanged.
   bool take(T& value) noexcept {
     if ((middle_.load(std::memory_order_relaxed) & kFresh) == 0) return false;
     read_ = middle_.exchange(read_, std::memory_order_acq_rel) & kIndex;
@@ -50,16 +51,17 @@ class LatestValue {
   alignas(kCacheLine_bytes) unsigned read_ = 2;
 };
 
-/// A bounded queue from one writing thread to one reading thread, for what must not be lost. Memory is taken
-/// once, at construction. Neither side waits, locks or allocates; a full ring refuses and counts.
+/// A bounded queue from one writer thread to one reader thread, for values that must not be lost. Memory is
+/// allocated once, in the constructor. Neither side waits, locks or allocates. A full ring rejects new values
+/// and counts them.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class Ring {
  public:
-  /// Holds at least `capacity` values (rounded up to a power of two), 1 or more.
+  /// Holds at least `capacity` values (>= 1, rounded up to a power of two).
   explicit Ring(std::size_t capacity) : values_(power_of_two(capacity)), mask_(values_.size() - 1) {}
 
-  /// Writer's thread: false, and counted in refused(), if the ring is full.
+  /// Writer's thread: appends a value. False if the ring is full; the value is then counted in refused().
   bool put(const T& value) noexcept {
     const std::size_t end = end_.load(std::memory_order_relaxed);
     if (end - begin_seen_ == values_.size()) {
@@ -74,12 +76,12 @@ class Ring {
     return true;
   }
 
-  /// Writer's thread: room for one more value?
+  /// Writer's thread: whether there is room for one more value.
   bool has_room() const noexcept {
     return end_.load(std::memory_order_relaxed) - begin_.load(std::memory_order_acquire) < values_.size();
   }
 
-  /// Reader's thread: the oldest value, if there is one.
+  /// Reader's thread: removes and returns the oldest value, if there is one.
   std::optional<T> take() noexcept {
     const std::size_t begin = begin_.load(std::memory_order_relaxed);
     if (begin == end_seen_) {
@@ -91,7 +93,7 @@ class Ring {
     return value;
   }
 
-  /// Values lost because the ring was full. Any thread.
+  /// Number of values that were rejected because the ring was full. Any thread.
   std::uint64_t refused() const noexcept { return refused_.load(std::memory_order_relaxed); }
   std::size_t capacity() const noexcept { return values_.size(); }
 

@@ -13,20 +13,21 @@
 
 namespace palpable {
 
-/// 8-bit sRGB, as shown on screens and used as a texture.
+/// An 8-bit sRGB colour, as used on screens and in textures.
 struct Rgb8 {
   std::uint8_t r = 0, g = 0, b = 0;
   bool operator==(const Rgb8&) const = default;
 };
 
-/// A picture as a file holds it: 1 (grey), 2 (grey + alpha), 3 (RGB) or 4 (RGBA) interleaved channels of
-/// float samples. Integer files are scaled to 0…1 (value/255 or value/65535, exact to recover); float files
-/// keep their values. No gamma is applied. Row-major, origin top-left.
+/// A picture as stored in a file: 1 (grey), 2 (grey + alpha), 3 (RGB) or 4 (RGBA) interleaved channels of
+/// float samples. Integer samples are scaled to 0 ... 1 (value/255 or value/65535; the integers can be
+/// recovered exactly). Float samples keep their values. No gamma is applied. Row-major, origin at the top
+/// left.
 struct Image {
   int width = 0;
   int height = 0;
   int channels = 0;
-  /// Bits of a sample in the file: 8, 16 or 32 (float).
+  /// Bits per sample in the file: 8, 16 or 32 (float).
   int bits = 8;
   std::vector<float> samples;
 
@@ -37,20 +38,20 @@ struct Image {
   }
 };
 
-/// "640 x 480", for sentences.
+/// "640 x 480", for messages.
 std::string size_text(int width, int height);
 
-/// No picture or raster with more pixels is read: 64 Mi, about 8192 x 8192.
+/// Largest number of pixels of a picture or raster that is read: 64 Mi, about 8192 x 8192.
 inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;
 
-/// Whether a size that a file states may be given memory. Errors: invalid_input for sizes below 1 or more
-/// than kMaxPixels.
+/// Checks a size that a file states before memory is allocated. Errors: invalid_input for a side below 1, or
+/// more than kMaxPixels.
 Result<void> check_picture_size(std::int64_t width, std::int64_t height);
 
-/// Luma (Rec. 601) in the picture's own scale; alpha is ignored.
+/// Luma (Rec. 601) in the picture's own value range; alpha is ignored.
 Raster<float> grey(const Image& image);
 
-/// Clamped to 0…1, rounded to 8 bits; grey is repeated; alpha is ignored.
+/// Clamps to 0 ... 1 and rounds to 8 bits. Grey is copied to all three channels; alpha is ignored.
 Raster<Rgb8> rgb8(const Image& image);
 
 }  // namespace palpable

@@ -10,20 +10,20 @@
 
 namespace palpable {
 
-/// A solid as numbers on a regular grid, negative inside, of which only the blocks near its surface are kept
-/// (as OpenVDB keeps them). Only where the numbers are 0 counts; elsewhere they need not be distances.
+/// A solid as the zero level of values on a regular grid, negative inside. Only the blocks near the surface
+/// are stored, as in OpenVDB. Only the zero level is used: the values need not be distances.
 struct LevelSet {
   static constexpr int kSide = 8;
   struct Block {
-    /// The grid place with the least coordinates, each a multiple of kSide.
+    /// Grid index of the block's first sample; each component is a multiple of kSide.
     std::array<int, 3> corner{};
-    /// x outermost, z innermost.
+    /// Samples; x varies slowest, z fastest.
     std::array<float, kSide * kSide * kSide> values{};
   };
   std::vector<Block> blocks;
-  /// Wherever there is no block: outside, > 0.
+  /// The value where there is no block: outside, > 0.
   float background = 0.0F;
-  /// Grid place (i, j, k) stands at origin_m + i steps_m[0] + j steps_m[1] + k steps_m[2].
+  /// Sample (i, j, k) is at origin_m + i steps_m[0] + j steps_m[1] + k steps_m[2].
   Vec3 origin_m;
   std::array<Vec3, 3> steps_m{};
 };

@@ -17,7 +17,7 @@ namespace {
 
 using Bytes = std::optional<std::uint64_t>;
 
-/// The number behind a name in a file of lines "name number …".
+/// The number after a name in a file of lines "name number …".
 Bytes named_number(const std::filesystem::path& file, std::string_view name) {
   std::ifstream in(file);
   std::string line;
@@ -34,7 +34,7 @@ Bytes named_number(const std::filesystem::path& file, std::string_view name) {
 
 std::uint64_t left(std::uint64_t most, std::uint64_t taken) { return most > taken ? most - taken : 0; }
 
-/// Of one group; files that the group only reads again can be given back.
+/// Memory left in one control group; the group's file cache can be reclaimed.
 Bytes left_in_group(const std::filesystem::path& group) {
   const Bytes most = named_number(group / "memory.max", "");
   const Bytes taken = named_number(group / "memory.current", "");
@@ -43,7 +43,7 @@ Bytes left_in_group(const std::filesystem::path& group) {
   return left(*most, left(*taken, kept_files.value_or(0)));
 }
 
-/// Of the process's group and all above it.
+/// The least of the process's control group and all groups above it.
 Bytes left_in_groups(const MemoryFiles& files) {
   std::ifstream in(files.process / "cgroup");
   std::string line;

@@ -8,16 +8,16 @@
 
 namespace palpable {
 
-/// Where the system tells about memory (Linux); others for tests.
+/// Folders in which Linux reports memory use and limits; tests use their own.
 struct MemoryFiles {
   std::filesystem::path process = "/proc/self";
   std::filesystem::path system = "/proc/meminfo";
   std::filesystem::path control_groups = "/sys/fs/cgroup";
 };
 
-/// How much more memory this process may take before the system has none left, its control group (version 2,
-/// as containers have) is full, or its address space (ulimit -v) ends: the least of what is told; nullopt if
-/// nothing is. Reads small files; any thread.
+/// How much more memory this process may use: the least of the system's available memory, the remainder of
+/// its control group (version 2, as in containers) and of its address space (ulimit -v). nullopt if none of
+/// these is known. Reads small files; any thread.
 std::optional<std::size_t> available_memory_bytes(const MemoryFiles& files = {});
 
 }  // namespace palpable

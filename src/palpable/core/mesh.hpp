@@ -10,17 +10,17 @@
 
 namespace palpable {
 
-/// A surface of triangles. Corners counter-clockwise seen from outside, as indices of the vertices.
+/// A triangle mesh. Triangles are triples of vertex indices, counter-clockwise seen from outside.
 struct Mesh {
   std::vector<Vec3> vertices_m;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Place in the picture per vertex (0, 0 top-left ... 1, 1 bottom-right); empty, or as many as the
-  /// vertices.
+  /// Texture coordinates per vertex in the picture (0, 0 is top left, 1, 1 is bottom right); empty, or one
+  /// per vertex.
   std::vector<std::array<float, 2>> picture_places;
 };
 
-/// Whether the mesh closes a volume: every edge is used by exactly two triangles, once in each direction, and
-/// no triangle names a vertex twice or one that does not exist.
+/// Whether the mesh encloses a volume: every edge is used by exactly two triangles, once in each direction,
+/// and no triangle repeats a vertex or refers to one that does not exist.
 bool is_watertight(const Mesh& mesh);
 
 }  // namespace palpable

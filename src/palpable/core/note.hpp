@@ -9,8 +9,8 @@
 
 namespace palpable {
 
-/// What a person should know about a result: one sentence with its full stop, and where the caller could have
-/// changed it, the reason. A plain sentence converts to a note.
+/// Information about a result: one sentence with its full stop, and a reason if the caller could have changed
+/// it. A plain string converts to a note.
 struct Note {
   Note(std::string text, Reason why = Reason::unspecified) : sentence(std::move(text)), reason(why) {}
   Note(const char* text, Reason why = Reason::unspecified) : sentence(text), reason(why) {}

@@ -13,7 +13,7 @@
 namespace palpable {
 namespace {
 
-/// Cuts `text` at its first `mark`: returns what is before and leaves what is behind.
+/// Cuts `text` at its first `mark`: returns the part before it and keeps the part after it.
 std::string_view take_until(std::string_view& text, char mark) {
   const std::size_t end = text.find(mark);
   const std::string_view head = text.substr(0, end);
@@ -36,7 +36,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-/// For each field of a row: where it goes among the wanted columns, or kSkipped.
+/// For each field of a row: its index among the wanted columns, or kSkipped.
 constexpr std::size_t kSkipped = static_cast<std::size_t>(-1);
 
 Result<std::vector<std::size_t>> places_of(std::string_view header,
@@ -59,7 +59,7 @@ std::string_view without_mark(std::string_view csv) {
   return csv;
 }
 
-/// Fills `row`; the error is a sentence without the line's number.
+/// Fills `row`; the error is a sentence without the line number.
 Result<void> parse_row(std::string_view line, std::span<const std::size_t> places,
                        std::span<const std::string_view> wanted, std::span<double> row) {
   for (std::size_t i = 0; i < places.size(); ++i) {

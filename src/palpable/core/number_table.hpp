@@ -12,7 +12,7 @@
 
 namespace palpable {
 
-/// Rows of finite numbers under named columns: what a CSV file holds of interest.
+/// Rows of finite numbers in selected columns of a CSV file.
 struct NumberTable {
   std::size_t columns = 0;
   /// Row by row.
@@ -21,17 +21,17 @@ struct NumberTable {
   std::span<const double> row(std::size_t i) const { return std::span(values).subspan(i * columns, columns); }
 };
 
-/// The columns `wanted`, in that order, of a CSV text whose first line names its columns in any order; other
-/// columns are skipped, empty lines too. Takes CRLF, a byte-order mark, blanks and quotes round a field;
-/// numbers have a decimal point whatever the locale. Errors, invalid_input with the line's number and no
-/// place: a column missing, too few fields, a field that is no finite number, no rows.
+/// Reads the columns `wanted`, in that order, from a CSV text whose first line names its columns in any
+/// order. Other columns and empty lines are skipped. CRLF, a byte-order mark, spaces, and quotes around a
+/// field are accepted. The decimal separator is a point in every locale. Errors (invalid_input, with the line
+/// number and no place): a missing column, too few fields, a field that is not a finite number, no rows.
 Result<NumberTable> parse_number_table(std::string_view csv, std::span<const std::string_view> wanted);
 
 /// Whether the first line of a CSV text names all of these columns.
 bool has_columns(std::string_view csv, std::span<const std::string_view> names);
 
-/// Appends the shortest text that reads back as exactly this double, whatever the locale; nothing if it is
-/// not finite.
+/// Appends the shortest text that converts back to exactly this double, in every locale; appends nothing if
+/// the value is not finite.
 void append_number(std::string& text, double value);
 
 }  // namespace palpable

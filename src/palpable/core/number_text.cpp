@@ -10,7 +10,7 @@ namespace {
 
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
-  // from_chars takes no plus, and would take a minus behind one.
+  // from_chars does not accept a plus sign; after removing it, a minus sign must not follow.
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   Number value{};
   const char* const end = text.data() + text.size();

@@ -8,13 +8,13 @@
 
 namespace palpable {
 
-// Numbers that people and files write, whatever the locale. The whole text must be one number: no blanks, no
-// unit. nullopt for anything else: empty, NaN, infinite, beyond the type's range.
+// Parses numbers, independently of the locale. The whole text must be one number, without spaces or a unit.
+// nullopt for anything else: empty, NaN, infinite, outside the type's range.
 
-/// Decimal, with an exponent or without, and with a sign or without.
+/// A decimal number with optional sign and exponent.
 std::optional<double> finite_number(std::string_view text);
 
-/// Decimal digits, with a sign or without.
+/// Decimal digits with an optional sign.
 std::optional<std::int64_t> whole_number(std::string_view text);
 
 }  // namespace palpable

@@ -12,37 +12,37 @@
 
 namespace palpable {
 
-/// The values that a parameter may have, both ends included.
+/// The range of a parameter, both ends included.
 struct ParameterRange {
   double least = 0.0;
   double most = 0.0;
 };
 
-/// One number of an options struct, described: so that it can be listed, set by its name and checked. It
-/// refers to the struct that it was made from, which must outlive it.
+/// Describes one number of an options struct, so that it can be listed, set by name and checked. It refers to
+/// the struct from which it was made, which must outlive it.
 struct Parameter {
-  /// The field's path in the struct: "search.hidden_cost".
+  /// The path of the field in the struct: "search.hidden_cost".
   std::string name;
   std::variant<int*, float*, double*> value;
   ParameterRange range;
   /// "px", "levels" …; empty for a pure number.
   std::string unit;
-  /// One phrase.
+  /// What the parameter does, as one phrase.
   std::string meaning;
 
   double get() const;
   bool is_whole() const { return std::holds_alternative<int*>(value); }
 };
 
-/// The parameters of a struct are listed by a function `parameters_of(Options&)` beside it. Those of a part
-/// of it are added under the part's name.
+/// Appends the parameters of a part of an options struct, with the part's name as prefix. Each options struct
+/// has a function `parameters_of(Options&)` beside it that lists its parameters.
 void append_parameters(std::vector<Parameter>& to, std::string_view part, std::vector<Parameter> from);
 
-/// Errors: usage, for a number outside the range or, where whole numbers are wanted, between two; nothing is
-/// changed then. The error's place is the parameter's name.
+/// Sets a parameter. Errors: usage for a value outside the range, or a fraction where an integer is required;
+/// nothing is changed then. The error's place is the parameter's name.
 Result<void> set_parameter(const Parameter& parameter, double value);
 
-/// Errors: usage, for the first parameter outside its range (or NaN).
+/// Checks that all parameters are in range. Errors: usage for the first one that is not (or is NaN).
 Result<void> check_parameters(std::span<const Parameter> parameters);
 
 /// Whether every parameter of `options` lies in its range. Errors: as check_parameters().

@@ -5,7 +5,7 @@
 namespace palpable {
 namespace {
 
-/// Bytes of the control character that the text begins with; 0 if it begins with another.
+/// Length in bytes of the control character at the start of the text; 0 if there is none.
 std::size_t control_at(std::string_view text) {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
   constexpr unsigned kSpace = 0x20, kDelete = 0x7F;

@@ -7,11 +7,11 @@
 
 namespace palpable {
 
-/// Whether UTF-8 text holds a character that acts on a terminal or turns the direction of writing: a control
-/// character other than a line's end and a tab (C0, DEL, C1), or a bidirectional override or isolate.
+/// Whether UTF-8 text contains a character that controls a terminal or changes the writing direction: a
+/// control character (C0, DEL, C1) other than newline and tab, or a bidirectional override or isolate.
 bool has_control_characters(std::string_view text);
 
-/// The text with a question mark for each of those.
+/// Replaces each of those characters by a question mark.
 std::string without_control_characters(std::string_view text);
 
 }  // namespace palpable

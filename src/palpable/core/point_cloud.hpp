@@ -8,10 +8,10 @@
 
 namespace palpable {
 
-/// Places on surfaces, metres.
+/// Points on surfaces, metres.
 struct PointCloud {
   std::vector<Vec3> places_m;
-  /// Unit normals that face out of the solid; empty where they are not known, or as many as the places.
+  /// Unit normals that point out of the solid; empty if unknown, else one per point.
   std::vector<Vec3> normals;
 };
 

@@ -8,13 +8,13 @@
 
 namespace palpable {
 
-/// A line of straight pieces in the plane z = 0 of the scene, metres; closed: the last point joins the first.
+/// A polyline in the plane z = 0 of the scene, metres. If closed, the last point is connected to the first.
 struct Polyline {
   std::vector<Vec3> points;
   bool closed = false;
 };
 
-/// Its length in metres.
+/// Length of a polyline, metres.
 inline double length_of(const Polyline& line) {
   double sum = 0.0;
   for (std::size_t i = 1; i < line.points.size(); ++i) sum += norm(line.points[i] - line.points[i - 1]);

@@ -10,8 +10,8 @@
 
 namespace palpable {
 
-/// The value below which the fraction `at` (0 … 1) of the values lie: one of them, the lower where the place
-/// falls between two. Reorders `values`, which must not be empty and hold no NaN.
+/// The `at` quantile (0 ... 1) of the values: one of them, without interpolation; the lower one if the
+/// position is between two. Reorders `values`, which must not be empty or contain NaN.
 template <class T>
 T quantile_of(std::vector<T>& values, double at) {
   PALPABLE_CHECK(!values.empty() && at >= 0.0 && at <= 1.0);

@@ -6,11 +6,11 @@
 
 namespace palpable {
 
-/// Why something could not be done, or was done with an assumption, where the caller can change that. A
-/// message states the fact; how to change it depends on who asks: the command line names its option, a
-/// program sets the field of an options struct.
+/// Why something failed, or was done under an assumption, if the caller can change that. The message states
+/// the fact. How to change it depends on the caller: the command line names an option, a program sets a field
+/// of an options struct.
 enum class Reason : std::uint8_t {
-  /// Nothing that an option would change.
+  /// No option would change it.
   unspecified,
   /// The cameras are unknown: a calibration is needed, or would make the result metric.
   needs_calibration,
@@ -18,25 +18,25 @@ enum class Reason : std::uint8_t {
   needs_camera_movement,
   /// The scale of a depth file was assumed.
   depth_scale_assumed,
-  /// What the numbers of a depth file mean was assumed.
+  /// The meaning of the numbers in a depth file was assumed.
   depth_meaning_assumed,
-  /// Both of them were assumed.
+  /// Both were assumed.
   depth_numbers_assumed,
   /// A depth buffer needs its near and far planes.
   needs_clip_planes,
-  /// No edges were found that show a plane's perspective: the plane has to be marked.
+  /// No edges were found that determine a plane's perspective: the plane must be marked.
   needs_plane_marks,
   /// The kind of the input does not allow this; it may have been recognised wrongly.
   unexpected_input_kind,
   /// A photograph with depth inside was taken as depth, not as a picture.
   photo_depth_used,
-  /// Ways to store a field were given for a scene that is not one.
+  /// Options of a distance field were given for another kind of scene.
   needs_field,
-  /// No ground was found that could be treated.
+  /// No ground plane was found.
   no_ground_found,
   /// Ground and background cannot be found in this kind of input.
   no_regions_in_input,
-  /// A label picture was given for input without pixels.
+  /// A label picture was given for an input without pixels.
   labels_without_pixels,
   /// The TCP port is in use.
   port_in_use

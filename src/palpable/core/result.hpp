@@ -11,18 +11,17 @@
 
 namespace palpable {
 
-/// What went wrong, as the command line's exit code (docs/cli.md).
+/// The kind of an error; the values are the exit codes of the command line (docs/cli.md).
 enum class ErrorCode { failed = 1, usage = 2, invalid_input = 3, device = 4, interrupted = 130 };
 
-/// A failure of the outside world: one sentence for the person, and the place (a file, an address, an
-/// argument).
+/// An external error: one sentence for the user and the place (a file, an address, an argument).
 struct Error {
   ErrorCode code = ErrorCode::failed;
-  /// One sentence, without the place, without a full stop at its end.
+  /// One sentence without the place and without a full stop.
   std::string message;
   /// The file, device or argument that the message is about; may be empty.
   std::string place;
-  /// What the caller could give to get further, for programs; the message does not name any option.
+  /// For programs: what the caller could change. The message does not name any option.
   Reason reason = Reason::unspecified;
 
   /// "place: message", or the message alone.
@@ -33,8 +32,8 @@ inline Error invalid_input(std::string message, std::string place = {}, Reason r
   return {ErrorCode::invalid_input, std::move(message), std::move(place), reason};
 }
 
-/// A value or an Error, with std::expected's member names. value() and operator* on an error are a bug and
-/// abort.
+/// A value or an Error, with the member names of std::expected. Calling value() or operator* on an error is a
+/// bug and aborts.
 template <class T>
 class [[nodiscard]] Result {
  public:

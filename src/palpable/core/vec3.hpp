@@ -6,8 +6,8 @@
 
 namespace palpable {
 
-/// Three doubles without unit or frame. Trivially copyable, so that it may cross threads in lock-free cells.
-/// Public interfaces speak Point<Frame> and Vector<Frame> (frame.hpp); Vec3 is their arithmetic.
+/// Three doubles without unit or frame. Trivially copyable, so it can be passed between threads without
+/// locks. Public interfaces use Point<Frame> and Vector<Frame> (frame.hpp), which are built on Vec3.
 struct Vec3 {
   double x = 0.0;
   double y = 0.0;
@@ -33,7 +33,7 @@ constexpr double squared_norm(Vec3 a) { return dot(a, a); }
 inline double norm(Vec3 a) { return std::sqrt(squared_norm(a)); }
 inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
-/// The unit vector along `a`; zero where `a` is zero (never NaN for finite input).
+/// The unit vector along `a`; zero if `a` is zero (never NaN for finite input).
 inline Vec3 unit(Vec3 a) {
   const double n = norm(a);
   return n > 0.0 ? a / n : Vec3{};

@@ -11,15 +11,15 @@
 
 namespace palpable {
 
-/// How long work is carried out: threads, progress, cancelling and the seed. Passed by const reference
-/// through every long function. Callbacks may come from any thread of the work, one at a time.
+/// How a long computation runs: threads, progress, cancellation and seed. Passed by const reference to every
+/// long function. Callbacks may come from any thread of the computation, one at a time.
 struct Work {
-  /// Threads to use; 0 = as many as the machine has.
+  /// Number of threads; 0 = as many as the machine has.
   unsigned threads = 0;
   std::uint64_t seed = 1;
-  /// Called with a fraction 0…1 and what is being done; may be empty.
+  /// Called with the finished fraction 0 ... 1 and the name of the current step; may be empty.
   std::function<void(double fraction, std::string_view what)> progress;
-  /// Set by the person (Ctrl-C); polled by the work. May be null.
+  /// Set by the user (Ctrl-C) and polled by the computation. May be null.
   const std::atomic<bool>* cancel = nullptr;
 
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }

@@ -32,7 +32,7 @@ class Commentary {
   /// Updates the probe's place; `now_s` never decreases. Returns what to say now, or nothing. Call it at
   /// least 20 times per second while the probe moves.
   std::optional<std::string> at(const models::Scene& scene, double depth, Place place, double now_s);
-  /// The person has just heard otherwise what is at `place`: it is not announced again.
+  /// The user has just heard otherwise what is at `place`: it is not announced again.
   void heard(const models::Scene& scene, Place place, double now_s);
 
  private:

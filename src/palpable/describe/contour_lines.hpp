@@ -68,7 +68,7 @@ struct NearestLine {
 /// the line.
 std::optional<NearestLine> nearest_line(const models::BoundaryMap& map, Place place, double reach_m);
 
-/// Within this distance the probe is on the line. A person who moves in steps of 1 mm cannot step over a
+/// Within this distance the probe is on the line. A user who moves in steps of 1 mm cannot step over a
 /// line.
 inline constexpr double kOnLine_m = 0.00075;
 

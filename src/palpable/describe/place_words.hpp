@@ -7,7 +7,7 @@
 
 #include <string>
 
-// Describes in words where a probe is and what is there. `depth` is the person's factor on the height of a
+// Describes in words where a probe is and what is there. `depth` is the user's factor on the height of a
 // relief: -4 ... 4, negative if the scene is engraved.
 
 namespace palpable::describe {

@@ -207,7 +207,7 @@ std::vector<std::string> parts_of(const models::Scene& scene, double depth, Plac
 
 std::string name_of(const models::Scene& scene) {
   if (!scene.title.empty()) return scene.title;
-  // Without folders, which do not help a person who touches.
+  // Without folders, which do not help a user who touches.
   std::vector<std::string> files;
   for (const std::string& input : scene.source.inputs)
     files.push_back(std::filesystem::path(input).filename().string());

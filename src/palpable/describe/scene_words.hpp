@@ -15,7 +15,7 @@ std::string name_of(const models::Scene& scene);
 /// Spoken before a touch begins: the name and the maker's description.
 std::string opening_words(const models::Scene& scene);
 
-/// The description of a scene in parts, from short to long; the person requests them one after another.
+/// The description of a scene in parts, from short to long; the user requests them one after another.
 ///   - Name, size, and the number and places of the objects above the ground (peaks.hpp), of the lines
 ///   (contour_words.hpp), or of a solid's parts and openings, with its outline (solid_words.hpp).
 ///   - The maker's description, if there is one.

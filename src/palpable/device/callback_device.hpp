@@ -9,9 +9,9 @@
 
 namespace palpable::device {
 
-/// A device made of two functions, for hardware that a program drives itself and for simulations. Both are
-/// called by the servo's thread, once a tick, `read` first; they must not throw, and keep the tick's deadline
-/// if they neither allocate nor lock.
+/// A device made of two functions, for hardware that a program drives itself and for simulations. The servo's
+/// thread calls both once per tick, `read` first. They must not throw. They should neither allocate nor lock,
+/// so that the tick keeps its deadline.
 class CallbackDevice final : public Device {
  public:
   using Read = std::function<Reading()>;

@@ -14,11 +14,10 @@
 
 namespace palpable::device {
 
-/// What is known of a device; stability limits are computed from it. NaN where unknown. Units are in the
-/// names.
+/// Properties of a device, from which stability limits are computed. NaN = unknown. Units are in the names.
 struct Traits {
   std::string name;
-  /// 2: forces and positions in the plane (x, y), z is always 0. 3: all three axes.
+  /// 2: positions and forces in the plane (x, y); z is always 0. 3: all three axes.
   int degrees_of_freedom = 3;
   /// Full width, height and depth of the workspace, centred on the device frame's origin.
   Vec3 workspace_m{0.10, 0.10, 0.05};
@@ -27,18 +26,18 @@ struct Traits {
   double damping_Ns_per_m = std::numeric_limits<double>::quiet_NaN();
   double coulomb_friction_N = std::numeric_limits<double>::quiet_NaN();
   double position_resolution_m = std::numeric_limits<double>::quiet_NaN();
-  /// Samples between reading a position and the force that answers it reaching the motors.
+  /// Delay in samples from reading a position until the resulting force acts at the motors.
   int delay_samples = 0;
   double rate_hz = 1000.0;
-  /// False for what has no motors (the page's pointer): forces are shown, heard and drawn only.
+  /// False for a device without motors (the page's pointer): its forces are only displayed and sonified.
   bool pushes_back = true;
-  /// Its places come as messages: while none differs from the one before, it need not be read in every tick
+  /// Positions arrive as messages. While they do not change, the device need not be read in every tick
   /// (haptics::ServoOptions::rest_after_s).
   bool may_rest = false;
-  /// Reads how its handle is turned (Reading::rotation) and takes torques (Device::write_torque()).
+  /// Measures its handle's orientation (Reading::rotation) and takes torques (Device::write_torque()).
   bool has_torque = false;
   double max_torque_Nm = 0.0;
-  /// Of the handle's turning, about any axis; NaN where unknown.
+  /// Moment of inertia of the handle about any axis; NaN = unknown.
   double inertia_kg_m2 = std::numeric_limits<double>::quiet_NaN();
   double rotational_damping_Nm_s = std::numeric_limits<double>::quiet_NaN();
 };
@@ -47,37 +46,37 @@ enum class Status : std::uint8_t {
   ok,
   /// Open but not homed or calibrated: no position-based force may be sent yet.
   not_ready,
-  /// The last position is old: nothing new came in time.
+  /// The last position is outdated: no new one arrived in time.
   stale,
-  /// The device failed; fault() says how.
+  /// The device failed; fault() describes how.
   fault
 };
 
-/// When a tick of a recording was, and its flags (haptics::flag): who repeats a recording gives them with the
-/// reading, and the tick takes them in place of the clock's, so that the same readings give the same forces.
+/// The time of a recorded tick and its flags (haptics::flag). A device that replays a recording returns them
+/// with the reading. The tick uses them instead of the clock, so that the same readings give the same forces.
 struct RecordedTime {
   double t_s = 0.0;
   double dt_s = 0.001;
   std::uint32_t flags = 0;
 };
 
-/// Row-major, orthonormal, determinant +1.
+/// A rotation matrix, row-major.
 using Rotation = std::array<double, 9>;
 inline constexpr Rotation kNotTurned{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 struct Reading {
   Point<DeviceFrame> position;
   Status status = Status::ok;
-  /// Bit k = button k is down.
+  /// Bit k is set if button k is pressed.
   std::uint32_t buttons = 0;
-  /// Of the handle, device from tool, where Traits::has_torque.
+  /// Orientation of the handle, device_from_tool; valid if Traits::has_torque.
   Rotation rotation = kNotTurned;
   std::optional<RecordedTime> recorded = std::nullopt;
 };
 
-/// A force-feedback device, or what stands in for one. Opened by open_device(); closed by its destructor,
-/// which writes zero force first. read() and write() are called by one thread, once a tick, in that order:
-/// they never allocate, lock or throw and return within the device's own exchange time.
+/// A force-feedback device or a substitute. It is opened by open_device() and closed by its destructor, which
+/// first writes zero force. One thread calls read() and write() once per tick, in that order. They never
+/// allocate, lock or throw, and return within the device's I/O time.
 class Device {
  public:
   Device() = default;
@@ -87,18 +86,18 @@ class Device {
 
   virtual const Traits& traits() const noexcept = 0;
   virtual Reading read() noexcept = 0;
-  /// The force on the hand. Finite and capped by the caller.
+  /// Sets the force on the hand. The caller guarantees that it is finite and within the cap.
   virtual void write(Vector<DeviceFrame> force_N) noexcept = 0;
-  /// The torque on the hand about the handle's origin, which acts with the force of the next write(). Called
-  /// only where Traits::has_torque.
+  /// Sets the torque on the hand about the handle's origin; it takes effect with the next write(). Called
+  /// only if Traits::has_torque.
   virtual void write_torque(Vector<DeviceFrame> /*torque_Nm*/) noexcept {}
-  /// Zero force at once; safe from any state and more than once.
+  /// Sets zero force immediately. May be called in any state and more than once.
   virtual void stop() noexcept = 0;
-  /// Zero force at once, for a watchdog: called by another thread while the servo's may be anywhere in read()
-  /// or write(), or hang there. Must not wait for that thread; the servo's next write() counts again. A
-  /// driver whose stop() may not be called so has one of its own.
+  /// Sets zero force immediately, for a watchdog: another thread calls it while the servo's thread may be in
+  /// read() or write(), or hang there. It must not wait for that thread. The servo's next write() takes
+  /// effect again. A driver whose stop() may not be called in this way overrides this function.
   virtual void cut_force() noexcept { stop(); }
-  /// What happened, after Status::fault; outside the tick.
+  /// A description of the failure, after Status::fault. Not for the tick path.
   virtual std::string fault() const { return {}; }
 };
 

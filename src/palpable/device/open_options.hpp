@@ -11,14 +11,14 @@
 
 namespace palpable::device {
 
-/// Where a pointer's place arrives from the page, or, empty, that it was taken away: one thread puts, the
-/// device takes.
+/// Passes a pointer's position from the page to the device; nullopt = the pointer was removed. One writer
+/// thread; the device reads.
 using PointerFeed = LatestValue<std::optional<Point<DeviceFrame>>>;
 
 struct OpenOptions {
-  /// For what is random and has no seed in its URL.
+  /// Seed for a device whose URL has none.
   std::uint64_t seed = 1;
-  /// The loop's rate: how often read() and write() will be called.
+  /// The loop's rate: the frequency at which read() and write() will be called.
   double rate_hz = 1000.0;
   /// Needed by `pointer:` only.
   std::shared_ptr<PointerFeed> pointer;

@@ -9,36 +9,38 @@
 
 namespace palpable::device {
 
-/// Everything about one tick: what the page shows and what a recording holds.
+/// The data of one tick, as displayed and recorded.
 struct TouchSample {
   std::uint64_t tick = 0;
-  /// Since the loop began; and since the tick before.
+  /// Time since the loop began, and since the previous tick.
   double t_s = 0.0;
   double dt_s = 0.0;
-  /// As read, before any plausibility check: may be NaN.
+  /// The raw reading, before any plausibility check: may be NaN.
   Point<DeviceFrame> device_position;
   Point<SceneFrame> position;
   Vector<SceneFrame> velocity_m_per_s;
-  /// Meaningful only with haptics::flag::kHasProxy.
+  /// Valid only with haptics::flag::kHasProxy.
   Point<SceneFrame> proxy;
-  /// The law's, before caps, ramps and passivity.
+  /// The law's force, before caps, ramps and passivity control.
   Vector<SceneFrame> raw_force_N;
-  /// As written to the device, turned into the scene's frame.
+  /// The force written to the device, rotated into the scene frame.
   Vector<SceneFrame> written_force_N;
-  /// The observer's balance (passivity.hpp): what the hand received, with what the law still stores.
+  /// The passivity observer's balance (passivity.hpp): the energy that the hand received plus the energy that
+  /// the law stores.
   double energy_J = 0.0;
   std::uint32_t flags = 0;
   std::uint32_t buttons = 0;
-  /// Which haptic scene was rendered (haptics/servo/servo_types.hpp).
+  /// Id of the rendered haptic scene (haptics/servo/servo_types.hpp).
   std::uint32_t scene_id = 0;
   std::uint16_t label = 0;
   Status status = Status::ok;
-  /// 0: the hand's own; others: of several probes at once (haptics/servo/servo_loop.hpp).
+  /// 0: the hand; others: further probes (haptics/servo/servo_loop.hpp).
   std::uint8_t probe = 0;
 
-  /// The scene that fades in, after this tick; 0: none.
+  /// Id of the scene that fades in after this tick; 0: none.
   std::uint32_t coming_scene_id = 0;
-  /// Of devices with torque; as read, and as the law was given it. Torques about the handle's origin.
+  /// For devices with torque: the orientation as read, and the values that the law received. Torques are
+  /// about the handle's origin.
   Rotation device_rotation = kNotTurned;
   Vector<SceneFrame> angular_velocity_rad_per_s;
   Vector<SceneFrame> raw_torque_Nm;

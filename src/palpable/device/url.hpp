@@ -11,8 +11,8 @@
 
 namespace palpable::device {
 
-/// scheme:path?name=value&name=value. The options are taken out one by one; what is left at the end is an
-/// error, so that a misspelt option is never silently ignored.
+/// A device URL, scheme:path?name=value&name=value. Options are taken one by one; an option that is left at
+/// the end is an error, so that a misspelt one is never ignored silently.
 class DeviceUrl {
  public:
   /// Errors (usage): no scheme, an option without a value or given twice.
@@ -21,14 +21,14 @@ class DeviceUrl {
   const std::string& scheme() const { return scheme_; }
   const std::string& path() const { return path_; }
 
-  /// The option as a number in [least, most], or `otherwise` where it is not given. A value that is no number
-  /// or outside is remembered for finish().
+  /// The option as a number in [least, most], or `otherwise` if it is not given. An invalid value is reported
+  /// by finish().
   double take_number(const std::string& name, double otherwise, double least, double most);
-  /// The option as one of `allowed`; the first of them where it is not given.
+  /// The option as one of `allowed`; the first of them if it is not given.
   std::string take_word(const std::string& name, const std::vector<std::string>& allowed);
-  /// The option as it stands; empty where it is not given.
+  /// The option as text; empty if it is not given.
   std::string take_text(const std::string& name);
-  /// An error if a value was wrong or an option remains; say it before using what was taken.
+  /// The error if a value was invalid or an option is left. Call it before using the values.
   Result<void> finish() const;
 
  private:

@@ -8,19 +8,19 @@
 
 namespace palpable::device {
 
-/// How another process takes all force from a device's motors: by writing these bytes to `descriptor`, from
-/// its start where it has one (a file), else as they come (a serial line, a socket).
+/// How another process sets a device's motors to zero force: it writes these bytes to `descriptor`, from the
+/// start of a file, or appended to a stream (a serial line, a socket).
 struct ZeroWrite {
-  /// The device's own; it stays open while the device lives.
+  /// The device's own descriptor; it stays open while the device exists.
   int descriptor = -1;
   std::vector<std::byte> bytes;
 };
 
-/// What a device is too if another process can take the force from its motors (haptics/safety/guardian.hpp).
+/// An additional interface of devices whose force another process can cut (haptics/safety/guardian.hpp).
 class Guardable {
  public:
   virtual ~Guardable() = default;
-  /// None where the device was opened without such a way. Outside the tick.
+  /// nullopt if the device was opened without such a way. Not for the tick path.
   virtual std::optional<ZeroWrite> zero_write() const = 0;
 };
 

@@ -69,7 +69,7 @@ bool normal_at(const Raster<float>& height_mm, double pixel_mm, int x, int y, Ve
   return true;
 }
 
-/// The truth has no step in the window.
+/// Whether the truth has no step in the window.
 bool is_smooth(const Raster<float>& truth_mm, int x, int y) {
   float low = truth_mm(x, y), high = low;
   for (int v = -kReach; v <= kReach; ++v)

@@ -65,7 +65,7 @@ class PageHost {
   /// The answer in words to a question about the scene or a place (protocol.json, `ask`). A description of
   /// the whole scene may take several frames.
   virtual std::string answer(const protocol::Ask& ask) = 0;
-  /// The next notice for the person (a fault, a finer scene, …), each once; nullopt if there is none.
+  /// The next notice for the user (a fault, a finer scene, …), each once; nullopt if there is none.
   virtual std::optional<protocol::Notice> next_notice() = 0;
 };
 

@@ -12,8 +12,8 @@
 
 namespace palpable::page {
 
-/// The laws that fit the scene, the default first, with their slider parameters. A law that this device
-/// cannot render says so.
+/// The laws that support the scene, the default first, with their slider parameters. Laws that this device
+/// cannot render are marked.
 protocol::Laws page_laws(const models::Scene& scene, const device::Traits& device);
 
 /// The parameters of `law` with their values in `parameters` and the effective values: if one is not set,

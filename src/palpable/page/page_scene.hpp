@@ -20,7 +20,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
 /// Height of the surface at a place at exaggeration 1; 0 for models without heights.
 double surface_height_m(const models::Scene& scene, double x_m, double y_m);
 
-/// The name that a person gave the material; nullopt if none did.
+/// The name that a user gave the material; nullopt if none did.
 std::optional<std::string> own_name(const models::Material& material);
 
 }  // namespace palpable::page

@@ -23,7 +23,7 @@ SharedFrame text_frame(const Message& message) {
   return std::make_shared<const Frame>(Frame{protocol::write_message(message), false});
 }
 
-// Whether two states are equal for a person: within a micrometre and two millinewtons.
+// Whether two states are equal for a user: within a micrometre and two millinewtons.
 bool nearly_equal(const protocol::ProbeState& a, const protocol::ProbeState& b) {
   const auto near = [](double p, double q, double limit) { return std::abs(p - q) < limit; };
   return a.probe == b.probe && a.page == b.page && a.contact == b.contact && a.label == b.label &&

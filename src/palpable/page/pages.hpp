@@ -31,7 +31,7 @@ class Pages {
   Pages& operator=(const Pages&) = delete;
 
   bool full() const { return clients_.size() >= options_.most_clients; }
-  /// What a page beyond the limit is told.
+  /// The message for a page beyond the limit.
   std::string full_sentence() const;
   void add_client(boost::beast::tcp_stream stream, const Client::Upgrade& upgrade);
   /// Sends what has changed to all pages.

@@ -17,7 +17,7 @@ namespace palpable::page {
 struct ServeOptions {
   /// 0 = any free port.
   std::uint16_t port = 0;
-  /// How often the host is asked for changes; and while nothing has changed for a second, at least 10.
+  /// Rate at which the host is polled for changes; and the rate after a second without changes, at least 10.
   double states_per_s = 60.0;
   double rest_updates_per_s = 20.0;
   std::size_t most_clients = 4;

@@ -62,7 +62,7 @@ Result<void> apply(const protocol::MaterialEdit& edit, models::Material& m) {
     if (!kind) return Error{ErrorCode::usage, "there is no such texture", edit.texture->kind};
     if (*kind == models::TouchTexture::Kind::picture && m.texture.tile.empty())
       return Error{ErrorCode::usage, "this material has no texture from a picture", m.name};
-    // A picture's tile is kept, so that the person may select it again.
+    // A picture's tile is kept, so that the user may select it again.
     m.texture = {*kind, edit.texture->pitch_m, edit.texture->height_m, edit.texture->angle_deg / kDegrees,
                  std::move(m.texture.tile)};
   }

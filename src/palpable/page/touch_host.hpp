@@ -28,7 +28,7 @@ namespace palpable::page {
 class TouchHost final : public PageHost {
  public:
   struct Options {
-    /// Shown to the person: "palpable 0.1.0".
+    /// Shown to the user: "palpable 0.1.0".
     std::string program;
     /// The scene's name; empty: its title, or the names of its input files.
     std::string name;
@@ -61,7 +61,7 @@ class TouchHost final : public PageHost {
   std::string answer(const protocol::Ask& ask) override { return words_.answer(ask); }
   std::optional<protocol::Notice> next_notice() override;
 
-  /// Adds a notice for the person; levels as in protocol.json. Any thread.
+  /// Adds a notice for the user; levels as in protocol.json. Any thread.
   void say(std::string level, std::string text);
 
  private:

@@ -16,7 +16,7 @@ struct VideoReconstruction;
 /// where the values came from (scene.source.inputs and made_by).
 struct MadeScene {
   models::Scene scene;
-  /// Notes for the person about the input or the result.
+  /// Notes for the user about the input or the result.
   std::vector<Note> notes;
   /// Of a video: what was found on the way (video_recipe.hpp).
   std::shared_ptr<const VideoReconstruction> video = nullptr;

@@ -9,7 +9,7 @@
 
 namespace palpable::recipes {
 
-/// Notes for the person about the placement of a solid in `box`: assumptions about its unit and its up, its
+/// Notes for the user about the placement of a solid in `box`: assumptions about its unit and its up, its
 /// scale, and that it lies flat. Empty if the solid keeps its place or everything was given.
 std::vector<Note> placement_notes(const sculpt::Placement& placement, const sculpt::Box& box,
                                   const sculpt::PlacementOptions& options);

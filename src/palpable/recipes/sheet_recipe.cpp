@@ -28,7 +28,7 @@ std::size_t drop_unplaced(Mesh& mesh) {
   });
 }
 
-/// The direction that points to the person.
+/// The direction that points to the user.
 AxisDirection towards_person(const Mesh& mesh, const sculpt::Placement& automatic,
                              const sculpt::PlacementOptions& options) {
   const AxisDirection up = options.up.value_or(options.convention.up);

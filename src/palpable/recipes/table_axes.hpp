@@ -12,18 +12,18 @@
 
 namespace palpable::recipes {
 
-/// Axes of a filmed model: z out of the plane that it stands on, towards the cameras, y away from them along
-/// it.
+/// Axes of a filmed model: z is the normal of the plane on which it stands, towards the cameras; y lies in
+/// the plane, away from them.
 struct TableAxes {
-  /// Row-major, axes from world.
+  /// Rotation axes_from_world, row-major.
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
   Point<SceneFrame> rotate(Point<WorldFrame> p) const;
   Transform<SceneFrame, CameraFrame> scene_from(const vision::CameraPose& pose) const;
 };
 
-/// The axes of what the cameras saw. The plane is the one that most points lie on (RANSAC); of parallel
-/// planes the direction alone counts. `structure` must not be empty, nor `poses`.
+/// Estimates the axes from the structure. The plane's direction is that on which most points lie (RANSAC);
+/// only the direction of parallel planes matters. `structure` and `poses` must not be empty.
 TableAxes table_axes(const PointCloud& structure, std::span<const vision::CameraPose> poses,
                      std::uint64_t seed);
 

@@ -14,9 +14,9 @@
 
 namespace palpable::recipes {
 
-/// A pair's disparity, matched, its ground and background treated as a relief recipe says.
+/// A pair's disparity after matching, with its ground and background treated as in a relief recipe.
 struct TreatedPair {
-  /// Of the view that the disparity belongs to.
+  /// The picture of the view to which the disparity belongs.
   Image picture;
   DisparityMap disparity;
   /// Labels and materials of ground and background; empty where neither was found.

@@ -31,7 +31,7 @@ Point<WorldFrame> seen_at(const FrameDepth& depth, int x, int y) {
          Point<CameraFrame>{{(x - camera.cx) / camera.fx * z, (y - camera.cy) / camera.fy * z, z}};
 }
 
-// Every few pixels of every map.
+// Points of all maps, subsampled.
 PointCloud structure_of(const std::vector<FrameDepth>& maps) {
   constexpr int kStep = 4;
   PointCloud out;
@@ -42,10 +42,10 @@ PointCloud structure_of(const std::vector<FrameDepth>& maps) {
   return out;
 }
 
-// The heights at which most places lie: the table's.
+// The height of the table: the height at which most points lie.
 double table_height(std::vector<double> heights) {
   std::sort(heights.begin(), heights.end());
-  // The narrowest interval with so many of them.
+  // The narrowest interval that contains this share of the heights.
   constexpr double kShare = 0.3;
   const auto count = static_cast<std::size_t>(kShare * static_cast<double>(heights.size()));
   std::size_t best = 0;
@@ -54,7 +54,7 @@ double table_height(std::vector<double> heights) {
   return heights[best + count / 2];
 }
 
-// The places that rise above the table; all where hardly any does.
+// The points above the table; all points if there are hardly any.
 std::vector<Vec3> raised(const std::vector<Vec3>& places) {
   constexpr double kRise = 0.02, kHardlyAny = 0.01;
   std::vector<double> heights, across;
@@ -67,7 +67,7 @@ std::vector<Vec3> raised(const std::vector<Vec3>& places) {
   return static_cast<double>(out.size()) < kHardlyAny * static_cast<double>(places.size()) ? places : out;
 }
 
-// What lies far around the model is left out: the table's rest and the room.
+// Removes what is far from the model: the rest of the table and the room.
 void crop(std::vector<FrameDepth>& maps, const TableAxes& axes, const PointCloud& structure) {
   constexpr double kOutliers = 0.01, kMargin = 0.15;
   std::vector<Vec3> places;

@@ -23,7 +23,7 @@ struct FilmedFrame {
   Raster<Rgb8> picture;
 };
 
-/// How a video of a model becomes a field.
+/// Options for making a field from a video of a model.
 struct VideoRecipe {
   vision::TrackOptions tracks;
   vision::BatchMotionOptions motion;
@@ -32,7 +32,7 @@ struct VideoRecipe {
   FieldRecipe field;
 };
 
-/// What was found on the way to a video's scene; positions in the world of the poses, in unit scale.
+/// Intermediate results of a video's scene; positions in the world frame of the poses, in arbitrary scale.
 struct VideoReconstruction {
   struct Pose {
     int frame_number = 0;
@@ -44,15 +44,15 @@ struct VideoReconstruction {
     DepthMap map;
   };
   std::vector<Depth> depth_maps;
-  /// Points on the surfaces that were seen.
+  /// Points on the observed surfaces.
   PointCloud structure;
-  /// Of the points that were followed, px.
+  /// RMS reprojection error of the tracked points, px.
   double reprojection_rms_px = 0.0;
 };
 
-/// The field of what a video shows: points are followed, the camera's path is found
-/// (vision::motion_from_tracks()), the depth of frames along it is computed and fused. The plane on which
-/// most of it stands becomes the base, its upward direction points to the person. Frames in order, all of the
+/// Makes a field from a video: points are tracked, the camera's poses are estimated
+/// (vision::motion_from_tracks()), and the depth of frames is computed and fused. The plane on which most of
+/// the scene stands becomes the base; its upward direction points to the user. Frames in order, all of the
 /// camera's size. Long work. Errors: as vision::motion_from_tracks(), vision::depth_of_video(),
 /// sculpt::fused_depth() and field_from_level_set().
 Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const vision::VideoCamera& camera,

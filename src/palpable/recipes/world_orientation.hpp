@@ -11,7 +11,7 @@
 namespace palpable::recipes {
 
 /// Row-major rotation by right angles from the world of the camera poses to the scene, so that on average
-/// the cameras look away from the person (along -z) and their pictures' upward direction is y. The identity
+/// the cameras look away from the user (along -z) and their pictures' upward direction is y. The identity
 /// if they do already. Poses: world from camera, camera x right, y down, z forward.
 std::array<double, 9> scene_rotation_for(
     std::span<const Transform<models::InputFrame, CameraFrame>> world_from_cameras);

@@ -27,7 +27,7 @@ class Speaker {
   virtual void finish() {}
 };
 
-/// The desktop's own voice, with the person's settings (speech-dispatcher). Errors: no server answers.
+/// The desktop's own voice, with the user's settings (speech-dispatcher). Errors: no server answers.
 Result<std::unique_ptr<Speaker>> open_speech_dispatcher();
 
 /// A program that speaks each line of its standard input: its name, found on PATH, and its arguments. Its

@@ -34,7 +34,7 @@ async function enter(): Promise<Loss | null> {
 }
 
 const wait = (ms: number) => new Promise<void>((resolve) => setTimeout(resolve, ms));
-/** Resolves when the person enters another address, with a new token. */
+/** Resolves when the user enters another address, with a new token. */
 const newAddress = () => new Promise<void>((resolve) => window.addEventListener('hashchange', () => resolve(), { once: true }));
 const firstDelay = 500;
 const longestDelay = 5000;

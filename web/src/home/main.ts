@@ -278,7 +278,7 @@ class TouchPage implements KeyTarget {
     this.showProbes();
   }
 
-  /** Focuses the relief, so that the announced keys work at once, unless the person has focused something else. */
+  /** Focuses the relief, so that the announced keys work at once, unless the user has focused something else. */
   private ready(): void {
     const { activeElement } = document;
     if (activeElement === null || activeElement === document.body) this.stage.element.focus({ preventScroll: true });

@@ -14,7 +14,7 @@ export interface SettingsPage {
   say(words: string): void;
   /** The settings have changed, or the system's colours. */
   follow(settings: Settings): void;
-  /** The person has changed a setting. */
+  /** The user has changed a setting. */
   changed(settings: Settings, what: string): void;
 }
 
@@ -81,7 +81,7 @@ export class TouchSettings {
     if (this.store.receiveMaterials(materials)) this.apply();
   }
 
-  /** Shows the settings in the panels and on the page, and keeps the person's preferences. */
+  /** Shows the settings in the panels and on the page, and keeps the user's preferences. */
   apply(): void {
     const { settings, used } = this.store;
     this.controls.show(settings, used);

@@ -18,7 +18,7 @@ export class ParameterPanel {
 
   constructor(private readonly changed: (name: string, value: number) => void) {}
 
-  /** `used`: the effective values; `set`: those that the person has set; by name. */
+  /** `used`: the effective values; `set`: those that the user has set; by name. */
   show(parameters: readonly Parameter[], used: Readonly<Record<string, number>>, set: Readonly<Record<string, number>>, materials: number): void {
     if (JSON.stringify(parameters) !== JSON.stringify(this.ranges.map(({ parameter }) => parameter))) this.build(parameters);
     for (const { parameter, range } of this.ranges) {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The person's preferences for look and sound. Stored in a cookie, since local storage is separate for each port and
+// The user's preferences for look and sound. Stored in a cookie, since local storage is separate for each port and
 // palpable's port changes. Nothing is stored before a change, and a reset removes the cookie.
 
 export interface Preferences {

@@ -55,7 +55,7 @@ export class SettingsStore {
   get canRedo(): boolean {
     return this.history.canRedo;
   }
-  /** Whether the person has changed anything here. */
+  /** Whether the user has changed anything here. */
   get wasUsed(): boolean {
     return this.canUndo || this.canRedo;
   }

@@ -16,7 +16,7 @@ export interface StageTarget {
   changed(): void;
   /** A drag has tilted the scene (degrees). */
   tilted(tilt: number): void;
-  /** The person accepts the flat view that is offered on a slow machine. */
+  /** The user accepts the flat view that is offered on a slow machine. */
   flattened(): void;
   say(words: string): void;
 }

@@ -12,7 +12,7 @@
 namespace palpable::device {
 namespace {
 
-/// One line a driver: a new one is added here and nowhere else.
+/// One line per driver: a new one is added only here.
 struct Driver {
   std::string_view scheme;
   Result<std::unique_ptr<Device>> (*open)(DeviceUrl&, const OpenOptions&);

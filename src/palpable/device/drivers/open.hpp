@@ -13,26 +13,26 @@
 
 namespace palpable::device {
 
-/// Opens what a URL names: scheme, then what the scheme takes, then ?name=value&name=value. docs/devices.md
-/// lists them. Errors: usage (unknown scheme or option, a value out of range), device (not there, no
-/// permission, no answer), invalid_input (a recording that cannot be read).
+/// Opens the device with this URL: scheme:path?name=value&name=value (docs/devices.md). Errors: usage
+/// (unknown scheme or option, a value out of range), device (not present, permission denied, no answer),
+/// invalid_input (a recording that cannot be read).
 Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOptions& options);
 
-/// Whether a URL is well formed and names a kind of device that there is, without opening one: said before
-/// long work begins. Errors: usage.
+/// Checks that a URL is well formed and names a known kind of device, without opening it, so that errors are
+/// reported before long computations. Errors: usage.
 Result<void> check_device_url(std::string_view url);
 
-/// Whether a URL names a device that moves no motor: a simulation, the pointer, a recording.
+/// Whether a URL names a device without real motors: a simulation, the pointer, a recording.
 bool is_virtual_device(std::string_view url);
 
 /// A kind of device that can be opened, for `palpable devices`.
 struct DeviceKind {
-  /// What open_device() takes: "sim:".
+  /// A URL for open_device(): "sim:".
   std::string url;
   std::string name;
-  /// One sentence.
+  /// One sentence about the device.
   std::string description;
-  /// Whether one can be opened here and now; if not, `note` says why.
+  /// Whether one can be opened on this machine now; if not, `note` gives the reason.
   bool available = true;
   std::string note;
 };

@@ -38,7 +38,7 @@ Reading PointerDevice::read() noexcept {
     reading.status = Status::not_ready;
     return reading;
   }
-  // Exact step of x'' = w²(target - x) - 2w·x' for a target that stands still during the tick.
+  // Exact step of x'' = w²(target - x) - 2w·x' for a target that is constant during the tick.
   const double decay = std::exp(-kFollow_rad_per_s * period_s_);
   const Vec3 off = position_m_ - target_m_;
   const Vec3 slope = velocity_m_per_s_ + kFollow_rad_per_s * off;

@@ -11,10 +11,10 @@ namespace palpable::device {
 
 class DeviceUrl;
 
-/// The page's pointer, finger, pen or arrow keys as a device: no motors, places that arrive some sixty times
-/// a second. Between two of them the probe glides (a critically damped follower of 12 Hz), so that a law does
-/// not see jumps of several millimetres. Not ready before the first place and once it was taken away; stale
-/// when none came for half a second: the page repeats a resting pointer's place.
+/// The page's pointer, finger, pen or arrow keys as a device without motors. Positions arrive about sixty
+/// times per second. Between them the probe moves smoothly (a critically damped follower of 12 Hz), so that a
+/// law does not see jumps of several millimetres. Not ready before the first position and after the pointer
+/// was removed; stale if none arrived for half a second (the page repeats the position of a resting pointer).
 class PointerDevice final : public Device {
  public:
   PointerDevice(std::shared_ptr<PointerFeed> feed, double rate_hz);
@@ -37,7 +37,7 @@ class PointerDevice final : public Device {
   bool began_ = false;
 };
 
-/// From `pointer:`. Errors (usage): an option; a session without a page.
+/// Opens `pointer:`. Errors (usage): any option; a session without a page.
 Result<std::unique_ptr<Device>> open_pointer(DeviceUrl& url, const OpenOptions& options);
 
 }  // namespace palpable::device

@@ -15,32 +15,32 @@
 
 namespace palpable::device {
 
-/// What was touched, and how, from a tick on. Text in JSON: scene hash, law, parameters, scene_from_device.
+/// Description of what was touched from a tick on, as JSON: scene hash, law, parameters, scene_from_device.
 struct RecordedScene {
   std::uint32_t id = 0;
   std::string json;
 };
 
 struct Recording {
-  /// What holds for the whole session, JSON (docs/recording.md).
+  /// Data of the whole session, JSON (docs/recording.md).
   std::string header_json;
   std::vector<RecordedScene> scenes;
-  /// The hand's, probe 0.
+  /// Ticks of the hand, probe 0.
   std::vector<TouchSample> ticks;
-  /// Those of further probes, each after the hand's of the same time.
+  /// Ticks of further probes, each after the hand's tick of the same time.
   std::vector<TouchSample> further;
-  /// Ticks that the recorder lost because the disk was too slow, as far as the file could say.
+  /// Number of ticks that were lost because the disk was too slow, as far as the file states it.
   std::uint64_t lost = 0;
-  /// False if the program was killed, or the file cut, before its end was written; everything before is
-  /// whole.
+  /// False if the program was killed, or the file was truncated, before the end mark; everything before is
+  /// valid.
   bool complete = false;
 };
 
-/// Reads a whole recording. A file that ends early or is damaged further on gives what stands before, with
+/// Reads a whole recording. If a file is truncated or damaged, the part before that place is returned with
 /// complete = false. Errors (invalid_input): not a recording, a newer version, a damaged header, more ticks
-/// than there is memory for.
+/// than fit into memory.
 Result<Recording> read_recording(const std::filesystem::path& file);
-/// The same from memory; `name` is for the errors' place.
+/// The same from memory; `name` is the place of errors.
 Result<Recording> parse_recording(std::span<const std::byte> bytes, const std::string& name);
 
 /// How a recording's file ends.
@@ -48,31 +48,31 @@ enum class RecordingEnd : std::uint8_t {
   /// There is more to read.
   not_yet,
   complete,
-  /// In the middle: the program that wrote it was killed, or the file was cut.
+  /// Without an end mark: the writing program was killed, or the file was truncated.
   cut,
-  /// At a chunk whose checksum or shape is wrong; what follows it is unknown.
+  /// At a chunk with a wrong checksum or structure; what follows it is unknown.
   damaged,
-  /// Bytes follow its end mark.
+  /// Further bytes follow the end mark.
   more_after_end
 };
 
-/// Reads a recording of any size chunk by chunk, in at most some ten megabytes. One thread.
+/// Reads a recording of any size chunk by chunk, using about ten megabytes at most. One thread.
 class RecordingReader {
  public:
-  /// Errors (invalid_input): as read_recording(), but any size will do.
+  /// Errors (invalid_input): as read_recording(), but without a limit of the size.
   static Result<std::unique_ptr<RecordingReader>> open(const std::filesystem::path& file);
   ~RecordingReader();
   RecordingReader(const RecordingReader&) = delete;
   RecordingReader& operator=(const RecordingReader&) = delete;
 
   const std::string& header_json() const;
-  /// What the next chunk adds, valid until the next call; null at the end.
+  /// The content of the next chunk, valid until the next call; null at the end.
   const Recording* next();
-  /// After next() gave null.
+  /// How the file ends; valid after next() returned null.
   RecordingEnd end() const;
   /// Recording::lost, after a complete end.
   std::uint64_t lost() const;
-  /// How much of the file was read, 0 ... 1.
+  /// The fraction of the file that was read, 0 ... 1.
   double fraction() const;
 
  private:
@@ -81,8 +81,8 @@ class RecordingReader {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Writes a recording bit by bit: what was written stays readable if the program is killed. Not for the tick
-/// path; one thread.
+/// Writes a recording incrementally: if the program is killed, what was written stays readable. Not for the
+/// tick path; one thread.
 class RecordingWriter {
  public:
   /// Replaces an old file of that name once the header is written, and holds an advisory lock on the file
@@ -93,9 +93,9 @@ class RecordingWriter {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// Errors (failed): the disk is full, or the like. After an error the file ends with its last whole chunk.
+  /// Errors (failed): for example a full disk. After an error the file ends with its last complete chunk.
   Result<void> write(const RecordedScene& scene);
-  /// Of any probes; in the file the hand's ticks and those of further probes stand apart.
+  /// Ticks of any probes; the file stores the hand's ticks and those of further probes separately.
   Result<void> write(std::span<const TouchSample> ticks);
   /// Writes the end mark and flushes to the disk. At most once, as the last call.
   Result<void> finish(std::uint64_t lost);
@@ -110,7 +110,7 @@ class RecordingWriter {
 
   std::filesystem::path file_;
   std::FILE* stream_ = nullptr;
-  /// Of the last of the hand's ticks.
+  /// Of the hand's last tick.
   std::uint32_t coming_scene_id_ = 0;
 };
 

@@ -80,7 +80,7 @@ bool RecordingDecoder::take(const RecordingChunk& chunk, Recording& recording) {
       recording.complete = true;
       return true;
     default:
-      // A later minor version's: what we do not know we need not read.
+      // A chunk of a later minor version: unknown kinds are skipped.
       return true;
   }
 }

@@ -11,17 +11,18 @@
 
 namespace palpable::device {
 
-/// A chunk of a recording's file: its kind and what it holds.
+/// A chunk of a recording: its kind and its content.
 struct RecordingChunk {
   std::uint32_t kind = 0;
   std::span<const std::byte> payload;
 };
 
-/// Turns the chunks after the header, one after the other, into ticks and scenes. What a chunk says of the
-/// next ticks is kept for them.
+/// Decodes the chunks after the header, in order, into ticks and scenes. Chunks that describe the following
+/// ticks are kept for them.
 class RecordingDecoder {
  public:
-  /// Appends what `chunk` holds to `recording`. False where the chunk is not what its kind promises.
+  /// Appends the content of `chunk` to `recording`. False if the chunk does not have the structure of its
+  /// kind.
   bool take(const RecordingChunk& chunk, Recording& recording);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace palpable::device::recording_format {
 
-// The bytes of docs/recording.md, shared by the writer and the reader. All numbers are little-endian.
+// The binary format of docs/recording.md, shared by the writer and the reader. All numbers are little-endian.
 inline constexpr std::string_view kMagic = "PALPREC1";
 inline constexpr std::uint32_t kHeader = 0x44414548;     // "HEAD"
 inline constexpr std::uint32_t kProgram = 0x474F5250;    // "PROG"
@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kMoreTicks = 0x45524F4D;  // "MORE"
 inline constexpr std::uint32_t kTurns = 0x4E525554;      // "TURN"
 inline constexpr std::uint32_t kFades = 0x45444146;      // "FADE"
 inline constexpr std::uint32_t kEnd = 0x20444E45;        // "END "
-/// Kind, payload's size, CRC-32 of the payload.
+/// Kind, size of the payload, CRC-32 of the payload.
 inline constexpr std::size_t kChunkHead_bytes = 12;
 inline constexpr std::size_t kTick_bytes = 192;
 inline constexpr std::size_t kTurn_bytes = 144;

@@ -18,7 +18,7 @@ namespace palpable::device {
 namespace {
 
 namespace format = recording_format;
-/// More than any chunk that a writer makes: what claims to be larger is damage.
+/// Larger than any chunk that a writer makes: a larger stated size is damage.
 constexpr std::uint32_t kMostChunk_bytes = format::kMostTicks * format::kTick_bytes;
 
 struct Head {
@@ -35,7 +35,7 @@ Head head_of(ByteReader& in) {
   return head;
 }
 
-/// The next whole chunk of a file in memory.
+/// The next complete chunk of a file in memory.
 RecordingEnd next_chunk(ByteReader& in, RecordingChunk& chunk) {
   const Head head = head_of(in);
   if (!in.ok() || head.size > in.left()) return RecordingEnd::cut;
@@ -90,7 +90,7 @@ struct RecordingReader::Impl {
   RecordingEnd end = RecordingEnd::not_yet;
 };
 
-/// False where the file ends before.
+/// False if the file ends before that.
 bool RecordingReader::Impl::read(std::size_t count) {
   buffer.resize(count);
   const std::size_t got = std::fread(buffer.data(), 1, count, stream);

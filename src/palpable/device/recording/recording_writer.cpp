@@ -74,7 +74,7 @@ Error locked(const std::filesystem::path& file) {
   return {ErrorCode::failed, "cannot be written: another recording is being written into it", file.string()};
 }
 
-/// A recording under way holds a lock on its file. Errors: failed.
+/// A running recording holds a lock on its file. Errors: failed.
 Result<void> check_not_locked(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return {};
@@ -91,7 +91,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
   ByteWriter start;
   start.text(format::kMagic);
   put_chunk(start, format::kHeader, std::as_bytes(std::span(header_json)));
-  // The old recording stays until this one is readable. A device or a pipe holds none.
+  // The old recording is kept until this one is readable. A device or a pipe contains none.
   std::error_code none;
   const bool is_stream = fs::exists(file, none) && !fs::is_regular_file(file, none);
   if (!is_stream)
@@ -135,7 +135,8 @@ Result<void> RecordingWriter::write(std::span<const TouchSample> ticks) {
 Result<void> RecordingWriter::write_ticks(std::uint32_t kind, std::span<const TouchSample> ticks) {
   while (!ticks.empty()) {
     const auto part = ticks.first(std::min(ticks.size(), format::kMostTicks));
-    // What is said of the next ticks stands before them, so that a cut file has no tick without it.
+    // Chunks that describe the next ticks come before them, so that a truncated file has no tick without its
+    // description.
     if (auto done = write_turns(part); !done) return done;
     if (kind == format::kTicks)
       if (auto done = write_fades(part); !done) return done;

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A number of the traits, under its member's name, and what null means.
+/// A number of the traits, its name, and the meaning of null.
 struct TraitNumber {
   std::string_view name;
   double Traits::*value;

@@ -9,12 +9,12 @@
 
 namespace palpable::device {
 
-/// Traits as one JSON object, names and units as the members'; null where unknown or unbounded. Every number
-/// comes back to the last bit.
+/// Traits as one JSON object, with the members' names and units; null = unknown or unlimited. All numbers are
+/// restored to the last bit.
 std::string traits_json(const Traits& traits);
 
-/// Those in the member "traits" of a recording's header; nothing where there are none, as in recordings of
-/// format 1, or where a value is not one.
+/// The traits in the member "traits" of a recording's header; nullopt if it is missing, as in recordings of
+/// format 1, or has an invalid value.
 std::optional<Traits> recorded_traits(const std::string& header_json);
 
 }  // namespace palpable::device

@@ -9,29 +9,29 @@
 namespace palpable::device {
 namespace {
 
-/// Coming down to a surface whose place is not known, and going up from it.
+/// Speed towards a surface at an unknown height, and away from it.
 constexpr double kApproach_m_per_s = 0.08;
 constexpr double kLift_m_per_s = 0.10;
 constexpr double kLift_s = 0.12;
-/// Enough to notice the surface.
+/// Force at which the hand notices the surface.
 constexpr double kNoticed_N = 0.15;
-/// The hand goes deeper by this much a second for each newton that it wants to feel and does not.
+/// Speed at which the hand moves deeper, per newton of missing contact force.
 constexpr double kYield_m_per_Ns = 0.05;
 constexpr double kYield_m_per_s = 0.04;
-/// So much more than the hand means to press with stops its stroke.
+/// Excess over the intended contact force that stops a stroke.
 constexpr double kStopped_N = 1.0;
-/// The part of the workspace that is visited.
+/// The part of the workspace that is explored.
 constexpr double kVisited = 0.46;
-/// After so long a stroke along the floor without a contact the hand goes elsewhere.
+/// Time of a stroke along the floor without contact after which the hand continues elsewhere.
 constexpr double kEmpty_s = 0.6;
-/// How fast it goes there, in free air.
+/// Its speed on the way there, in free air.
 constexpr double kTravel_m_per_s = 0.15;
-/// With each such failure it keeps to this part of the width and height that it kept to before.
+/// Each such failure reduces the explored width and height to this fraction.
 constexpr double kNearer = 0.5;
 constexpr double kLeastPart = 0.1;
 
-/// Two sines of incommensurable frequencies: the curve comes near every place, soon coarsely and later
-/// finely. `along` is the curve's parameter.
+/// Two sines of incommensurable frequencies: the curve covers the plane coarsely at first and ever more
+/// densely later. `along` is the curve's parameter.
 Vec3 curve_at(double along, Vec3 workspace_m) {
   return {kVisited * workspace_m.x * std::sin(2.0 * along),
           kVisited * workspace_m.y * std::sin(2.0 * along / std::numbers::phi + 1.0), 0.0};
@@ -51,7 +51,7 @@ Explorer::Explorer(const ExplorerOptions& options) : options_(options), random_(
 }
 
 double Explorer::uniform(double least, double most) noexcept {
-  // Not std::uniform_real_distribution: its numbers differ between standard libraries.
+  // Not std::uniform_real_distribution, whose numbers differ between standard libraries.
   return least + (most - least) * (static_cast<double>(random_() >> 11) * 0x1.0p-53);
 }
 
@@ -75,7 +75,8 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
     case Phase::stroke:
       stroke_along(dt_s, force_N);
       if (!options_.deep) break;
-      // What is felt counts, whatever its direction: a hand that meets a wall rises until it gets over it.
+      // The magnitude of the force counts, whatever its direction: a hand that meets a wall rises until it
+      // passes over it.
       goal_m_.z -= dt_s * std::clamp(kYield_m_per_Ns * (options_.press_N - norm(force_N)), -kYield_m_per_s,
                                      kYield_m_per_s);
       goal_m_.z = std::clamp(goal_m_.z, floor_m, ceiling_m);
@@ -89,7 +90,8 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
       break;
     case Phase::lift:
       stroke_along(dt_s, force_N);
-      // The intention moves as fast as an arm does: from as deep as it pressed, it takes its time to let go.
+      // The desired position moves at the arm's speed: starting from the pressed depth, it takes some time to
+      // lift off.
       goal_m_.z = std::min(goal_m_.z + kLift_m_per_s * dt_s, ceiling_m);
       if (norm(force_N) > kNoticed_N) phase_s_ = 0.0;
       if (phase_s_ > kLift_s) begin(Phase::approach);
@@ -104,7 +106,7 @@ Vec3 Explorer::step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept {
 void Explorer::stroke_along(double dt_s, Vec3 force_N) noexcept {
   const double half_width = kVisited * options_.workspace_m.x;
   const double half_height = kVisited * options_.workspace_m.y;
-  // Against resistance the hand does not run on: it waits until it gets past.
+  // The hand does not advance against resistance; it waits until it can pass.
   const double excess_N = norm(force_N) - options_.press_N;
   const double ease = options_.deep ? std::clamp(1.0 - excess_N / kStopped_N, 0.05, 1.0) : 1.0;
   const double step_m = ease * options_.speed_m_per_s * dt_s;
@@ -144,7 +146,7 @@ void Explorer::choose_nearer_middle() noexcept {
     target_m_ = {uniform(-half_width, half_width), uniform(-half_height, half_height), 0.0};
     return;
   }
-  // The next part of the curve that lies there: the stroke goes on from it.
+  // The next part of the curve that lies there; the stroke continues from it.
   constexpr double kStep = 0.02;
   constexpr int kMostSteps = 1000;
   for (int i = 0; i < kMostSteps; ++i) {

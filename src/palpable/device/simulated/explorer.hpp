@@ -11,35 +11,35 @@ namespace palpable::device {
 
 struct ExplorerOptions {
   enum class Script {
-    /// Stays at the goal it is given (set_goal).
+    /// Stays at the goal that set_goal() gives.
     hold,
-    /// A dense curve over the whole workspace, again and again.
+    /// Follows a dense curve over the whole workspace, repeatedly.
     scan,
-    /// Unhurried strokes between places drawn at random.
+    /// Slow strokes between random points.
     random
   };
   Script script = Script::scan;
   Vec3 workspace_m{0.10, 0.10, 0.05};
-  /// Of a stroke along the surface.
+  /// Speed of a stroke along the surface.
   double speed_m_per_s = 0.06;
-  /// What the hand aims to press with.
+  /// Intended contact force.
   double press_N = 0.8;
-  /// False: moves in the plane only.
+  /// False: moves only in the plane.
   bool deep = true;
   std::uint64_t seed = 1;
 };
 
-/// What a person's intention does while exploring a surface they cannot see: come down until something is
-/// felt, stroke along it for some seconds with a steady pressure, lift off, go on elsewhere. Where nothing is
-/// felt down to the floor, it rises and comes down nearer to the middle of the workspace, where scenes lie.
-/// Gives the place where the hand wants to be; the arm's impedance (simulated_hand.hpp) pulls the hand there.
-/// Deterministic in its options and in what it feels. Device frame; one thread; never allocates.
+/// A model of a person who explores a surface without seeing it: moves down until there is contact, strokes
+/// along the surface for some seconds with constant force, lifts off and continues elsewhere. If there is no
+/// contact down to the floor, the hand rises and moves down nearer to the centre of the workspace, where
+/// scenes are. The result is the desired position; the arm's impedance (simulated_hand.hpp) pulls the hand
+/// towards it. Deterministic for given options and forces. Device frame; one thread; never allocates.
 class Explorer {
  public:
   explicit Explorer(const ExplorerOptions& options);
 
   void set_goal(Vec3 goal_m) noexcept { goal_m_ = goal_m; }
-  /// The goal `dt_s` later, while the hand at `hand_m` feels `force_N`.
+  /// The desired position after `dt_s`, if the hand at `hand_m` feels `force_N`.
   Vec3 step(Vec3 hand_m, Vec3 force_N, double dt_s) noexcept;
 
  private:
@@ -60,9 +60,9 @@ class Explorer {
   double phase_s_ = 0.0;
   double stroke_s_ = 0.0;
   double along_m_ = 0.0;
-  /// How long this stroke has gone along the floor without feeling anything.
+  /// Time for which this stroke has moved along the floor without contact.
   double empty_s_ = 0.0;
-  /// The part of the workspace about its middle where the hand comes down next; 1 after a contact.
+  /// The part of the workspace around its centre in which the hand moves down next; 1 after a contact.
   double visited_part_ = 1.0;
 };
 

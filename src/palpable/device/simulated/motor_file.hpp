@@ -12,10 +12,10 @@
 
 namespace palpable::device {
 
-/// The force that a simulated device's motors hold, in a file that is mapped into memory: it can be read
-/// while the program runs and after it was killed, as the force of real motors can be felt. The file holds,
-/// in the machine's byte order, the number of writes (u64), the monotonic time of the last one (i64, ns) and
-/// its force (3 x f64, N).
+/// The motor force of a simulated device in a memory-mapped file. It can be read while the program runs and
+/// after it was killed, just as the force of real motors can be observed. The file contains, in the machine's
+/// byte order, the number of writes (u64), the monotonic time of the last one (i64, ns) and its force (3 x
+/// f64, N).
 class MotorFile {
  public:
   /// Replaces the file. Errors: failed.
@@ -24,7 +24,7 @@ class MotorFile {
   MotorFile(const MotorFile&) = delete;
   MotorFile& operator=(const MotorFile&) = delete;
 
-  /// Any thread; in the tick too, since it is a store to memory.
+  /// Any thread, also on the tick path, since it only stores to memory.
   void write(Vec3 force_N) noexcept;
   ZeroWrite zero_write() const;
 

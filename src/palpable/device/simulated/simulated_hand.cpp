@@ -39,7 +39,7 @@ Traits traits_of(const HandOptions& options) {
 
 Vec3 column(const Rotation& r, std::size_t k) { return {r[k], r[3 + k], r[6 + k]}; }
 
-/// Turned by a small vector of rotation, in the outer frame, and made orthonormal again.
+/// Rotates by a small rotation vector in the outer frame and orthonormalises the result.
 Rotation turned(const Rotation& rotation, Vec3 by_rad) {
   const auto moved = [&](std::size_t k) {
     const Vec3 c = column(rotation, k);
@@ -106,7 +106,7 @@ void SimulatedHand::turn(Vec3 motor_Nm, double dt_s) noexcept {
   turning_s_ += dt_s;
   const double inertia = options_.device_inertia_kg_m2 + options_.hand_inertia_kg_m2;
   const double damping = options_.device_rotational_damping_Nm_s + options_.hand_rotational_damping_Nm_s;
-  // The handle's axis is drawn to where the hand tilts it, and its turn about that axis to none.
+  // The handle's axis is pulled towards the hand's tilt, and its rotation about that axis towards zero.
   const double phase = 2.0 * std::numbers::pi * options_.tilt_hz * turning_s_;
   const Vec3 upright{std::sin(options_.tilt_rad * std::sin(phase)), 0.0,
                      std::cos(options_.tilt_rad * std::sin(phase))};
@@ -123,7 +123,7 @@ void SimulatedHand::move(Vec3 motor_N, Vec3 goal_m, Vec3 goal_velocity_m_per_s, 
   const Vec3 push_N = motor_N + options_.arm_stiffness_N_per_m * (goal_m - position_m_) +
                       options_.arm_damping_Ns_per_m * goal_velocity_m_per_s;
   Vec3 velocity = (velocity_m_per_s_ + (dt_s / mass) * push_N) / (1.0 + dt_s * damping / mass);
-  // Coulomb friction takes away speed, at most all of it.
+  // Coulomb friction reduces the speed, at most to zero.
   const double speed = norm(velocity);
   const double lost = options_.device_friction_N * dt_s / mass;
   velocity = speed > lost ? (1.0 - lost / speed) * velocity : Vec3{};

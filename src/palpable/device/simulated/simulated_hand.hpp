@@ -13,10 +13,10 @@
 
 namespace palpable::device {
 
-/// A device's moving mass held by an arm. The arm's defaults are the example that van Beek, Bergmann Tiest,
+/// A device's moving mass, held by an arm. The arm's defaults are the example that van Beek, Bergmann Tiest,
 /// Mugge & Kappers fitted to a measured arm (Scientific Reports 5:18004, 2015, figure 3): 0.554 kg, 6.45
-/// N·s/m, 135 N/m. The device's are those of a light three-axis desktop device. docs/devices.md lists the
-/// ranges.
+/// N·s/m, 135 N/m. The device's defaults are those of a light three-axis desktop device. docs/devices.md
+/// lists the ranges.
 struct HandOptions {
   double device_mass_kg = 0.1;
   double device_damping_Ns_per_m = 0.1;
@@ -24,14 +24,14 @@ struct HandOptions {
   double arm_mass_kg = 0.554;
   double arm_damping_Ns_per_m = 6.45;
   double arm_stiffness_N_per_m = 135.0;
-  /// The sensor's step; 0 = none.
+  /// Resolution of the position sensor; 0 = exact.
   double resolution_m = 10e-6;
-  /// Ticks between a force's writing and its reaching the motor, 0…8.
+  /// Delay in ticks from writing a force until it acts at the motor, 0 ... 8.
   int delay_samples = 0;
   double max_force_N = 3.3;
   double rate_hz = 1000.0;
   int degrees_of_freedom = 3;
-  /// A handle that turns and takes torques; the hand holds it upright, and tilts it slowly to and fro.
+  /// The handle rotates and takes torques. The hand holds it upright and tilts it slowly in both directions.
   bool has_torque = false;
   double max_torque_Nm = 0.2;
   double device_inertia_kg_m2 = 5e-5;
@@ -39,20 +39,20 @@ struct HandOptions {
   double hand_inertia_kg_m2 = 1e-4;
   double hand_rotational_damping_Nm_s = 0.01;
   double hand_rotational_stiffness_Nm = 1.0;
-  /// How far and how often the hand tilts it.
+  /// Amplitude and frequency of the tilt.
   double tilt_rad = 0.3;
   double tilt_hz = 0.4;
   ExplorerOptions explorer;
 };
 
-/// A hand on a device, simulated in time steps of a tenth of a tick: each write() moves time on by one period
-/// of rate_hz, whatever the wall clock does, so that the same forces give the same movements, live or in a
-/// test. Semi-implicit Euler steps with exact stiction: the mass can stand still on its friction.
+/// Simulates a hand on a device in time steps of a tenth of a tick. Each write() advances the simulated time
+/// by one period of rate_hz, independently of the clock, so that the same forces give the same movements,
+/// live or in a test. Semi-implicit Euler steps with exact stiction: friction can hold the mass at rest.
 class SimulatedHand final : public Device, public Guardable {
  public:
   static constexpr int kMostDelay = 8;
 
-  /// `motors`: the force on the motors is written there too; may be null.
+  /// `motors`: receives the motor force too; may be null.
   explicit SimulatedHand(const HandOptions& options, std::unique_ptr<MotorFile> motors = nullptr);
 
   const Traits& traits() const noexcept override { return traits_; }
@@ -63,9 +63,10 @@ class SimulatedHand final : public Device, public Guardable {
   void cut_force() noexcept override;
   std::optional<ZeroWrite> zero_write() const override;
 
-  /// Where the hand wants to be, for the script `hold`.
+  /// The desired position, for the script `hold`.
   void set_goal(Vec3 goal_m) noexcept { explorer_.set_goal(goal_m); }
-  /// What no sensor sees: the exact place and velocity. And to put the hand there, at rest.
+  /// The exact position and velocity, without the sensor's quantisation; and a function that places the hand,
+  /// at rest.
   Vec3 true_position_m() const noexcept { return position_m_; }
   Vec3 true_velocity_m_per_s() const noexcept { return velocity_m_per_s_; }
   void place(Vec3 position_m) noexcept;
@@ -81,23 +82,23 @@ class SimulatedHand final : public Device, public Guardable {
   Vec3 position_m_;
   Vec3 velocity_m_per_s_;
   Vec3 goal_m_;
-  /// A ring of forces on their way; the next to act stands at delayed_.
+  /// Ring buffer of delayed forces; the next one to act is at delayed_.
   std::array<Vec3, kMostDelay + 1> on_the_way_N_{};
   std::array<Vec3, kMostDelay + 1> on_the_way_Nm_{};
-  /// Of the next write().
+  /// The torque of the next write().
   Vec3 torque_Nm_;
   Rotation rotation_ = kNotTurned;
   Vec3 angular_velocity_rad_per_s_;
   double turning_s_ = 0.0;
   std::size_t delayed_ = 0;
-  /// The motors were cut: what was on its way to them is gone.
+  /// The motors were cut: delayed forces are dropped.
   std::atomic<bool> cut_{false};
 };
 
 class DeviceUrl;
 struct OpenOptions;
 
-/// From the options of a `sim:` URL (docs/devices.md). Errors (usage): an option out of its range.
+/// Opens `sim:` with the options of docs/devices.md. Errors (usage): an option out of range.
 Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOptions& options);
 
 }  // namespace palpable::device

@@ -11,7 +11,7 @@
 
 namespace palpable::formats {
 
-/// glTF 2.0 binary in metres, y up and z towards the person, which is glTF's own frame. It has smooth
+/// glTF 2.0 binary in metres, y up and z towards the user, which is glTF's own frame. It has smooth
 /// normals, and `picture` as its texture if that is not empty and the mesh has texture coordinates. Errors:
 /// failed for a mesh without triangles.
 Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture = {});

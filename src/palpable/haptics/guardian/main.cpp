@@ -1,8 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Waits for the end of the program that started it, however that comes, and then writes the bytes that take
-// all force from the device. Descriptors: 3 the end of a pipe whose other end only that program holds, 4 the
-// device. Argument: the bytes, in hexadecimal.
+// Waits until the program that started it ends, for whatever reason, and then writes the bytes that set the
+// device to zero force. Descriptors: 3 is the read end of a pipe whose write end only that program holds, 4
+// is the device. Argument: the bytes in hexadecimal.
 #include <cerrno>
 #include <csignal>
 #include <cstddef>
@@ -35,7 +35,7 @@ void wait_for_end() {
 }
 
 bool write_all(const std::vector<unsigned char>& bytes) {
-  // Fails on a line or a socket, which has no start.
+  // Fails on a serial line or a socket, which have no start.
   lseek(kDevice, 0, SEEK_SET);
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t n = write(kDevice, bytes.data() + done, bytes.size() - done);
@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   if (argc != 2) return kWrongUsage;
   const auto bytes = bytes_in(argv[1]);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE}) std::signal(number, SIG_IGN);
-  // Neither of them is granted everywhere; it works without.
+  // Neither is always permitted; the program works without them.
   sched_param priority{};
   constexpr int kPriority = 85;
   priority.sched_priority = kPriority;

@@ -13,18 +13,18 @@ namespace palpable::haptics {
 
 extern const LawDescription kAveragedLaw;
 
-/// How `averaged` weighs its five places.
+/// Weights of the five points of `averaged`.
 struct Averaging {
   double offset_m = 0.001;
   double neighbour_weight = 1.0;
   double centre_weight = 1.0;
 };
 
-/// `averaged`: spring and damper along the normal of the weighted mean of the surface below the hand and
-/// below four neighbours at an offset, c = (w sum P_i + w_c C_1) / (4 w + w_c) (Gomez 2012, chapter 12, its
-/// weights corrected). One smoothing step: concave places vibrate less, ridges are blunted, and it is not
-/// conservative. Without neighbours it is the papers' naive law (Park & Howard 2012, eq. 6; Gomez 2012),
-/// which in a crease pushes with many times the wall's stiffness.
+/// `averaged`: spring and damper along the normal of the weighted mean of five surface points: the one below
+/// the hand, and those below four neighbours at an offset. c = (w sum P_i + w_c C_1) / (4 w + w_c) (Gomez
+/// 2012, chapter 12, its weights corrected). This is one smoothing step: it reduces vibration in concave
+/// places and blunts ridges. It is not conservative. Without neighbours it is the papers' naive law (Park &
+/// Howard 2012, eq. 6; Gomez 2012), which in a crease pushes with many times the wall's stiffness.
 template <models::HeightField Surface>
 class AveragedLaw : public ContactLaw<Surface> {
  public:

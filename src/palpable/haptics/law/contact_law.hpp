@@ -13,7 +13,7 @@
 
 namespace palpable::haptics {
 
-/// What every law has that is a spring against a surface with materials. Immutable.
+/// Base of every law that is a spring against a surface with materials. Immutable.
 template <class SurfaceType>
 class ContactLaw {
  public:
@@ -32,8 +32,8 @@ class ContactLaw {
   MaterialMap materials_;
 };
 
-/// The force of a spring that pushes with `spring_N` along `outward` (unit), with a damper, never pulling:
-/// Park & Howard 2012, eq. 6, corrected.
+/// The force of a spring of magnitude `spring_N` along `outward` (unit vector) with a damper; never a pull
+/// (Park & Howard 2012, eq. 6, corrected).
 inline Vec3 damped_push(double spring_N, Vec3 outward, Vec3 velocity_m_per_s,
                         const Contact& contact) noexcept {
   return std::max(0.0, spring_N - contact.damping_Ns_per_m * dot(velocity_m_per_s, outward)) * outward;

@@ -16,19 +16,20 @@
 
 namespace palpable::haptics {
 
-/// A point that follows the hand and never enters a solid. All zero = a new touch.
+/// The proxy of a touch on a solid: a point that follows the hand and never enters the solid. All zero = a
+/// new touch.
 struct FieldProxy {
   enum class Phase : std::uint8_t { fresh, free, touching };
   Vec3 place_m;
-  /// Where the hand was in the last tick.
+  /// The hand's position in the previous tick.
   Vec3 hand_m;
-  /// The surface's outward unit normal at place_m; only when touching.
+  /// The surface's outward unit normal at place_m; valid only while touching.
   Vec3 normal;
-  /// A distance to the surface that place_m has for certain; only when free.
+  /// A lower bound of the distance from place_m to the surface; valid only while free.
   double clearance_m = 0.0;
   /// As SurfaceProxy::step_share.
   double step_share = 0.0;
-  /// How the surface bends along the last step: one over its radius, above 0 where it is convex.
+  /// Curvature of the surface along the last step, 1/m; positive where it is convex.
   double bend_per_m = 0.0;
   Phase phase = Phase::fresh;
   bool slipping = false;
@@ -36,11 +37,12 @@ struct FieldProxy {
 
 /// `proxy` on a solid: a spring from the hand to a point that stays on the surface and slides towards the
 /// hand under a friction cone (Zilles & Salisbury 1995; on implicit surfaces Salisbury & Tarr 1997), with the
-/// dampers of proxy_force(). Free, the hand's whole way of the tick is judged: a stretch is clear where the
-/// distances at its two ends are together longer than it, and within half a cell the surface hides nothing.
-/// Sliding, the point moves along the surface in steps of a cell or a quarter of the hand's own way, each of
-/// which must bring it nearer to the hand and may not end behind the middle of a wall: it never jumps to the
-/// far side of one that is as thick as its steps are long.
+/// dampers of proxy_force().
+/// In free air, the hand's whole path of the tick is checked. A segment is clear if the sum of the distances
+/// at its two ends exceeds its length; segments shorter than half a cell need no check in between.
+/// In contact, the point moves along the surface in steps of at most a cell or a quarter of the hand's path.
+/// Each step must bring it nearer to the hand and must not end behind the middle of a wall. So it never jumps
+/// to the far side of a wall that is at least as thick as the steps are long.
 template <models::DistanceSurface Surface>
 class FieldProxyLaw : public ContactLaw<Surface> {
  public:
@@ -59,7 +61,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     FieldProxy& proxy = state.proxy;
     const bool is_new = proxy.phase == FieldProxy::Phase::fresh;
     const ProxyBefore before{proxy.place_m, proxy.phase == FieldProxy::Phase::touching};
-    // What is felt is what the proxy touches, wherever the hand has gone under the surface.
+    // The material at the proxy is used, wherever the hand is below the surface.
     const Contact contact = eased_contact(this->materials(), is_new ? hand.position.v : proxy.place_m,
                                           before.touching, hand.dt_s, state.memory);
     follow(hand.position.v, {contact.static_friction, contact.dynamic_friction}, proxy);
@@ -90,8 +92,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return hand_over_of(state.proxy, state.proxy.normal, state.memory);
   }
 
-  /// A proxy that held the hand goes to the nearest place of this surface, if it is near, and keeps its
-  /// friction; a free one stays where it is, unless this surface covers that place.
+  /// A proxy that was in contact moves to the nearest point of this surface, if it is near, and keeps its
+  /// friction state. A free one keeps its position, unless it is inside this solid.
   void take_over(const HandOver& from, State& state) const noexcept {
     if (!from.has_proxy) return;
     FieldProxy& proxy = state.proxy;
@@ -106,24 +108,24 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   }
 
  private:
-  /// Of a resting hand; for each cell that it moved; and at most.
+  /// Surface evaluations per tick: for a resting hand, additional ones per cell of movement, and the maximum.
   static constexpr int kEvaluations = 3;
   static constexpr double kPerCell = 1.25;
   static constexpr int kMaxEvaluations = 64;
-  /// To find the surface from somewhere near it, once.
+  /// Evaluations to find the surface from a point near it, once.
   static constexpr int kSettling = 12;
-  /// In cells: a last correction of this size is still good.
+  /// A last correction of at most this many cells is accepted.
   static constexpr double kOff = 0.05;
-  /// On the surface, within this.
+  /// Tolerance of points on the surface.
   static constexpr double kOn_m = 1e-6;
-  /// Of the hand's own way in the tick: a wall as thick as this is not stepped over.
+  /// Longest step as a share of the hand's path in the tick: a wall of that thickness is not stepped over.
   static constexpr double kLongestStep = 0.25;
-  /// What a bend may make of a step.
+  /// Limits of the factor by which curvature changes a step.
   static constexpr double kLeastBent = 0.4;
   static constexpr double kMostBent = 2.5;
-  /// Nearer than this to where it belongs, the proxy rests: 0.5 mN at 500 N/m.
+  /// At this distance from its final position the proxy rests: 0.5 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-6;
-  /// A step that would have to be shorter to bring the proxy nearer is none.
+  /// Shorter steps are not tried.
   static constexpr double kShortest_m = 1e-7;
   /// A field's gradient is within a few per cent of 1.
   static constexpr double kSafe = 0.95;
@@ -136,9 +138,9 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return s;
   }
 
-  /// From a place near the surface onto it, along the gradient (Newton's method). `normal`: that of a place
-  /// near by, if known; then that of the place found. False if it does not come near: the field has no
-  /// gradient there, or two faces of a crease send it to and fro.
+  /// Moves a point near the surface onto it along the gradient (Newton's method). `normal`: in, the normal at
+  /// a nearby point, if known; out, the normal at the result. False if it does not converge: the field has no
+  /// gradient there, or the point alternates between two faces of a crease.
   bool settle(Vec3& place_m, Vec3& normal, int& evaluations) const noexcept {
     double off_m = 0.0;
     while (evaluations > 0) {
@@ -150,14 +152,14 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const Vec3 last = normal;
       normal = s.gradient / std::sqrt(length2);
       off_m = std::abs(s.distance_m);
-      // What a correction leaves is the correction times the turn of the normal on it, which is less than
-      // that since the last place.
+      // The error after a correction is at most the correction times the change of the normal along it, which
+      // is estimated by the change since the last point.
       if (off_m * std::min(1.0, norm(normal - last)) < kOn_m) return true;
     }
     return off_m < kOff * this->surface().cell_m();
   }
 
-  /// A hand that begins inside is taken to the nearest surface, once.
+  /// Starts a touch. If the hand is inside the solid, the proxy is placed on the nearest surface point.
   void begin(Vec3 hand_m, FieldProxy& proxy) const noexcept {
     proxy.place_m = hand_m;
     proxy.hand_m = hand_m;
@@ -185,7 +187,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
         if (!met) break;
       }
       if (slide(hand_m, longest_m, friction, proxy, evaluations)) return;
-      // From face to face of a crease as often as it is tried.
+      // The proxy alternates between the faces of a crease in every attempt.
       if (met && evaluations <= 0) return hold_in_crease(hand_m, proxy);
       proxy.phase = FieldProxy::Phase::free;
       proxy.clearance_m = 0.0;
@@ -193,24 +195,24 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     if (proxy.place_m != hand_m) hold(hand_m, was_touching, proxy);
   }
 
-  /// The way to the hand is longer than a tick's evaluations. If the hand is inside, or was held and is not
-  /// yet known to be free, the proxy goes to the surface nearest to where it got to, which passes through
-  /// nothing.
+  /// Called if the path to the hand needs more evaluations than a tick has. If the hand is inside, or was in
+  /// contact and is not yet known to be free, the proxy moves to the surface point nearest to its present
+  /// position, so it passes through nothing.
   void hold(Vec3 hand_m, bool was_touching, FieldProxy& proxy) const noexcept {
     if (!was_touching && sample(hand_m).distance_m >= 0.0) return;
     int evaluations = kSettling;
     if (settle(proxy.place_m, proxy.normal, evaluations)) proxy.phase = FieldProxy::Phase::touching;
   }
 
-  /// A proxy between two faces of a crease holds the hand straight from where it is.
+  /// In a crease the spring's direction is the normal.
   void hold_in_crease(Vec3 hand_m, FieldProxy& proxy) const noexcept {
     const Vec3 out = proxy.place_m - hand_m;
     const double length_m = norm(out);
     if (length_m > kTolerance_m && sample(hand_m).distance_m < 0.0) proxy.normal = out / length_m;
   }
 
-  /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
-  /// Otherwise it is at the hand, or, after a jump, as far on the way as `evaluations` reach.
+  /// Moves the proxy straight to the hand. True if it meets the surface: then it stays at the first contact.
+  /// Otherwise it is at the hand, or, after a jump, as far along the path as `evaluations` allow.
   bool fly(Vec3 hand_m, FieldProxy& proxy, int& evaluations) const noexcept {
     const Vec3 from = proxy.place_m;
     const Vec3 way = hand_m - from;
@@ -220,12 +222,12 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       proxy.clearance_m -= length_m / kSafe;
       return false;
     }
-    // Half a cell hides nothing.
+    // The surface cannot be hidden within half a cell.
     const double shortest = 0.5 * this->surface().cell_m() / std::max(length_m, 1e-12);
     double clear = 0.0;
-    // Once the whole way; then as far as the distance lets it go for certain (sphere tracing).
+    // First the whole path; then steps that are certainly clear by the distance (sphere tracing).
     double piece = 1.0;
-    // Enough for the whole way.
+    // Enough evaluations for the whole path.
     const double pieces = std::min(2.0 * length_m / this->surface().cell_m(), 1.0 * kMaxEvaluations);
     for (int left = std::max(evaluations, kEvaluations + static_cast<int>(pieces)); clear < 1.0 && left > 0;
          --left) {
@@ -248,17 +250,17 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     return false;
   }
 
-  /// The surface is met between a, outside, and b, inside as `at_b` says, half a cell apart at most.
+  /// Finds the contact between a, outside, and b, inside (with the sample `at_b`), at most half a cell apart.
   void meet(Vec3 a, Vec3 b, const models::FieldSample& at_b, bool from_the_start,
             FieldProxy& proxy) const noexcept {
-    // A way that begins on the surface leaves it at first: there the rise takes the place of the distance.
+    // A path that begins on the surface leaves it first: there the rise replaces the distance.
     const double rise_m = dot(proxy.normal, b - a);
     const double clear_m =
         from_the_start && proxy.clearance_m <= 0.0 ? std::max(0.0, rise_m) : std::max(0.0, proxy.clearance_m);
     proxy.place_m = a + (clear_m / (clear_m - at_b.distance_m)) * (b - a);
     int evaluations = 3;
     settle(proxy.place_m, proxy.normal, evaluations);
-    // In a crease the place found may count as the other face's: the one that was entered holds the hand.
+    // In a crease the point found may belong to the other face; the face that was entered must stop the hand.
     const Vec3 entered = unit(at_b.gradient);
     if (dot(proxy.normal, entered) < kSameFace) proxy.normal = entered;
     proxy.phase = FieldProxy::Phase::touching;
@@ -266,7 +268,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     proxy.step_share = 0.0;
   }
 
-  /// Along the surface towards the hand; false if the hand is on the free side.
+  /// Slides the proxy along the surface towards the hand; false if the hand is on the free side.
   bool slide(Vec3 hand_m, double longest_m, Friction friction, FieldProxy& proxy,
              int& evaluations) const noexcept {
     double share = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
@@ -281,7 +283,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const double along_m = norm(along);
       const double held_m = -lifted * (moved ? friction.sliding : coefficient);
       if (along_m <= held_m + kTolerance_m) break;
-      // Newton's step: the way along the surface is that along its tangent plane, stretched by the bend.
+      // Newton's step: the step in the tangent plane, corrected by the curvature.
       const double bent = std::clamp(1.0 + proxy.bend_per_m * lifted, kLeastBent, kMostBent);
       const double step_m = share * std::min((along_m - held_m) / bent, longest_m);
       const Vec3 aimed = proxy.place_m + (step_m / along_m) * along;
@@ -291,7 +293,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       evaluations -= one;
       const bool settled = settle(next, normal, one);
       evaluations += one;
-      // Out of the solid and onwards: the step ended behind the middle of a wall.
+      // The correction led out of the solid in the direction of movement: the step ended behind the middle of
+      // a wall.
       const Vec3 out = next - aimed;
       const bool through = dot(out, normal) > kOn_m && dot(out, along) > 0.0;
       if (!settled || through || squared_norm(hand_m - next) >= squared_norm(d)) {

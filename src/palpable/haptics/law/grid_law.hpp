@@ -13,8 +13,9 @@ namespace palpable::haptics {
 extern const LawDescription kGridLaw;
 
 /// `grid`: f = max(0, K d - B v·n) n with depth d and normal n from an occupancy grid (Park & Howard 2012,
-/// eq. 6, corrected). The proxy is the place on the surface straight along the normal. Depth and normal are
-/// continuous, but the normal is not the depth's gradient: it makes energy, and has no potential to watch.
+/// eq. 6, corrected). The proxy is the surface point along the normal. Depth and normal are continuous, but
+/// the normal is not the gradient of the depth. So the law generates energy and has no potential that could
+/// be observed.
 class GridLaw : public ContactLaw<models::OccupancyGrid> {
  public:
   struct State {};

@@ -6,22 +6,23 @@
 
 namespace palpable::haptics {
 
-/// What a touch takes along to another surface or law: where its proxy was, and how it held the hand.
+/// State that a touch passes to another surface or law: the proxy's position and contact.
 struct HandOver {
-  /// There was a proxy, at `place`; false: there is nothing to take along.
+  /// Whether there is a proxy, at `place`; if not, the rest is unused.
   bool has_proxy = false;
-  /// It held the hand.
+  /// The proxy was in contact.
   bool touching = false;
   bool slipping = false;
   Point<SceneFrame> place;
-  /// Out of the surface there, unit; only when touching.
+  /// Outward unit normal of the surface there; valid only while touching.
   Vector<SceneFrame> normal;
-  /// The hand in the last tick.
+  /// The hand's position in the previous tick.
   Point<SceneFrame> hand;
   ContactMemory memory;
 };
 
-/// Of a SurfaceProxy or a FieldProxy with the surface's outward unit normal at it. Tick path.
+/// Makes a HandOver from a SurfaceProxy or a FieldProxy, with the surface's outward unit normal at it. Tick
+/// path.
 template <class Proxy>
 HandOver hand_over_of(const Proxy& proxy, Vec3 normal, const ContactMemory& memory) noexcept {
   using Phase = typename Proxy::Phase;

@@ -17,15 +17,16 @@
 #include <type_traits>
 #include <utility>
 
-// What the laws share when they are made, outside the tick.
+// Functions for creating laws, outside the tick.
 
 namespace palpable::haptics {
 
-/// What a law is made of. `scene` is of a kind that it renders; `parameters` are in their ranges.
+/// The input for creating a law. `scene` must be of a kind that the law renders; `parameters` must be in
+/// range.
 struct LawInput {
   const models::Scene& scene;
   const LawParameters& parameters;
-  /// Null: nothing is kept.
+  /// Cache of the dilated relief; null: no cache.
   DilatedRelief* kept = nullptr;
 };
 
@@ -35,7 +36,7 @@ struct MadeLaw {
 
 Error usage_error(std::string message);
 
-/// Hashes of content, equal for equal content: they distinguish families of states.
+/// Combines hashes of content. Equal content gives equal hashes, which distinguish families of states.
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value);
 inline std::uint64_t mixed(std::uint64_t hash, double value) {
   return mixed(hash, std::bit_cast<std::uint64_t>(value));
@@ -44,12 +45,13 @@ std::uint64_t content_hash(const models::Relief& relief);
 std::uint64_t content_hash(const models::DenseField& field);
 std::uint64_t content_hash(const models::DistanceField& field);
 
-/// The materials with the law's own parameters in place of theirs where given. `relief` is what the scene is
-/// seen from above.
+/// The scene's materials, overridden by the law's parameters where these are set. `relief`: the scene seen
+/// from above.
 MaterialMap materials_of(const models::Scene& scene, const models::Relief& relief,
                          const LawParameters& parameters);
 
-/// The relief itself for a point; dilated for a ball. The relief's slopes bound the dilated one's.
+/// The relief itself for a point; dilated for a ball. The slope of the dilated relief does not exceed the
+/// relief's.
 Result<std::shared_ptr<const models::Relief>> dilated_surface(
     const std::shared_ptr<const models::Relief>& relief, double radius_m, DilatedRelief* kept);
 
@@ -63,8 +65,8 @@ void read_pages(const models::DenseField& field) noexcept;
 void read_pages(const models::ReliefDepth& depth) noexcept;
 void read_pages(const models::OccupancyGrid& grid) noexcept;
 
-/// Gives one law the interface of a Touchable. A law has a State, evaluate(), energy_model(), surface(),
-/// damping_Ns_per_m(), memory_bytes(), and, where it has a proxy, hand_over() and take_over(); read_pages()
+/// Adapter from a law to Touchable. A law has a State, evaluate(), energy_model(), surface(),
+/// damping_Ns_per_m(), memory_bytes() and, if it has a proxy, hand_over() and take_over(); read_pages()
 /// exists for its surface.
 template <class L>
 class LawTouchable final : public Touchable {
@@ -99,7 +101,7 @@ MadeLaw made_law(L law, std::uint64_t family) {
   return {std::shared_ptr<const Touchable>(std::make_shared<LawTouchable<L>>(std::move(law), family))};
 }
 
-/// `make(surface, materials, family)` on the scene's field, whichever kind it is.
+/// Calls `make(surface, materials, family)` for the scene's field, adaptive or dense.
 template <class Make>
 MadeLaw make_on_field(const LawInput& in, Make&& make) {
   const auto on = [&](const auto& field) {
@@ -115,7 +117,7 @@ MadeLaw make_on_field(const LawInput& in, Make&& make) {
   return on(std::get<std::shared_ptr<const models::FieldOnLattice>>(in.scene.model));
 }
 
-/// `make(surface, materials, family)` on the scene seen from above, dilated by the ball.
+/// Calls `make(surface, materials, family)` for the scene seen from above, dilated by the ball.
 template <class Make>
 MadeLaw make_on_relief(const LawInput& in, Make&& make) {
   const std::shared_ptr<const models::Relief>& relief = models::relief_of(in.scene);

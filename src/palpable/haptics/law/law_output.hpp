@@ -15,33 +15,33 @@ struct Hand {
   Point<SceneFrame> position;
   Vector<SceneFrame> velocity_m_per_s;
   double dt_s = 0.001;
-  /// How a handle is turned, scene from tool, and how fast; of devices with torque.
+  /// Orientation of the handle, scene_from_tool, and its angular velocity; for devices with torque.
   device::Rotation rotation = device::kNotTurned;
   Vector<SceneFrame> angular_velocity_rad_per_s = {};
-  /// From the reading to the middle of the time for which the motors hold the force that answers it: the
-  /// device's delay and half a tick. 0 where no loop holds a force.
+  /// Time from the reading to the middle of the interval in which the motors hold the resulting force: the
+  /// device's delay plus half a tick. 0 if no loop holds a force.
   double acts_after_s = 0.0;
 };
 
-/// What a law renders at one tick, before caps, ramps and passivity.
+/// The result of a law in one tick, before caps, ramps and passivity control.
 struct LawOutput {
   Vector<SceneFrame> force_N;
-  /// Where the law keeps a proxy on the surface: its place. Meaningful only if has_proxy.
+  /// The proxy's position on the surface. Valid only if has_proxy.
   Point<SceneFrame> proxy;
-  /// Energy that the law stores now and may give back: ½K·d² of a spring (0 out of contact), k_g·z of a
-  /// weight on a slope. Only differences count. It lets the observer (passivity.hpp) distinguish energy given
-  /// back from energy made; a law without a potential leaves it NaN.
+  /// Energy that the law stores now and may return: ½K·d² for a spring (0 out of contact), k_g·z for a weight
+  /// on a slope. Only differences matter. It lets the observer (passivity.hpp) distinguish returned energy
+  /// from generated energy. NaN for a law without a potential.
   double stored_J = std::numeric_limits<double>::quiet_NaN();
-  /// The part of the force that this energy makes: minus its gradient, without dampers. 0 where none is
-  /// stored.
+  /// The part of the force that derives from this energy: minus its gradient, without dampers. 0 if no energy
+  /// is stored.
   Vector<SceneFrame> spring_N;
-  /// About the hand's position, and the part of it that the stored energy makes: minus its derivative by the
-  /// turn.
+  /// Torque about the hand's position; and the part of it that derives from the stored energy: minus its
+  /// derivative with respect to rotation.
   Vector<SceneFrame> torque_Nm;
   Vector<SceneFrame> spring_torque_Nm;
   bool contact = false;
   bool has_proxy = false;
-  /// Index of the material or region touched.
+  /// Index of the touched material or region.
   std::uint16_t label = 0;
 };
 

@@ -6,9 +6,9 @@
 
 namespace palpable::haptics {
 
-// The parameters that several laws share.
+// Descriptions of parameters that several laws share.
 
-/// The dynamic friction coefficient over the static one, where only the static one is set.
+/// Ratio of dynamic to static friction if only the static coefficient is set.
 inline constexpr double kDynamicOfStatic = 5.0 / 6.0;
 
 inline constexpr LawParameter kStiffness{&LawParameters::stiffness_N_per_m,
@@ -63,7 +63,7 @@ inline constexpr LawParameter kForceShading{&LawParameters::force_shading,
                                             0.0,
                                             1.0,
                                             0.0};
-/// Of Shi & Pai's laws: a slope of 1 pushes with 1 N.
+/// For Shi & Pai's laws: the force on a slope of 1.
 inline constexpr LawParameter kSlopeForce{&LawParameters::slope_force_N,
                                           "slope_force_N",
                                           "Force on a slope of 1",
@@ -85,7 +85,7 @@ inline constexpr LawParameter kPlaneDamping{&LawParameters::damping_Ns_per_m,
                                             20.0,
                                             0.5};
 
-/// The value that was given, or the parameter's preset (0 where it has none).
+/// The value that is set, else the parameter's default (0 if it has none).
 inline double value_or_preset(const LawParameters& parameters, const LawParameter& parameter) {
   return (parameters.*parameter.value).value_or(parameter.preset.value_or(0.0));
 }

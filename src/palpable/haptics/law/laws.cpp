@@ -22,7 +22,7 @@
 namespace palpable::haptics {
 namespace {
 
-/// A new law is one line here. The first that renders a kind of model is that kind's default.
+/// A new law is added here. The first law that renders a kind of model is that kind's default.
 constexpr std::array kLaws{&kProxyLaw,   &kTracingLaw,  &kGrooveLaw, &kGridLaw, &kRollingLaw,
                            &kPenaltyLaw, &kAveragedLaw, &kSobelLaw,  &kToolLaw};
 

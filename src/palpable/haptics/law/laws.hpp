@@ -15,26 +15,27 @@
 
 namespace palpable::haptics {
 
-/// All laws. A kind of model's default law is the first that renders it.
+/// All laws. The default law of a kind of model is the first one that renders it.
 std::span<const LawDescription* const> all_laws();
 const LawDescription& description_of(Law law);
-/// The name on the command line; and back, nullopt for an unknown name.
+/// The name on the command line; and the reverse, nullopt for an unknown name.
 std::string_view name_of(Law law);
 std::optional<Law> law_from(std::string_view name);
-/// Every law that exists for a scene of this kind, the default first.
+/// All laws for this kind of scene, the default first.
 std::vector<Law> laws_for(const models::Scene& scene);
 
-/// A relief dilated by the ball that touches it: what make_touchable() took long to make, kept by who changes
-/// parameters during a touch. Empty at first. One thread at a time.
+/// Cache of the dilated relief, whose computation in make_touchable() is expensive. The owner of a touch
+/// keeps it while parameters change. Empty at first. One thread at a time.
 struct DilatedRelief {
   std::shared_ptr<const models::Relief> of;
   double radius_m = 0.0;
   std::shared_ptr<const models::Relief> surface;
 };
 
-/// Surface + law, ready for the servo loop. Work that a law needs once (dilating a relief by the ball)
-/// happens here, outside the tick: up to a second for large radii; not again where `kept` already has it.
-/// Errors: usage for a parameter of the law out of its range or a law that this kind of scene does not have.
+/// Creates the Touchable of a scene and a law for the servo loop. One-time work (dilating a relief by the
+/// ball) is done here, outside the tick; it takes up to a second for large radii and is skipped if `kept`
+/// contains the result. Errors: usage for a parameter of the law out of range, or a law that does not support
+/// this kind of scene.
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
                                                         const LawParameters& parameters,
                                                         DilatedRelief* kept = nullptr);

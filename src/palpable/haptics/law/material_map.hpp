@@ -11,7 +11,7 @@
 
 namespace palpable::haptics {
 
-/// How a surface answers at one place. All finite, all >= 0.
+/// Contact properties of a surface at one point. All finite and >= 0.
 struct Contact {
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
@@ -19,13 +19,13 @@ struct Contact {
   double dynamic_friction = 0.0;
 };
 
-/// Which material lies where on a relief's rectangle, for the tick. Immutable.
+/// Maps positions on a relief's rectangle to materials, for the tick. Immutable.
 class MaterialMap {
  public:
-  /// The same everywhere.
+  /// One material everywhere.
   explicit MaterialMap(Contact everywhere) { contacts_.fill(everywhere); }
-  /// `labels` (may be empty: label 0 everywhere) cover the rectangle of width_m x depth_m round the origin.
-  /// Label k answers as contacts[k].
+  /// `labels` (empty: label 0 everywhere) cover the rectangle of width_m x depth_m around the origin. Label k
+  /// has the properties contacts[k].
   MaterialMap(const std::array<Contact, 256>& contacts, Raster<std::uint8_t> labels, double width_m,
               double depth_m)
       : contacts_(contacts),
@@ -35,7 +35,7 @@ class MaterialMap {
 
   bool has_labels() const noexcept { return !labels_.empty(); }
   const Contact& contact(std::uint16_t label) const noexcept { return contacts_[label & 0xFFU]; }
-  /// The label at a place; outside the rectangle that of its nearest edge. Tick path.
+  /// The label at a position; outside the rectangle, that of the nearest edge. Tick path.
   std::uint16_t label_at(double x_m, double y_m) const noexcept {
     if (labels_.empty()) return 0;
     return labels_(held(0.5 * labels_.width() + x_m * labels_per_m_x_, labels_.width()),

@@ -14,12 +14,12 @@ namespace palpable::haptics {
 extern const LawDescription kPenaltyLaw;
 
 /// `penalty`: f = -k min(D, 0) grad D, the exact gradient of k D^2 / 2 (Moustakas et al. 2007, sign
-/// corrected), so without damping it makes no energy; and a damper, which never pulls along the normal. D is
-/// a solid's distance, or minus the depth under a relief (ReliefDepth). Shaded, the gradient's length is left
-/// out (force shading): nearly the same on an exact field, and not conservative. It pushes to the nearest
-/// surface, so it pops through thin walls: `proxy` does not. On a field a ball of radius r is a point in the
-/// field minus r; a relief is dilated by it. The papers' law on pictures, with the distance to the tangent
-/// plane straight below the hand, is `averaged` without neighbours.
+/// corrected), so the undamped force generates no energy; and a damper that never pulls along the normal. D
+/// is the distance to a solid, or minus the depth below a relief (ReliefDepth). With force shading the length
+/// of the gradient is omitted: nearly the same on an exact field, and not conservative. The force pushes
+/// towards the nearest surface, so the hand can pop through thin walls, unlike with `proxy`. A ball of radius
+/// r on a field is a point on the field minus r; a relief is dilated by the ball. The papers' law on
+/// pictures, which uses the distance to the tangent plane below the hand, is `averaged` without neighbours.
 template <models::DistanceSurface Surface>
 class PenaltyLaw : public ContactLaw<Surface> {
  public:
@@ -58,8 +58,9 @@ class PenaltyLaw : public ContactLaw<Surface> {
   }
 
  private:
-  /// The spring's direction turns as the hand moves along the surface: held for a tick, that makes energy
-  /// too, which a damper has to pay for. Never more than the push, so that a touch begins softly.
+  /// The spring's direction changes as the hand moves along the surface. A force that is held for a tick then
+  /// generates energy too, which this damper dissipates. It is at most the push, so that a contact begins
+  /// softly.
   static Vec3 drag(Vec3 along_m_per_s, double push_N, const Contact& contact) noexcept {
     const double speed = norm(along_m_per_s);
     if (speed * contact.damping_Ns_per_m <= push_N) return -contact.damping_Ns_per_m * along_m_per_s;

@@ -14,14 +14,15 @@
 namespace palpable::haptics {
 
 extern const LawDescription kProxyLaw;
-/// The boundaries of a picture as grooves in a plate, rendered by `proxy`: passive, for exploring by touch
+/// The boundaries of a picture as grooves in a plate, rendered by `proxy`: passive, for exploration by touch
 /// alone.
 extern const LawDescription kGrooveLaw;
 
-/// `proxy`: a spring from the hand to a surface-bound proxy that slides under a friction cone with static and
-/// dynamic coefficient (the proxy is Hayward & Armstrong's w: it moves only when the cone is left, so nothing
-/// drifts), and a damper along the surface's normal. The force never pulls the hand into the surface. A ball
-/// of finite radius is a point on the relief dilated by it (relief_shaping.hpp).
+/// `proxy`: a spring from the hand to a proxy on the surface, which slides under a friction cone with a
+/// static and a dynamic coefficient, and a damper along the surface normal. The proxy corresponds to w of
+/// Hayward & Armstrong: it moves only when the hand leaves the cone, so nothing drifts. The force never pulls
+/// the hand into the surface. A ball of finite radius is a point on the relief dilated by it
+/// (relief_dilation.hpp).
 template <models::BoundedHeightField Surface>
 class ProxyLaw : public ContactLaw<Surface> {
  public:
@@ -72,8 +73,8 @@ class ProxyLaw : public ContactLaw<Surface> {
     return hand_over_of(state.proxy, unit(Vec3{-s.dzdx, -s.dzdy, 1.0}), state.memory);
   }
 
-  /// A proxy that held the hand goes straight up or down to this surface, and keeps its friction state; a
-  /// free one stays where it is, unless this surface covers that place.
+  /// A proxy that was in contact moves vertically onto this surface and keeps its friction state. A free one
+  /// keeps its position, unless it is below this surface.
   void take_over(const HandOver& from, State& state) const noexcept {
     if (!from.has_proxy) return;
     ProxyFollower<Surface>(this->surface(), {}).take_over(from, state.proxy);

@@ -12,18 +12,19 @@
 
 namespace palpable::haptics {
 
-// The force between a hand and the proxy that it drags over a surface, the same on reliefs and on fields.
+// The force between a hand and its proxy on a surface; the same for reliefs and fields.
 
-/// What a touch remembers of the material under its proxy. All zero = a new touch.
+/// The state of the material under the proxy of a touch. All zero = a new touch.
 struct ContactMemory {
-  /// Follows the material, so that a border between two is no kick.
+  /// Smoothed contact properties, so that a border between two materials gives no sudden force.
   Contact contact;
   std::uint16_t label = 0;
   bool is_known = false;
   TextureTouch texture{};
 };
 
-/// The material under a proxy at `place_m`. In contact its values follow within about 10 ms. Tick path.
+/// The contact properties at a proxy at `place_m`. In contact, the values follow the material within about 10
+/// ms. Tick path.
 inline Contact eased_contact(const MaterialMap& materials, Vec3 place_m, bool in_contact, double dt_s,
                              ContactMemory& memory) noexcept {
   constexpr double kEase_s = 0.010;
@@ -40,22 +41,22 @@ inline Contact eased_contact(const MaterialMap& materials, Vec3 place_m, bool in
   return memory.contact;
 }
 
-/// The proxy as the last tick left it.
+/// The proxy after the previous tick.
 struct ProxyBefore {
   Vec3 place_m;
   bool touching = false;
 };
 
-/// A direction out of the solid, of any length, and one over its length's square: the force does not wait for
-/// a root.
+/// An outward direction of any length, and the reciprocal of its squared length, so that the force needs no
+/// square root.
 struct Outward {
   Vec3 v;
   double per_length2 = 1.0;
 };
 
-/// A proxy that friction holds is a spring in every direction, and like every spring in a sampled loop it
-/// needs a damper, or it makes energy. Where the proxy slides along with the hand nothing stretches and
-/// nothing is damped. Friction carries it: at most as much as the cone allows. Tick path.
+/// Damper for a proxy that friction holds. Such a proxy is a spring in every direction; like every spring in
+/// a sampled loop it needs a damper, or it generates energy. Where the proxy slides with the hand, nothing is
+/// stretched and nothing is damped. The damping force is limited by the friction cone. Tick path.
 inline Vec3 friction_damper(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
                             const Outward& out, double pressing_out) noexcept {
   if (!before.touching || pressing_out <= 0.0) return {};
@@ -69,14 +70,14 @@ inline Vec3 friction_damper(const Hand& hand, const Contact& contact, Vec3 place
   return (-drag_N / speed) * along;
 }
 
-/// Spring and dampers from the hand to a proxy at `place_m` on the surface. Tick path.
+/// The force of spring and dampers between the hand and a proxy at `place_m` on the surface. Tick path.
 inline Vec3 proxy_force(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
                         const Outward& out) noexcept {
   const Vec3 spring = contact.stiffness_N_per_m * (place_m - hand.position.v);
   const double spring_out = dot(spring, out.v);
   const double damper_out = -contact.damping_Ns_per_m * dot(hand.velocity_m_per_s.v, out.v);
-  // The damper may take the push away but never turns it into a pull. A proxy that the surface let go of in
-  // this very tick is followed by the spring alone.
+  // The damper may cancel the push but never turns it into a pull. If the surface released the proxy in this
+  // tick, only the spring acts.
   const double pressing_out = spring_out > 0.0 ? std::max(0.0, spring_out + damper_out) : spring_out;
   return spring + ((pressing_out - spring_out) * out.per_length2) * out.v +
          friction_damper(hand, contact, place_m, before, out, pressing_out);

@@ -14,10 +14,10 @@ namespace palpable::haptics {
 extern const LawDescription kRollingLaw;
 
 /// `rolling`: the weight of a ball on the slope under the hand, f = -k_g grad z - k_v v (Shi & Pai 1997, eq.
-/// 1), with the exact gradient, so that without damping it is the gradient of k_g z and does no work round a
-/// closed path. In a loop the slope is that of the place where the hand will be when the force acts
-/// (Hand::acts_after_s): a force held for a tick and rendered with a delay would otherwise lag behind the
-/// slope, and make energy at each bend. Ignores the hand's z; always in contact; acts in the plane.
+/// 1). It uses the exact gradient, so without damping the force is the gradient of k_g z and does no work on
+/// a closed path. In a servo loop the slope is taken at the position where the hand will be when the force
+/// acts (Hand::acts_after_s). Otherwise a held and delayed force would lag behind the slope and generate
+/// energy at each bend. The law ignores the hand's z, is always in contact, and acts in the plane.
 template <models::HeightField Surface>
 class RollingLaw {
  public:

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::array<double, 5> kSmooth{1, 4, 6, 4, 1};
 constexpr std::array<double, 5> kDerive{-1, -2, 0, 2, 1};
-// What the operator gives for a slope of one pixel height a pixel: 16 by smoothing times 8 by deriving.
+// The operator's response to a slope of one pixel height per pixel: 16 by smoothing times 8 by
+// differentiation.
 constexpr double kGain = 128.0;
 
 Raster<double> halved(const Raster<float>& heights) {

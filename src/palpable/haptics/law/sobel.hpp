@@ -14,19 +14,19 @@ namespace palpable::haptics {
 
 extern const LawDescription kSobelLaw;
 
-/// A slope as a force image holds it.
+/// A slope stored in a force image.
 struct ImageSlope {
   float dzdx = 0.0F;
   float dzdy = 0.0F;
 };
 
-/// Shi & Pai's force image (1997, section 4): the heights at half size, their slopes by a 5 x 5 Sobel
-/// operator, read at the nearest pixel. Covers the relief's rectangle; a scene of 150 mm x 100 mm
-/// has the paper's 10 x 15 cm.
+/// Shi & Pai's force image (1997, section 4): slopes of the half-size height map by a 5 x 5 Sobel operator,
+/// read at the nearest pixel. It covers the relief's rectangle; a scene of 150 mm x 100 mm has the size of
+/// the paper's 10 x 15 cm.
 class SobelSlopes {
  public:
   explicit SobelSlopes(const models::Relief& relief);
-  /// The slope of the nearest pixel; the border's outside. Tick path.
+  /// The slope at the nearest pixel; outside, at the nearest border pixel. Tick path.
   ImageSlope at(double x_m, double y_m) const noexcept;
   std::size_t memory_bytes() const noexcept { return sizeof(*this) + slopes_.count() * sizeof(ImageSlope); }
   const Raster<ImageSlope>& slopes() const noexcept { return slopes_; }
@@ -37,8 +37,8 @@ class SobelSlopes {
   double pixels_per_m_y_ = 0.0;
 };
 
-/// `sobel`: f = -k_g grad z - k_v v with the force image's slopes. It steps from pixel to pixel and is not
-/// conservative: kept to compare with `rolling`.
+/// `sobel`: f = -k_g grad z - k_v v with the slopes of the force image. The force changes in steps from pixel
+/// to pixel and is not conservative. For comparison with `rolling`.
 class SobelLaw {
  public:
   struct State {};
@@ -50,8 +50,8 @@ class SobelLaw {
         damping_Ns_per_m_(damping_Ns_per_m) {}
 
   LawOutput evaluate(const Hand& hand, State&) const noexcept;
-  /// The potential is that of the relief, whose slopes these are but for the operator's errors: what it makes
-  /// beyond is counted.
+  /// The relief's potential, whose slopes these are apart from the operator's errors. Energy that is
+  /// generated beyond it is observed.
   EnergyModel energy_model() const noexcept { return EnergyModel::weight; }
   const SobelSlopes& surface() const noexcept { return slopes_; }
   double damping_Ns_per_m() const noexcept { return damping_Ns_per_m_; }
@@ -64,7 +64,7 @@ class SobelLaw {
   double damping_Ns_per_m_;
 };
 
-/// Reads every page of it once.
+/// Reads every page of the slopes once.
 void read_pages(const SobelSlopes& slopes) noexcept;
 
 }  // namespace palpable::haptics

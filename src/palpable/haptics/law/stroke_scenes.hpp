@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What fast strokes are tested on: rough reliefs of any resolution, and solids whose distance is known.
+// Scenes for tests of fast strokes: rough reliefs of any resolution, and solids of known distance.
 
 #include "palpable/haptics/law/field_proxy.hpp"
 #include "palpable/haptics/law/test_scenes.hpp"
@@ -36,7 +36,7 @@ inline models::Scene rough_scene(double pixel_m, std::mt19937& random) {
   return scene_of(std::move(z), pixel_m);
 }
 
-/// Balls of 3 mm on a plate, their union.
+/// The union of a plate and balls of 3 mm on it.
 class Pebbles {
  public:
   models::FieldSample sample(Vec3 p) const noexcept {
@@ -45,8 +45,8 @@ class Pebbles {
     const double ball = norm(away) - 0.003;
     return ball < p.z ? models::FieldSample{ball, unit(away)} : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
   }
-  /// Whether the straight way between two places of the surface goes through the middle of a ball. (What
-  /// flies to a hand in the air may have come round it.)
+  /// Whether the straight segment between two surface points passes through the middle of a ball. (A proxy
+  /// that moves to a hand in free air may have passed around it.)
   static bool divides(Vec3 a, Vec3 b) {
     constexpr double kNear_m = 1e-4;
     if (Pebbles().sample(b).distance_m > kNear_m) return false;
@@ -76,7 +76,7 @@ class Walls {
     }
     return wall.distance_m < p.z ? wall : models::FieldSample{p.z, {0.0, 0.0, 1.0}};
   }
-  /// Whether there is a wall between two places, and reaches 2 mm above both.
+  /// Whether there is a wall between two points that rises 2 mm above both.
   static bool divides(Vec3 a, Vec3 b) {
     const double wall = 0.008 * std::round(0.5 * (a.x + b.x) / 0.008);
     return (a.x < wall) != (b.x < wall) && std::max(a.z, b.z) < 0.007;

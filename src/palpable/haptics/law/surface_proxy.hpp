@@ -14,56 +14,59 @@
 
 namespace palpable::haptics {
 
-/// A point that follows the hand but stays on or above a height field: free, it is the hand; in contact, it
-/// is on the surface at the place nearest to the hand that it can reach by sliding (god-object, Zilles &
-/// Salisbury 1995; Ruspini 1997), held back by a friction cone. All zero = a new touch.
+/// The proxy of a touch on a height field: a point that follows the hand but stays on or above the surface.
+/// In free air it is at the hand. In contact it is the surface point nearest to the hand that it can reach by
+/// sliding (god-object, Zilles & Salisbury 1995; Ruspini 1997), held back by a friction cone. All zero = a
+/// new touch.
 struct SurfaceProxy {
   enum class Phase : std::uint8_t {
     fresh,
-    /// Above the surface, at the hand (or, after a jump that is too long for one tick, on its way there).
+    /// Above the surface, at the hand (or, after a jump too long for one tick, on its way there).
     free,
     touching
   };
 
   Vec3 place_m;
-  /// Where the hand was in the last tick.
+  /// The hand's position in the previous tick.
   Vec3 hand_m;
-  /// The surface at place_m; only when touching.
+  /// The surface at place_m; valid only while touching.
   models::CurvedSample surface;
-  /// A height above the surface that place_m has for certain; only when free.
+  /// A lower bound of the height of place_m above the surface; valid only while free.
   double clearance_m = 0.0;
   Phase phase = Phase::fresh;
-  /// The share of the longest step that last brought the proxy nearer; 0 = all of it. Kept from tick to tick:
-  /// at a sharp kink a tick's few evaluations may not find a step that is short enough, and the proxy must
-  /// not stay there.
+  /// The share of the longest step that last brought the proxy nearer; 0 = all of it. It is kept between
+  /// ticks, since at a sharp kink one tick may not have enough evaluations to find a step that is short
+  /// enough.
   double step_share = 0.0;
-  /// The last tick moved the proxy against friction: the dynamic coefficient holds.
+  /// The previous tick moved the proxy against friction: the dynamic coefficient applies.
   bool slipping = false;
 
   bool holds_the_hand() const noexcept { return phase == Phase::touching; }
 };
 
-/// Coulomb's coefficients, >= 0, the dynamic one at most the static one.
+/// Coulomb friction coefficients, >= 0; the dynamic one is at most the static one.
 struct Friction {
   double at_rest = 0.0;
   double sliding = 0.0;
 };
 
-/// Moves a SurfaceProxy over one height field; the solid lies below the surface. Free, the hand's whole way
-/// of the tick is judged: at once where it is above all heights below it, or higher than the steepest slope
-/// there can rise; else by evaluations as far apart as the height above the surface allows, and a pixel at
-/// least, so that a first contact is found in the tick in which it happens. Sliding, each step is at most a
-/// pixel (on slopes below 45 degrees and where it passes over no top, half of the hand's own movement in the
-/// tick) and must bring the proxy nearer to the hand, so it climbs or rounds a wall and never passes through
-/// it. A tick evaluates the surface once or twice as a rule; the more pixels the hand moved the more often,
-/// and about 100 times at most.
+/// Moves a SurfaceProxy over one height field; the solid is below the surface.
+/// In free air, the hand's whole path of the tick is checked. It is clear at once if it is above all heights
+/// below it, or higher than the steepest slope can rise there. Otherwise the surface is evaluated along it,
+/// at steps that the height above the surface allows, at least a pixel long. So a first contact is found in
+/// the tick in which it happens.
+/// In contact, each step is at most a pixel long (on slopes below 45 degrees, where it passes over no top:
+/// half of the hand's movement in the tick). It must bring the proxy nearer to the hand, so the proxy climbs
+/// over a wall or goes around it, and never passes through it.
+/// A tick usually evaluates the surface once or twice; more if the hand moved many pixels, about 100 times at
+/// most.
 template <models::BoundedHeightField Surface>
 class ProxyFollower {
  public:
   ProxyFollower(const Surface& surface, Friction friction) noexcept
       : surface_(surface), friction_(friction) {}
 
-  /// One tick: the hand is at `hand`, finite.
+  /// Moves the proxy by one tick; `hand` is the hand's position, finite.
   void follow(Point<SceneFrame> hand, SurfaceProxy& proxy) const noexcept {
     const Vec3 hand_m = hand.v;
     if (proxy.phase == SurfaceProxy::Phase::fresh) begin(hand_m, proxy);
@@ -73,7 +76,8 @@ class ProxyFollower {
     int evaluations = kEvaluations + static_cast<int>(std::min(kPerPixel * moved_m / surface_.pixel_m(),
                                                                1.0 * kMaxEvaluations));
     const SurfaceProxy before = proxy;
-    // A slide may leave the surface and the free way meet it again, as from wall to wall of a narrow valley.
+    // A slide may leave the surface, and the free path may meet it again, as between the walls of a narrow
+    // valley.
     bool met = false;
     Reach reach = Reach::whole_way;
     for (;;) {
@@ -85,7 +89,7 @@ class ProxyFollower {
       const Slid slid = longest_m > surface_.pixel_m()
                             ? slide<Steps::longer>(hand_m, longest_m, proxy, evaluations)
                             : slide<Steps::pixels>(hand_m, longest_m, proxy, evaluations);
-      // Where the way on is blocked as often as it is tried, the proxy stays touching.
+      // If every attempt to continue is blocked, the proxy stays in contact.
       if (slid == Slid::rests || (met && evaluations <= 0)) return;
       const bool moved = proxy.place_m != from;
       const bool is_under = hand_m.z < surface_.curved_sample(hand_m.x, hand_m.y).z_m;
@@ -97,8 +101,8 @@ class ProxyFollower {
       proxy.phase = SurfaceProxy::Phase::free;
       proxy.clearance_m = 0.0;
       if (!moved) continue;
-      // From where it slid to, it goes on to another place of the surface in the next tick: otherwise it
-      // would climb over a wall and come down behind it in one.
+      // It moves on to another surface point only in the next tick. Otherwise it would climb over a wall and
+      // come down behind it in one tick.
       if (!fly(hand_m, reach, proxy, evaluations)) break;
       proxy = there;
       return;
@@ -106,8 +110,8 @@ class ProxyFollower {
     if (proxy.place_m != hand_m) hold(hand_m, before, longest_m, proxy);
   }
 
-  /// A proxy that another surface kept: straight below its place, or, where this surface covers it, at the
-  /// nearest place out of it. At most about 200 evaluations. Tick path.
+  /// Takes over the proxy of another surface: it moves straight down, or, if it is below this surface, to the
+  /// nearest point outside. At most about 200 evaluations. Tick path.
   void take_over(const HandOver& from, SurfaceProxy& proxy) const noexcept {
     const Vec3 place = uncovered(from.place.v, from.touching ? from.normal.v : Vec3{});
     begin(place, proxy);
@@ -119,40 +123,42 @@ class ProxyFollower {
 
  private:
   enum class Reach : std::uint8_t { whole_way, short_way };
-  /// How a slide ended: where it belongs; with the hand on the free side of the surface; or short of
-  /// evaluations.
+  /// How a slide ended: at its final position; with the hand on the free side of the surface; or without
+  /// evaluations left.
   enum class Slid : std::uint8_t { rests, leaves, unfinished };
-  /// A slow hand's steps are never longer than a pixel, and need not be watched: its tick is the shorter.
+  /// Steps of a slow hand are never longer than a pixel and need no check for walls, which makes its tick
+  /// faster.
   enum class Steps : std::uint8_t { pixels, longer };
-  /// Of a resting hand; for each pixel that it moved; and at most (a jump of many pixels).
+  /// Surface evaluations per tick: for a resting hand, additional ones per pixel of movement, and the maximum
+  /// (after a jump of many pixels).
   static constexpr int kEvaluations = 3;
   static constexpr double kPerPixel = 0.75;
   static constexpr int kMaxEvaluations = 96;
-  /// In pixels: bounds over longer stretches are too coarse.
+  /// Longest segment for which bounds are used, pixels: bounds over longer ones are too coarse.
   static constexpr double kStretch = 16.0;
-  /// To find a first contact within a pixel.
+  /// Iterations to locate a first contact within a pixel.
   static constexpr int kMeetings = 6;
-  /// A first contact is found as precisely as this.
+  /// Accuracy of a first contact.
   static constexpr double kMet_m = 1e-6;
-  /// In steps: so far ahead that the memory's answer is there when the place is evaluated.
+  /// Prefetch distance in steps: far enough that the data are in the cache when that point is evaluated.
   static constexpr double kAhead = 3.0;
-  /// In longest steps: so far along the surface the proxy of a fast hand slides in a tick, so that it does
-  /// not climb over a wall in one.
+  /// Longest slide of a fast hand's proxy in a tick, in longest steps, so that it does not climb over a wall
+  /// in one tick.
   static constexpr double kSlides = 3.0;
-  /// 1 + slope^2 above which a step is a pixel at most: half-way up a wall a longer one might pass over its
+  /// 1 + slope^2 above which a step is at most a pixel: half-way up a wall a longer one might pass over its
   /// top.
   static constexpr double kSteep2 = 2.0;
-  /// Nearer than this to where it belongs, the proxy rests: 0.05 mN at 500 N/m.
+  /// At this distance from its final position the proxy rests: 0.05 mN at 500 N/m.
   static constexpr double kTolerance_m = 1e-7;
 
-  /// Heights along a way: where it begins, its highest place, where it ends.
+  /// Heights along a path: at its start, its maximum, and at its end.
   struct Climb {
     double from_m;
     double top_m;
     double to_m;
   };
-  /// Up and down again by more than this in one tick is the way over a wall: the proxy waits on it for a
-  /// tick.
+  /// A path that rises and falls by more than this in one tick leads over a wall: the proxy waits on top of
+  /// it for a tick.
   static bool passes_over(Climb climb, double most_m) noexcept {
     return climb.top_m - std::max(climb.from_m, climb.to_m) > most_m;
   }
@@ -161,9 +167,9 @@ class ProxyFollower {
     return std::max(surface_.pixel_m(), 0.5 * longest_m);
   }
 
-  /// The nearest place on or out of the surface that is found from `place`, which this surface covers by more
-  /// than a pixel: by sliding from straight above towards it, or along `normal` (0: unknown). Straight above
-  /// alone may be the top of a wall, from which the proxy would come down on the other side.
+  /// Finds the nearest point on or above the surface for a `place` that is more than a pixel below it: by
+  /// sliding towards it from straight above, or along `normal` (0: unknown). The point straight above alone
+  /// may be on top of a wall, from which the proxy would come down on the other side.
   Vec3 uncovered(Vec3 place, Vec3 normal) const noexcept {
     const models::CurvedSample above = surface_.curved_sample(place.x, place.y);
     if (above.z_m - place.z <= surface_.pixel_m()) return place;
@@ -180,7 +186,7 @@ class ProxyFollower {
     return slid.place_m;
   }
 
-  /// A new touch at rest: under the surface it begins straight above the hand.
+  /// Starts a new touch at rest; a hand below the surface gets the proxy straight above it.
   void begin(Vec3 hand_m, SurfaceProxy& proxy) const noexcept {
     const models::CurvedSample s = surface_.curved_sample(hand_m.x, hand_m.y);
     proxy.slipping = false;
@@ -194,9 +200,10 @@ class ProxyFollower {
     }
   }
 
-  /// The way to the hand is longer than a tick's evaluations. If the hand is under the surface, or was held
-  /// and is not yet known to be free, the proxy goes straight down onto it from where it got to, which passes
-  /// through nothing; a held one no farther than the top of the first wall that it would fly over.
+  /// Called if the path to the hand needs more evaluations than a tick has. If the hand is below the surface,
+  /// or was in contact and is not yet known to be free, the proxy moves straight down onto the surface from
+  /// its present position, so it passes through nothing. A proxy in contact moves no farther than the top of
+  /// the first wall on its path.
   void hold(Vec3 hand_m, const SurfaceProxy& before, double longest_m, SurfaceProxy& proxy) const noexcept {
     Vec3 at = proxy.place_m;
     models::CurvedSample s = surface_.curved_sample(at.x, at.y);
@@ -228,8 +235,8 @@ class ProxyFollower {
     proxy.phase = SurfaceProxy::Phase::touching;
   }
 
-  /// Straight to the hand. True if the surface is in the way: then the proxy rests where it was met first.
-  /// Otherwise it is at the hand, or as far on the way as the evaluations reach.
+  /// Moves the proxy straight to the hand. True if it meets the surface: then it stays at the first contact.
+  /// Otherwise it is at the hand, or as far along the path as the evaluations allow.
   bool fly(Vec3 hand_m, Reach reach, SurfaceProxy& proxy, int& evaluations) const noexcept {
     const Vec3 from = proxy.place_m;
     const Vec3 way = hand_m - from;
@@ -240,7 +247,7 @@ class ProxyFollower {
       proxy.place_m = hand_m;
       return false;
     };
-    // The height above the surface shrinks by no more than the steepest slope allows all the way.
+    // Along the path, the height above the surface decreases by no more than the steepest slope allows.
     double shrinks = across * surface_.steepest_slope() + falls;
     if (proxy.clearance_m > shrinks) return is_there(proxy.clearance_m - shrinks);
     const models::SurfaceBounds bounds = surface_.bounds_over(from.x, from.y, hand_m.x, hand_m.y);
@@ -248,14 +255,15 @@ class ProxyFollower {
     if (above_all > 0.0) return is_there(above_all);
     shrinks = across * static_cast<double>(bounds.steepest) + falls;
     if (proxy.clearance_m > shrinks) return is_there(proxy.clearance_m - shrinks);
-    // As far as the clearance lets it go for certain, and a pixel at least: there the surface hides nothing.
+    // Steps that are certainly clear by the clearance, and at least a pixel long, since the surface cannot be
+    // hidden within a pixel.
     const double pixels = std::min(across / surface_.pixel_m(), 1.0 * kMaxEvaluations);
     const double shortest = surface_.pixel_m() / std::max(across, 1e-12);
     int left = std::max(evaluations, reach == Reach::whole_way ? 1 + static_cast<int>(pixels) : 1);
     double clear = 0.0;
     for (; clear < 1.0 && left > 0; --left) {
       if (pixels > kStretch) {
-        // A long way is judged by stretches.
+        // A long path is checked segment by segment with bounds.
         const double next = std::min(1.0, clear + kStretch * shortest);
         const Vec3 a = from + clear * way;
         const Vec3 b = from + next * way;
@@ -269,7 +277,7 @@ class ProxyFollower {
       }
       --evaluations;
       const double safe = shrinks > 0.0 ? proxy.clearance_m / shrinks : 0.0;
-      // A branch, not a maximum: the processor goes on to the next stretch before this one is known.
+      // A branch instead of a maximum, so that the processor can speculate on the next segment.
       const double next = std::min(1.0, safe > 2.0 * shortest ? clear + safe : clear + shortest);
       const Vec3 b = from + next * way;
       const double ahead = kAhead * (next - clear);
@@ -287,16 +295,16 @@ class ProxyFollower {
     return false;
   }
 
-  /// The surface is met between a, above it, and b, `depth_m` below it, a pixel apart at most.
+  /// Finds the contact between a, above the surface, and b, `depth_m` below it, at most a pixel apart.
   void meet(Vec3 a, Vec3 b, double depth_m, bool from_the_start, SurfaceProxy& proxy) const noexcept {
-    // A way that begins on the surface rises from it at first: there the rise takes the place of the
-    // clearance, or the proxy would meet the surface again where it is, for ever.
+    // A path that begins on the surface rises from it first: there the rise replaces the clearance. Otherwise
+    // the proxy would meet the surface at the same point again and again.
     const Vec3 way = b - a;
     const bool from_contact = from_the_start && proxy.clearance_m <= 0.0;
     double clear_m = from_contact
                          ? std::max(0.0, way.z - proxy.surface.dzdx * way.x - proxy.surface.dzdy * way.y)
                          : std::max(0.0, a.z - surface_.curved_sample(a.x, a.y).z_m);
-    // By the false position (Illinois method).
+    // Regula falsi (Illinois method).
     for (int k = 0; k < kMeetings; ++k) {
       const Vec3 m = a + (clear_m / (clear_m + depth_m)) * (b - a);
       const models::CurvedSample s = surface_.curved_sample(m.x, m.y);
@@ -316,8 +324,7 @@ class ProxyFollower {
     proxy.slipping = false;
   }
 
-  /// A step of more than a pixel becomes one of a pixel where something between its ends is higher than
-  /// it is long.
+  /// Shortens a step to a pixel if the surface between its ends rises by more than the step's length.
   void shorten_at_walls(Vec3 place, double& dx, double& dy) const noexcept {
     const double length2 = dx * dx + dy * dy;
     if (length2 <= surface_.pixel_m() * surface_.pixel_m()) return;
@@ -328,10 +335,10 @@ class ProxyFollower {
     dy *= surface_.pixel_m() / length_m;
   }
 
-  /// Along the surface towards the hand.
+  /// Slides the proxy along the surface towards the hand.
   template <Steps kSteps>
   Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
-    // What one step waits for of the step before is kept short: the tick's length is this chain's.
+    // The dependency chain between steps is kept short, since it determines the time of the tick.
     models::CurvedSample s = proxy.surface;
     Vec3 place = proxy.place_m;
     double mu = proxy.slipping ? friction_.sliding : friction_.at_rest;
@@ -347,7 +354,7 @@ class ProxyFollower {
         slid = Slid::leaves;
         break;
       }
-      // Squares of the distance's parts along the normal and along the surface, both times `steep2`.
+      // Squared components of the distance along the normal and along the surface, both times `steep2`.
       const double whole2 = squared_norm(d);
       const double steep2 = 1.0 + (s.dzdx * s.dzdx + s.dzdy * s.dzdy);
       const double normal2 = lifted * lifted;
@@ -368,12 +375,12 @@ class ProxyFollower {
       --evaluations;
       surface_.prefetch(x + kAhead * dx, y + kAhead * dy);
       const models::CurvedSample next = surface_.curved_sample(x, y);
-      // A step of more than a pixel may not pass over a top: what it hides may be a wall.
+      // A step of more than a pixel must not pass over a top, which may be a wall.
       const bool over_a_top = kSteps == Steps::longer &&
                               dx * dx + dy * dy > surface_.pixel_m() * surface_.pixel_m() &&
                               s.dzdx * dx + s.dzdy * dy > 0.0 && next.dzdx * dx + next.dzdy * dy < 0.0;
       if (over_a_top || squared_norm(hand_m - Vec3{x, y, next.z_m}) >= whole2) {
-        // Too far: the surface turned. A step that cannot be made shorter than the tolerance is none.
+        // Too far: the surface is curved. Steps shorter than the tolerance are not tried.
         shorter *= 0.25;
         if (dx * dx + dy * dy < kTolerance_m * kTolerance_m) {
           shorter = 1.0;

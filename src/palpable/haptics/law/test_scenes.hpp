@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the tests of the laws share: scenes of simple reliefs, and a touch of one tick.
+// Helpers for tests of laws: scenes of simple reliefs, and a touch of one tick.
 
 #include "palpable/haptics/law/laws.hpp"
 #include "palpable/models/relief/relief_shaping.hpp"
@@ -66,14 +66,13 @@ inline LawOutput output_at(const Touchable& t, TouchState& state, Vec3 p) {
   return t.evaluate(hand, state);
 }
 
-/// What a hand's force does round a closed loop: its work, and how far that work swung on the way.
+/// Work of the force on a hand along a closed loop: the total, and the range of the accumulated work.
 struct LoopWork {
   double net_J = 0.0;
   double swing_J = 0.0;
 };
 
-/// `place(angle)` runs round once in `ticks` ticks; what happens in the `settling` rounds before does not
-/// count.
+/// `place(angle)` is a closed loop of `ticks` ticks. The first `settling` rounds are not counted.
 template <class Place>
 LoopWork work_round(const Touchable& touchable, int ticks, int settling, Place place) {
   TouchState state;

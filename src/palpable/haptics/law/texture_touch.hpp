@@ -11,38 +11,38 @@
 
 namespace palpable::haptics {
 
-/// What a touch remembers of textures: whose is felt, and how much of it. It comes in smoothly. All zero =
-/// none.
+/// State of the texture in a touch: its label, and the share that is rendered, which grows smoothly. All zero
+/// = none.
 struct TextureTouch {
   std::uint16_t label;
   double share;
 };
 
-/// Where a proxy touches, and how deep the hand is under it.
+/// The contact point of a proxy, and the hand's depth below it.
 struct TexturedPlace {
   Vec3 place_m;
-  /// Outward, unit.
+  /// Outward unit normal.
   Vec3 normal;
   double depth_m = 0.0;
   double stiffness_N_per_m = 0.0;
 };
 
-/// How much higher a texture makes the surface at a place, and how that rises along the surface.
+/// The height that a texture adds to the surface at a point, and its gradient along the surface.
 struct TextureRise {
   double height_m = 0.0;
   Vec3 slope;
 };
 
-/// Laid on the plan: a relief's, stretched where it is steep. Tick path.
+/// Projects a pattern onto a relief from above, so it is stretched on slopes. Tick path.
 inline TextureRise on_plan(const models::TexturePattern& pattern, const TexturedPlace& at) noexcept {
   const models::HeightSample h = pattern.sample(at.place_m.x, at.place_m.y);
   const Vec3 over{h.dzdx, h.dzdy, 0.0};
   return {h.z_m, over - dot(over, at.normal) * at.normal};
 }
 
-/// Laid on a solid from its three sides, each the more the more the surface faces it; on a face of one of
-/// them it is the pattern itself. How the shares change along a bent surface is left out of the slope. Tick
-/// path.
+/// Projects a pattern onto a solid along the three axes, weighted by how much the surface faces each axis
+/// (triplanar mapping); on an axis-aligned face it is the pattern itself. The gradient ignores the change of
+/// the weights along a curved surface. Tick path.
 inline TextureRise on_solid(const models::TexturePattern& pattern, const TexturedPlace& at) noexcept {
   constexpr double kFaint = 1e-3;
   const Vec3 n2{at.normal.x * at.normal.x, at.normal.y * at.normal.y, at.normal.z * at.normal.z};
@@ -65,14 +65,14 @@ inline TextureRise on_solid(const models::TexturePattern& pattern, const Texture
   return rise;
 }
 
-/// How deep a texture takes the hand to be, and how that changes with the true depth.
+/// The effective depth for a texture, and its derivative with respect to the true depth.
 struct TextureDepth {
   double value_m = 0.0;
   double slope = 1.0;
 };
 
-/// The true depth up to kTextureDepth_m, then less and less, and never more than kMaxTextureDepth_m: the
-/// stiffness that a texture adds, k·depth·h'', is bounded at any depth. Tick path.
+/// The true depth up to kTextureDepth_m; then it levels off, to at most kMaxTextureDepth_m. So the stiffness
+/// that a texture adds, k·depth·h'', is bounded at any depth. Tick path.
 inline TextureDepth texture_depth(double depth_m) noexcept {
   constexpr double kEase_m = 2.0 * (kMaxTextureDepth_m - kTextureDepth_m);
   if (depth_m <= kTextureDepth_m) return {depth_m, 1.0};
@@ -81,9 +81,9 @@ inline TextureDepth texture_depth(double depth_m) noexcept {
   return {kMaxTextureDepth_m - 0.5 * kEase_m * slope * slope, slope};
 }
 
-/// A texture of height h under the proxy is a surface that is h higher: the potential k·depth·h more, and
-/// its gradient as force (height maps after Minsky 1995). The push is never taken away altogether. `laid` is
-/// on_plan or on_solid; a null pattern is none. Tick path.
+/// Adds a texture of height h under the proxy, that is, a surface higher by h: the potential k·depth·h is
+/// added, and its gradient to the force (height maps after Minsky 1995). The push is never cancelled
+/// completely. `laid` is on_plan or on_solid; a null pattern adds nothing. Tick path.
 template <class Laid>
 void add_texture(const Hand& hand, const models::TexturePattern* pattern, const TexturedPlace& at,
                  Laid&& laid, TextureTouch& state, LawOutput& output) noexcept {

@@ -17,25 +17,26 @@ namespace palpable::haptics {
 
 extern const LawDescription kToolLaw;
 
-/// The tool that the law `tool` holds: a round end, half a ball, below the hand.
+/// The tool of the law `tool`: a hemispherical end below the hand.
 struct ToolShape {
   /// 0.5 ... 20 mm; 8 mm is a finger pad.
   double radius_m = 0.008;
-  /// From the hand down to the ball's centre, 0 ... 0.2 m; a cane has 0.1.
+  /// Distance from the hand down to the ball's centre, 0 ... 0.2 m; 0.1 for a cane.
   double length_m = 0.0;
-  /// Places on the end, spread evenly.
+  /// Number of sample points on the end, distributed evenly.
   std::size_t places = 32;
 };
 
-/// The places of such a tool; their shares sum to 1.
+/// The sample points of such a tool; their weights sum to 1.
 std::vector<ToolPlace> tool_places(const ToolShape& shape);
 
-/// `tool`: `penalty` for a tool with an extent, with force and torque (six degrees of freedom). Each place of
-/// the tool is pushed out by a spring of its share of the stiffness, -k min(D, 0) grad D, and damped along
-/// the normal by its own velocity v + w x r, never into a pull; the forces turn about the hand's position.
-/// Undamped, force and torque are the exact derivatives of one energy, the sum of k D^2 / 2 (tool_wrench()).
-/// Moustakas et al. 2007 claim six degrees of freedom and define no torque. Like `penalty`, a place that is
-/// pushed through a thin wall comes out at its other side. Tick path; at most `places` distances.
+/// `tool`: `penalty` for an extended tool, with force and torque (six degrees of freedom). Each sample point
+/// of the tool is pushed out by a spring with its share of the stiffness, -k min(D, 0) grad D, and damped
+/// along the normal by its own velocity v + w x r, never into a pull. The torque is about the hand's
+/// position. Undamped, force and torque are the exact derivatives of one energy, the sum of k D^2 / 2
+/// (tool_wrench()). Moustakas et al. 2007 claim six degrees of freedom but define no torque. As in `penalty`,
+/// a point that is pushed through a thin wall comes out on the other side. Tick path; at most `places`
+/// distances.
 template <models::DistanceSurface Surface>
 class ToolLaw : public ContactLaw<Surface> {
  public:
@@ -53,7 +54,8 @@ class ToolLaw : public ContactLaw<Surface> {
     output.stored_J = 0.0;
     const Vec3 end = (scene_from_tool * end_).v;
     output.label = this->materials().label_at(end.x, end.y);
-    // A field's gradient is hardly longer than 1: where the end's centre is this far out, so are its places.
+    // The length of a field's gradient is hardly above 1: if the end's centre is this far outside, so are all
+    // its points.
     constexpr double kClear = 1.5;
     if (this->surface().sample(end).distance_m > kClear * radius_m_) return output;
     for (const ToolPlace& tool : places_) add_place(hand, tool, scene_from_tool * tool.place, output);

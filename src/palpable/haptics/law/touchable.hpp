@@ -13,26 +13,26 @@
 
 namespace palpable::haptics {
 
-/// What the passivity observer knows of a law's energy.
+/// How the passivity observer treats a law's energy.
 enum class EnergyModel : std::uint8_t {
-  /// No potential: the plain work of each contact that begins in free air is counted.
+  /// No potential: the work of each contact that begins in free air is counted.
   none,
   /// LawOutput::stored_J is the energy of a contact spring, 0 out of contact.
   spring,
-  /// stored_J is a potential that holds everywhere, as of a weight on a slope.
+  /// stored_J is a potential defined everywhere, such as that of a weight on a slope.
   weight,
-  /// The law gives energy on purpose and bounds it itself: observed, not controlled.
+  /// The law generates energy on purpose and limits it itself: observed, not controlled.
   self_limited
 };
 
-/// All memory of one touch: owned by the servo loop, trivially copyable, given to the law as bytes. A law's
-/// own State lives at its start (state_as). All zero = a new touch at rest.
+/// The complete state of one touch. The servo loop owns it; it is trivially copyable and passed to the law as
+/// bytes. A law's own State is at its start (state_as). All zero = a new touch at rest.
 struct TouchState {
   alignas(16) std::array<std::byte, 240> bytes{};
 };
 
-/// A law's State inside a TouchState. State is trivially copyable, at most 240 bytes, and all-zero is its
-/// start.
+/// A law's State inside a TouchState. State must be trivially copyable and at most 240 bytes; all zero is its
+/// initial value.
 template <class State>
 State& state_as(TouchState& state) noexcept {
   static_assert(std::is_trivially_copyable_v<State> && sizeof(State) <= sizeof(TouchState::bytes));
@@ -45,8 +45,8 @@ const State& state_as(const TouchState& state) noexcept {
   return *reinterpret_cast<const State*>(state.bytes.data());
 }
 
-/// Surface + law + effects: what the servo loop asks, once a tick. Immutable; a change of parameters is a new
-/// Touchable.
+/// A surface with a law and effects, which the servo loop evaluates once per tick. Immutable; changed
+/// parameters need a new Touchable.
 class Touchable {
  public:
   Touchable() = default;
@@ -54,22 +54,22 @@ class Touchable {
   Touchable& operator=(const Touchable&) = delete;
   virtual ~Touchable() = default;
 
-  /// Tick path: no allocation, lock, exception or output. `hand` is finite.
+  /// Computes the law's output for one tick. Tick path: no allocation, lock, exception or output. `hand` is
+  /// finite.
   virtual LawOutput evaluate(const Hand& hand, TouchState& state) const noexcept = 0;
-  /// Touchables of the same family continue each other's TouchState (same law on the same surface, other
-  /// parameters); others take over what they can.
+  /// Touchables of the same family can continue with each other's TouchState (same law on the same surface,
+  /// other parameters); others use hand_over() and take_over().
   virtual std::uint64_t state_family() const noexcept = 0;
-  /// What a touch can take along to another Touchable; and the start of a touch that brings it, in a state
-  /// that is all zero. Tick path.
+  /// hand_over(): the state that can be passed to another Touchable. take_over(): starts a touch from such a
+  /// state; `state` is all zero before. Tick path.
   virtual HandOver hand_over(const TouchState& /*state*/) const noexcept { return {}; }
   virtual void take_over(const HandOver& /*from*/, TouchState& /*state*/) const noexcept {}
   virtual EnergyModel energy_model() const noexcept { return EnergyModel::none; }
-  /// Viscous damping the law promises to take out when in contact, in N·s/m: the passivity observer's
-  /// reserve.
+  /// Viscous damping that the law guarantees in contact, N·s/m: the passivity observer's reserve.
   virtual double damping_Ns_per_m() const noexcept = 0;
-  /// Reads every page of the model once, before it is swapped in.
+  /// Reads every page of the model once, before it is used in the servo loop.
   virtual void touch_pages() const noexcept = 0;
-  /// What the ticks read: the model, and what the law made of it beforehand.
+  /// Memory that the ticks read: the model, and what the law computed from it in advance.
   virtual std::size_t memory_bytes() const noexcept { return 0; }
 };
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kKnee_m_per_s = 0.005;
 constexpr double kSpeedWindow_s = 0.04;
-/// Cosine of the turn from one tick to the next that is a hand going back: where the lines of a square corner
-/// meet, the tangent jumps by a right angle, and that is none.
+/// Cosine of the angle between the directions of two ticks below which the hand has reversed. At a square
+/// corner the tangent turns by a right angle, which is not a reversal.
 constexpr double kTurnedRound = -0.5;
 
 constexpr LawParameter kForce{&LawParameters::tracing_force_N,
@@ -38,7 +38,7 @@ constexpr LawParameter kDamping{&LawParameters::damping_Ns_per_m,
                                 0.0,
                                 20.0,
                                 TracingParameters{}.damping_Ns_per_m};
-/// Where none is given, as the scene was made: the command line has it as an option of making.
+/// If not set, the value with which the scene was made; the command line has it as an option of making.
 constexpr LawParameter kNeighbourhood{&LawParameters::neighbourhood_px,
                                       "neighbourhood_px",
                                       "Neighbourhood",
@@ -142,7 +142,7 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
     s.heading_x = heading_x;
     s.heading_y = heading_y;
   }
-  // No tick may give more than the tank holds, even at the fastest motion that the loop lets through.
+  // No tick may deliver more energy than the tank contains, even at the fastest motion that the loop accepts.
   const double most = (kTank_J - s.spent_J) / (kFastest_m_per_s * hand.dt_s);
   const double push = p_.is_bounded ? std::clamp(wanted, -most, most) : printed;
 

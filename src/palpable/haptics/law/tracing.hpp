@@ -13,33 +13,34 @@ namespace palpable::haptics {
 extern const LawDescription kTracingLaw;
 
 struct TracingParameters {
-  /// F_m of eq. 8: the force on a boundary of full strength, moving along it. 0 … 5 N.
+  /// F_m of eq. 8: the force when moving along a boundary of full strength. 0 … 5 N.
   double force_N = 1.0;
-  /// epsilon of eqs 5–6, the distance over which the hand's direction is estimated: a few times the device's
-  /// resolution, 10 um … 5 mm.
+  /// epsilon of eqs 5–6, the distance over which the hand's direction is estimated: several times the
+  /// device's resolution. 10 um … 5 mm.
   double direction_m = 0.0005;
   /// Viscous damping of all motion, N·s/m.
   double damping_Ns_per_m = 0.2;
-  /// Of the light wall at z = 0 that keeps a hand with three axes on the picture.
+  /// Stiffness of the weak wall at z = 0 that keeps a hand with three axes in front of the picture.
   double wall_N_per_m = 150.0;
-  /// The speed gate, the speed cap and the tank of energy; without them eq. 8 is rendered as it is printed,
-  /// which pushes a resting hand and makes energy without bound.
+  /// Whether the speed gate, the speed cap and the energy tank are used. Without them eq. 8 is rendered as
+  /// printed, which pushes a resting hand and generates energy without limit.
   bool is_bounded = true;
 };
 
-/// `tracing` (graphic-haptic display 2006, eq. 8, corrected): f = F_m (d·t) |b| t, pushing a hand that moves
-/// along a boundary onwards, whichever way it goes; nothing across it, nothing at rest. d is Hayward &
-/// Armstrong's direction (eqs 5–6), which keeps its last value when the hand stops, so the force is gated by
-/// speed: s(v) = r / (r + 1), r = (v / 5 mm/s)^6. The field is active: what it may give is bounded by a tank
-/// of energy (50 mJ, never below zero, refilled at 100 mW), and it gives nothing at 0.25 m/s and above. A
-/// push along every motion is a friction of the wrong sign: it would keep a hand swinging that only holds its
-/// aim. So a hand that turns round empties the tank, and the refill waits until it has not turned round for
-/// a second. Without its bounds (TracingParameters::is_bounded) it is eq. 8 alone. Acts in the picture's
-/// plane; a one-sided light wall holds the hand in front of z = 0. Tick path.
+/// `tracing` (graphic-haptic display 2006, eq. 8, corrected): f = F_m (d·t) |b| t. It pushes a hand that
+/// moves along a boundary onwards in its direction; there is no force across the boundary and none at rest. d
+/// is the direction of Hayward & Armstrong (eqs 5–6), which keeps its last value when the hand stops, so the
+/// force is gated by the speed: s(v) = r / (r + 1), r = (v / 5 mm/s)^6.
+/// The force is active. The energy that it may deliver is limited by an energy tank (50 mJ, never below zero,
+/// refilled at 100 mW), and the force is zero at 0.25 m/s and above. A push along every motion is negative
+/// friction: it would keep a hand oscillating about a fixed aim. So a reversal of the hand empties the tank,
+/// and refilling waits until there has been no reversal for a second.
+/// Without its limits (TracingParameters::is_bounded) it is eq. 8 alone. It acts in the picture's plane; a
+/// weak one-sided wall keeps the hand in front of z = 0. Tick path.
 class TracingLaw {
  public:
-  /// The largest displacement in one tick that the tank is prepared for, as a speed: the servo loop refuses
-  /// faster readings.
+  /// The largest displacement in one tick that the tank covers, as a speed. The servo loop rejects faster
+  /// readings.
   static constexpr double kFastest_m_per_s = 2.0;
   static constexpr double kSpeedCap_m_per_s = 0.25;
   static constexpr double kTank_J = 0.05;
@@ -48,15 +49,16 @@ class TracingLaw {
 
   /// All zero = a new touch at rest with a full tank.
   struct State {
-    /// w of eq. 5, and the hand and force of the last tick.
+    /// w of eq. 5, and the hand's position and force in the previous tick.
     double w_x_m, w_y_m;
     double last_x_m, last_y_m;
     double last_fx_N, last_fy_N;
-    /// Speed, smoothed over 40 ms so that a sensor's last digit is no motion.
+    /// Velocity, smoothed over 40 ms so that the sensor's last digit does not count as motion.
     double vx_m_per_s, vy_m_per_s;
-    /// What was given and not yet refilled; 0 = full, never above kTank_J.
+    /// Energy delivered and not yet refilled; 0 = full tank, at most kTank_J.
     double spent_J;
-    /// Where the push last pointed or would have, and for how long it has not turned against that.
+    /// Direction of the last push (or of the one that the tank withheld), and the time since the last
+    /// reversal against it.
     double heading_x, heading_y;
     double steady_s;
     bool begun;

@@ -12,14 +12,15 @@
 
 namespace palpable::haptics {
 
-/// A process of its own (`palpable-guardian`) that takes the force from a device when this program ends
-/// without having done so, as after SIGKILL: it sees the end at a pipe and writes the device's ZeroWrite. For
-/// devices that have one. A stopped program (SIGSTOP) has not ended; against that only the device helps.
+/// A separate process (`palpable-guardian`) that sets a device's force to zero if this program ends without
+/// having done so, for example after SIGKILL. It detects the end through a pipe and writes the device's
+/// ZeroWrite, so it serves only devices that have one. A stopped program (SIGSTOP) has not ended: in that
+/// case only a watchdog inside the device helps.
 class Guardian {
  public:
   /// Errors: failed, with the reason, where the helper program is missing or cannot be started.
   static Result<std::unique_ptr<Guardian>> start(const device::ZeroWrite& zero);
-  /// The guardian writes and ends; waits for that. The device must still be open.
+  /// The guardian writes zero force and ends; the destructor waits for that. The device must still be open.
   ~Guardian();
   Guardian(const Guardian&) = delete;
   Guardian& operator=(const Guardian&) = delete;

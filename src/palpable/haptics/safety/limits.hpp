@@ -8,23 +8,23 @@
 
 namespace palpable::haptics {
 
-/// A force after a limit, and whether the limit changed it.
+/// A force after a limit was applied, and whether the limit changed it.
 template <class Frame>
 struct Limited {
   Vector<Frame> force_N;
   bool limited = false;
 };
 
-/// At most `max_N` long, direction kept. Tick path.
+/// Limits the magnitude to `max_N` (>= 0) and keeps the direction. Tick path.
 template <class Frame>
 Limited<Frame> cap_force(Vector<Frame> force_N, double max_N) noexcept {
   const double size = norm(force_N);
   return size > max_N ? Limited<Frame>{(max_N / size) * force_N, true} : Limited<Frame>{force_N, false};
 }
 
-/// Lets a force grow by at most `max_rise_N` from one tick to the next. Release is never delayed: the part of
-/// `before_N` that the new force no longer asks for is gone at once, and only what is new is limited, also
-/// when the direction turns at constant size. Tick path.
+/// Lets a force grow by at most `max_rise_N` (>= 0) from one tick to the next. A decrease is never delayed:
+/// the part of `before_N` that the new force does not contain is dropped at once. Only the part that is new
+/// is limited, also when the direction turns at constant magnitude. Tick path.
 template <class Frame>
 Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double max_rise_N) noexcept {
   const double size = norm(before_N);
@@ -34,18 +34,19 @@ Limited<Frame> cap_rise(Vector<Frame> force_N, Vector<Frame> before_N, double ma
   return risen.limited ? Limited<Frame>{kept + risen.force_N, true} : Limited<Frame>{force_N, false};
 }
 
-/// A factor 0…1 that moves towards its goal in a straight line: the force's way to zero and back.
+/// A factor 0 ... 1 that moves linearly towards 0 or 1. The force is multiplied by it at start, pause and
+/// fault.
 class Ramp {
  public:
-  /// Times in seconds from 1 to 0 and from 0 to 1, > 0. Begins at 0.
+  /// Times in seconds from 1 to 0 and from 0 to 1, both > 0. The factor begins at 0.
   Ramp(double down_s, double up_s) : down_s_(down_s), up_s_(up_s) {}
 
-  /// Tick path.
+  /// The factor after `dt_s`; it rises towards 1 while `wanted`, else it falls towards 0. Tick path.
   double step(bool wanted, double dt_s) noexcept {
     value_ = wanted ? std::min(1.0, value_ + dt_s / up_s_) : std::max(0.0, value_ - dt_s / down_s_);
     return value_;
   }
-  /// To 1 at once: for a hand in free air, whose force is 0 anyway.
+  /// To 1 at once: for a hand in free air, where the force is 0 anyway.
   void finish() noexcept { value_ = 1.0; }
   /// To 0 at once.
   void reset() noexcept { value_ = 0.0; }

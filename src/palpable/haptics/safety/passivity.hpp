@@ -9,54 +9,58 @@
 
 namespace palpable::haptics {
 
-/// Watches whether the loop makes energy (after Hannaford & Ryu 2002, in the form that is exact for a held
-/// force). Between two readings the device holds one force, so the hand receives f(n-1)·(x(n) - x(n-1)),
-/// whatever it does in between. Two accounts are kept; units: J, of the device's own frame.
+/// Observes whether the loop generates energy (after Hannaford & Ryu 2002, in the form that is exact for a
+/// force that is held between samples). Between two readings the device holds one force. So the hand receives
+/// f(n-1)·(x(n) - x(n-1)), however it moves in between. Two balances are kept, in J, in the device frame.
 ///
-/// With a potential: what the law's springs store is the hand's own work and may come back; so the balance
-///     W(n) = sum f·dx + stored(n) - stored(at the touch's begin)
-/// cannot rise in a passive world: a held spring lags, which makes ½K·dx² a tick, and the virtual damper has
-/// to take out more than that, b·v²·T. What it took out in the last kReserve_s, R, is the reserve of the
-/// virtual damper: W is not allowed to fall below -R, because energy that friction took out long ago pays for
-/// nothing that is made now. W > 0 in a tick in which the hand receives energy (f·dx > 0) is energy made
-/// beyond the reserve; while the hand still gives, a positive W is only stored in a spring (the first tick
-/// inside a wall stores ½K·dx² unpaid) and the damper may yet take it. Under a ramp or a change of scene the
-/// springs store more than the hand gave: W may then fall but not rise.
+/// 1. For laws with a potential. The energy that the law's springs store was put in by the hand and may be
+/// returned. So the balance
+///     W(n) = sum f·dx + stored(n) - stored(at the start of the touch)
+/// cannot rise if the system is passive. A held spring force lags, which generates ½K·dx² per tick; the
+/// virtual damper must dissipate more than that: b·v²·T. The energy R that it dissipated in the last
+/// kReserve_s is its reserve. W is bounded below by -R, so that energy that friction dissipated long ago does
+/// not offset energy that is generated now. If W > 0 in a tick in which the hand receives energy (f·dx > 0),
+/// W is the energy generated beyond the reserve. While the hand delivers energy, a positive W is only stored
+/// in a spring (the first tick inside a wall stores ½K·dx² that the hand did not deliver), and the damper may
+/// still dissipate it. During a ramp or a change of scene the springs store more than the hand delivered:
+/// then W may fall but not rise.
 ///
-/// Always: the plain work sum f·dx of a contact that began in free air. No passive surface lets it rise above
-/// 0, whatever its law. It is all that is known of laws without a potential: there each tick without force
-/// begins a new account, as whoever reads a recording counts.
+/// 2. For all laws. The work sum f·dx of a contact that began in free air. On a passive surface it never
+/// rises above 0. It is the only balance of laws without a potential. For those, each tick without force
+/// starts a new balance, which can be repeated from a recording.
+///
 /// Tick path; no allocation.
 class PassivityObserver {
  public:
-  /// How long the virtual damper's work counts.
+  /// Time constant over which the virtual damper's dissipation counts as reserve.
   static constexpr double kReserve_s = 0.1;
 
   struct Step {
-    /// The force that the motors held since the tick before, N, and the movement under it, m.
+    /// The force that the motors held since the previous tick, N, and the movement during that time, m.
     Vector<DeviceFrame> held_force_N;
     Vector<DeviceFrame> moved_m;
-    /// What the held torque gave the hand over the turn since, J; 0 of devices without torque.
+    /// Work of the held torque on the hand since then, J; 0 for devices without torque.
     double turned_J = 0.0;
     double dt_s = 0.001;
-    /// In the device's frame (LawOutput::stored_J / scene_from_device.scale), at the new position, without
-    /// what a rise limit withholds; NaN: the law has no potential.
+    /// Stored energy at the new position in the device frame (LawOutput::stored_J / scene_from_device.scale),
+    /// without the part that a rise limit withholds. NaN: the law has no potential.
     double stored_J = 0.0;
-    /// The law's promise while in contact, N·s/m; 0 out of contact.
+    /// The damping that the law guarantees in contact, N·s/m; 0 out of contact.
     double damping_Ns_per_m = 0.0;
     bool contact = false;
-    /// The held force was shortened by a ramp or a change of scene, or by the cap of a law without a spring.
+    /// The held force was reduced by a ramp or a change of scene, or by the force cap for a law without a
+    /// spring.
     bool shortened = false;
-    /// It is zero because the controller weakened it, not because the hand was in free air.
+    /// The held force is zero because the controller reduced it, not because the hand was in free air.
     bool weakened = false;
-    /// By a change of scene: on purpose, and not the law's doing.
+    /// The held force was changed by a change of scene, not by the law.
     bool scene_changes = false;
   };
 
-  /// How a new account begins. From no force: the ramp is at zero, as in free air.
+  /// How a new balance begins. `from_no_force`: the ramp is at zero, which is equivalent to free air.
   enum class Beginning { from_no_force, in_contact };
 
-  /// Another scene, or a new touch: what is stored now is where counting goes on from.
+  /// A new scene or a new touch: the energy that is stored now is the new reference.
   void begin(double stored_J, Beginning beginning) noexcept {
     balance_J_ = std::min(balance_J_, 0.0);
     made_J_ = 0.0;
@@ -65,7 +69,7 @@ class PassivityObserver {
     began_in_air_ = beginning == Beginning::from_no_force;
   }
 
-  /// The balance after this step.
+  /// The balance W after this step, J.
   double update(const Step& step) noexcept {
     const double received_J = dot(step.held_force_N, step.moved_m) + step.turned_J;
     count_work(step, received_J);
@@ -80,9 +84,9 @@ class PassivityObserver {
   }
 
   double balance_J() const noexcept { return balance_J_; }
-  /// Energy made beyond the reserve and received in the last step; 0 or more.
+  /// Energy generated beyond the reserve and received by the hand in the last step, J; >= 0.
   double made_J() const noexcept { return made_J_; }
-  /// The greatest of it since construction.
+  /// The greatest made_J() since construction.
   double made_max_J() const noexcept { return made_max_J_; }
 
  private:
@@ -90,8 +94,7 @@ class PassivityObserver {
     if (step.scene_changes && std::isfinite(step.stored_J)) began_in_air_ = false;
     if (began_in_air_) work_J_ += received_J;
     if (!began_in_air_) work_J_ = 0.0;
-    // What was given to a spring may come back after a tick without force; where no energy is stored, nothing
-    // may.
+    // A spring may return energy after a tick without force. A law that stores no energy may not.
     const bool ends = !step.contact || !std::isfinite(step.stored_J);
     if (ends && !step.weakened && step.held_force_N == Vector<DeviceFrame>{}) {
       began_in_air_ = true;
@@ -119,17 +122,17 @@ class PassivityObserver {
   double made_max_J_ = 0.0;
 };
 
-/// Takes the energy made, `made_J`, out again: a force (and torque) that gives the hand `gives_W` is weakened
-/// by as much as gives `made_J` less in a tick, down to nothing. The factor for both, 0 ... 1; 1 where
-/// nothing was made or the hand is giving. Tick path.
+/// The passivity controller's factor for force and torque, 0 ... 1. `gives_W` is the power that they deliver
+/// to the hand. The factor reduces the energy delivered in one tick by `made_J`, at most to zero. It is 1
+/// where nothing was generated or the hand delivers energy. Tick path.
 inline double passivity_factor(double gives_W, double made_J, double dt_s) noexcept {
-  // At rest everything is rounding: no hand notices less than a nanojoule.
+  // At rest the balance contains only rounding errors: less than a nanojoule cannot be felt.
   constexpr double kNegligible_J = 1e-9;
   if (made_J <= kNegligible_J || gives_W <= 0.0) return 1.0;
   return std::max(0.0, 1.0 - made_J / (dt_s * gives_W));
 }
 
-/// The same for a force alone: never a pull, never a push to a side. Tick path.
+/// The same for a force alone. The result is never a pull and has no new lateral component. Tick path.
 inline Vector<DeviceFrame> control_passivity(Vector<DeviceFrame> force_N,
                                              Vector<DeviceFrame> velocity_m_per_s, double made_J,
                                              double dt_s) noexcept {

@@ -10,11 +10,13 @@ namespace palpable::haptics {
 namespace {
 
 constexpr double kMargin = 0.9;
-/// How much of the wall's damper may pay for the held spring. The rest is for what the damper does not know:
-/// its velocity is some ticks old and comes from a sensor with steps. Measured (docs/history): with 0.9 one
-/// random hand in twelve saw microjoules made, with 0.65 none of 60 at `proxy`.
+/// The share of the virtual damper's dissipation that may compensate the held spring force. The rest is a
+/// margin for the damper's errors: its velocity is some ticks old and comes from a quantised sensor. Measured
+/// (docs/history): with 0.9, one of twelve random hands received generated energy of some microjoules; with
+/// 0.65, none of 60 with `proxy`.
 constexpr double kHeldMargin = 0.65;
-/// How much of what device and hand damp a wall may ask for, so that both bounds below meet.
+/// The share of the damping of device and hand that a wall's damping may reach, so that both conditions below
+/// can hold.
 constexpr double kWallsShare = 0.55;
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
@@ -26,15 +28,15 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
   SafeContact safe{stiffness_N_per_m, damping_Ns_per_m, StiffnessBound::none,
                    std::numeric_limits<double>::infinity()};
   if (!device.pushes_back) return safe;
-  // In the device's frame a scene of scale s has the stiffness K·s and the damping B·s.
+  // In the device frame, a scene of scale s has the stiffness K·s and the damping B·s.
   const double physical = known_or(device.damping_Ns_per_m, 0.0) + hand_damping_Ns_per_m;
   const double held_s = (2.0 * std::max(device.delay_samples, 0) + 1.0) / rate_hz;
   const double needed = 0.5 * held_s * stiffness_N_per_m * scale / kHeldMargin;
   const double damping = std::min(std::max(damping_Ns_per_m * scale, needed), kWallsShare * physical);
   const double friction_N = known_or(device.coulomb_friction_N, 0.0);
   const double step_m = known_or(device.position_resolution_m, 0.0);
-  // Without known friction the last bound would forbid every wall, which no device bears out: it then says
-  // nothing.
+  // If friction is unknown, the last condition would forbid every wall, which contradicts practice. So it is
+  // not applied.
   const double by_quantisation =
       friction_N > 0.0 && step_m > 0.0 ? 2.0 * friction_N / step_m : std::numeric_limits<double>::infinity();
   struct Candidate {

@@ -8,47 +8,51 @@
 
 namespace palpable::haptics {
 
-/// What bounds a wall's stiffness.
+/// Which condition limits a virtual wall's stiffness.
 enum class StiffnessBound {
-  /// Nothing that is known: a device without motors, or one that says nothing of itself.
+  /// No known condition: a device without motors, or one that states no properties.
   none,
-  /// The wall's own damper must take out what the held spring makes: (2d + 1)·K·T/2 < B.
+  /// The wall's virtual damper must dissipate the energy that the held spring force generates: (2d + 1)·K·T/2
+  /// < B.
   held_spring,
-  /// Colgate & Schenkel 1997 with d samples of delay: (2d + 1)·K·T/2 + |B| < b, the damping of device and
-  /// hand.
+  /// Colgate & Schenkel 1997, extended by d samples of delay: (2d + 1)·K·T/2 + |B| < b, where b is the
+  /// damping of device and hand.
   passivity,
-  /// Abbott & Okamura 2005: the sensor's step must be less than friction can hold, K < 2·f_c/step.
+  /// Abbott & Okamura 2005: one step of the position sensor must not exceed what Coulomb friction f_c holds:
+  /// K < 2·f_c/step.
   quantisation
 };
 
-/// A wall that does not make energy on a device, and what bounds it.
+/// A virtual wall that generates no energy on a device, and the condition that limits it.
 struct SafeContact {
   double stiffness_N_per_m = 0.0;
   double damping_Ns_per_m = 0.0;
-  /// For the stiffness; none if it is the one asked for.
+  /// The condition that lowered the stiffness; `none` if the desired stiffness is used.
   StiffnessBound bound = StiffnessBound::none;
-  /// The greatest stiffness at this damping; infinite where nothing bounds it.
+  /// The greatest safe stiffness at this damping; infinite where no condition limits it.
   double max_stiffness_N_per_m = 0.0;
 
   bool operator==(const SafeContact&) const = default;
 };
 
-/// What a hand that holds the device adds to its damping at least: an assumption. The literature gives about
-/// 2 to 40 N·s/m, recalled except the last and to be looked up (Hajian & Howe 1997 for a fingertip, Speich,
-/// Shao & Goldfarb 2005 and Fu & Cavusoglu 2012 for a stylus, van Beek et al. 2015 for the arm); the least is
-/// taken from below those.
+/// Least damping that a hand adds to the device that it holds. This is an assumption. The literature gives
+/// about 2 to 40 N·s/m: Hajian & Howe 1997 for a fingertip, Speich, Shao & Goldfarb 2005 and Fu & Cavusoglu
+/// 2012 for a stylus, van Beek et al. 2015 for the arm. All but the last are quoted from memory and not
+/// checked. The value here lies below that range.
 inline constexpr double kLeastHandDamping_Ns_per_m = 1.5;
 
-/// The wall nearest to the one asked for that is safe on the device at `rate_hz`. The damping is raised to
-/// what the stiffness needs, but to no more than 0.55 of what device and hand have, where both bounds nearly
-/// meet; then the stiffness is lowered below each bound: to 65 % of what the held spring's damper could pay
-/// for (its velocity is delayed and quantised), to nine tenths of the others. What the device does not
-/// state bounds nothing, except its damping, which counts as 0. `scale` is the metres of scene to a metre of
-/// device: a scene shown smaller is stiffer in the hand. Stiffness > 0, damping >= 0, both in the scene.
+/// The virtual wall nearest to the desired one that is safe on the device at `rate_hz` (> 0). First the
+/// damping is raised to what the stiffness needs, to at most 0.55 of the damping of device and hand; there
+/// both conditions nearly meet. Then the stiffness is lowered below each limit: to 65 % of what the virtual
+/// damper can dissipate (its velocity is delayed and quantised), and to 90 % of the other limits. A property
+/// that the device does not state limits nothing, except damping, which counts as 0. `scale` is metres in the
+/// scene per metre at the device: a scene that is shown smaller is stiffer at the hand. Stiffness > 0 and
+/// damping >= 0 are scene quantities; `hand_damping_Ns_per_m` is at the device.
 SafeContact safe_contact(const device::Traits& device, double rate_hz, double scale, double stiffness_N_per_m,
                          double damping_Ns_per_m, double hand_damping_Ns_per_m = kLeastHandDamping_Ns_per_m);
 
-/// Why the stiffness was lowered, for the person: "the loop's rate and delay", … Empty for none.
+/// Why the stiffness was lowered, as a clause for the user: "a stiffer wall would let the hand feel the steps
+/// of the device's sensor". Empty for `none`.
 std::string reason(StiffnessBound bound);
 
 }  // namespace palpable::haptics

@@ -11,7 +11,7 @@
 namespace palpable::haptics {
 namespace {
 
-// A signal handler can reach nothing else than these.
+// Globals, since a signal handler cannot access anything else.
 std::atomic<unsigned> ends{0};
 std::atomic<int> running{0};
 static_assert(std::atomic<unsigned>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
@@ -21,7 +21,7 @@ constexpr int kCrashPatience_ms = 50;
 
 void on_crash(int number) {
   end_every_servo(kCrashPatience_ms);
-  // The action is the system's own again: the program ends as it would have.
+  // The default action is restored: the signal ends the program as usual.
   std::raise(number);
 }
 
@@ -52,7 +52,7 @@ void write_zero_force_on_crash() noexcept {
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, nullptr);
   }
-  // A stopped program would leave its last force on the hand.
+  // A stopped program would keep its last force on the hand.
   for (const int number : {SIGTSTP, SIGTTIN, SIGTTOU}) {
     struct sigaction now {};
     if (sigaction(number, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(number, SIG_IGN);

@@ -6,19 +6,21 @@
 
 namespace palpable::haptics {
 
-/// Every servo of this process writes zero force and ends. For signal handlers, from any thread: allocates
-/// and locks nothing. Waits until all have, at most `patience_ms`; true if so. On a servo's own thread (a
-/// crash there) it stops that servo's device itself. Servos started later run.
+/// Makes every servo loop of this process write zero force and end. Callable from signal handlers and from
+/// any thread: it neither allocates nor locks. It waits until all have ended, for at most `patience_ms`; true
+/// if they have. Called on a servo's own thread (a crash there), it cuts that servo's device itself. Servo
+/// loops that start later run normally.
 bool end_every_servo(int patience_ms) noexcept;
 
-/// From here on every signal that would end this program (a bad memory access, a failed assertion, an
-/// exception that nobody caught, SIGQUIT, a limit of processor time …) writes zero force first and then ends
-/// it as it would have; and signals by which a terminal stops a program (Ctrl-Z) are ignored. Leaves handlers
-/// alone that somebody else has set, so set your own before.
+/// Installs handlers for every signal that would end this program (a bad memory access, a failed assertion,
+/// an uncaught exception, SIGQUIT, a limit of processor time ...). They write zero force and then let the
+/// signal end the program as usual. Signals by which a terminal stops a program (Ctrl-Z) are ignored from now
+/// on. Handlers that are already installed are kept: install your own before this call.
 void write_zero_force_on_crash() noexcept;
 
-/// While it lives, the calling thread serves `device`, end_every_servo() knows of it, and the signals by
-/// which a person ends a program are handled by other threads.
+/// Scope guard of a servo thread. While it exists, the calling thread serves `device`, end_every_servo()
+/// reaches it, and the signals by which a user ends a program are handled by other threads. `device` must
+/// outlive it.
 class RunningServo {
  public:
   explicit RunningServo(device::Device& device) noexcept;
@@ -26,7 +28,7 @@ class RunningServo {
   RunningServo(const RunningServo&) = delete;
   RunningServo& operator=(const RunningServo&) = delete;
 
-  /// end_every_servo() was called since this began. Tick path.
+  /// Whether end_every_servo() was called since construction. Tick path.
   bool must_end() const noexcept;
 
  private:

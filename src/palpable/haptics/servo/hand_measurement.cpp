@@ -21,7 +21,7 @@ constexpr std::size_t kUnknowns = 5;
 using Row = std::array<double, kUnknowns>;
 constexpr std::array kAxes{&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// Normal equations of a linear least-squares problem, solved by elimination with pivots.
+/// Normal equations of a linear least-squares problem, solved by Gaussian elimination with pivoting.
 struct NormalEquations {
   std::array<Row, kUnknowns> matrix{};
   Row right{};
@@ -67,7 +67,7 @@ struct NormalEquations {
   }
 };
 
-/// Which pulse is rendered at a time since the touch began; its axis and sign.
+/// The pulse at a time since the start of the touch: its axis and sign.
 struct Pulse {
   std::size_t axis = 0;
   double sign = 1.0;
@@ -109,10 +109,10 @@ class Pulses final : public Touchable {
 
 double known_trait(double value) { return std::isfinite(value) ? value : 0.0; }
 
-/// The samples of one pulse on its axis, with the force that acted.
+/// The samples of one pulse on its axis, with the total force that acted.
 std::vector<PushedSample> pushed_samples(std::span<const TouchSample> samples, std::size_t begin,
                                          std::size_t end, std::size_t axis, const device::Traits& device) {
-  // Slower than this, the direction of a sensor's step is not that of the hand.
+  // Below this speed, the sign of a sensor step is not reliably that of the hand's velocity.
   constexpr double kMoves_m_per_s = 0.002;
   const double friction_N = known_trait(device.coulomb_friction_N);
   const auto delay = static_cast<std::size_t>(std::max(device.delay_samples, 0));
@@ -133,7 +133,7 @@ std::optional<Impedance> fit_impedance(std::span<const PushedSample> samples) {
   if (samples.size() < kFewest) return std::nullopt;
   NormalEquations equations;
   double t_s = 0.0;
-  // Of the position and of the force, once and twice integrated.
+  // Position and force, integrated once and twice.
   double position_1 = 0.0, position_2 = 0.0, force_1 = 0.0, force_2 = 0.0;
   const double origin_m = samples.front().position_m;
   for (std::size_t n = 0; n + 1 < samples.size(); ++n) {

@@ -8,10 +8,10 @@
 
 namespace palpable::haptics {
 
-/// How well this machine keeps a loop's rate now.
+/// How well this machine keeps a loop's rate at present.
 struct KeptRate {
   double rate_hz = 0.0;
-  /// Deadlines that were due, and those that were missed.
+  /// Number of deadlines, and of missed ones.
   std::uint64_t due = 0;
   std::uint64_t missed = 0;
   double missed_fraction() const {
@@ -19,11 +19,11 @@ struct KeptRate {
   }
 };
 
-/// A loop that misses more does not keep its rate.
+/// A loop that misses a larger fraction does not keep its rate.
 inline constexpr double kMostMissedFraction = 0.2;
 
-/// Runs an empty loop for `seconds` as the servo would: same pacing, same priority (0: ordinary), on a thread
-/// of its own.
+/// Runs an empty loop for `seconds` on a separate thread, with the servo's pacing and priority (0: normal
+/// scheduling).
 KeptRate measure_rate(double rate_hz, double seconds, int realtime_priority);
 
 /// Errors (failed): the rate was not kept; the sentence holds the figures.

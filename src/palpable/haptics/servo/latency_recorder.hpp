@@ -14,15 +14,15 @@
 
 namespace palpable::haptics {
 
-/// A clock fine enough for single ticks: the processor's time-stamp counter where there is one (read in
-/// program order), else std::chrono::steady_clock. Assumes an invariant counter, as every x86-64 of the last
-/// decade has.
+/// A clock with enough resolution for single ticks. It is the processor's time-stamp counter where there is
+/// one (read in program order), else std::chrono::steady_clock. It assumes an invariant counter, which x86-64
+/// processors have had since about 2010.
 class TickClock {
  public:
-  /// Measures the counter's rate and the cost of reading it; takes about 10 ms. Outside the tick.
+  /// Measures the counter's rate and the cost of reading it; takes about 10 ms. Not for the tick path.
   static TickClock calibrate();
 
-  /// Counts since some start. Tick path.
+  /// Counts since an arbitrary start. Tick path.
   static std::uint64_t now() noexcept {
 #if defined(__x86_64__)
     _mm_lfence();
@@ -34,13 +34,14 @@ class TickClock {
 #endif
   }
 
-  /// Nanoseconds between two readings less the cost of reading, never negative. Tick path.
+  /// Nanoseconds between two readings minus the cost of reading; >= 0. Tick path.
   double nanoseconds(std::uint64_t start, std::uint64_t stop) const noexcept {
     const std::uint64_t counts = stop - start;
     return counts > own_cost_ ? static_cast<double>(counts - own_cost_) * ns_per_count_ : 0.0;
   }
   double ns_per_count() const noexcept { return ns_per_count_; }
-  /// What two readings one after the other differ by, in nanoseconds: already subtracted by nanoseconds().
+  /// The cost of reading: the difference of two consecutive readings, in nanoseconds. nanoseconds() subtracts
+  /// it.
   double own_cost_ns() const noexcept { return static_cast<double>(own_cost_) * ns_per_count_; }
 
  private:
@@ -48,8 +49,8 @@ class TickClock {
   std::uint64_t own_cost_ = 0;
 };
 
-/// What a recorder saw, in nanoseconds; all 0 where nothing was recorded. Percentiles are accurate to 0.8 %,
-/// the maximum to 1/16 ns.
+/// Statistics of the recorded durations, in nanoseconds; all 0 if nothing was recorded. Percentiles are
+/// accurate to 0.8 %, the maximum to 1/16 ns.
 struct LatencySummary {
   std::uint64_t count = 0;
   double p50_ns = 0.0;
@@ -58,12 +59,13 @@ struct LatencySummary {
   double max_ns = 0.0;
 };
 
-/// Counts durations in logarithmic classes (128 to an octave) of a fixed memory, so that a percentile of any
-/// number of ticks is known. One thread; record_ns() is for the tick path. Copy it to look at it from
-/// elsewhere.
+/// A histogram of durations with logarithmic classes (128 per octave) in fixed memory, so that percentiles of
+/// any number of ticks are available. One thread; record_ns() may be called on the tick path. To read it on
+/// another thread, pass a copy.
 class LatencyRecorder {
  public:
-  /// Negative or non-finite durations count as 0; more than 4 hours count as 4 hours.
+  /// Records a duration. Negative and non-finite durations count as 0; more than 4 hours count as 4 hours.
+  /// Tick path.
   void record_ns(double ns) noexcept {
     constexpr double kLongest = 1.4e13;
     const double bounded = ns > 0.0 ? (ns < kLongest ? ns : kLongest) : 0.0;

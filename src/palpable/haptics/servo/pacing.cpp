@@ -60,7 +60,7 @@ Pacer::Wake Pacer::wait() noexcept {
   if (arrived >= too_late) {
     const std::int64_t worked = clock_ns(CLOCK_THREAD_CPUTIME_ID) - woke_cpu_ns_;
     wake.cause = 2 * worked > arrived - woke_ns_ ? Cause::slow_tick : Cause::held_up_in_tick;
-    // The missed deadlines end with the one that is waited for now.
+    // The next deadline in the future; those before it were missed.
     const auto k =
         static_cast<std::int64_t>(std::floor(static_cast<double>(arrived - begin_ns_) / period_ns_)) + 1;
     wake.late_us = 1e-3 * static_cast<double>(arrived - deadline);

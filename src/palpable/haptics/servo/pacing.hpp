@@ -11,30 +11,33 @@ namespace palpable::haptics {
 /// CLOCK_MONOTONIC in nanoseconds.
 std::int64_t monotonic_ns() noexcept;
 
-/// Wakes a loop at begin + k·period for k = 1, 2, …, computed from the begin each time: it never drifts.
-/// After a stall the deadlines that passed are skipped, and the next one is waited for in full. Each wait
-/// sleeps to shortly before the deadline and watches the clock from there, because sleeping alone wakes tens
-/// of microseconds late (docs/measurements.md). One thread; no allocation or lock.
+/// Wakes a loop at start + k·period for k = 1, 2, ... Each deadline is computed from the start, so the loop
+/// does not drift. After a stall the deadlines that passed are skipped, and the loop waits for the next one
+/// in full. Each wait sleeps until shortly before the deadline and then polls the clock, because sleeping
+/// alone wakes tens of microseconds late (docs/measurements.md). One thread; no allocation or lock.
 class Pacer {
  public:
-  /// `watch_s` is how long before a deadline the sleep ends; 0 = sleep to the deadline.
+  /// `rate_hz` > 0. `watch_s` >= 0 is the time before a deadline at which sleeping ends and polling begins; 0
+  /// = sleep until the deadline.
   Pacer(double rate_hz, double watch_s);
 
   struct Wake {
     std::int64_t now_ns = 0;
-    /// Periods since the wake before: 1, or 1 + the deadlines missed.
+    /// Periods since the previous wake: 1 + the number of missed deadlines.
     std::uint32_t periods = 1;
-    /// After the deadline that this wake was meant for.
+    /// Delay after the deadline for which this wake was meant.
     double late_us = 0.0;
-    /// Meaningful if deadlines were missed.
+    /// Valid only if deadlines were missed.
     MissedDeadline::Cause cause = MissedDeadline::Cause::late_wake;
   };
 
-  /// Counting begins here; the first deadline is one period from now.
+  /// Starts counting; the first deadline is one period from now.
   void begin() noexcept;
+  /// Waits for the next deadline.
   Wake wait() noexcept;
-  /// Sleeps for so long instead, and counts the deadlines from the wake on: none was missed.
+  /// Sleeps for `seconds` instead and restarts the deadlines at the wake: none counts as missed.
   Wake rest(double seconds) noexcept;
+  /// Time of deadline k on the monotonic clock.
   std::int64_t deadline_ns(std::int64_t k) const noexcept;
 
  private:

@@ -10,7 +10,7 @@
 namespace palpable::haptics {
 namespace {
 
-// What the first sample of a path, which has none before it, counts as its tick's length.
+// Tick length of the first sample of a path, which has no previous one.
 constexpr double kFirstTick_s = 0.001;
 
 Hand hand_at(std::span<const PathSample> path, std::size_t i) {

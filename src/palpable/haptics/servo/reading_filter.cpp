@@ -49,9 +49,9 @@ bool ReadingFilter::is_in_reach(Point<DeviceFrame> position) const noexcept {
 bool ReadingFilter::is_plausible(Point<DeviceFrame> position) const noexcept {
   if (!is_in_reach(position)) return false;
   const double from_last_m = norm(position - position_);
-  // A late tick may be followed by an early one: the device moved for a period all the same.
+  // A late tick may be followed by an early one: the device has still moved for a full period.
   if (from_last_m > max_speed_m_per_s_ * std::max(since_good_s_, period_s_)) return false;
-  // Nearer to where it jumped to than to where it was: the jump lasts.
+  // The jump persists if the reading is nearer to the new position than to the old one.
   return agreeing_ == 0 || norm(position - jumped_to_) >= from_last_m;
 }
 
@@ -67,7 +67,7 @@ ReadingUse ReadingFilter::judge_jump(Point<DeviceFrame> position, double dt_s) n
   agreeing_ = agrees ? agreeing_ + 1 : (in_reach ? 1 : 0);
   jumped_to_ = position;
   if (agreeing_ > glitch_readings_) return ReadingUse::new_touch;
-  // The first reading of all has no force to keep.
+  // Before the first valid reading there is no force to hold.
   return implausible_ <= glitch_readings_ && std::isfinite(since_good_s_) ? ReadingUse::glitch
                                                                           : ReadingUse::none;
 }

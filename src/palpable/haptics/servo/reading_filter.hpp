@@ -9,40 +9,40 @@
 
 namespace palpable::haptics {
 
-/// What a reading is used for.
+/// How a reading is used.
 enum class ReadingUse {
-  /// The touch continues there.
+  /// The touch continues at the new position.
   continues,
-  /// The hand is there, but did not get there by moving: a new touch.
+  /// The hand is at the new position but did not move there continuously: a new touch begins.
   new_touch,
-  /// Not plausible, and not yet known whether it lasts: the force stays as it is.
+  /// Not plausible, and it is not yet known whether the position persists: the force is held.
   glitch,
-  /// No position is known: the force ramps down.
+  /// No position is known: the force ramps down to zero.
   none
 };
 
-/// One reading, judged.
+/// The classification of one reading.
 struct JudgedReading {
   ReadingUse use = ReadingUse::none;
-  /// The reading was not finite, out of reach, or moved or turned faster than a hand can.
+  /// The reading was not finite, was out of reach, or moved or turned faster than a hand can.
   bool implausible = false;
-  /// No good reading came before it, or it begins a new touch.
+  /// There was no valid reading before it, or it begins a new touch.
   bool first = false;
-  /// Since the last good reading; the tick's own time where it is the first. Seconds.
+  /// Time since the last valid reading, seconds; for the first one the time since the previous tick.
   double passed_s = 0.0;
 
   bool is_good() const noexcept { return use == ReadingUse::continues || use == ReadingUse::new_touch; }
 };
 
-/// Decides which readings of a device are a hand's movement. A hand moves at TickOptions::max_speed_m_per_s
-/// at most. A faster reading is a glitch for TickOptions::glitch_readings ticks; if the readings after it
-/// agree with it, the hand is there, and a new touch begins. Readings that agree with nothing are not used.
-/// Tick path; no allocation.
+/// Decides which readings of a device are movements of a hand. A hand moves at no more than
+/// TickOptions::max_speed_m_per_s. A faster reading is treated as a glitch for TickOptions::glitch_readings
+/// ticks. If the following readings agree with it, the hand is there, and a new touch begins. Readings that
+/// agree with no other reading are not used. Tick path; no allocation.
 class ReadingFilter {
  public:
   ReadingFilter(const device::Traits& device, const TickOptions& options) noexcept;
 
-  /// `dt_s` > 0 since the reading before.
+  /// Classifies a reading that comes `dt_s` > 0 after the previous one.
   JudgedReading judge(const device::Reading& reading, double dt_s) noexcept;
 
  private:
@@ -56,15 +56,15 @@ class ReadingFilter {
   double reach_m_;
   int glitch_readings_;
   bool has_torque_;
-  /// Of the device, nominally.
+  /// Nominal period of the device.
   double period_s_;
 
-  /// Since the last good reading; infinite before the first.
+  /// Time since the last valid reading; infinite before the first.
   double since_good_s_ = std::numeric_limits<double>::infinity();
   Point<DeviceFrame> position_;
   device::Rotation rotation_ = device::kNotTurned;
-  /// Readings in a row that were not plausible, and how many of the last of them agree about where the hand
-  /// is.
+  /// Consecutive readings that were not plausible, and how many of the newest of them agree about the
+  /// position.
   int implausible_ = 0;
   int agreeing_ = 0;
   Point<DeviceFrame> jumped_to_;

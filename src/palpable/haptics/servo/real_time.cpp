@@ -21,7 +21,7 @@
 namespace palpable::haptics {
 
 std::string request_priority(int priority) {
-  // A thread without real-time priority may otherwise be woken 50 µs late on purpose, to save power.
+  // Otherwise the kernel may wake a thread without real-time priority up to 50 µs late to save power.
   prctl(PR_SET_TIMERSLACK, 1UL);
   if (priority <= 0) return "ordinary (not asked for)";
   sched_param wanted{};
@@ -32,11 +32,12 @@ std::string request_priority(int priority) {
 }
 
 std::string lock_memory() {
-  // With a finite limit, locking what comes later would make later allocations fail: worse than a page fault.
+  // With a finite limit, locking future pages would make later allocations fail, which is worse than a page
+  // fault.
   rlimit limit{};
   if (geteuid() != 0 && (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY))
     return "not locked (the limit \"memlock\" is finite)";
-  // On fault: without it, every thread's whole stack and every reserved megabyte would be filled at once.
+  // MCL_ONFAULT: otherwise every thread's whole stack and all reserved memory would be filled at once.
   if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) != 0)
     return std::string("not locked (") + std::strerror(errno) + ")";
   return "locked";

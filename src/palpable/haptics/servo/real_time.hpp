@@ -9,24 +9,26 @@ namespace palpable::haptics {
 
 /// What the operating system granted.
 struct RealTimeOutcome {
-  /// "SCHED_FIFO 80", or why not: "ordinary (Operation not permitted)".
+  /// "SCHED_FIFO 80", or the reason why not: "ordinary (Operation not permitted)".
   std::string priority;
-  /// "locked", or why not.
+  /// "locked", or the reason why not.
   std::string memory;
 };
 
-/// Asks for SCHED_FIFO at `priority` (0 = do not ask) for the calling thread, and for wake-ups without slack.
-/// The answer for RealTimeOutcome::priority.
+/// Requests SCHED_FIFO at `priority` (0 = no request) for the calling thread, and timer wake-ups without
+/// slack. Returns the text for RealTimeOutcome::priority.
 std::string request_priority(int priority);
 
-/// Keeps the process's pages in memory, those touched later too, where the limit allows it without risk to
-/// later allocations. The answer for RealTimeOutcome::memory.
+/// Locks the process's present and future pages in memory, if the limit is high enough that later allocations
+/// cannot fail because of it. Returns the text for RealTimeOutcome::memory.
 std::string lock_memory();
 
-/// Numbers below 1e-308 become 0 on the calling thread: they cost a hundred times more and mean nothing here.
+/// Makes the calling thread treat denormal numbers (below 1e-308) as 0. They take about a hundred times
+/// longer and are irrelevant here.
 void flush_denormals() noexcept;
 
-/// The servo's arithmetic (flush_denormals) while it lives, on the calling thread; then what was before.
+/// Scope guard: the calling thread uses the servo's arithmetic (flush_denormals) while it exists; the
+/// destructor restores the previous floating-point environment.
 class ServoArithmetic {
  public:
   ServoArithmetic() noexcept {

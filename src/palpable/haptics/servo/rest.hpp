@@ -6,15 +6,16 @@
 
 namespace palpable::haptics {
 
-/// Measures for how long a probe has rested: its position, force, label, status and flags are the same as in
-/// the tick with which the rest began. Tick path.
+/// Measures how long a probe has been at rest: its position, force, label, status and flags have not changed
+/// since the tick in which the rest began. Tick path.
 class RestDetector {
  public:
-  /// Differences below these are none: a follower approaches its target without end.
+  /// Smaller differences count as no change: a filtered position approaches its target without ever reaching
+  /// it.
   static constexpr double kMoved_m = 1e-7;
   static constexpr double kForce_N = 1e-4;
 
-  /// Takes the sample of the newest tick, `dt_s` after the one before.
+  /// Takes the sample of the newest tick, `dt_s` after the previous one.
   void update(const TouchSample& sample, double dt_s) noexcept;
   double rested_s() const noexcept { return rested_s_; }
 

@@ -30,13 +30,13 @@ constexpr std::size_t kTimings = 8192;
 constexpr std::size_t kRetired = 16;
 constexpr auto kMaintenancePeriod = std::chrono::milliseconds(50);
 
-/// How long one tick took, and how long after the one before it began.
+/// Duration of one tick, and time since the start of the previous one.
 struct Timing {
   std::int64_t period_ns = 0;
   std::int64_t compute_ns = 0;
 };
 
-/// What the loop counts beside the tick's own counts.
+/// Counters of the loop in addition to those of the tick.
 struct LoopCounts {
   TickCounts touch;
   std::uint64_t missed = 0;
@@ -51,7 +51,7 @@ Percentiles in_us(const LatencySummary& summary) {
   return {1e-3 * summary.p50_ns, 1e-3 * summary.p99_ns, 1e-3 * summary.p99_9_ns, 1e-3 * summary.max_ns};
 }
 
-/// The times that depend on the loop's rate.
+/// Sets the times that depend on the loop's rate.
 ServoOptions for_rate(ServoOptions options) {
   options.tick = tick_options(options);
   options.watch_s = std::min(options.watch_s, 0.5 / options.rate_hz);
@@ -97,8 +97,8 @@ struct FurtherProbe {
   LatestValue<TouchSample> latest;
 };
 
-/// Three threads meet here: the servo, the maintenance thread (ordinary priority: frees, sums up), and the
-/// callers.
+/// Shared by three threads: the servo, the maintenance thread (normal priority; frees memory and summarises
+/// statistics) and the callers.
 struct ServoLoop::Impl {
   Impl(std::unique_ptr<device::Device> opened, HapticScene first, const ServoOptions& wanted,
        std::vector<std::unique_ptr<device::Device>> more)
@@ -126,10 +126,10 @@ struct ServoLoop::Impl {
 
   const ServoOptions options;
   std::unique_ptr<device::Device> device;
-  /// Ends before the device is closed.
+  /// Destroyed before the device is closed.
   std::unique_ptr<Guardian> guardian;
 
-  // From the servo to others.
+  // From the servo to other threads.
   LatestValue<TouchSample> latest;
   LatestValue<LoopCounts> counts_out;
   Ring<TouchEvent> events{kEvents};
@@ -138,13 +138,13 @@ struct ServoLoop::Impl {
   Ring<Timing> timings{kTimings};
   Ring<const HapticScene*> retired{kRetired};
 
-  // From others to the servo.
+  // From other threads to the servo.
   std::atomic<const HapticScene*> waiting{nullptr};
   std::atomic<bool> ending{false};
   std::atomic<bool> paused{false};
   std::atomic<bool> recording{false};
 
-  // The maintenance thread's and the callers', under the mutex.
+  // Used by the maintenance thread and the callers, under the mutex.
   mutable std::mutex mutex;
   /// Every scene that the servo may still use.
   std::vector<std::unique_ptr<const HapticScene>> scenes;
@@ -155,7 +155,7 @@ struct ServoLoop::Impl {
   LoopCounts seen;
   RealTimeOutcome real_time;
 
-  // The servo's own.
+  // Used only by the servo thread.
   TickPipeline tick;
   RestDetector rest;
   std::vector<std::unique_ptr<FurtherProbe>> further;
@@ -195,7 +195,7 @@ void ServoLoop::Impl::serve() {
   pacer.begin();
   begin_ns = monotonic_ns();
   std::int64_t before_ns = begin_ns;
-  // From here to the end of the loop nothing allocates: what does is counted tick by tick and reported.
+  // From here to the end of the loop nothing may allocate; allocations are counted per tick and reported.
   while (!ending.load(std::memory_order_relaxed) && !self.must_end()) {
     const bool resting = may_rest();
     const Pacer::Wake wake = resting ? pacer.rest(options.rest_period_s) : pacer.wait();
@@ -208,7 +208,7 @@ void ServoLoop::Impl::serve() {
     const double dt_s = 1e-9 * static_cast<double>(period_ns);
     counts.rested_s += resting ? dt_s : 0.0;
     counts.rest_ticks += resting ? 1 : 0;
-    // Nothing has moved during a rest: its tick continues the one before.
+    // Nothing moved during a rest: its tick continues the previous one.
     tick_once(wake, resting ? nominal_s : dt_s);
     counts.allocations += allocations.count();
     counts_out.put(counts);
@@ -222,7 +222,7 @@ void ServoLoop::Impl::serve() {
 }
 
 void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
-  // A wake that came late and the one after it may be almost nothing apart: no law is made for that.
+  // After a late wake the next one may follow almost immediately. Laws do not support such a short step.
   const double shortest_s = 0.1 / options.rate_hz;
   tick.set_paused(paused.load(std::memory_order_relaxed));
   counts.ran_s = 1e-9 * static_cast<double>(wake.now_ns - begin_ns);
@@ -232,7 +232,7 @@ void ServoLoop::Impl::tick_once(const Pacer::Wake& wake, double dt_s) {
   latest.put(sample);
   if (recording.load(std::memory_order_relaxed)) recorded.put(sample);
   tick_further(std::max(dt_s, shortest_s));
-  // Not before: until here the further probes may have been at it.
+  // Not earlier: the further probes may still use the scene until here.
   if (const HapticScene* old = tick.take_retired()) retired.put(old);
 }
 
@@ -240,7 +240,7 @@ void ServoLoop::Impl::tick_further(double dt_s) {
   for (const auto& probe : further) {
     probe->tick.set_paused(paused.load(std::memory_order_relaxed));
     const TouchSample& sample = probe->tick.step(counts.ran_s, dt_s);
-    // All probes fade in step with the hand, who hands the old scene back.
+    // All probes fade together with the hand, which returns the old scene.
     probe->tick.take_retired();
     probe->rest.update(sample, dt_s);
     probe->latest.put(sample);
@@ -252,7 +252,7 @@ bool ServoLoop::Impl::may_rest() const {
   if (!device->traits().may_rest || recording.load(std::memory_order_relaxed)) return false;
   if (tick.fading() || waiting.load(std::memory_order_relaxed) != nullptr) return false;
   const auto rests = [&](const RestDetector& one) { return one.rested_s() >= options.rest_after_s; };
-  // Further probes are pointers.
+  // Further probes are pointers, which may rest.
   return rests(rest) &&
          std::all_of(further.begin(), further.end(), [&](const auto& probe) { return rests(probe->rest); });
 }
@@ -264,7 +264,7 @@ void ServoLoop::Impl::note_missed(const Pacer::Wake& wake) {
 }
 
 void ServoLoop::Impl::swap_scenes() {
-  // Room for the old one is made sure of first: the servo must never be left holding what it may not free.
+  // Checked first: the servo must always be able to return the old scene, since it may not free it.
   if (tick.fading() || !retired.has_room()) return;
   if (waiting.load(std::memory_order_relaxed) == nullptr) return;
   const HapticScene* next = waiting.exchange(nullptr, std::memory_order_acq_rel);

@@ -11,7 +11,8 @@ Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, con
   const Vec3 size = models::size_m(scene);
   const Vec3 work = device.workspace_m;
   double scale = std::max({1.0, size.x / work.x, size.y / work.y});
-  // A hand must come to the scene from above: a quarter of the device's depth stays free over it.
+  // The hand must be able to approach the scene from above: a quarter of the device's depth stays free above
+  // it.
   if (device.degrees_of_freedom > 2) scale = std::max(scale, size.z / (0.75 * work.z));
   Transform<SceneFrame, DeviceFrame> fit;
   fit.scale = scale;

@@ -12,19 +12,19 @@
 
 namespace palpable::haptics {
 
-/// The device's workspace laid over the scene: centred on it, and scaled so that the scene's width and height
-/// fit into the device's; a scene that fits is never enlarged.
+/// Places the device's workspace in the scene: it is centred on the scene and scaled so that the scene's
+/// width and height fit into it. A scene that already fits is not enlarged.
 Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, const device::Traits& device);
 
-/// A touch with a law of your own: starts a servo loop that renders `touchable` on `device`, the scene fitted
-/// into the device's workspace. The caller's stiffness is used as it is: session::TouchSession also lowers it
+/// Starts a servo loop that renders `touchable` (for example with a custom law) on `device`; the scene is
+/// fitted into the device's workspace. The stiffness is used as given. session::TouchSession also lowers it
 /// to what the device renders stably. Errors: as ServoLoop::start().
 Result<std::unique_ptr<ServoLoop>> start_touch(const models::Scene& scene,
                                                std::shared_ptr<const Touchable> touchable,
                                                std::unique_ptr<device::Device> device,
                                                const ServoOptions& options = {});
 
-/// The same with one of the library's laws. Errors: also as make_touchable().
+/// The same with one of the library's laws. Errors: as ServoLoop::start() and make_touchable().
 Result<std::unique_ptr<ServoLoop>> start_touch(const models::Scene& scene, const LawParameters& law,
                                                std::unique_ptr<device::Device> device,
                                                const ServoOptions& options = {});

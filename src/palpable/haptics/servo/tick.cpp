@@ -10,7 +10,7 @@
 namespace palpable::haptics {
 namespace {
 
-/// Less cannot be felt (the detection threshold of a fingertip's force is of this size).
+/// Smaller forces cannot be felt (about the detection threshold of a fingertip).
 constexpr double kFelt_N = 0.02;
 
 bool is_same(const Transform<SceneFrame, DeviceFrame>& a, const Transform<SceneFrame, DeviceFrame>& b) {
@@ -41,7 +41,7 @@ TickPipeline::TickPipeline(device::Device& device, const HapticScene& scene, con
 TickPipeline::When TickPipeline::when_of(const device::Reading& reading, double t_s, double dt_s) noexcept {
   const bool was_cut = std::exchange(force_was_cut_, false);
   if (!reading.recorded) return {t_s, dt_s, was_cut || (dt_s > options_.stall_s && counts_.ticks > 0)};
-  // What happens to this loop now is not what happened then.
+  // The recorded state applies, not that of this loop.
   const device::RecordedTime& then = *reading.recorded;
   paused_ = (then.flags & flag::kPaused) != 0;
   return {then.t_s, then.dt_s, (then.flags & flag::kStalled) != 0};
@@ -86,7 +86,7 @@ ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noe
   const JudgedReading judged = readings_.judge(reading, dt_s);
   if (judged.implausible) flags_ |= flag::kImplausible;
   if (judged.use == ReadingUse::new_touch) {
-    // Whatever brought the hand there, the force comes up from zero.
+    // However the hand got there, the force rises from zero.
     drop_force();
     begin_touch();
   }
@@ -144,13 +144,14 @@ Vector<DeviceFrame> TickPipeline::device_force_N(const Side& side,
 
 Vector<DeviceFrame> TickPipeline::device_torque_Nm(const Side& side,
                                                    Vector<SceneFrame> torque_Nm) const noexcept {
-  // A turn is as large in the scene as at the device, where lengths are 1 / scale as long: so is the torque.
+  // Angles are equal in the scene and at the device, while lengths at the device are 1 / scale as long. So
+  // energy, and torque, scale by 1 / scale.
   return (1.0 / side.scene->scene_from_device.scale) * rotate_force(side.device_from_scene, torque_Nm);
 }
 
 double TickPipeline::device_stored_J() const noexcept {
-  // Of a spring that presses more than the device can, the hand loads only what the device pushes with: a
-  // spring that stores U at a force f stores U (2r - r^2) up to the cap r f.
+  // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
+  // at a force f then stores U (2r - r^2) up to the cap r f.
   Vector<DeviceFrame> spring_N = device_force_N(now_, now_.output.spring_N);
   double stored_J = now_.output.stored_J / now_.scene->scene_from_device.scale;
   if (const double size_N = norm(spring_N); now_.energy == EnergyModel::spring && size_N > max_force_N_) {
@@ -158,8 +159,9 @@ double TickPipeline::device_stored_J() const noexcept {
     stored_J *= ratio * (2.0 - ratio);
     spring_N = ratio * spring_N;
   }
-  // The law knows the reading; within the sensor's step the hand is elsewhere, and the spring is the slope
-  // between. (A damper is none: its jumps with the sensor's steps would look like energy.)
+  // The law uses the reading, but within the sensor's step the hand is elsewhere; the spring force is the
+  // gradient in between. (The damper is not corrected: its jumps with the sensor's steps would appear as
+  // energy.)
   return stored_J - dot(spring_N, fine_.place() - position_);
 }
 
@@ -181,7 +183,7 @@ bool TickPipeline::evaluate_laws(double dt_s) noexcept {
 }
 
 void TickPipeline::begin_touch() noexcept {
-  // The force has been zero for a while and the hand may be anywhere: what the law remembers is of no use.
+  // The force has been zero for some time and the hand may have moved anywhere: the law's state is obsolete.
   now_.state = {};
   coming_.state = {};
   velocity_.begin();
@@ -223,21 +225,21 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.moved_m = moved_;
   step.turned_J = dot(held().written_Nm, turned_);
   step.dt_s = dt_s;
-  // What is withheld of a spring does not come back.
+  // Withheld energy of a spring is not returned.
   const double stored_J = device_stored_J();
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
   step.scene_changes = scene_changes_;
   step.weakened = held().weakened;
-  // The springs of two scenes cannot be compared: from one to the other, only their work is counted.
+  // The springs of two scenes cannot be compared: during a change only their work is counted.
   if ((flags_ & flag::kFading) != 0)
     counts_.scene_change_J += dot(step.held_force_N, step.moved_m) + step.turned_J;
   const bool new_account =
       (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
   if (new_account) {
     using Beginning = PassivityObserver::Beginning;
-    // A potential that holds everywhere may be high where the touch begins.
+    // A potential that is defined everywhere may be high where the touch begins.
     const bool from_no_force =
         (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight && device_.traits().pushes_back;
     const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
@@ -265,7 +267,7 @@ bool TickPipeline::is_free() const noexcept {
 Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept {
   const LawOutput& output = now_.output;
   const bool strikes = !std::exchange(was_in_contact_, output.contact) && output.contact;
-  // While a scene fades in or a force comes up, a vibration would be of neither surface.
+  // During a fade or a ramp, a vibration would belong to neither surface.
   if (!output.contact || fading() || ramp_.value() < 1.0) {
     transient_.stop();
     return force_N;
@@ -281,10 +283,10 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
 
 void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   const auto capped = cap_force(with_transient(law_force_N_, dt_s), max_force_N_);
-  // After a stall the ramp begins as after any other start: it has not risen while no tick came.
+  // After a stall the ramp starts as usual: it did not rise while no tick was executed.
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
-  // A spring that came up under a hand that pressed already would give back what the hand did not give; so
-  // the ramp is only for hands that are in contact where their touch begins.
+  // A spring that is ramped up under a pressing hand would return energy that the hand did not deliver. So
+  // the ramp is only used for hands that are in contact when their touch begins.
   if (wanted && is_free()) ramp_.finish();
   const double gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
   const bool has_spring = now_.energy == EnergyModel::spring && (!fading() || same_surface_);
@@ -294,7 +296,7 @@ void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
   in.stored_J = has_spring ? gain * device_stored_J() : std::numeric_limits<double>::quiet_NaN();
   in.moved_m = moved_;
   in.max_rise_N = options_.max_force_rate_N_per_s * risen_s;
-  // Without motors nothing comes back to a hand.
+  // Without motors no energy is returned to a hand.
   in.ramping = gain < 1.0 && device_.traits().pushes_back;
   in.held_force_N = held().written_N;
   if (has_torque_) {
@@ -325,7 +327,7 @@ void TickPipeline::make_torque(double gain, double risen_s) noexcept {
   const auto uncontrolled =
       cap_rise(uncontrolled_rise_.share() * gain * capped.force_N, uncontrolled_Nm_, max_rise_Nm);
   uncontrolled_Nm_ = uncontrolled.force_N;
-  // What is held back of a torque is held back of the same spring.
+  // A limited torque belongs to the same spring.
   if (risen.limited) rise_.note_limited();
   if (uncontrolled.limited) uncontrolled_rise_.note_limited();
   torque_capped_ = capped.limited;
@@ -341,7 +343,7 @@ void TickPipeline::control_energy(double dt_s) noexcept {
   flags_ |= flag::kPassivityActed;
   written_N_ = factor * written_N_;
   written_Nm_ = factor * written_Nm_;
-  // From here it grows again no faster than any force.
+  // From this value it grows within the rise limit.
   rise_.weakened_to(written_N_);
 }
 

@@ -20,34 +20,36 @@
 
 namespace palpable::haptics {
 
-/// One tick of touch, without thread or clock: read the device; refuse what is not finite or plausible;
-/// evaluate the law; refuse what is not finite; observe the energy of the force that was held until now; cap
-/// the force; ramp; limit its rise; let the passivity controller take energy out; write. The servo loop calls
-/// it in time, tests call it as fast as they like: given the same readings it does the same. One thread;
-/// step() never allocates, locks, throws or prints.
+/// One tick of touch, without thread or clock. Its steps: read the device; reject readings that are not
+/// finite or plausible; evaluate the law; reject a force that is not finite; observe the energy of the force
+/// that was held until now; cap the force; ramp it; limit its rise; apply the passivity controller; write.
+/// The servo loop calls it in real time, tests as fast as possible; the same readings give the same results.
+/// One thread; step() never allocates, locks, throws or prints.
 class TickPipeline {
  public:
-  /// `device`, `events` and `scene` (with its touchable) outlive this or, for the scene, the next
-  /// change. Samples and events carry the number of the probe.
+  /// `device` and `events` must outlive this object; `scene` (with its touchable) must live until
+  /// take_retired() returns it. Samples and events carry the number of the probe.
   TickPipeline(device::Device& device, const HapticScene& scene, const TickOptions& options,
                Ring<TouchEvent>& events, std::uint8_t probe = 0);
 
-  /// `dt_s` > 0 since the step before, `t_s` since the first. Readings of a recording bring their own.
+  /// `t_s` is the time since the first step, `dt_s` > 0 that since the previous one. Readings of a recording
+  /// bring their own times.
   const TouchSample& step(double t_s, double dt_s) noexcept;
 
   bool fading() const noexcept { return coming_.scene != nullptr; }
-  /// Begins to fade to `scene`; only while not fading(). Takes fade_s, whatever the device does meanwhile.
+  /// Starts a cross-fade to `scene`; only while not fading(). It takes fade_s, whatever the device's status
+  /// is.
   void change(const HapticScene& scene) noexcept;
-  /// The scene that the last step() stopped using, once; else null.
+  /// The scene that the last step() stopped using, returned once; else null.
   const HapticScene* take_retired() noexcept;
   void set_paused(bool paused) noexcept { paused_ = paused; }
-  /// Another thread has written zero force: the next step() begins from there.
+  /// Another thread has written zero force: the force of the next step() rises from zero.
   void note_cut_force() noexcept { force_was_cut_ = true; }
 
   const TickCounts& counts() const noexcept { return counts_; }
 
  private:
-  /// What a touch has of one scene; two while one gives way to the other.
+  /// The state of a touch in one scene; there are two during a cross-fade.
   struct Side {
     void begin(const HapticScene& next) noexcept {
       *this = {};
@@ -61,7 +63,7 @@ class TickPipeline {
     TouchState state;
     LawOutput output;
   };
-  /// When this tick is, and whether others cut its force before it.
+  /// Time of this tick, and whether another thread cut the force before it.
   struct When {
     double t_s = 0.0;
     double dt_s = 0.001;
@@ -99,10 +101,10 @@ class TickPipeline {
   bool planar_;
 
   Side now_;
-  /// Its scene is null when nothing is fading in.
+  /// Its scene is null if no scene fades in.
   Side coming_;
   double faded_ = 0.0;
-  /// The scene that fades in is the same law on the same surface: springs and energies go on.
+  /// The scene that fades in has the same law on the same surface: springs and energies continue.
   bool same_surface_ = false;
   const HapticScene* retired_ = nullptr;
 
@@ -111,45 +113,44 @@ class TickPipeline {
   FinePosition fine_;
   Vector<DeviceFrame> velocity_m_per_s_;
   Point<DeviceFrame> position_;
-  /// Since the tick before.
+  /// Since the previous tick, m.
   Vector<DeviceFrame> moved_;
   bool has_torque_;
   bool torque_capped_ = false;
   TransientPlayer transient_;
-  /// The law was in contact in the tick before.
+  /// The law was in contact in the previous tick.
   bool was_in_contact_ = false;
   TurnEstimator turn_;
-  /// Since the tick before, rad.
+  /// Since the previous tick, rad.
   Vector<DeviceFrame> turned_;
 
   Ramp ramp_;
-  /// Of the written force, and of what it would be without the controller.
+  /// For the written force, and for the force as it would be without the controller.
   RiseLimit rise_;
   RiseLimit uncontrolled_rise_;
-  /// The law's (the last finite one), after the caps and ramp, and as written.
+  /// The law's force (the last finite one), the force after caps and ramp, and the written force.
   Vector<DeviceFrame> law_force_N_;
   Vector<DeviceFrame> uncontrolled_N_;
   Vector<DeviceFrame> written_N_;
   Vector<DeviceFrame> law_torque_Nm_;
   Vector<DeviceFrame> uncontrolled_Nm_;
   Vector<DeviceFrame> written_Nm_;
-  /// The last forces, for a device whose motors get them some ticks late; newest at newest_.
+  /// The last forces, for a device whose motors receive them some ticks late; the newest is at newest_.
   struct Sent {
     Vector<DeviceFrame> written_N;
     Vector<DeviceFrame> uncontrolled_N;
     Vector<DeviceFrame> written_Nm;
     Vector<DeviceFrame> uncontrolled_Nm;
-    /// The controller weakened it.
+    /// The controller reduced it.
     bool weakened = false;
   };
   static constexpr int kMaxDelay = 15;
   std::array<Sent, kMaxDelay + 1> sent_{};
   std::size_t newest_ = 0;
   std::size_t delay_;
-  /// What the motors held since the last reading: written a tick ago, or as much longer as the device is
-  /// late.
+  /// The forces that the motors held since the last reading: written one tick ago, plus the device's delay.
   const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }
-  /// The held force was shortened by a ramp or a fade, or by the cap of a law without a spring.
+  /// The held force was reduced by a ramp or a fade, or by the cap for a law without a spring.
   bool shortened_ = true;
   bool scene_changes_ = false;
   bool paused_ = false;

@@ -10,37 +10,37 @@ enum class Passivity { observe, control };
 
 /// Limits of a tick.
 struct TickOptions {
-  /// Lowered to the device's own; > 0.
+  /// Force cap, > 0; limited to the device's greatest force.
   double max_force_N = std::numeric_limits<double>::infinity();
-  /// Growth only; release is never delayed. The default lets a wall of 500 N/m met at 0.6 m/s through.
+  /// Limit of growth only; a decrease is never delayed. The default does not limit a wall of 500 N/m that is
+  /// hit at 0.6 m/s.
   double max_force_rate_N_per_s = 300.0;
-  /// The same of a torque: 0.1 m times the force's.
+  /// The same for torque: 0.1 m times the force's limit.
   double max_torque_rate_Nm_per_s = 30.0;
   Passivity passivity = Passivity::control;
-  /// A contact transient's amplitude is this part of the device's greatest force at most; and the speed from
-  /// which a contact is an impact.
+  /// The amplitude of a contact transient is at most this fraction of the device's greatest force; and the
+  /// least speed at which a contact counts as an impact.
   double max_transient_of_force = 0.25;
   double impact_speed_m_per_s = 0.02;
-  /// One scene gives way to the next in this time.
+  /// Duration of the cross-fade from one scene to the next.
   double fade_s = 0.15;
-  /// A fault or pause takes the force to zero in the first time, the end of it brings it back in the second.
+  /// Ramp times: to zero at a fault or pause, and back afterwards.
   double ramp_down_s = 0.02;
   double ramp_up_s = 0.25;
-  /// A reading that moved faster than this since the last good one is not a hand's: it is not rendered, and
-  /// if it lasts it begins a new touch. The second is for devices without motors, whose probe may be
-  /// anywhere.
+  /// A faster movement since the last valid reading is not a hand's: the reading is not rendered, and if it
+  /// persists a new touch begins. The second value is for devices without motors, whose probe may jump.
   double max_speed_m_per_s = 2.5;
   double max_pointer_speed_m_per_s = 8.0;
-  /// A handle that turned faster is likewise no hand's.
+  /// The same for the rotation of a handle.
   double max_turn_rad_per_s = 60.0;
-  /// So many implausible readings in a row are taken for a glitch that may pass.
+  /// Number of consecutive implausible readings that are treated as a glitch.
   int glitch_readings = 2;
-  /// A reading further out than this many workspaces is no reading.
+  /// A reading farther out than this many workspace sizes is implausible.
   double reach_in_workspaces = 10.0;
-  /// A tick that comes later than this after the one before: by then the watchdog has written zero force, and
-  /// the force begins anew from there.
+  /// A tick that follows the previous one after more than this time is a stall: the watchdog has written zero
+  /// force, and the force rises from zero.
   double stall_s = 0.005;
-  /// No tick's force grows by more than this time allows, however late the tick is.
+  /// The rise in one tick is limited to that of this time, however late the tick is.
   double max_rise_time_s = 0.0015;
 };
 

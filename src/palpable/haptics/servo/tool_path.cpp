@@ -10,17 +10,17 @@
 namespace palpable::haptics {
 namespace {
 
-/// What one probe remembers from pose to pose.
+/// State of one probe between poses.
 struct Probe {
   std::optional<double> last_s;
-  /// Of each place of its tool.
+  /// One for each point of its tool.
   std::vector<TouchState> states;
   std::vector<Point<SceneFrame>> places;
 };
 
 ToolOutput evaluate(const Touchable& touchable, std::span<const ToolPlace> tool, const ToolPose& pose,
                     Probe& probe) {
-  // What a first sample, which has none before it, counts as its tick's length.
+  // Tick length of a first sample, which has no previous one.
   constexpr double kFirstTick_s = 0.001;
   const bool first = !probe.last_s;
   if (first) {

@@ -10,7 +10,7 @@
 namespace palpable::haptics {
 
 Vector<DeviceFrame> turn_between(const device::Rotation& from, const device::Rotation& to) noexcept {
-  // to * from^T; its antisymmetric part is sin(angle) times the axis, its trace 1 + 2 cos(angle).
+  // to * from^T: its antisymmetric part is sin(angle) times the axis, its trace is 1 + 2 cos(angle).
   const auto at = [&](std::size_t i, std::size_t j) {
     return to[3 * i] * from[3 * j] + to[3 * i + 1] * from[3 * j + 1] + to[3 * i + 2] * from[3 * j + 2];
   };
@@ -18,7 +18,7 @@ Vector<DeviceFrame> turn_between(const device::Rotation& from, const device::Rot
   const double sine = 0.5 * norm(twice_sine);
   const double cosine = 0.5 * (at(0, 0) + at(1, 1) + at(2, 2) - 1.0);
   const double angle = std::atan2(sine, cosine);
-  // Both for no turn and for half a turn the axis is not known from here; the first has none.
+  // Neither for angle 0 nor for pi is the axis determined by this part; for angle 0 the result is zero.
   constexpr double kSmall = 1e-12;
   return {sine > kSmall ? (0.5 * angle / sine) * twice_sine : Vec3{}};
 }

@@ -8,22 +8,23 @@
 
 namespace palpable::haptics {
 
-/// The turn that brings one orientation to another, as a vector along its axis, as long as its angle in rad
-/// (0 ... pi), in the frame that both are given in. Tick path.
+/// The rotation from one orientation to another as a rotation vector (axis times angle in rad, 0 ... pi), in
+/// the frame in which both are given. Tick path.
 Vector<DeviceFrame> turn_between(const device::Rotation& from, const device::Rotation& to) noexcept;
 
-/// Scene from tool: of a handle's orientation and the device's place in the scene. Tick path.
+/// The rotation scene_from_tool of a handle, from its orientation in the device frame and the placement of
+/// the device. Tick path.
 device::Rotation turned_by(const Transform<SceneFrame, DeviceFrame>& scene_from_device,
                            const device::Rotation& device_from_tool) noexcept;
 
-/// Whether it is finite and orthonormal, determinant +1, to a thousandth. Tick path.
+/// Whether the matrix is finite and orthonormal with determinant +1, to 0.001. Tick path.
 bool is_rotation(const device::Rotation& rotation) noexcept;
 
-/// How a handle is turned, from tick to tick, and how fast: the slope of the angles that it turned by
-/// (VelocityEstimator). Tick path.
+/// Estimates a handle's rotation between ticks and its angular velocity; the velocity is the slope of the
+/// accumulated rotation vector (VelocityEstimator). Tick path.
 class TurnEstimator {
  public:
-  /// The next orientation is the first.
+  /// Resets: the next orientation is the first.
   void begin() noexcept {
     known_ = false;
     velocity_.begin();
@@ -33,7 +34,7 @@ class TurnEstimator {
   void update(const device::Rotation& rotation, double dt_s) noexcept;
 
   const device::Rotation& rotation() const noexcept { return rotation_; }
-  /// By the last update.
+  /// Rotation vector between the last two updates.
   Vector<DeviceFrame> turned_rad() const noexcept { return turned_; }
   Vector<DeviceFrame> velocity_rad_per_s() const noexcept { return velocity_rad_per_s_; }
   bool known() const noexcept { return known_; }
@@ -43,7 +44,7 @@ class TurnEstimator {
   bool known_ = false;
   Vector<DeviceFrame> turned_;
   Vector<DeviceFrame> velocity_rad_per_s_;
-  /// All turns added up.
+  /// Sum of all rotation vectors.
   Point<DeviceFrame> angle_;
   VelocityEstimator velocity_{0.0};
 };

@@ -8,7 +8,7 @@
 namespace palpable::haptics {
 
 Vector<DeviceFrame> VelocityEstimator::update(Point<DeviceFrame> position, double dt_s) noexcept {
-  // Times count from the newest sample backwards, so that they never grow large.
+  // Times are relative to the newest sample, so that they stay small.
   for (int age = 0; age < count_; ++age) times_s_[at(age)] -= dt_s;
   newest_ = (newest_ + 1) % kSamples;
   positions_m_[at(0)] = position.v;

@@ -12,7 +12,7 @@
 namespace palpable::haptics {
 namespace {
 
-/// Notes when its force was cut, and wakes who waits for it.
+/// Records when its force was cut, and wakes the waiting thread.
 class CutClock final : public device::Device {
  public:
   const device::Traits& traits() const noexcept override { return traits_; }
@@ -23,7 +23,7 @@ class CutClock final : public device::Device {
     cut_ns_.store(monotonic_ns(), std::memory_order_release);
     cut_ns_.notify_all();
   }
-  /// After the last call of this, or now.
+  /// Waits for a cut that happens after the previous call; returns its time.
   std::int64_t wait_for_cut() noexcept {
     cut_ns_.wait(0, std::memory_order_acquire);
     return cut_ns_.exchange(0, std::memory_order_acq_rel);
@@ -48,7 +48,7 @@ WatchdogLatency measure_watchdog(double rate_hz, int hangs, int priority) {
       std::this_thread::sleep_for(std::chrono::duration<double>(period_s));
     }
     const std::int64_t wrote_ns = monotonic_ns();
-    // Where this thread itself was held up, the force was cut already: not what is measured.
+    // If this thread itself was delayed, the force was cut already; that is not what is measured.
     if (watchdog.take_cut()) device.wait_for_cut();
     watchdog.note_write(wrote_ns);
     latencies_ms.push_back(1e-6 * static_cast<double>(device.wait_for_cut() - wrote_ns));

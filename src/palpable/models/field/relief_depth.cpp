@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kErosions = 6;
 
-/// `rate` times the height over a surface.
+/// `rate` times the height above a surface.
 FieldSample over(const HeightSample& surface, double z_m, double rate) {
   return {rate * (z_m - surface.z_m), {-rate * surface.dzdx, -rate * surface.dzdy, rate}};
 }
@@ -29,10 +29,10 @@ Result<ReliefDepth> ReliefDepth::under(std::shared_ptr<const Relief> relief, con
   double depth_m = 0.0;
   depth.erosions_.reserve(kErosions);
   for (int k = 0; k < kErosions; ++k) {
-    // Balls add up: each erosion goes on from the one before.
+    // Erosions by balls add up: each one starts from the previous one.
     const double further_m = above->pixel_m() * (k == 0 ? 1 : 1 << (k - 1));
     Raster<float> values = erode_by_ball(*above, further_m, work);
-    // A ball erodes by its radius at least; then so does the spline.
+    // An erosion lowers the surface by at least the radius; so the spline must do so too.
     for (std::size_t i = 0; i < values.count(); ++i)
       values.data()[i] =
           std::min(values.data()[i], above->samples_m().data()[i] - static_cast<float>(further_m));

@@ -12,22 +12,23 @@
 
 namespace palpable::models {
 
-/// How deep a place lies under a relief: the distance to the nearest place of its surface, which is how large
-/// the ball is that erodes the relief down to there. Kept as the relief and its erosions by balls of 1, 2, 4
-/// … 32 pixels; between two of them the depth follows the height, so that it is continuous everywhere and its
-/// gradient is exact, whatever the error of the erosions. On even slopes it is the distance itself. Deeper
-/// than 32 pixels, and above the surface, it goes on with the height at the rate of the steepest slope, a
-/// bound of the distance from below. Immutable; any thread.
+/// The depth of a point below a relief: its distance to the nearest point of the surface. It equals the
+/// radius of the ball whose erosion of the relief passes through the point. The relief and its erosions by
+/// balls of 1, 2, 4, ... 32 pixels are stored. Between two of them the depth is interpolated linearly in the
+/// height, so it is continuous everywhere with an exact gradient, whatever the error of the erosions. On a
+/// constant slope it is the exact distance. Deeper than 32 pixels, and above the surface, it continues
+/// linearly in the height at the rate of the steepest slope, which gives a lower bound of the distance.
+/// Immutable; any thread.
 class ReliefDepth {
  public:
-  /// Takes as much memory as the relief six times over. `relief` is not null.
+  /// Takes six times the memory of the relief. `relief` must not be null.
   static Result<ReliefDepth> under(std::shared_ptr<const Relief> relief, const Work& work);
 
-  /// Minus the depth and its gradient, at any finite place. Tick path.
+  /// Minus the depth, and its gradient, at any finite position. Tick path.
   FieldSample sample(Vec3 place_m) const noexcept;
 
   double cell_m() const noexcept { return relief_->pixel_m(); }
-  /// The greatest depth up to which it is the distance.
+  /// The greatest depth at which the value is a distance.
   double deepest_m() const noexcept { return erosions_.back().depth_m; }
   std::size_t memory_bytes() const;
   /// Calls visit(surface) with the relief and each of its erosions.
@@ -46,7 +47,7 @@ class ReliefDepth {
 
   std::shared_ptr<const Relief> relief_;
   std::vector<Erosion> erosions_;
-  /// Distance over height on the steepest slope.
+  /// Ratio of distance to height on the steepest slope.
   double steepest_rate_ = 1.0;
 };
 

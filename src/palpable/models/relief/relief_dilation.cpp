@@ -12,13 +12,13 @@
 namespace palpable::models {
 namespace {
 
-/// Where the ball touches, seen from its centre, in pixels.
+/// The contact point relative to the ball's centre, in pixels.
 struct TouchOffset {
   double right = 0.0;
   double up = 0.0;
 };
 
-/// best[x] = max(best[x], from[x] + rise), and which of the offsets that was.
+/// best[x] = max(best[x], from[x] + rise); `which` stores the offset of the maximum.
 PALPABLE_VECTORIZE void raise(float* best, std::int32_t* which, const float* from, int count, float rise,
                               std::int32_t offset) {
   for (int x = 0; x < count; ++x) {
@@ -28,7 +28,7 @@ PALPABLE_VECTORIZE void raise(float* best, std::int32_t* which, const float* fro
   }
 }
 
-/// The spline's own heights at its samples.
+/// The spline's heights at its samples.
 Raster<float> heights_at_samples(const Relief& relief) {
   const Raster<float>& values = relief.samples_m();
   Raster<float> heights(values.width(), values.height());
@@ -41,13 +41,13 @@ Raster<float> heights_at_samples(const Relief& relief) {
   return heights;
 }
 
-/// A place under the ball, seen from its centre, in metres.
+/// A point below the ball, relative to its centre, in metres.
 struct UnderBall {
   double dx = 0.0;
   double dy = 0.0;
 };
 
-/// At most `share` of the radius away.
+/// Limits an offset to `share` of the radius.
 UnderBall held(UnderBall at, double radius_m, double share) {
   const double length_m = std::hypot(at.dx, at.dy);
   if (length_m <= share * radius_m) return at;
@@ -55,8 +55,8 @@ UnderBall held(UnderBall at, double radius_m, double share) {
   return {shrunk * at.dx, shrunk * at.dy};
 }
 
-/// Newton's step towards the greatest z(p + d) + sqrt(r^2 - |d|^2), from d = `at`; the surface's own bend
-/// counts where the sum stays concave.
+/// Newton's step towards the maximum of z(p + d) + sqrt(r^2 - |d|^2), from d = `at`. The surface's curvature
+/// is included where the sum stays concave.
 UnderBall newton_step(const CurvedSample& s, UnderBall at, double radius_m) {
   const double per = 1.0 / std::sqrt(radius_m * radius_m - at.dx * at.dx - at.dy * at.dy);
   const double per3 = per * per * per;
@@ -78,8 +78,8 @@ UnderBall newton_step(const CurvedSample& s, UnderBall at, double radius_m) {
   return {(c * gx - b * gy) / determinant, (a * gy - b * gx) / determinant};
 }
 
-/// The height of the centre of a ball at (x_m, y_m) that touches the surface near `from`. Every place that is
-/// tried is one that the ball cannot pass, so the highest counts.
+/// Height of the centre of a ball at (x_m, y_m) that touches the surface near `from`. Every tried point is a
+/// lower bound, so the maximum is used.
 double centre_height(const Relief& relief, double radius_m, double x_m, double y_m, TouchOffset from) {
   constexpr int kSteps = 5;
   constexpr double kEnough_m = 1e-8;
@@ -90,7 +90,7 @@ double centre_height(const Relief& relief, double radius_m, double x_m, double y
   UnderBall best = held({from.right * pixel_m, from.up * pixel_m}, radius_m, kStart);
   CurvedSample s = relief.curved_sample(x_m + best.dx, y_m + best.dy);
   double best_m = s.z_m + std::sqrt(radius_m * radius_m - best.dx * best.dx - best.dy * best.dy);
-  // Where a plane of this slope is touched.
+  // The contact point of a plane with this slope.
   const double plane_m = radius_m / std::sqrt(1.0 + s.dzdx * s.dzdx + s.dzdy * s.dzdy);
   UnderBall step{plane_m * s.dzdx - best.dx, plane_m * s.dzdy - best.dy};
   for (int k = 0; k < kSteps; ++k) {
@@ -112,8 +112,8 @@ double centre_height(const Relief& relief, double radius_m, double x_m, double y
   return best_m;
 }
 
-/// The control values whose spline passes nearest to `heights`: the spline flattens by a sixth of the second
-/// differences, which are at most `most_bent` where a ball rolled.
+/// Control values whose spline approximates `heights`. The spline lowers curved surfaces by a sixth of the
+/// second differences; these are at most `most_bent` on a surface over which a ball rolled.
 Raster<float> control_values_for(const Raster<float>& heights, double most_bent) {
   const auto most = static_cast<float>(most_bent);
   Raster<float> values = heights;
@@ -129,7 +129,7 @@ Raster<float> control_values_for(const Raster<float>& heights, double most_bent)
   return values;
 }
 
-/// The greatest heights among the samples under the ball, and where each was found.
+/// The greatest heights among the samples below the ball, and their offsets.
 void find_offsets(const Raster<float>& heights, double reach, int y, float* best, std::int32_t* which,
                   std::vector<float>& padded) {
   const int r = static_cast<int>(std::floor(reach));
@@ -154,7 +154,7 @@ void find_offsets(const Raster<float>& heights, double reach, int y, float* best
 Raster<float> dilate_by_ball(const Relief& relief, double radius_m, const Work& work) {
   PALPABLE_CHECK(radius_m > 0.0);
   const double pixel_m = relief.pixel_m();
-  // Heights in pixels, so that the samples' search has one unit.
+  // Heights in pixels, so that the search over samples uses one unit.
   Raster<float> heights = heights_at_samples(relief);
   for (float& z : heights.values()) z = static_cast<float>(z / pixel_m);
   const double reach = radius_m / pixel_m;

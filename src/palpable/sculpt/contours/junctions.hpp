@@ -10,11 +10,11 @@
 
 namespace palpable::sculpt {
 
-/// Where three or more lines meet, in pixels of the picture (pixel centres at integers).
+/// A point where three or more lines meet, px (pixel centres at integers).
 struct Junction {
   double x_px = 0.0;
   double y_px = 0.0;
-  /// How many lines leave it.
+  /// Number of lines that meet there.
   int branches = 0;
 };
 

@@ -12,12 +12,12 @@
 namespace palpable::sculpt {
 
 struct DenseFieldOptions {
-  /// `distance`: the source's exact distance at every place. `distance_and_force`: as Moustakas et al. 2007:
-  /// exact within a cell of the surface, from there by fast marching, the force with it.
+  /// `distance`: the source's exact distance at every point. `distance_and_force`, as in Moustakas et al.
+  /// 2007: exact within a cell of the surface, continued by fast marching together with the force.
   models::DenseContent content = models::DenseContent::distance;
   /// Cells along the solid's longest side, 16 ... 4096.
   int resolution = 512;
-  /// A field that would take more memory is refused, before anything is done.
+  /// A larger field is refused before any work is done.
   std::size_t most_bytes = std::size_t{1} << 31U;
 };
 
@@ -26,8 +26,8 @@ struct DenseFieldOptions {
 /// resolution that fits.
 Result<models::Lattice> lattice_around(const Box& bounds, const DenseFieldOptions& options);
 
-/// Long work: all threads where distances are sampled (fast marching has one), reports progress, polls
-/// cancel; the same for any number of threads. Errors: as lattice_around(); interrupted.
+/// Samples the field. Long work: all threads for sampling (fast marching uses one), reports progress, polls
+/// cancel. The result does not depend on the number of threads. Errors: as lattice_around(); interrupted.
 Result<models::DenseField> dense_field_from_source(const DistanceSource& source,
                                                    const DenseFieldOptions& options, const Work& work);
 

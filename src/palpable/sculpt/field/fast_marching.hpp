@@ -10,19 +10,19 @@
 
 namespace palpable::sculpt {
 
-/// Distance and force at a lattice's places, four floats each (models::DenseContent::distance_and_force),
-/// known at some places so far.
+/// Distance and force at a lattice's points, four floats each (models::DenseContent::distance_and_force);
+/// known at some points initially.
 struct Front {
   models::Lattice lattice;
   std::vector<float> values;
-  /// One for each place; at least one is known.
+  /// Whether each point is known; at least one is.
   std::vector<bool> known;
 };
 
-/// Spreads distances from the known places over the lattice in the order of their size (fast marching of
-/// first order, Sethian 1996): |grad D| = 1 from the neighbours nearer to the surface. Each place takes their
-/// sign, and their forces' mean, weighted by how the front comes from each (as Adalsteinsson & Sethian 1999
-/// extend a velocity), of length 1. There is a known place on both sides of every face that the surface
+/// Extends distances from the known points over the lattice in increasing order (first-order fast marching,
+/// Sethian 1996): |grad D| = 1 from the neighbours nearer to the surface. Each point gets their sign and the
+/// mean of their forces, normalised to length 1 and weighted by the upwind directions (as Adalsteinsson &
+/// Sethian 1999 extend a velocity). There must be a known point on both sides of every face that the surface
 /// crosses. Errors: interrupted.
 Result<void> march(Front& front, const Work& work);
 

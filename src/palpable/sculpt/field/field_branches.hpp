@@ -18,41 +18,41 @@
 
 namespace palpable::sculpt {
 
-/// One root cell's part of the tree, its entries counted from its own beginning.
+/// The subtree of one root cell, with indices relative to its start.
 struct Branch {
   std::uint32_t entry = 0;
   std::vector<std::uint32_t> nodes;
   std::vector<std::uint32_t> words;
-  /// From the source (DistanceSource::Hint).
+  /// The value from the source (DistanceSource::Hint).
   double greatest_difference_m = 0.0;
-  /// Nothing changed in it: it stays as in the earlier tree, and the rest is empty.
+  /// Whether nothing changed in it: it is the same as in the earlier tree, and the other members are empty.
   bool kept = false;
 };
 
-/// A field that is to be sampled again in part.
+/// A field of which a part is sampled again.
 struct Earlier {
   const models::FieldTree& tree;
-  /// Whether the nearest place of the surface may be among what changed, of a place from the grid's origin
-  /// and the distance that the source now has there. Any thread.
+  /// Whether the nearest surface point may belong to the change, for a point relative to the grid's origin
+  /// and the source's new distance there. Any thread.
   std::function<bool(Vec3 from_origin_m, double distance_m)> changed_at;
-  /// Of a cell, without asking the source: true only where nothing changed.
+  /// A quick test of a cell without the source: true only if nothing changed in it.
   std::function<bool(Vec3 centre_m, double half_m)> is_far;
 };
 
-/// Samples all root cells, x fastest. With an earlier tree of the same grid, its cells that did not change
-/// are copied, to the bit; where a cell changed in part, its children are visited. Errors: failed for more
-/// than options.most_bytes, interrupted.
+/// Samples all root cells, x fastest. With an earlier tree on the same grid, unchanged cells are copied bit
+/// by bit; if a part of a cell changed, its children are visited. Errors: failed for more than
+/// options.most_bytes, interrupted.
 Result<std::vector<Branch>> branches_of(const DistanceSource& source, const models::FieldGrid& grid,
                                         const FitBounds& bounds, const FieldOptions& options,
                                         const Earlier* earlier, const Work& work);
 
-/// The bounds of a field whose solid's longest side is `longest_m`.
+/// The fit bounds of a field of a solid with this longest side.
 FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& options);
 
-/// Joins the branches, in the order of their root cells; leaves that hold the same share their words.
+/// Joins branches in the order of their root cells; leaves with equal content share their words.
 class Joiner {
  public:
-  /// `earlier`: the tree that kept branches are in, or null.
+  /// `earlier`: the tree that contains the kept branches, or null.
   explicit Joiner(const models::FieldTree* earlier = nullptr)
       : earlier_(earlier), known_(0, Hash{tree_.words}, Same{tree_.words}) {
     if (earlier_ != nullptr) kept_words_.resize(earlier_->words.size());
@@ -75,7 +75,7 @@ class Joiner {
   std::uint32_t moved(std::uint32_t entry, const Branch& branch, std::uint32_t first_node);
   std::uint32_t kept(std::uint32_t entry);
 
-  /// Of a leaf's words that begin there.
+  /// Hash of the words of the leaf that starts at an index.
   struct Hash {
     const std::vector<std::uint32_t>& words;
     std::size_t operator()(std::uint32_t begin) const {
@@ -93,9 +93,9 @@ class Joiner {
 
   models::FieldTree tree_;
   const models::FieldTree* earlier_;
-  /// Where the words of each different leaf begin.
+  /// Start index of the words of each distinct leaf.
   std::unordered_set<std::uint32_t, Hash, Same> known_;
-  /// Where the earlier tree's words of a leaf went, and 1; 0: not yet.
+  /// New start index, plus 1, of each leaf of the earlier tree; 0: not copied yet.
   std::vector<std::uint32_t> kept_words_;
 };
 

@@ -19,15 +19,16 @@ struct FieldOptions {
   /// The error bound near the surface where the distance is smooth, metres; 0 = a ten-thousandth of the
   /// longest side (10 um in 100 mm).
   double max_error_m = 0.0;
-  /// Where the bound holds: this deep inside and this far outside, but at least 3 % and 1 % of the longest
-  /// side, and at most 15 % and 5 %.
+  /// The band in which the bound holds: this deep inside and this far outside, but at least 3 % and 1 % of
+  /// the longest side, and at most 15 % and 5 %.
   double inside_m = 0.003;
   double outside_m = 0.001;
-  /// A field that would take more memory is refused, before it does.
+  /// A field that would need more memory is refused before it is allocated.
   std::size_t most_bytes = std::size_t{1} << 31U;
 };
 
-/// Without most_bytes, which shapes nothing. Defaults chosen on made solids and scans (docs/fields.md).
+/// All parameters except most_bytes, which does not affect the result. Defaults were chosen on generated
+/// solids and scans (docs/fields.md).
 std::vector<Parameter> parameters_of(FieldOptions& options);
 
 /// Side of the finest cells for a solid in `bounds`. Errors: usage for options out of range; invalid_input
@@ -39,8 +40,8 @@ Result<double> finest_cell_m(const Box& bounds, const FieldOptions& options);
 /// refuses.
 double facet_rounding_m(const Box& bounds, const FieldOptions& options);
 
-/// How far a field reaches beyond the solid in `bounds`: 6 % of its longest side, at least 2 mm, but no
-/// more than 10 % for that.
+/// Margin of a field around the solid in `bounds`: 6 % of its longest side, at least 2 mm, but no more than
+/// 10 % of the side because of that minimum.
 double field_margin_m(const Box& bounds);
 
 /// Samples a solid's distance adaptively: cells that no leaf of models/field/field_leaf.hpp fits are split

@@ -13,7 +13,7 @@
 
 namespace palpable::sculpt {
 
-/// The error that is allowed at a place: its maximum, and its root mean square over a leaf.
+/// The allowed error at a point: its maximum, and its root mean square over a leaf.
 struct Allowance {
   double value_m = 0.0;
   double value_rms_m = 0.0;
@@ -21,18 +21,19 @@ struct Allowance {
   double gradient_rms = 0.0;
 };
 
-/// How far a leaf may err beyond the band, in finest cells: where neighbours differ, the gradient of their
-/// mixture does too.
+/// Allowed error of a leaf outside the band, in finest cells. It is limited because differences between
+/// neighbours also affect the gradient of their blend.
 inline constexpr double kJoinInCells = 0.2;
 inline constexpr double kJoinRmsInCells = 0.06;
-/// How far the length of a leaf's gradient may be from 1; looser farther outside than the band.
+/// Allowed deviation of the gradient's length from 1; larger far outside the band.
 inline constexpr double kLength = 0.04, kLengthOutside = 0.2;
 
-/// `side`: the leaf's, in finest cells. Small facets of a curved surface must not be followed each by itself:
-/// the gradient is judged by its mean, and more loosely where a leaf is hardly larger than the kink in it.
+/// The allowance in a leaf with a side of `side` finest cells. Small facets of a curved surface should not be
+/// represented one by one: the gradient is tested by its mean, and less strictly if the leaf is hardly larger
+/// than its kink.
 inline Allowance allowance(double distance_m, double side, const FitBounds& b) {
   const double loose = side < 3.0 ? 4.0 : side < 6.0 ? 2.0 : 1.0;
-  // Neighbouring leaves that differ by rms x 2 over half a cell tilt the gradient by 1 % to 2 %.
+  // Neighbouring leaves that differ by 2 rms over half a cell tilt the gradient by 1 % to 2 %.
   Allowance a{b.bound_m, std::min(0.15 * b.bound_m, 0.006 * b.cell_m), 0.035 * loose, 0.01 * loose};
   const double beyond =
       distance_m < 0.0 ? (-distance_m - b.inside_m) / b.inside_m : (distance_m - b.outside_m) / b.outside_m;
@@ -46,7 +47,7 @@ inline Allowance allowance(double distance_m, double side, const FitBounds& b) {
   return a;
 }
 
-/// The errors of a leaf, place by place.
+/// Computes the errors of a leaf at its sample points.
 class LeafErrors {
  public:
   LeafErrors(const CellSamples& samples, const FitBounds& bounds)
@@ -77,8 +78,8 @@ class LeafErrors {
     a.value_rms_m += 0.5 * samples_.coarse_m;
     a.gradient += samples_.coarse_turn;
     a.gradient_rms += 0.5 * samples_.coarse_turn;
-    // Where a kink is rounded, the gradient turns, and the rounding's own error is allowed; but the kink must
-    // be where it is in truth.
+    // Near a rounded kink the gradient turns, and the rounding's own error is allowed; but the kink must be
+    // at its true position.
     if (std::abs(sharp.distance_m - s.distance_m) > sharp_round_m)
       return std::abs(sharp.distance_m - truth.distance_m) /
              std::max(a.value_m, kKinkInCells * bounds_.cell_m);
@@ -103,11 +104,12 @@ class LeafErrors {
     }
     return greatest;
   }
-  /// Whether the cell is one that is not cut any more.
+  /// Whether the cell cannot be split further.
   bool is_finest() const { return side_ < 1.5; }
   bool may_be_compact() const { return side_ < 1.5 * (1 << models::CompactQuadratic::kMostLevel); }
 
-  /// Over all places; gives up above `enough`. Infinite for a leaf that gives no number somewhere.
+  /// The greatest error over all points; stops above `enough`. Infinite if a leaf gives a value that is not
+  /// finite.
   double error(const LeafFit& leaf, double enough) const {
     double worst = 0.0;
     Squares squares;

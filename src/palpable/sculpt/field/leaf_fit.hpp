@@ -13,27 +13,27 @@
 
 namespace palpable::sculpt {
 
-/// How closely a field must follow its source (docs/fields.md). Near the surface: value within bound_m, and
-/// root-mean-square and gradient so close that neighbouring leaves join without a perceptible step. Elsewhere
-/// the same, loosened with the distance from that band.
+/// Tolerances of a field relative to its source (docs/fields.md). Near the surface, the value is within
+/// bound_m, and RMS and gradient errors are so small that neighbouring leaves join without a perceptible
+/// step. Elsewhere the tolerances increase with the distance from that band.
 struct FitBounds {
   double bound_m = 1e-5;
   /// The band: this deep inside and this far outside.
   double inside_m = 0.003;
   double outside_m = 0.001;
   double cell_m = 0.0;
-  /// Over facets whose samples may turn by more (CellSamples::coarse_turn, radians), a leaf is tried as one
-  /// smooth piece, in the compact form, before the edges between the facets: it is smaller.
+  /// If the samples of facets may deviate by more than this angle (CellSamples::coarse_turn, radians), one
+  /// smooth piece in the compact form is tried before the edges between the facets, since it is smaller.
   double noisy_turn = 0.03;
 };
 
 /// The tolerance of an edge's position, in finest cells.
 inline constexpr double kKinkInCells = 0.1;
 
-/// Where a cell is sampled: 3 x 3 x 3 places over it, its corners among them. Each gives a value and a
-/// gradient, so 108 numbers determine the 10 of a quadratic.
+/// Sample points of a cell: 3 x 3 x 3, corners included. Each gives a value and a gradient, so 108 numbers
+/// determine the 10 of a quadratic.
 inline constexpr std::size_t kFitPlaces = 27;
-/// Place k of a cell, from its centre in halves of its side.
+/// Sample point k relative to the cell's centre, in halves of its side.
 Vec3 fit_place(std::size_t k);
 
 struct CellSamples {
@@ -41,15 +41,15 @@ struct CellSamples {
   Vec3 centre_m;
   double half_m = 0.0;
   std::array<models::FieldSample, kFitPlaces> at;
-  /// How far the samples may differ from the surface that they approximate (DistanceSource::Hint): a leaf
-  /// need not follow them more closely.
+  /// Accuracy of the samples as an approximation of the surface (DistanceSource::Hint); a leaf need not be
+  /// more accurate.
   double coarse_m = 0.0, coarse_turn = 0.0;
-  /// The cell is not split any further: if no leaf keeps the bounds, the search is for the one with the least
-  /// error. For other cells the error of a leaf that fails is not computed to the end.
+  /// Whether the cell cannot be split further. Then, if no leaf satisfies the bounds, the one with the least
+  /// error is searched. For other cells the error of a failing leaf is not computed completely.
   bool is_last = true;
 };
 
-/// A leaf's words (models/field/field_leaf.hpp), and how far they err: up to 1 keeps every bound.
+/// A leaf's words (models/field/field_leaf.hpp) and its relative error: up to 1 satisfies all bounds.
 struct LeafFit {
   std::array<std::uint32_t, 24> words{};
   std::size_t count = 0;
@@ -57,8 +57,8 @@ struct LeafFit {
   std::span<const std::uint32_t> used() const { return {words.data(), count}; }
 };
 
-/// Leaves of planes that fitted cells nearby, the latest first: along an edge all cells hold the same one.
-/// Planes do not depend on the cell, so a leaf that fits again is kept only once.
+/// Plane leaves that fitted nearby cells, the latest first: along an edge all cells have the same one. Planes
+/// do not depend on the cell, so a repeated leaf is stored only once.
 class RecentLeaves {
  public:
   void add(const LeafFit& leaf);
@@ -70,11 +70,11 @@ class RecentLeaves {
   std::size_t count_ = 0;
 };
 
-/// The simplest leaf that keeps the bounds: a plane, a recent leaf, two planes that meet, a quadratic, two of
-/// them, three planes; else the best of these, its error above 1.
+/// Fits the simplest leaf that satisfies the bounds: a plane, a recent leaf, two planes that meet, a
+/// quadratic, two quadratics, three planes; else the best of these, with an error above 1.
 LeafFit fit_leaf(const CellSamples& samples, const FitBounds& bounds, const RecentLeaves& recent);
 
-/// How far a leaf errs at one more place, as LeafFit::error counts it.
+/// The relative error of a leaf at one more point, as in LeafFit::error.
 double leaf_error(const LeafFit& leaf, const CellSamples& samples, Vec3 u, const models::FieldSample& truth,
                   const FitBounds& bounds);
 

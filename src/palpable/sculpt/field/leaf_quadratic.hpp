@@ -13,9 +13,9 @@ inline constexpr std::size_t kQuadraticTerms = 10;
 /// c + l.u + u.Qu as c, l and Q (xx, yy, zz, xy, xz, yz), u from the cell's centre in halves of its side.
 using Quadratic = std::array<double, kQuadraticTerms>;
 
-/// The least-squares fit, in halves of the cell's side, to the values and gradients at the wanted places.
+/// Least-squares fit to the values and gradients at the selected points, in halves of the cell's side.
 Quadratic quadratic_through(const CellSamples& samples, const std::array<bool, kFitPlaces>& wanted);
-/// To those at all places: a linear map that is the same in every cell.
+/// The same at all points: a linear map that is the same for every cell.
 Quadratic quadratic_through(const CellSamples& samples);
 
 }  // namespace palpable::sculpt

@@ -9,10 +9,10 @@
 
 namespace palpable::sculpt {
 
-/// The surface where a level set, interpolated between its places, is 0: triangles facing outwards, metres.
-/// Parts that span less than half a block may be missed. Long work: all threads, polls cancel. Errors:
-/// invalid_input for a level set without a surface, one whose surface passes over 10 million voxels, or one
-/// over 2^19 voxels long; interrupted.
+/// The zero surface of an interpolated level set: triangles facing outwards, metres. Parts that span less
+/// than half a block may be missed. Long work: all threads, polls cancel. Errors: invalid_input for a level
+/// set without a surface, with a surface through more than 10 million voxels, or longer than 2^19 voxels;
+/// interrupted.
 Result<Mesh> surface_of_level_set(const LevelSet& set, const Work& work);
 
 }  // namespace palpable::sculpt

@@ -16,8 +16,8 @@ struct ErrorRange {
   double outside_m = 0.0;
 };
 
-/// Errors of the distance `felt` at up to 20000 random places of `box` whose felt distance lies within
-/// `range` of the surface: 99th percentile and greatest (bound_m stays 0). The same for the same work.seed.
+/// Measures the errors of the distance `felt` at up to 20000 random points of `box` whose distance is within
+/// `range` of the surface: 99th percentile and maximum (bound_m stays 0). Deterministic for work.seed.
 models::FieldErrors measured_errors(const std::function<double(Vec3 place_m)>& felt, const Box& box,
                                     const DistanceSource& source, const ErrorRange& range, const Work& work);
 

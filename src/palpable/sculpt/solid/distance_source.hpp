@@ -24,7 +24,7 @@ class DistanceSource {
   /// constructed at first; one for each thread.
   struct Hint {
     std::uint32_t triangle = 0;
-    /// The same of a source's second surface.
+    /// The same for a source's second surface.
     std::uint32_t second_triangle = 0;
     /// The last places and their distances (0: none yet): the sign is the same everywhere within that
     /// distance.
@@ -34,27 +34,27 @@ class DistanceSource {
     };
     std::array<PreviousSample, 8> last;
     std::size_t oldest = 0;
-    /// How far the last sample may differ from the surface that the source approximates, metres and radians:
-    /// between the vertices of a scan it is an estimate. 0 where the surface is exact.
+    /// Accuracy of the last sample as an approximation of the surface, metres and radians: between the
+    /// vertices of a scan the surface is an estimate. 0 where it is exact.
     double coarse_m = 0.0, coarse_turn = 0.0;
-    /// Of a source that blends two distances: the greatest difference between them at the places queried.
+    /// For a source that blends two distances: their greatest difference at the queried points.
     double greatest_difference_m = 0.0;
     /// The triangles near the balls that were entered; the first `entered` are in use.
     std::vector<TriangleShortlist> balls;
     std::size_t entered = 0;
-    /// Of a source that adds surfaces to another: one for each.
+    /// For a source that adds surfaces to another: one hint for each.
     std::vector<Hint> of_parts;
   };
 
-  /// The next places all lie in this ball, which lies in the last one entered and not left: a source may
-  /// search it once, for all of them.
+  /// Announces that the next points are in this ball, which is inside the last one that was entered and not
+  /// left. A source may prepare one search for all of them.
   virtual void enter(Vec3 /*centre_m*/, double /*radius_m*/, Hint& /*hint*/) const {}
   virtual void leave(Hint& /*hint*/) const {}
 
   /// Euclidean distance to the surface at any finite place, negative inside, and its gradient: a unit vector
   /// (on edges and medial sheets that of one side).
   virtual models::FieldSample at(Vec3 place_m, Hint& hint) const = 0;
-  /// Of the solid's surface.
+  /// The bounding box of the solid's surface.
   virtual Box bounds() const = 0;
 
  protected:

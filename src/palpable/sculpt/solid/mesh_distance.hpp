@@ -9,11 +9,11 @@
 
 namespace palpable::sculpt {
 
-/// The distance to a mesh's triangles (at least one, all with an area, facing outwards). Of an edge or a
-/// corner of a mesh that is closed all over, the sign follows from its triangles' normals (angle-weighted
-/// pseudo-normals, Baerentzen & Aanaes 2005); of other meshes (with rims, or corners that lie on other
-/// triangles' edges), and where the normals are ambiguous, from the winding number of `whole`, the mesh that
-/// the surface was taken from.
+/// The signed distance to a mesh's triangles (at least one, all with an area, facing outwards). At an edge or
+/// a corner of a closed mesh, the sign follows from the triangles' normals (angle-weighted pseudo-normals,
+/// Baerentzen & Aanaes 2005). For other meshes (with rims, or with corners on edges of other triangles), and
+/// where the normals are ambiguous, it follows from the winding number of `whole`, the mesh from which the
+/// surface was taken.
 std::unique_ptr<DistanceSource> mesh_distance(const Mesh& surface, const Mesh& whole);
 
 }  // namespace palpable::sculpt

@@ -28,24 +28,24 @@ class SmoothSurface final : public DistanceSource {
  public:
   /// Which facets are smoothed; all of them by default.
   struct Rounding {
-    /// The smooth surface lies no farther beside the facets than this: edges that would need more stay sharp.
+    /// Greatest distance of the smooth surface from the facets: edges that would need more stay sharp.
     double most_m = std::numeric_limits<double>::infinity();
-    /// Edges of facets whose greatest inscribed circle is larger stay sharp, however little they turn.
+    /// Edges of facets with a larger inscribed circle stay sharp, however small their angle.
     double largest_facet_m = std::numeric_limits<double>::infinity();
-    /// The part of a facet's rise and turn that a field of it need not follow (DistanceSource::Hint): an
-    /// evenly bent surface rises above the facet's centre by a quarter of it, and measured corners may err by
-    /// as much.
+    /// The share of a facet's rise and turn that a field may omit (DistanceSource::Hint). A uniformly curved
+    /// surface rises above the facet's centre by a quarter of it, and measured corners may have errors of
+    /// that size.
     double coarse_share = 0.25;
-    /// The same of a scan's noise: how far the normals at the vertices scatter around the mean of their
-    /// neighbours (as an angle), and that angle times the facet's size. A tessellated smooth surface has
-    /// none. Measured once, when the surface is made.
+    /// The same for a scan's noise, measured by the scatter of the vertex normals around the mean of their
+    /// neighbours: that angle, and that angle times the facet's size. A tessellated smooth surface has none.
+    /// Measured once, when the surface is made.
     double noise_turn_share = 0.0, noise_rise_share = 0.0;
   };
   /// A mesh that is_watertight().
   explicit SmoothSurface(Mesh mesh) : SmoothSurface(std::move(mesh), Rounding{}) {}
   SmoothSurface(Mesh mesh, const Rounding& rounding);
 
-  /// How many facets were smoothed.
+  /// Number of smoothed facets.
   std::size_t rounded_facets() const;
 
   struct Move {
@@ -58,7 +58,7 @@ class SmoothSurface final : public DistanceSource {
   models::FieldSample at(Vec3 place_m, Hint& hint) const override;
   void enter(Vec3 centre_m, double radius_m, Hint& hint) const override;
   void leave(Hint& hint) const override;
-  /// Of the triangles.
+  /// The bounding box of the triangles.
   Box bounds() const override { return tree_.bounds(); }
   /// A triangle's corners with their normals.
   struct Patch;
@@ -74,7 +74,7 @@ class SmoothSurface final : public DistanceSource {
   void set_normals(std::uint32_t vertex);
   void measure_noise();
   double normal_scatter2(std::uint32_t vertex) const;
-  /// Across a triangle's edge.
+  /// Whether the surface is smooth across a triangle's edge.
   bool is_smooth(std::uint32_t triangle, std::size_t side) const {
     return (smooth_[triangle] >> side & 1U) != 0;
   }
@@ -86,18 +86,18 @@ class SmoothSurface final : public DistanceSource {
   Mesh mesh_;
   TriangleTree tree_;
   std::vector<Vec3> faces_;
-  /// For each corner of each triangle, of the smooth part of the surface around it.
+  /// The normal at each corner of each triangle, of the smooth part of the surface there.
   std::vector<std::array<Vec3, 3>> normals_;
   /// The triangle across each edge: 0-1, 1-2, 2-0.
   std::vector<std::array<std::uint32_t, 3>> across_;
-  /// Which of these edges are smooth, a bit each.
+  /// Bit mask of the smooth edges.
   std::vector<std::uint8_t> smooth_;
   /// For each triangle: the scatter of the normals around it, radians, and that times the triangle's size.
   struct Noise {
     float turn = 0.0F, rise_m = 0.0F;
   };
   std::vector<Noise> noise_;
-  /// For each vertex the sum of the faces around it, weighted by their angles.
+  /// For each vertex, the sum of the normals of the adjacent faces, weighted by their angles.
   std::vector<Vec3> around_;
   /// The corners at each vertex, as 3 triangle + corner; vertex v's from fan_begin_[v].
   std::vector<std::uint32_t> fan_begin_, fans_;

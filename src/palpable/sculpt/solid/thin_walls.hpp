@@ -28,19 +28,19 @@ inline constexpr WallOptions kWallsAsTheyAre{0.0};
 struct ThickenedWalls {
   /// Null: no wall is too thin.
   std::unique_ptr<DistanceSource> distance;
-  /// Triangles of walls too thin, and of sheets that enclose no solid.
+  /// Number of triangles of walls that are too thin, and of sheets that enclose no solid.
   std::size_t thin = 0;
   std::size_t sheets = 0;
-  /// Triangles of sheets that are the ground on which the solid stands, as the land of a city model: they
-  /// face one direction, lie under all of the solid and reach beyond it. They are left out.
+  /// Number of triangles of sheets that are the ground on which the solid stands, such as the land of a city
+  /// model: they face one direction, are below the whole solid and extend beyond it. They are omitted.
   std::size_t ground = 0;
-  /// The most that was added to a side.
+  /// Greatest thickness added to a side.
   double added_m = 0.0;
 };
 
-/// `solid` is bounded by the triangles of `surface`, and is taken only where something was thickened. The
-/// first `sheet_candidates` triangles of `sheets_from` are sheets where they lie outside the solid.
-/// `finest_m`: side of a field's finest cells. Options in their ranges. All threads.
+/// Thickens the thin walls of `solid`, whose surface is `surface`; `solid` is moved from only if something
+/// was thickened. The first `sheet_candidates` triangles of `sheets_from` are sheets where they are outside
+/// the solid. `finest_m`: side of a field's finest cells. The options must be in range. All threads.
 ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mesh& surface,
                                const Mesh& sheets_from, std::size_t sheet_candidates, double finest_m,
                                const WallOptions& options, const Work& work);

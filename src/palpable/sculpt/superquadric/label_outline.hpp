@@ -12,9 +12,9 @@
 
 namespace palpable::sculpt {
 
-/// The lines of sight through the outline of `label` in a label picture: one between each pair of neighbours
-/// of which one has the label and the other not, the border of the picture left out. `scene_from_camera` is
-/// the camera's pose.
+/// The lines of sight through the outline of `label` in a label picture: one between each pair of
+/// neighbouring pixels of which exactly one has the label; the picture's border is omitted.
+/// `scene_from_camera` is the camera's pose.
 std::vector<LineOfSight> outline_of(const Raster<std::uint8_t>& labels, std::uint8_t label,
                                     const Pinhole& camera,
                                     const Transform<SceneFrame, CameraFrame>& scene_from_camera);

@@ -12,7 +12,7 @@
 
 namespace palpable::sculpt {
 
-/// How planes are found and slabs are shaped.
+/// Options for finding planes and shaping slabs.
 struct SlabOptions {
   /// Random triples of points that are tried, and points that each plane is compared with. 1 … 1e6 each.
   int trials = 200;

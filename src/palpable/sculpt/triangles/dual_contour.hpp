@@ -18,15 +18,15 @@ namespace palpable::sculpt {
 using SolidFunction = std::function<models::FieldSample(Vec3 place_m)>;
 
 struct DualContourOptions {
-  /// Side of the cubes that hold one vertex each, > 0.
+  /// Side of the cubes, with one vertex each, > 0.
   double spacing_m = 0.0;
 };
 
-/// The surface where `solid` is 0, as triangles facing outwards: one vertex for each sheet of it in each
-/// cube, where the tangent planes of its crossings meet, so that edges and corners stay sharp (dual
-/// contouring, Ju et al. 2002). Begins at `seeds_m`, places on or near the surface, and follows it from cube
-/// to cube within `bounds`; where it leaves them it is left open. Errors: usage for a spacing that makes over
-/// 2^19 cubes along a side; interrupted.
+/// The zero surface of `solid` as triangles facing outwards, by dual contouring (Ju et al. 2002): one vertex
+/// for each sheet in each cube, at the intersection of the tangent planes of its crossings, so that edges and
+/// corners stay sharp. It starts at `seeds_m`, points on or near the surface, and follows the surface from
+/// cube to cube within `bounds`, where it stays open. Errors: usage for a spacing that gives more than 2^19
+/// cubes along a side; interrupted.
 Result<Mesh> dual_contour(const SolidFunction& solid, const Box& bounds, std::span<const Vec3> seeds_m,
                           const DualContourOptions& options, const Work& work);
 

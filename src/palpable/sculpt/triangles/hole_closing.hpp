@@ -13,8 +13,8 @@
 namespace palpable::sculpt {
 
 /// Closes each hole by triangles between the vertices of its rim (triangulated_hole()). A rim is a loop of
-/// edges along which more triangles run one way than the other: where bodies share walls, their common rim is
-/// closed. The new triangles are appended. Returns the number of holes.
+/// edges with more triangles in one direction than in the other; where bodies share walls, their common rim
+/// is closed. The new triangles are appended. Returns the number of holes.
 std::size_t close_holes(Mesh& mesh);
 
 /// Triangles that close a hole without new vertices, as indices into its rim: of all triangulations without a

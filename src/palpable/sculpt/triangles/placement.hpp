@@ -14,11 +14,11 @@ namespace palpable::sculpt {
 
 /// The orientation of a solid in the scene, which is viewed along -z.
 enum class Lay {
-  /// Flat where it is less than a quarter as high as it is wide and deep (a map, a plate), else upright.
+  /// Flat if its height is less than a quarter of its width and depth (a map, a plate), else upright.
   automatic,
   /// Its up is the scene's up (+y): seen from the front.
   upright,
-  /// Its up points to the person (+z): seen from above.
+  /// Its up points to the user (+z): seen from above.
   flat
 };
 
@@ -26,8 +26,8 @@ enum class Lay {
 enum class DefaultSize {
   /// Its own: metres, axes and origin stay as they are.
   own,
-  /// Its own if its longest side is 20 to 250 mm, which a hand can feel; else the default working volume. A
-  /// solid of its own size that is far from its origin is moved to the middle.
+  /// Its own size if its longest side is 20 to 250 mm, which suits a hand; else the default working volume. A
+  /// solid that keeps its size but is far from its origin is moved to the centre.
   for_a_hand
 };
 
@@ -36,8 +36,8 @@ struct PlacementOptions {
   /// Width, height and depth of the box that it is fitted into, each 1 mm ... 1 m.
   std::optional<Vec3> size_m;
   DefaultSize default_size = DefaultSize::own;
-  /// Which way is up in the solid's own coordinates; not given: as the convention says. A solid for which
-  /// this or `lay` is given is fitted into the default working volume where it has no size.
+  /// The up direction in the solid's coordinates; if not given, that of the convention. If this or `lay` is
+  /// given without a size, the solid is fitted into the default working volume.
   std::optional<AxisDirection> up;
   Lay lay = Lay::automatic;
   CoordinateConvention convention;
@@ -58,31 +58,31 @@ struct Placement {
 };
 
 /// The placement of a solid in `box`, one of its units being a metre. It keeps its place as `default_size`
-/// says. Otherwise it is rotated by quarter turns, so that its up is the scene's up or points to the person,
+/// says. Otherwise it is rotated by quarter turns, so that its up is the scene's up or points to the user,
 /// scaled into the size, and centred above the origin with its lowest point at z = 0. Upright, its front
-/// faces the person: -y if z is up (as modellers' front views), +y if z is down, else +z (as glTF). Errors:
+/// faces the user: -y if z is up (as modellers' front views), +y if z is down, else +z (as glTF). Errors:
 /// usage for sizes out of range, invalid_input for a box without a finite extent.
 Result<Placement> placement_of(const Box& box, const PlacementOptions& options);
 
-/// Which side of a solid faces the person when that direction is up.
+/// Which side of a solid faces the user when that direction is up.
 AxisDirection front_of(AxisDirection up);
 
-/// Whether a solid's middle is near enough to the origin (half of its longest side across the view, once
-/// that side along it) for a hand that starts above the origin to find it.
+/// Whether a solid is near enough to the origin to be found by a hand that starts above the origin: its
+/// centre is within half of its longest side across the view, and within that side along the view.
 bool lies_about_origin(const Box& box);
 
 /// Whether a solid of these extents has a size that a hand can feel.
 bool suits_a_hand(Vec3 extent_m);
 
-/// The quarter turns after which `towards` points to the person (+z) and `up` up (+y); where both are along
-/// one axis, what was at the front is at the bottom, as of a map.
+/// The rotation by quarter turns after which `towards` points to the user (+z) and `up` points up (+y). If
+/// both are along one axis, the front becomes the bottom, as for a map.
 std::array<double, 9> turn_towards_person(AxisDirection towards, AxisDirection up);
 
 /// The box after a rotation by quarter turns.
 Box turned(const Box& box, const std::array<double, 9>& rotation);
 
-/// The scale and move that fit a turned box into `size_m`, its lowest point at z = 0. Sides without extent
-/// are ignored; at least one has an extent.
+/// The scale and translation that fit a rotated box into `size_m` with its lowest point at z = 0. Sides
+/// without extent are ignored; at least one side has an extent.
 Transform<SceneFrame, models::InputFrame> fitted(const Box& box, const std::array<double, 9>& rotation,
                                                  Vec3 size_m);
 

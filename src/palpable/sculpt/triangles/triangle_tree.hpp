@@ -69,7 +69,7 @@ class TriangleTree {
   /// (Barill et al. 2018), with an error of about 0.01.
   double winding(Vec3 p) const;
 
-  /// How many triangles a ray from `p` meets.
+  /// Number of triangles that a ray from `p` crosses.
   int crossings(Vec3 p, Vec3 direction) const;
 
  private:
@@ -79,7 +79,7 @@ class TriangleTree {
     std::uint32_t right = 0;
     std::uint32_t first = 0;
     std::uint32_t count = 0;
-    /// A leaf's triangles in leaves_.
+    /// Index of a leaf's triangles in leaves_.
     std::uint32_t leaf = 0;
   };
   /// A node's triangles as seen from afar: summed area vectors, their centre, and the radius around it.
@@ -91,7 +91,7 @@ class TriangleTree {
     double size_m2 = 0.0;
   };
   using Corners = std::array<Vec3, 3>;
-  /// Deeper than any tree over 2^32 triangles that halves them.
+  /// Greater than the depth of any balanced tree of 2^32 triangles.
   static constexpr std::size_t kStack = 80;
 
   static bool meet(Vec3 low, Vec3 high, Vec3 other_low, Vec3 other_high) {
@@ -119,7 +119,7 @@ class TriangleTree {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
   }
   NearestTriangle measured(Vec3 p, std::uint32_t place) const;
-  /// `place`: p from the origin.
+  /// `place`: p relative to the origin.
   void try_leaf(Vec3 p, const std::array<float, 3>& place, std::uint32_t node, NearestTriangle& best) const;
   std::uint32_t build(std::uint32_t first, std::uint32_t count, const std::vector<Vec3>& centres);
   /// Box and dipole of a node whose children have theirs.
@@ -128,20 +128,20 @@ class TriangleTree {
   void bound_dipole(std::uint32_t at);
   void set_leaf(std::uint32_t at);
   double rounding_m() const;
-  /// Joins a node's grandchildren, and all below them, into fours; returns the number of the first.
+  /// Groups a node's grandchildren, and all nodes below them, in fours; returns the index of the first group.
   std::uint32_t gather(std::uint32_t at);
   void put_into_four(std::uint32_t at);
   /// A box of few triangles is aligned with their mean normal. On curved surfaces it is much tighter than an
   /// axis-aligned box, so a point that is nearly equidistant from everything (the middle of a sphere) takes
   /// less time.
   OrientedBox oriented_box(const Node& node, Vec3 area_m2) const;
-  /// `places`: of corners_, sorted; all of them the node's.
+  /// `places`: sorted indices into corners_, all belonging to the node.
   void bound_over(std::uint32_t at, std::span<const std::uint32_t> places);
 
-  /// Two levels of the tree in one, for nearest().
+  /// Two levels of the tree combined, for nearest().
   struct Four {
     FourBoxes boxes;
-    /// Their nodes, and below an inner one its own four.
+    /// Their nodes, and for an inner node the index of its own group.
     std::array<std::uint32_t, FourBoxes::kCount> node, below;
   };
   static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
@@ -152,10 +152,10 @@ class TriangleTree {
   std::vector<FourTriangles> leaves_;
   /// For each node its lane in fours_: 4 x which + lane, or kNone.
   std::vector<std::uint32_t> lane_of_;
-  /// fours_ and leaves_ count from here, and round by no more than rounding_m_.
+  /// fours_ and leaves_ are relative to this point; their rounding error is at most rounding_m_.
   Vec3 origin_m_;
   double rounding_m_ = 0.0;
-  /// In the order of the leaves; order_ gives their index in the mesh and place_ the way back.
+  /// In the order of the leaves; order_ maps to indices of the mesh, and place_ back.
   std::vector<Corners> corners_;
   std::vector<std::uint32_t> order_;
   std::vector<std::uint32_t> place_;

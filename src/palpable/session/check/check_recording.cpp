@@ -18,7 +18,7 @@ namespace {
 namespace flag = haptics::flag;
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
-/// How far two values differ; infinite where one of them is not a finite number.
+/// The size of a difference; infinite if one of the values is not finite.
 double difference(double size) {
   return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
 }
@@ -91,7 +91,7 @@ void Check::take(const device::TouchSample& tick) {
     }
     if (touch != nullptr) scenes_.forget_before(tick.scene_id);
   }
-  // What the replay of the touch gave up is looked up again.
+  // The replay may have released the scene, so it is looked up again.
   if (const RecordedTouch* still = scenes_.touch(tick.scene_id)) check_air(tick, *still);
   before_ = tick;
   has_before_ = true;
@@ -125,8 +125,8 @@ void Check::compare(const device::TouchSample& tick, const device::TouchSample& 
   report_.differing += equal && same_state ? 0 : 1;
 }
 
-/// Of laws of a weight the plain work says nothing: there the servo's own observer is asked, which knows
-/// their potential.
+/// For laws with a weight, the work alone proves nothing. The servo's own observer, which includes their
+/// potential, is used there.
 void Check::check_observed(const device::TouchSample& tick) {
   const RecordedTouch* touch = scenes_.touch(tick.scene_id);
   const double made_J = touch_.counts().made_max_J;

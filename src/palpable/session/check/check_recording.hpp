@@ -21,19 +21,19 @@
 namespace palpable::session {
 
 struct CheckOptions {
-  /// What may have been touched; each is recognised by its shape.
+  /// Scenes that may have been touched; each is recognised by the hash of its shape.
   std::vector<std::shared_ptr<const models::Scene>> scenes;
-  /// So many findings of each kind are listed, the rest counted.
+  /// Greatest number of listed findings per kind; further ones are only counted.
   std::size_t most_of_a_kind = 100;
 };
 
-/// What a recording holds, and what is wrong with it.
+/// Contents of a recording and the problems that were found in it.
 struct CheckReport {
   RecordedSession session;
   /// The laws in use, and where the scenes came from, each once.
   std::vector<std::string> laws;
   std::vector<std::string> scene_hashes;
-  /// The hand's; and those of further probes, which are counted only.
+  /// Ticks of the hand; and of further probes, which are only counted.
   std::uint64_t ticks = 0;
   std::uint64_t further_ticks = 0;
   std::uint64_t contact_ticks = 0;
@@ -44,32 +44,31 @@ struct CheckReport {
   std::uint64_t missed = 0;
   std::uint64_t lost = 0;
   device::RecordingEnd end = device::RecordingEnd::complete;
-  /// Ticks that were recomputed whole, and those of which only the law's force was; the rest was not.
+  /// Ticks that were recomputed completely, and ticks of which only the law's force was recomputed.
   std::uint64_t recomputed = 0;
   std::uint64_t law_recomputed = 0;
-  /// Of these, ticks in which anything differs in any bit; and the greatest difference of a force.
+  /// Recomputed ticks in which any bit differs, and the greatest difference of a force.
   std::uint64_t differing = 0;
   double max_difference_N = 0.0;
-  /// Energy that contacts made, from the recorded forces alone (RecordedForces::made_max_J); and what the
-  /// servo's observer makes of the same, with and without the controller (NaN where not recomputed).
+  /// Energy generated in contacts: computed from the recorded forces alone (RecordedForces::made_max_J), and
+  /// by the recomputed passivity observer with and without the controller (NaN if not recomputed).
   double made_max_J = 0.0;
   double observed_made_max_J = std::numeric_limits<double>::quiet_NaN();
   double observed_made_max_without_controller_J = std::numeric_limits<double>::quiet_NaN();
   std::vector<Finding> findings;
-  /// Findings that are not listed.
+  /// Number of findings that are not listed.
   std::uint64_t not_listed = 0;
   std::uint64_t problems = 0;
 
   bool is_clean() const { return problems == 0; }
 };
 
-/// Goes through a recording of any size in bounded memory, recomputes what it can and lists what is wrong.
-/// Long work: reports progress, polls cancel. Errors: as RecordingReader::open() and parse_header();
-/// interrupted.
+/// Checks a recording of any size in bounded memory: recomputes what it can and lists problems. Long work:
+/// reports progress, polls cancel. Errors: as RecordingReader::open() and parse_header(); interrupted.
 Result<CheckReport> check_recording(const std::filesystem::path& file, const CheckOptions& options,
                                     const Work& work);
 
-/// What a recording says of its session. Errors: as check_recording().
+/// Reads the session data of a recording. Errors: as check_recording().
 Result<RecordedSession> read_recorded_session(const std::filesystem::path& file);
 
 }  // namespace palpable::session

@@ -16,7 +16,7 @@ struct FindingWords {
   std::string_view name;
   std::string_view unit;
   bool is_problem;
-  /// {} is the size.
+  /// {} stands for the size.
   std::string_view sentence;
 };
 constexpr std::array<FindingWords, kFindingKinds> kFindingWords{{

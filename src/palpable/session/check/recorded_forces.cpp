@@ -14,10 +14,10 @@ namespace {
 
 namespace flag = haptics::flag;
 
-/// Rounding of a force that was turned into the scene's frame and back.
+/// Rounding error of a force that was rotated into the scene frame and back.
 constexpr double kRounding_N = 1e-9;
 
-/// Times are sums of whole nanoseconds, as seconds.
+/// Times are sums of whole nanoseconds, stored in seconds.
 constexpr double kRounding_s = 1e-8;
 
 double max_allowed_N(const RecordedSession& session) {
@@ -57,7 +57,7 @@ void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* 
 }
 
 bool RecordedForces::agree(double between_ticks_s, double period_s) const {
-  // A tick that comes soon after a late one is given this much (ServoLoop).
+  // Least length of a tick that follows a late one (ServoLoop).
   const double shortest_s = 0.1 / session_.rate_hz;
   if (has_own_times_ || (period_s <= 1.001 * shortest_s && between_ticks_s <= period_s)) return true;
   return std::abs(between_ticks_s - period_s) <= kRounding_s;
@@ -98,7 +98,7 @@ void RecordedForces::check_force(const device::TouchSample& tick, Vector<DeviceF
     const double rise_N = session_.tick.max_force_rate_N_per_s *
                           std::min(tick.dt_s, session_.traits ? session_.tick.max_rise_time_s
                                                               : std::numeric_limits<double>::infinity());
-    // What it grew by beyond what the limit lets through.
+    // The growth beyond the rise limit.
     const auto limited = haptics::cap_rise(force_N, before_N_, rise_N);
     const double beyond_N = norm(force_N - limited.force_N);
     if (limited.limited && beyond_N > kRounding_N) findings_.add(FindingKind::force_step, tick, beyond_N);
@@ -121,8 +121,8 @@ void RecordedForces::check_work(const device::TouchSample& tick, const RecordedT
     knows_place_ = true;
     since_place_s_ = 0.0;
   }
-  // A change of scene or a new touch begins a new account, as it does for the servo's own observer. A new
-  // touch begins without force, so that nothing may come back that the hand did not give.
+  // A change of scene or a new touch starts a new balance, as in the servo's own observer. A new touch starts
+  // without force, so a hand cannot receive energy that it did not deliver.
   using Beginning = haptics::PassivityObserver::Beginning;
   if (!law.is_contact || tick.has(flag::kNewTouch | flag::kFading)) {
     observer_.begin(0.0, tick.has(flag::kNewTouch) ? Beginning::from_no_force : Beginning::in_contact);

@@ -16,13 +16,13 @@
 
 namespace palpable::session {
 
-/// What the recorded numbers say by themselves, without the law: caps, the growth of the force, its plain
-/// work and the ticks' times. One thread.
+/// Checks recorded values without the law: caps, growth of the force, its work, and the times of the ticks.
+/// One thread.
 class RecordedForces {
  public:
   RecordedForces(const RecordedSession& session, Findings& findings);
 
-  /// The hand's ticks in order. `touch` is what tick.scene_id names; null where that is unknown.
+  /// Takes the hand's ticks in order. `touch` belongs to tick.scene_id; null if it is unknown.
   void take(const device::TouchSample& tick, const RecordedTouch* touch);
 
   std::uint64_t ticks() const { return ticks_; }
@@ -31,8 +31,8 @@ class RecordedForces {
   double max_force_N() const { return max_force_N_; }
   double max_step_N() const { return max_step_N_; }
   double duration_s() const { return duration_s_; }
-  /// The greatest work that a contact which began in free air did on the hand; NaN where no law of contact
-  /// was felt: of others the work alone says nothing.
+  /// Greatest work on the hand in a contact that began in free air, J. NaN if no contact law was used: for
+  /// other laws the work alone proves nothing.
   double made_max_J() const {
     return counts_work_ ? observer_.made_max_J() : std::numeric_limits<double>::quiet_NaN();
   }
@@ -40,7 +40,7 @@ class RecordedForces {
 
  private:
   void check_time(const device::TouchSample& tick);
-  /// Whether the time between two neighbouring ticks is the period that the later one states.
+  /// Whether the time between two consecutive ticks equals the period that the later one states.
   bool agree(double between_ticks_s, double period_s) const;
   void check_force(const device::TouchSample& tick, Vector<DeviceFrame> force_N);
   void check_work(const device::TouchSample& tick, const RecordedTouch& touch);
@@ -48,7 +48,7 @@ class RecordedForces {
   const RecordedSession& session_;
   Findings& findings_;
   double max_allowed_N_;
-  /// A replay: after its end the times are those of the replaying loop.
+  /// A replay: after its end, the times are those of the replaying loop.
   bool has_own_times_;
   std::uint64_t ticks_ = 0;
   std::uint64_t contact_ticks_ = 0;
@@ -76,14 +76,14 @@ class RecordedForces {
   std::size_t delay_;
 };
 
-/// The least energy that counts as made: less is within what the place of a hand between two steps of its
-/// sensor is unknown by.
+/// Smallest energy that counts as generated. Less is within the uncertainty of the hand's position due to the
+/// sensor's quantisation.
 inline constexpr double kEnergyMade_J = 5e-6;
-/// The least force that counts as one in free air.
+/// Smallest force that counts as a force in free air.
 inline constexpr double kForceInAir_N = 1e-3;
 
-/// Whether the hand, its way since the tick before and the way to its proxy are all clear of the surface:
-/// then nothing is there that could push. For laws of contact.
+/// Whether the hand, its path since the previous tick and the segment to its proxy are all clear of the
+/// surface: then no contact force is possible. For contact laws.
 bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample& before,
                     const device::TouchSample& tick);
 

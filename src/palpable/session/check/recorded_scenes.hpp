@@ -13,18 +13,19 @@
 
 namespace palpable::session {
 
-/// What a recording says was touched, and what the servo rendered then, made again of the scenes that are at
-/// hand. Keeps what may still be asked for: ticks name scenes in rising order. One thread.
+/// The scenes of a recording: what it states about each touch, and the haptic scene rebuilt from the scene
+/// files at hand. Only the scenes that may still be needed are kept: ticks refer to scenes in increasing
+/// order. One thread.
 class RecordedScenes {
  public:
   explicit RecordedScenes(const std::vector<std::shared_ptr<const models::Scene>>& at_hand);
 
-  /// Errors: as parse_touch().
+  /// Adds the description of a touch. Errors: as parse_touch().
   Result<void> note(std::uint32_t id, const std::string& json);
-  /// Null where the recording says nothing of it.
+  /// The description of a touch; null if the recording contains none.
   const RecordedTouch* touch(std::uint32_t id) const;
-  /// The scene made again; null where it is not at hand or cannot be made, and why() says it. Valid until
-  /// forget_before(): a later id.
+  /// The rebuilt scene; null if it is not available or cannot be made, with the reason in why(). Valid until
+  /// forget_before() with a later id.
   const haptics::HapticScene* scene(std::uint32_t id);
   void forget_before(std::uint32_t id);
   const std::string& why() const { return why_; }

@@ -16,7 +16,7 @@ namespace flag = haptics::flag;
 }  // namespace
 
 struct ReplayedTouch::Running {
-  /// Gives the reading that it was given.
+  /// Returns the reading that was set.
   struct FedDevice final : device::Device {
     explicit FedDevice(const device::Traits& of) : its_traits(of) {}
     const device::Traits& traits() const noexcept override { return its_traits; }
@@ -54,7 +54,7 @@ bool ReplayedTouch::begin(const device::TouchSample& first) {
   if (!session_.traits) return lose("an older program recorded it, without the device's traits");
   if (!session_.has_our_estimator) return lose("a program with another velocity estimator recorded it");
   if (first.tick != 0) return lose("it begins within a touch");
-  // A change in the very first tick: it began with the scene before.
+  // A change in the first tick: the touch began with the previous scene.
   const haptics::HapticScene* scene = scenes_.scene(first.scene_id);
   if (scene == nullptr) return lose(scenes_.why());
   running_ = std::make_unique<Running>(session_, *scene);

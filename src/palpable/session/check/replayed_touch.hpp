@@ -12,9 +12,9 @@
 
 namespace palpable::session {
 
-/// The whole tick of the servo, run offline on a recording's readings: the same pipeline, in the same
-/// arithmetic. It can do so from a session's first tick on, as long as no tick is missing and every scene is
-/// at hand. One thread.
+/// Recomputes the complete ticks of the servo offline from a recording's readings, with the same pipeline and
+/// the same arithmetic. This is possible from a session's first tick on, while no tick is missing and every
+/// scene is available. One thread.
 class ReplayedTouch {
  public:
   ReplayedTouch(const RecordedSession& session, RecordedScenes& scenes);
@@ -22,10 +22,11 @@ class ReplayedTouch {
   ReplayedTouch(const ReplayedTouch&) = delete;
   ReplayedTouch& operator=(const ReplayedTouch&) = delete;
 
-  /// The hand's next recorded tick, recomputed; null where that cannot be, and from then on: why() says it.
+  /// The hand's next recorded tick, recomputed. Null if that is not possible, from then on; why() gives the
+  /// reason.
   const device::TouchSample* step(const device::TouchSample& recorded);
   const std::string& why() const { return why_; }
-  /// Of what was recomputed.
+  /// Counts over the recomputed ticks.
   haptics::TickCounts counts() const;
 
  private:
@@ -43,13 +44,13 @@ class ReplayedTouch {
   bool lost_ = false;
 };
 
-/// The law alone, on the recorded hand, from the first tick of each touch on: what can be recomputed of old
-/// recordings and of those that began within a touch. Not while scenes change. One thread.
+/// Recomputes the law alone at the recorded hand positions, from the first tick of each touch. This works for
+/// old recordings and for those that began during a touch, but not during changes of scene. One thread.
 class ReplayedLaw {
  public:
   explicit ReplayedLaw(RecordedScenes& scenes) : scenes_(scenes) {}
 
-  /// The law's output at the next recorded tick; nothing where it cannot be known.
+  /// The law's output at the next recorded tick; nullopt if it cannot be determined.
   std::optional<haptics::LawOutput> step(const device::TouchSample& recorded);
 
  private:
@@ -60,7 +61,7 @@ class ReplayedLaw {
   std::uint64_t next_tick_ = 0;
 };
 
-/// What a law was asked at a recorded tick.
+/// The input of the law at a recorded tick.
 haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene);
 
 }  // namespace palpable::session

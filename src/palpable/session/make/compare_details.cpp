@@ -9,7 +9,8 @@
 namespace palpable::session {
 namespace {
 
-/// The depth that the operators work on: windowed and closed, and hardly limited in slope.
+/// The input of the detail operators: the depth after clipping and hole filling, almost without a slope
+/// limit.
 Result<Raster<float>> nearness_of(MakeOptions options, const Work& work) {
   options.recipes.relief.relief.detail = sculpt::DetailOperator::linear;
   options.recipes.relief.relief.sense = sculpt::Sense::raise;

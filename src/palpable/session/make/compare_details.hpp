@@ -9,7 +9,7 @@
 
 namespace palpable::session {
 
-/// One operator's relief of an input, and what a hand would miss on it.
+/// One detail operator's relief of an input, and its score.
 struct ComparedDetail {
   sculpt::DetailOperator detail;
   models::Relief relief;
@@ -17,9 +17,10 @@ struct ComparedDetail {
   double seconds = 0.0;
 };
 
-/// The same depth through every detail operator, all else as `options` say; a pair is matched once. Scored
-/// against the depth as it was windowed and closed (measure/relief_score.hpp). Long work. Errors: as
-/// make_scene(); usage for an input that becomes no relief.
+/// Makes reliefs of the same depth with every detail operator; everything else as in `options`; a pair is
+/// matched once. Each relief is scored against the depth after clipping and hole filling
+/// (measure/relief_score.hpp). Long work. Errors: as make_scene(); usage for an input that does not give a
+/// relief.
 Result<std::vector<ComparedDetail>> compare_details(const MakeOptions& options, const Work& work);
 
 }  // namespace palpable::session

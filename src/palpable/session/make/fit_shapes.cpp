@@ -24,12 +24,12 @@ Result<SeenPoints> seen_in(const DepthMap& depth, const std::filesystem::path& l
     label_of = *std::move(read);
   }
   auto seen = recipes::points_of_depth(depth, label_of);
-  // With a known camera only the labels can be wrong.
+  // With a known camera only the labels can be invalid.
   if (!seen && depth.camera) return at_place(seen.error(), labels);
   return seen;
 }
 
-/// Finds the points of what was read.
+/// Extracts points from the input's values.
 struct SeenIn {
   const FitShapesOptions& options;
   const Work& work;
@@ -40,7 +40,7 @@ struct SeenIn {
     return seen_in(*metres, options.labels);
   }
   Result<SeenPoints> operator()(const ReadyPair& ready) const {
-    // Checked before the pair is matched, which takes seconds.
+    // Checked before matching, which takes seconds.
     if (!ready.pair.rig)
       return invalid_input("is a pair of unknown cameras, whose depth has no metres",
                            options.input.files.front().string(), Reason::needs_calibration);

@@ -15,11 +15,11 @@
 
 namespace palpable::session {
 
-/// Where shapes are looked for.
+/// Input and options for fitting superquadrics.
 struct FitShapesOptions {
   InputOptions input;
-  /// An 8-bit picture of the depth map's size: 0 is left out, objects of different labels share no shape.
-  /// Empty = none.
+  /// An 8-bit label picture of the depth map's size: pixels of label 0 are ignored, and one shape never
+  /// covers different labels. Empty = none.
   std::filesystem::path labels;
   recipes::StereoRecipe stereo;
   sculpt::ShapeSetOptions shapes;
@@ -30,11 +30,11 @@ struct FittedInput {
   std::vector<Note> notes;
 };
 
-/// Superquadrics for what the input shows: a depth map with its camera (of the calibration, its sidecar or
-/// the file), a pair of calibrated cameras, or points. Seen by a camera they are in metres with the camera in
-/// the origin, x right, y up, z towards it; points keep their own coordinates. Errors: as read_input(); usage
-/// for labels with points, and for other inputs; invalid_input with Reason::needs_calibration for depth
-/// without a camera.
+/// Fits superquadrics to an input: a depth map with its camera (from the calibration, its sidecar or the
+/// file), a pair of calibrated cameras, or points. Results from cameras are in metres with the origin at the
+/// camera, x right, y up, z from the object towards the camera. Points keep their coordinates. Errors: as
+/// read_input(); usage for labels with points, and for other inputs; invalid_input with
+/// Reason::needs_calibration for depth without a camera.
 Result<FittedInput> fit_shapes(const FitShapesOptions& options, const Work& work);
 
 }  // namespace palpable::session

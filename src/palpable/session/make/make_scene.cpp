@@ -28,13 +28,13 @@ bool is_contours(const MakeOptions& options, const sources::Input& input) {
          (options.as == MakeAs::by_input && input.kind == InputKind::picture);
 }
 
-/// Ground and background are found by depth as one camera sees it: in a pair, or one depth map.
+/// Ground and background are detected in the depth of one camera: from a pair, or one depth map.
 bool has_regions(const MakeOptions& options, const sources::Input& input) {
   return !holds_depth_maps(options.input) && !is_contours(options, input) &&
          (input.kind == InputKind::stereo || input.kind == InputKind::depth);
 }
 
-/// A folder may hold thousands of pictures.
+/// Only the first names: a folder may contain thousands of pictures.
 std::string few_names_of(const std::vector<std::filesystem::path>& files) {
   constexpr std::size_t kNamed = 2;
   if (files.size() <= kNamed) return names_of(files);
@@ -50,7 +50,7 @@ Error cannot_become(const sources::Input& input) {
   return {ErrorCode::usage, what, few_names_of(input.files), Reason::unexpected_input_kind};
 }
 
-/// Whether this input can become the kind of scene that is asked for, before any of it is read.
+/// Checks that this input can be made into the requested kind of scene, before it is read.
 Result<void> check_kind(const sources::Input& input, const MakeOptions& options) {
   const bool field_by_input = options.as == MakeAs::field || options.as == MakeAs::by_input;
   if (holds_depth_maps(options.input)) {
@@ -71,7 +71,7 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
   return cannot_become(input);
 }
 
-/// A relief as it is, or the volume under it where a field or a grid is wanted (Park & Howard 2012).
+/// Returns the relief, or the volume below it if a field or a grid is requested (Park & Howard 2012).
 Result<MadeScene> filled(Result<MadeScene> made, const MakeOptions& options, const Work& work) {
   if (!made) return made;
   if (options.as == MakeAs::field) return field_from_relief(std::move(*made), options.recipes.field, work);
@@ -79,7 +79,7 @@ Result<MadeScene> filled(Result<MadeScene> made, const MakeOptions& options, con
   return made;
 }
 
-/// Whether a mesh becomes a relief of one of its sides.
+/// Whether a mesh is made into a relief of one of its sides.
 bool becomes_relief(const Mesh& mesh, const MakeOptions& options) {
   return options.as == MakeAs::relief || (options.as == MakeAs::by_input && sculpt::is_open_sheet(mesh));
 }
@@ -142,13 +142,13 @@ struct RunRecipe {
   }
 };
 
-/// What was read, ready for its recipe.
+/// The input's values, ready for the recipe.
 struct Prepared {
   InputValues values;
   std::vector<Note> notes;
-  /// Notes that come after the recipe's own.
+  /// Notes to be listed after those of the recipe.
   std::vector<Note> last_notes;
-  /// Of an error of the recipe.
+  /// The place of the recipe's errors.
   std::string place;
 };
 
@@ -161,7 +161,7 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
     auto picture = read_one_picture(options.input);
     if (!picture) return picture.error();
     out.values = std::move(*picture);
-    // What was taken for a picture by its content, where nobody said that it is one.
+    // Notes about recognising the content as a picture, if the user did not state the kind.
     if (options.as == MakeAs::by_input) out.notes = input->notes;
   } else {
     auto read = read_input(*input, options.input, work);
@@ -169,7 +169,7 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
     out.values = std::move(read->values);
     out.notes = std::move(read->notes);
   }
-  // Of a depth map and its colour picture, the depth comes second.
+  // In a pair of colour picture and depth map, the depth map is second.
   out.place = input->kind == InputKind::depth ? input->files.back().string() : few_names_of(input->files);
   if (asks_for_regions(options.recipes.relief) && !has_regions(options, *input))
     out.last_notes.emplace_back(
@@ -178,7 +178,7 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
   return out;
 }
 
-/// The recipe's result with its provenance, which a scene file brings with it, and with all notes.
+/// Completes the recipe's result: provenance (unless it comes from a scene file) and all notes.
 Result<MadeScene> finished(Result<MadeScene> made, const Prepared& from, const MakeOptions& options) {
   if (!made) return at_place(made.error(), from.place);
   if (!std::holds_alternative<models::Scene>(from.values)) {
@@ -190,7 +190,7 @@ Result<MadeScene> finished(Result<MadeScene> made, const Prepared& from, const M
   return made;
 }
 
-/// The key of a mesh that becomes a cached field; nothing for other scenes.
+/// The cache key of a mesh whose field is cached; nullopt for other scenes.
 std::optional<std::string> key_of(const InputValues& values, const MakeOptions& options) {
   const auto* file = std::get_if<sources::MeshFile>(&values);
   const bool is_cached = file != nullptr && !options.cache.folder.empty() &&
@@ -208,7 +208,7 @@ std::optional<MadeScene> from_cache(const MakeOptions& options, const std::optio
   return made;
 }
 
-/// Runs the recipe and stores what it made under the key, if there is one.
+/// Runs the recipe and stores the result under the key, if there is one.
 Result<MadeScene> made_for_cache(InputValues values, const MakeOptions& options,
                                  const std::optional<std::string>& key, const Work& work) {
   auto made = std::visit(RunRecipe{options, work}, std::move(values));
@@ -216,8 +216,8 @@ Result<MadeScene> made_for_cache(InputValues values, const MakeOptions& options,
   return made;
 }
 
-/// The options of a field that can be touched soon, while the one that is asked for is made; nothing where
-/// that one is soon there itself.
+/// The options of a coarse field that is ready soon, to be touched while the requested one is computed;
+/// nullopt if the requested field does not take long.
 std::optional<MakeOptions> coarse_first(const InputValues& values, const MakeOptions& options) {
   const CoarseField& coarse = options.coarse_field;
   const auto* file = std::get_if<sources::MeshFile>(&values);
@@ -233,7 +233,7 @@ std::optional<MakeOptions> coarse_first(const InputValues& values, const MakeOpt
   return first;
 }
 
-/// The progress that a person sees is that of the scene that they asked for.
+/// Only the requested scene reports progress to the user.
 Work without_progress(Work work) {
   work.progress = {};
   return work;

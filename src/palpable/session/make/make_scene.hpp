@@ -20,9 +20,8 @@ namespace palpable::session {
 
 /// The kind of scene that is made.
 enum class MakeAs {
-  /// Contours of one picture, a field of a mesh, points, superquadrics or a level set, else a relief; a
-  /// relief
-  /// also of a mesh that is an open sheet.
+  /// Chosen by the input: contours for one picture; a field for a mesh, points, superquadrics or a level set;
+  /// otherwise a relief, also for a mesh that is an open sheet.
   by_input,
   relief,
   contours,
@@ -30,57 +29,59 @@ enum class MakeAs {
   grid
 };
 
-/// The recipes, one for each kind of scene; the one that fits the input is used.
+/// One recipe for each kind of scene; the one that fits the input is used.
 struct Recipes {
   recipes::StereoRecipe stereo;
   recipes::ReliefRecipe relief;
   recipes::ContoursRecipe contours;
   recipes::FieldRecipe field;
-  /// Of a mesh that is an open sheet, or that becomes a relief; placed as `field` says.
+  /// For a mesh that is an open sheet or is made into a relief; placed as in `field`.
   sculpt::SheetOptions sheet;
-  /// Of several depth maps; their field is stored as `field` says.
+  /// For several depth maps; their field is stored as in `field`.
   sculpt::FusionOptions fusion;
   recipes::GridRecipe grid;
-  /// Its field is fused and stored as `fusion` and `field` say.
+  /// Its field is fused as in `fusion` and stored as in `field`.
   recipes::VideoRecipe video;
 };
 
-/// The field that a touch of a mesh begins with while the one that is asked for is made. Chosen so that a
-/// mesh of 100 000 triangles is touched within 5 s on two cores (docs/history/2026-11-22-scenes.md).
+/// The coarse field with which the touch of a mesh begins while the requested field is computed. The defaults
+/// were chosen for a first touch of a mesh of 100 000 triangles after about 6 s of processor time, most of
+/// which runs on two cores (docs/history/2026-11-22-fields.md).
 struct CoarseField {
-  /// Finest cells along its longest side, 16 ... 512; 0 = no coarse field. Only where the field that is asked
-  /// for has at least twice as many.
+  /// Finest cells along the longest side, 16 ... 512; 0 = no coarse field. Used only if the requested field
+  /// has at least twice as many.
   int resolution = 96;
-  /// Its error bound, metres, where the other one is not coarser.
+  /// Its error bound, metres; the requested field's bound if that is larger.
   double max_error_m = 0.0001;
-  /// Meshes of fewer triangles are made at once.
+  /// Meshes with fewer triangles get no coarse field.
   int least_triangles = 5000;
 };
 
-/// What a scene is made from, and how.
+/// The input of a scene and the options for making it.
 struct MakeOptions {
   InputOptions input;
   MakeAs as = MakeAs::by_input;
   Recipes recipes;
-  /// Of make_scenes().
+  /// Used by make_scenes() only.
   CoarseField coarse_field;
-  /// Where adaptive fields of meshes are stored; none unless its folder is given.
+  /// Cache of adaptive fields of meshes; not used if its folder is empty.
   SceneCache cache;
   /// Written into the scene's provenance: "palpable 0.1.0".
   std::string made_by;
 };
 
-/// From files to a touchable scene: recognises them, reads them and runs the recipe that fits, or takes
-/// the scene from the cache. Long work: reports progress, polls cancel. Errors: invalid_input naming the
-/// file, usage for options that do not fit the input, interrupted.
+/// Makes a scene from files: recognises them, reads them and runs the fitting recipe, or takes the scene from
+/// the cache. Long work: reports progress, polls cancel. Errors: invalid_input naming the file, usage for
+/// options that do not fit the input, interrupted.
 Result<recipes::MadeScene> make_scene(const MakeOptions& options, const Work& work);
 
 /// Receives a scene as soon as it is made.
 using TakeScene = std::function<void(recipes::MadeScene)>;
 
-/// The same for a touch that is to begin at once: where no stereo method is fixed, a pair's scene comes first
-/// by the fastest method, then by the best one; a large mesh's field that is not cached comes coarse first,
-/// then as asked for. Errors: as make_scene(); scenes that were made before an error have been delivered.
+/// Makes the scenes for a touch that begins as early as possible. If no stereo method is chosen, a pair's
+/// scene is made with the fastest method first, then with the best one. For a large mesh whose field is not
+/// cached, a coarse field is delivered first, then the requested one. Errors: as make_scene(); scenes that
+/// were made before an error have been delivered.
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work);
 
 }  // namespace palpable::session

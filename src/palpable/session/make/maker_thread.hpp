@@ -19,11 +19,12 @@ namespace palpable::session {
 
 /// Takes a scene as soon as it can be touched; called again when a better one is ready.
 using DeliverScene = std::function<void(std::shared_ptr<const models::Scene>)>;
-/// Makes scenes, the fastest first, and delivers each. Runs on a thread of its own; polls work.cancelled().
+/// Makes scenes, the one that is ready soonest first, and delivers each. Runs on a separate thread; polls
+/// work.cancelled().
 using SceneMaker = std::function<Result<void>(const DeliverScene& deliver, const Work& work)>;
 
-/// Runs a maker on its own thread, and holds what it delivers until it is taken. Its destructor cancels the
-/// maker and waits for it.
+/// Runs a maker on a separate thread and keeps the scenes that it delivers until they are taken. The
+/// destructor cancels the maker and waits for it.
 class MakerThread {
  public:
   MakerThread(const SceneMaker& maker, const Work& work);
@@ -32,11 +33,11 @@ class MakerThread {
   MakerThread& operator=(const MakerThread&) = delete;
 
   void cancel() { cancelled_ = true; }
-  /// The next scene; null if none came within `patience`, or the maker has ended.
+  /// The next scene; null if none arrives within `patience`, or the maker has ended.
   std::shared_ptr<const models::Scene> take(std::chrono::milliseconds patience);
-  /// How the maker ended; nothing while it runs.
+  /// The maker's result; nullopt while it runs.
   std::optional<Result<void>> outcome();
-  /// Waits for the first scene. Errors: the maker's; interrupted, when work is cancelled before.
+  /// Waits for the first scene. Errors: those of the maker; interrupted if work is cancelled first.
   Result<std::shared_ptr<const models::Scene>> first_scene(const Work& work);
 
  private:

@@ -10,13 +10,13 @@
 
 namespace palpable::session {
 
-/// The error with the file it is about, where it states none. An interruption is about none.
+/// Adds the file to an error that has no place. An interruption has no place.
 inline Error at_place(Error error, const std::filesystem::path& place) {
   if (error.place.empty() && error.code != ErrorCode::interrupted) error.place = place.string();
   return error;
 }
 
-/// Several files as one place: "left.png and right.png".
+/// Several files in one phrase: "left.png and right.png".
 inline std::string names_of(const std::vector<std::filesystem::path>& files) {
   std::string names;
   for (const auto& file : files) names += (names.empty() ? "" : " and ") + file.string();

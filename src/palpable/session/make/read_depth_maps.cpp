@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Pose = CameraPoses::mapped_type;
 
-/// The last number in a file's name, its ending left out: 15 in frame-000015.depth.png.
+/// The last number in a file name without its suffix: 15 in frame-000015.depth.png.
 std::optional<long> number_of(const fs::path& file) {
   const std::string name = file.stem().string();
   const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };

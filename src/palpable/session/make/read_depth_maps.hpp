@@ -9,10 +9,11 @@
 
 namespace palpable::session {
 
-/// Several depth maps of one scene and their poses. Errors: invalid_input, naming the file; interrupted.
+/// Reads several depth maps of one scene and their poses. Errors: invalid_input, naming the file;
+/// interrupted.
 Result<ReadInput> read_depth_maps(const InputOptions& options, const Work& work);
 
-/// What is known of a depth file, with the camera of options.calibration. Errors: as
+/// The settings of a depth file, with the camera of options.calibration. Errors: as
 /// sources::read_calibration().
 Result<sources::DepthSettings> depth_settings(const InputOptions& options);
 

@@ -13,7 +13,7 @@
 namespace palpable::session {
 namespace {
 
-// A field of view of 62 degrees across the longer side, as most phones have it.
+// A field of view of 62 degrees along the longer side, as in most phones.
 vision::VideoCamera usual_camera(int width, int height) {
   constexpr double kOfLongerSide = 0.83;
   const double focal_length = kOfLongerSide * std::max(width, height);
@@ -30,7 +30,7 @@ Result<vision::VideoCamera> camera_of(const sources::Video& video, const std::fi
   }
   const auto read = sources::read_calibration(calibration);
   if (!read) return read.error();
-  // The frames may be smaller than those in the file.
+  // The frames may have been reduced.
   const auto fitting = sources::calibration_for(*read, width, height);
   if (!fitting) return at_place(fitting.error(), calibration.string());
   const auto& bend = fitting->left.distortion;

@@ -9,9 +9,9 @@
 
 namespace palpable::session {
 
-/// The frames of a film or of a folder's pictures, and their camera: as the calibration says, else with a
-/// focal length of the right order, which the recipe refines; with a note. Errors: as sources::read_video()
-/// and read_calibration(); invalid_input for a calibration of pictures of other proportions.
+/// Reads the frames of a video or of a folder of pictures, and their camera: from the calibration, else with
+/// an approximate focal length that the recipe refines; then there is a note. Errors: as
+/// sources::read_video() and read_calibration(); invalid_input for a calibration with another aspect ratio.
 Result<ReadInput> read_film(const sources::Input& input, const InputOptions& options, const Work& work);
 
 }  // namespace palpable::session

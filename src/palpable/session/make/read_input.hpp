@@ -30,30 +30,30 @@ struct InputOptions {
   /// One or more: a scene, a picture pair (left first), one file that holds a pair, a depth map, a picture
   /// and its depth map, several depth maps, a mesh, points, superquadrics, a level set.
   std::vector<std::filesystem::path> files;
-  /// Not given: recognised by content.
+  /// Recognised by content if not given.
   std::optional<sources::InputKind> kind;
-  /// The file of the cameras: OpenCV yml/xml, Middlebury calib.txt or JSON; empty = none.
+  /// Camera calibration: OpenCV yml/xml, Middlebury calib.txt or JSON; empty = none.
   std::filesystem::path calibration;
-  /// The file of several depth maps' poses: CSV `frame,qw,qx,qy,qz,tx,ty,tz`, world from camera, camera x
-  /// right, y down, z forward, `frame` being the last number in a depth map's name. Empty = every camera is
-  /// in the origin.
+  /// Poses of several depth maps: CSV `frame,qw,qx,qy,qz,tx,ty,tz`, world_from_camera, camera x right, y
+  /// down, z forward; `frame` is the last number in a depth map's file name. Empty = every camera is at the
+  /// origin.
   std::filesystem::path poses;
-  /// What is known of a depth file; what is not given is as its sidecar or the file itself says.
+  /// Settings of a depth file; those that are not given come from its sidecar or from the file.
   sources::DepthSettings depth;
-  /// How one picture holds a pair.
+  /// The arrangement of both pictures of a pair in one file.
   sources::StereoLayout layout = sources::StereoLayout::automatic;
-  /// Of a pair: whether it is rectified, and by how many metres one camera was moved.
+  /// For a pair: whether to rectify it, and the distance in metres by which one camera was moved.
   Rectification rectification = Rectification::automatic;
   std::optional<double> moved_m;
 };
 
-/// The frames of a video and what is known of its camera.
+/// The frames of a video, and its camera.
 struct Film {
   std::vector<recipes::FilmedFrame> frames;
   vision::VideoCamera camera;
 };
 
-/// What the files hold.
+/// The values that were read from the files.
 using InputValues =
     std::variant<Image, Film, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>,
                  sources::MeshFile, PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
@@ -66,15 +66,15 @@ struct ReadInput {
 /// Whether the files are several depth maps of one scene: more than two of kind depth, or any with poses.
 bool holds_depth_maps(const InputOptions& options);
 
-/// What the files are. Errors: as sources::recognise_input().
+/// Recognises the kind of the files. Errors: as sources::recognise_input().
 Result<sources::Input> recognise(const InputOptions& options);
 
-/// Reads files of a kind that recognise() found, or those of holds_depth_maps(), as values in memory; a pair
-/// is rectified. Long work. Errors: invalid_input, naming the file; usage for options that do not fit and for
-/// kinds that cannot be read (map); interrupted.
+/// Reads files of a kind that recognise() returned, or those of holds_depth_maps(), as values in memory; a
+/// pair is rectified. Long work. Errors: invalid_input, naming the file; usage for options that do not fit
+/// and for kinds that cannot be read here (map); interrupted.
 Result<ReadInput> read_input(const sources::Input& input, const InputOptions& options, const Work& work);
 
-/// One of the files, whatever it is, as a picture. Errors: usage for more than one; as
+/// Reads the single file as a picture, whatever its kind. Errors: usage for more than one file; as
 /// sources::read_picture().
 Result<Image> read_one_picture(const InputOptions& options);
 

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The member of an entry that holds its key and the notes of its making.
+/// The member of an entry that contains its key and the notes.
 constexpr const char* kMember = "cache.json";
 constexpr const char* kEnding = ".palp";
 
@@ -38,12 +38,12 @@ std::string text_of(const Mesh& mesh) {
     for (const double c : {v.x, v.y, v.z}) hash.add(c);
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t v : t) hash.add(v);
-  // Two hashes of different kinds: another mesh has neither the one nor the other.
+  // Two hashes of different kinds: a collision of both is practically impossible.
   return fmt::format("{} vertices, {} triangles, {} {:08x}", mesh.vertices_m.size(), mesh.triangles.size(),
                      hash.digits(), crc32(std::as_bytes(std::span(mesh.vertices_m))));
 }
 
-/// Fields are named one by one, so that one which is added cannot be left out of the key.
+/// All members are named, so that a new one cannot be forgotten in the key (the compiler reports it).
 std::string text_of(const sculpt::PlacementOptions& placement) {
   const auto& [size, default_size, up, lay, convention] = placement;
   const auto& [convention_up, unit] = convention;
@@ -53,13 +53,13 @@ std::string text_of(const sculpt::PlacementOptions& placement) {
                      static_cast<int>(unit));
 }
 std::string text_of(const sculpt::FieldOptions& field) {
-  // The limit of memory decides whether there is a field, not what it holds.
+  // The memory limit decides whether there is a field, not its content.
   const auto& [resolution, max_error_m, inside_m, outside_m, most_bytes] = field;
   static_cast<void>(most_bytes);
   return fmt::format("{}; {:a}; {:a}; {:a}", resolution, max_error_m, inside_m, outside_m);
 }
 std::string text_of(const recipes::FieldRecipe& recipe) {
-  // Clouds of points are not meshes.
+  // Point clouds are not meshes.
   const auto& [placement, field, storage, walls, cloud] = recipe;
   const auto& [least_cells] = walls;
   static_cast<void>(cloud);
@@ -82,7 +82,7 @@ struct Entry {
   fs::file_time_type used;
 };
 
-/// All entries, those used last first.
+/// All entries, the most recently used first.
 std::vector<Entry> entries_of(const fs::path& folder) {
   std::vector<Entry> entries;
   std::error_code error;
@@ -90,7 +90,7 @@ std::vector<Entry> entries_of(const fs::path& folder) {
     std::error_code gone;
     if (at->path().extension() != kEnding || !at->is_regular_file(gone)) continue;
     const Entry entry{at->path(), at->file_size(gone), at->last_write_time(gone)};
-    // Another process may have removed it meanwhile.
+    // Another process may have removed it in the meantime.
     if (!gone) entries.push_back(entry);
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used > b.used; });
@@ -106,7 +106,7 @@ void remove_oldest(const SceneCache& cache) {
   }
 }
 
-/// The notes of an entry with this key; nothing for another key or a damaged member.
+/// The notes of an entry with this key; nullopt for another key or a damaged member.
 std::optional<std::vector<Note>> notes_of(const formats::ZipMembers& members, const std::string& key) {
   const auto member = members.find(kMember);
   if (member == members.end()) return std::nullopt;
@@ -156,7 +156,7 @@ void write_cached(const SceneCache& cache, const std::string& key, const recipes
   if (cache.folder.empty()) return;
   nlohmann::json json{{"key", key}, {"notes", nlohmann::json::array()}};
   for (const Note& note : made.notes) {
-    // A note with a reason is worded for who asks: such scenes are made again.
+    // Notes with a reason depend on the caller's options; such scenes are not cached.
     if (note.reason != Reason::unspecified) return;
     json["notes"].push_back(note.sentence);
   }

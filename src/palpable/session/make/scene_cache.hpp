@@ -13,28 +13,28 @@
 
 namespace palpable::session {
 
-/// Where fields of meshes are stored, so that each is made once.
+/// The cache of mesh fields, so that each is computed once.
 struct SceneCache {
-  /// Created with the first entry, for its owner only; empty = no cache.
+  /// Created with the first entry, with access for its owner only; empty = no cache.
   std::filesystem::path folder;
-  /// When an entry is stored, those not used for the longest time are removed until the folder's entries take
-  /// no more than this. Larger scenes are not stored.
+  /// Greatest total size. When an entry is stored, the least recently used ones are removed until the total
+  /// is within this limit. Larger scenes are not stored.
   std::uintmax_t most_bytes = std::uintmax_t{512} << 20U;
 };
 
-/// $XDG_CACHE_HOME/palpable/scenes, or ~/.cache/palpable/scenes; empty where neither is an absolute path.
+/// $XDG_CACHE_HOME/palpable/scenes, or ~/.cache/palpable/scenes; empty if neither is an absolute path.
 std::filesystem::path user_cache_folder();
 
-/// All that the field of a mesh depends on, as a text: the values of the mesh (hashed), the recipe, the
-/// version `made_by` and the program file that runs, so that no entry outlives the code that made it.
+/// Everything that the field of a mesh depends on, as text: the hash of the mesh, the recipe, the version
+/// `made_by`, and the identifier of the running program, so that an entry is not used by another build.
 std::string cache_key(const Mesh& mesh, const recipes::FieldRecipe& recipe, const std::string& made_by);
 
-/// The stored scene with its notes. Nothing where there is none for this key, or where the entry is damaged:
-/// it is then made again and replaced. Reads a file.
+/// The stored scene with its notes; nullopt if there is none for this key or the entry is damaged: it is then
+/// computed again and replaced. Reads a file.
 std::optional<recipes::MadeScene> read_cached(const SceneCache& cache, const std::string& key);
 
-/// Stores a scene; several processes may do so at the same time. A cache that cannot be written changes
-/// nothing: the next run makes the scene again. Writes a file.
+/// Stores a scene; several processes may do so at the same time. Failures are ignored: the next run computes
+/// the scene again. Writes a file.
 void write_cached(const SceneCache& cache, const std::string& key, const recipes::MadeScene& made);
 
 }  // namespace palpable::session

@@ -38,8 +38,7 @@ void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy way) {
   ready.notes.insert(ready.notes.end(), rectified.notes.begin(), rectified.notes.end());
 }
 
-/// The camera of a picture taken by one that was moved: as the calibration says; else a usual one, and a
-/// note.
+/// The camera of pictures from one moved camera: from the calibration; else a typical one, with a note.
 vision::LensCamera moved_camera(const std::optional<sources::Calibration>& calibration, ReadyPair& ready) {
   if (calibration) return lens_of(calibration->left);
   ready.notes.emplace_back(
@@ -65,7 +64,8 @@ Result<void> rectify_by_features(ReadyPair& ready, const Work& work) {
   return {};
 }
 
-/// By what the calibration states: a rectified pair, two cameras and their places, or only their lenses.
+/// Rectifies by the calibration, which states a rectified pair, two cameras with their poses, or only their
+/// lenses.
 Result<void> rectify_calibrated(const sources::Calibration& calibration, ReadyPair& ready, const Work& work) {
   if (calibration.rig) {
     ready.pair.rig = calibration.rig;

@@ -16,15 +16,15 @@
 
 namespace palpable::session {
 
-/// What is done to a pair before it is matched.
+/// How a pair is rectified before matching.
 enum class Rectification {
-  /// What the calibration says; without one, what the pictures' features say, if they are not rectified yet.
+  /// By the calibration; without one, by matched features, if the pictures are not rectified yet.
   automatic,
-  /// Nothing: the pictures are taken as they come.
+  /// Not at all: the pictures are used as they are.
   never
 };
 
-/// A pair's files and what is known of its cameras.
+/// The files of a pair and what is known about its cameras.
 struct StereoInput {
   /// Two pictures, left first, or one that holds both.
   std::vector<std::filesystem::path> pictures;
@@ -32,30 +32,31 @@ struct StereoInput {
   std::filesystem::path calibration;
   sources::StereoLayout layout = sources::StereoLayout::automatic;
   Rectification rectification = Rectification::automatic;
-  /// One camera that was moved sideways between the pictures, by so many metres.
+  /// The distance in metres by which a single camera was moved sideways between the pictures.
   std::optional<double> moved_m;
 };
 
-/// How a pair came to lie on common scanlines.
+/// How a pair was rectified.
 enum class RectifiedBy { nothing, calibration, features, movement };
 std::string_view name_of(RectifiedBy way);
 
-/// A pair that is ready to be matched.
+/// A rectified pair, ready for matching.
 struct ReadyPair {
   vision::StereoPair pair;
   RectifiedBy rectified_by = RectifiedBy::nothing;
-  /// RMS of y_left - y_right of matched features in pixels, before and after; NaN where it was not measured
-  /// (the calibration states a rectified pair, Rectification::never) or there are no features.
+  /// Vertical residual: RMS of y_left - y_right of matched features, px, before and after rectification; NaN
+  /// if it was not measured (the calibration states a rectified pair, or Rectification::never) or there are
+  /// no features.
   double residual_before_px = 0.0;
   double residual_px = 0.0;
   int features = 0;
-  /// What the person should know.
+  /// Information for the user.
   std::vector<Note> notes;
 };
 
-/// Reads a pair and rectifies it: a pair of calibrated cameras is undistorted and rectified, one of unknown
-/// cameras turned as its features demand, one that is rectified (or that the calibration states to be
-/// rectified) left alone. Errors: invalid_input naming the file, usage for options that do not fit,
+/// Reads a pair and rectifies it. A pair of calibrated cameras is undistorted and rectified; a pair of
+/// unknown cameras is rectified by its features; a pair that is rectified already (or that the calibration
+/// states to be) is not changed. Errors: invalid_input naming the file, usage for options that do not fit,
 /// interrupted.
 Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work);
 

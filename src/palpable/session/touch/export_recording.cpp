@@ -18,7 +18,7 @@ namespace {
 
 using device::TouchSample;
 
-/// Three columns of a tick, and what they are called.
+/// Three columns of a tick and their names.
 struct VectorColumn {
   const char* name;
   const char* unit;
@@ -50,7 +50,7 @@ constexpr NumberColumn kNumbers[] = {
     {"probe", [](const TouchSample& t) { return static_cast<double>(t.probe); }},
 };
 
-/// By time, the hand's before the others' of the same time.
+/// By time; the hand's tick before those of further probes at the same time.
 void sort_by_time(std::vector<TouchSample>& ticks) {
   std::stable_sort(ticks.begin(), ticks.end(),
                    [](const TouchSample& a, const TouchSample& b) { return a.t_s < b.t_s; });
@@ -83,7 +83,7 @@ formats::Npz recording_npz(const device::Recording& recording) {
   return arrays;
 }
 
-/// The lines of a table that is written while it grows.
+/// Writes the lines of a table one by one.
 class CsvLines {
  public:
   explicit CsvLines(AtomicFile& file) : file_(file) {
@@ -134,7 +134,8 @@ Result<ExportedRecording> export_csv(const std::filesystem::path& recording,
   if (!file) return std::move(file).error();
   CsvLines lines(*file);
   ExportedRecording exported;
-  // The ticks that a writer took from the ring together stand as the hand's, then those of further probes.
+  // Ticks that the writer took from the ring together are stored as those of the hand, followed by those of
+  // further probes.
   std::vector<TouchSample> together;
   bool has_further = false;
   const auto write_together = [&] {

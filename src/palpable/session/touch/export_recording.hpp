@@ -11,17 +11,17 @@
 namespace palpable::session {
 
 struct ExportedRecording {
-  /// Of the hand.
+  /// Ticks of the hand.
   std::uint64_t ticks = 0;
   std::uint64_t lost = 0;
   /// As Recording::complete.
   bool complete = false;
 };
 
-/// Writes a recording as the output's ending says. .csv: one line a tick under named columns with their
-/// units, an empty field where a number is not finite; of a recording of any size, in some ten megabytes of
-/// memory. .npz: one array a column group, of recordings that fit in memory (docs/recording.md). Errors:
-/// usage (another ending), as device::read_recording(), failed (cannot be written), interrupted.
+/// Writes a recording in the format of the output's suffix. .csv: one line per tick with named columns and
+/// units, an empty field for a value that is not finite; for recordings of any size, in about ten megabytes
+/// of memory. .npz: one array per column group, for recordings that fit in memory (docs/recording.md).
+/// Errors: usage (another suffix), as device::read_recording(), failed (cannot be written), interrupted.
 Result<ExportedRecording> export_recording(const std::filesystem::path& recording,
                                            const std::filesystem::path& output, const Work& work);
 

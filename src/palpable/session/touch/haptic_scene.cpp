@@ -36,7 +36,8 @@ Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
 
 namespace {
 
-/// Leaves out textures that this loop and device cannot carry, and says so of those and of lowered ones.
+/// Removes textures that this loop and device cannot render, and adds notices about these and about reduced
+/// ones.
 void make_carried(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
                   PreparedScene& prepared) {
   if (!haptics::description_of(prepared.law.law).renders_textures) return;
@@ -62,7 +63,7 @@ void make_carried(models::Scene& scene, const device::Traits& device, double rat
   }
 }
 
-/// The transient that was asked for, or none, with the reason, where this loop and device cannot render it.
+/// Sets the requested transient, or none with a notice if this loop and device cannot render it.
 void choose_transient(haptics::TransientKind wanted, const device::Traits& device, double rate_hz,
                       PreparedScene& prepared) {
   const auto transient = haptics::transient_of(wanted);
@@ -76,12 +77,12 @@ void choose_transient(haptics::TransientKind wanted, const device::Traits& devic
   }
 }
 
-/// What the fingers that hold a handle add to its rotational damping at least: an assumption, in the spirit
-/// of haptics::kLeastHandDamping_Ns_per_m.
+/// Least rotational damping that the fingers add to a handle: an assumption, like
+/// haptics::kLeastHandDamping_Ns_per_m.
 constexpr double kLeastHandRotationalDamping_Nm_s = 0.004;
 
-/// The device as a place of a tool far from the hand meets it: its damping there is the handle's rotational
-/// one over the lever's square, where that is less.
+/// The device's properties at a tool point far from the hand: its damping there is the handle's rotational
+/// damping divided by the squared lever arm, if that is less.
 device::Traits at_lever(device::Traits device, const haptics::LawParameters& law, double scale,
                         double hand_damping_Ns_per_m) {
   if (law.law != haptics::Law::tool) return device;
@@ -98,7 +99,7 @@ device::Traits at_lever(device::Traits device, const haptics::LawParameters& law
   return device;
 }
 
-/// Lowers what the person or the materials ask for to what the device can render without making energy.
+/// Limits the requested stiffness and damping to what the device can render without generating energy.
 void make_safe(models::Scene& scene, const device::Traits& device, double rate_hz, double scale,
                double hand_damping_Ns_per_m, PreparedScene& prepared) {
   auto& law = prepared.law;
@@ -109,9 +110,9 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
   for (auto& material : scene.materials) {
     const double stiffness = law.stiffness_N_per_m.value_or(material.stiffness_N_per_m);
     const double damping = law.damping_Ns_per_m.value_or(material.damping_Ns_per_m);
-    // What is out of range is the law's to refuse.
+    // Values out of range are rejected later by the law.
     if (!(stiffness > 0.0) || !(damping >= 0.0)) return;
-    // A texture makes its wall stiffer.
+    // A texture increases the effective stiffness of a wall.
     const double stiffening =
         description.renders_textures ? haptics::texture_stiffening(material.texture) : 1.0;
     const auto safe = haptics::safe_contact(held_device, rate_hz, scale, stiffening * stiffness, damping,
@@ -127,8 +128,9 @@ void make_safe(models::Scene& scene, const device::Traits& device, double rate_h
   if (!lowered.empty()) prepared.notices.push_back(std::move(lowered));
 }
 
-/// Lowers the force of a ball on a slope to what the device can give on one of 45 degrees: a force that is
-/// cut there is no longer the slope's, and pushes a hand uphill with less than downhill.
+/// Limits the force of a ball on a slope so that the device can render a slope of 45 degrees. A capped force
+/// no longer corresponds to the slope: it pushes a hand that moves uphill with less than one that moves
+/// downhill.
 void limit_slope_force(const device::Traits& device, PreparedScene& prepared) {
   const auto* parameter = haptics::find_parameter(haptics::description_of(prepared.law.law),
                                                   &haptics::LawParameters::slope_force_N);
@@ -141,7 +143,7 @@ void limit_slope_force(const device::Traits& device, PreparedScene& prepared) {
       wanted_N, device.max_force_N));
 }
 
-/// The damping that was set for one law is not meant for another.
+/// The damping that was set for one law does not apply to another.
 void replace_law(haptics::LawParameters& parameters, haptics::Law law) {
   parameters.law = law;
   parameters.damping_Ns_per_m.reset();
@@ -168,7 +170,7 @@ std::string other_law_words(haptics::Law asked, haptics::Law used, const models:
                      haptics::name_of(used));
 }
 
-/// Of the scene's laws the one that is passive and needs two axes only.
+/// The scene's law that is passive and needs only two axes.
 haptics::Law passive_planar_law(const std::vector<haptics::Law>& laws) {
   const auto found = std::find_if(laws.begin(), laws.end(), [](haptics::Law law) {
     const auto& description = haptics::description_of(law);

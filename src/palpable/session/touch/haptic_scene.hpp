@@ -14,12 +14,12 @@
 
 namespace palpable::session {
 
-/// What the servo renders, and how it came to differ from what was asked for.
+/// What the servo renders, and how it differs from what was requested.
 struct PreparedScene {
   haptics::HapticScene scene;
-  /// The law that is really in use. Its stiffness and damping are in the materials below.
+  /// The law in use. Its stiffness and damping are in `materials`.
   haptics::LawParameters law;
-  /// As the law feels them: what was asked for, lowered to what the device can render.
+  /// The materials in use: as requested, limited to what the device can render.
   std::vector<models::Material> materials;
   /// As rendered.
   haptics::TransientKind transient = haptics::TransientKind::none;
@@ -27,11 +27,11 @@ struct PreparedScene {
   std::vector<std::string> notices;
 };
 
-/// The scene with its height multiplied, kept for kinds other than reliefs. Errors (usage): depth outside
-/// -4…4, or not 1 for a scene that is no relief.
+/// The scene with its height multiplied by `depth`. Errors (usage): depth outside -4 ... 4, or not 1 for a
+/// scene that is not a relief.
 Result<models::Scene> with_depth(const models::Scene& scene, double depth);
 
-/// What preparing took long to make of a scene, kept from change to change of one touch. Empty at first.
+/// Results of expensive preparation of a scene, reused for all changes during one touch. Empty at first.
 struct KeptSurfaces {
   std::shared_ptr<const models::Relief> of;
   double depth = 1.0;
@@ -39,8 +39,8 @@ struct KeptSurfaces {
   haptics::DilatedRelief dilated;
 };
 
-/// Law on scene for a device, its walls no stiffer than the device can render at that rate
-/// (haptics/safety/stability.hpp). A change of parameters alone finds its surface in `kept`. Errors: as
+/// Prepares a law on a scene for a device. Stiffness is limited to what the device can render at that rate
+/// (haptics/safety/stability.hpp). If only parameters changed, the surface is taken from `kept`. Errors: as
 /// make_touchable() and with_depth().
 Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSettings& settings,
                                     const device::Traits& device, double rate_hz,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto kLook = std::chrono::milliseconds(20);
 
-/// Takes the explorer to the last step that is due, if one is.
+/// Moves the explorer to the last step that is due, if there is one.
 Result<void> walk_on(TouchSession& session, const HeadlessOptions& options, double t_s, std::size_t& next) {
   const std::size_t due = steps_by(options.walk, t_s);
   if (due == next) return {};

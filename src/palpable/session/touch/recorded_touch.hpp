@@ -16,34 +16,34 @@
 
 namespace palpable::session {
 
-/// What a recording holds of what was touched from a tick on: with the scene, all that its forces are made
-/// of.
+/// A recording's description of what was touched from a tick on. With the scene it determines all forces.
 struct RecordedTouch {
-  /// As felt, with the materials below; and what the person asked for, before the device's limits.
+  /// The law in use, with the materials below; and the requested one, before the device's limits.
   haptics::LawParameters law;
   haptics::LawParameters asked_for;
-  /// Of a relief.
+  /// Height factor of a relief.
   double depth = 1.0;
   haptics::TransientKind transient = haptics::TransientKind::none;
   /// One for each of the scene's; of a texture from a picture the forms are the scene's.
   std::vector<models::Material> materials;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
-  /// The shape's is empty in recordings of format 1.
+  /// The shape's hash is empty in recordings of format 1.
   SceneHash hashes;
   /// models::Scene::source.
   std::vector<std::string> inputs;
   std::string method;
 };
 
-/// One JSON object (docs/recording.md); numbers come back to the last bit.
+/// The description as one JSON object (docs/recording.md); numbers are restored to the last bit.
 std::string touch_json(const RecordedTouch& touch);
-/// Errors (invalid_input), without a place: not such an object, a law or a parameter that there is not.
+/// Reads the JSON of touch_json(). Errors (invalid_input), without a place: another kind of object, an
+/// unknown law or parameter.
 Result<RecordedTouch> parse_touch(const std::string& json);
 
-/// Whether `hash` is of the scene that was touched, materials aside where the recording says so.
+/// Whether `hash` belongs to the touched scene. Materials are ignored if the recording contains them.
 bool is_of(const RecordedTouch& touch, const SceneHash& hash);
 
-/// What the servo rendered then, made again of the scene. Errors: usage, where the scene does not fit.
+/// Rebuilds what the servo rendered from the scene. Errors: usage if the scene does not fit.
 Result<haptics::HapticScene> remade_scene(const RecordedTouch& touch, const models::Scene& scene,
                                           std::uint32_t id, haptics::DilatedRelief& kept);
 

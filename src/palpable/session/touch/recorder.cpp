@@ -13,10 +13,9 @@
 namespace palpable::session {
 namespace {
 
-/// How often the ring is emptied. A program that is killed loses at most this much of its recording.
+/// Interval at which the ring is emptied. A killed program loses at most this much of its recording.
 constexpr auto kInterval = std::chrono::milliseconds(50);
-/// So many ticks are written at once: after a long wait for the processor or the disk they take no more
-/// memory than ever.
+/// Number of ticks that are written together. This bounds the memory after a long delay.
 constexpr std::size_t kTogether = 512;
 
 }  // namespace
@@ -31,9 +30,9 @@ struct Recorder::Impl {
   std::condition_variable rest;
   bool ending = false;
   std::vector<device::RecordedScene> scenes;
-  /// The first error of the writing, until somebody takes it.
+  /// The first write error, until it is taken.
   std::optional<Error> fault;
-  // The thread's own.
+  // Used only by the thread.
   std::vector<device::TouchSample> ticks;
   Result<void> outcome;
   std::uint64_t lost_before = 0;
@@ -57,7 +56,7 @@ void Recorder::Impl::write_what_came() {
     noted.swap(scenes);
   }
   const bool went_well = outcome.has_value();
-  // Scenes first: a tick may already be in the new scene.
+  // Scenes first: a tick may already belong to the new scene.
   for (const auto& scene : noted)
     if (outcome) outcome = writer->write(scene);
   do {
@@ -88,7 +87,7 @@ Result<std::unique_ptr<Recorder>> Recorder::start(haptics::ServoLoop& loop, cons
   impl->scenes.push_back(scene);
   if (!loop.is_recording()) {
     impl->lost_before = loop.recording_lost();
-    // What an earlier recording left behind is not this one's.
+    // Ticks of an earlier recording do not belong to this one.
     while (loop.take_recorded()) {
     }
     loop.record(haptics::Recording::on);

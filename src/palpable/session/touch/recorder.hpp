@@ -13,26 +13,25 @@
 
 namespace palpable::session {
 
-/// Writes what a servo loop's recording ring holds into a file, from a thread of its own, until it is ended.
-/// The loop must outlive it.
+/// Writes a servo loop's recording ring to a file, on a separate thread. The loop must outlive it.
 class Recorder {
  public:
-  /// Switches the loop's recording on; where it is on already, what it holds is recorded too. Errors
+  /// Turns the loop's recording on. If it is on already, the buffered ticks are recorded too. Errors
   /// (failed): the file cannot be created.
   static Result<std::unique_ptr<Recorder>> start(haptics::ServoLoop& loop, const std::filesystem::path& file,
                                                  const std::string& header_json,
                                                  const device::RecordedScene& scene);
-  /// Ends the file as finish() does, its error lost.
+  /// Ends the file as finish() does; errors are ignored.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// What is touched from now on. Any thread.
+  /// Adds the description of what is touched from now on. Any thread.
   void note(const device::RecordedScene& scene);
-  /// Why writing has failed (the disk is full), once, as soon as it has: what was written before stays
-  /// readable, and the touch goes on. Any thread.
+  /// The reason why writing failed (for example a full disk), returned once. What was written before stays
+  /// readable, and the touch continues. Any thread.
   std::optional<Error> take_fault();
-  /// Writes what is left and ends the file. Errors met at any time come here.
+  /// Writes the remaining ticks and ends the file. Errors of any earlier write are returned here.
   Result<void> finish();
 
  private:

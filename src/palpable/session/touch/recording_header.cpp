@@ -19,7 +19,7 @@ namespace {
 using HeaderJson = nlohmann::ordered_json;
 constexpr int kFormat = 2;
 
-/// A number of the tick's options, under its member's name.
+/// A number of the tick's options and its name.
 struct TickNumber {
   std::string_view name;
   double haptics::TickOptions::*value;
@@ -55,7 +55,7 @@ haptics::TickOptions tick_from_json(const HeaderJson& json) {
   haptics::TickOptions tick;
   for (const TickNumber& number : kTickNumbers) {
     const auto value = json.find(std::string(number.name));
-    // An older program had no such option; nothing that it recorded depends on it.
+    // An older program did not have this option, so its recording does not depend on it.
     if (value == json.end()) continue;
     tick.*number.value = value->is_null() ? std::numeric_limits<double>::infinity() : value->get<double>();
   }
@@ -65,7 +65,7 @@ haptics::TickOptions tick_from_json(const HeaderJson& json) {
   return tick;
 }
 
-/// What the estimators of this program are made of.
+/// Description of this program's estimators.
 HeaderJson estimator_json() {
   return {{"velocity", "first-order adaptive windowing, end-fit"},
           {"samples", haptics::VelocityEstimator::kSamples},

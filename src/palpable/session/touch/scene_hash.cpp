@@ -55,7 +55,7 @@ void add_model(Fnv1a& hash, const std::shared_ptr<const models::Grid>& grid) {
   for (const std::uint8_t on : o.occupied) hash.add(std::uint32_t{on});
 }
 
-/// Nothing where there is none, as before there were textures.
+/// Without a texture nothing is added, so that hashes from before textures stay valid.
 void add_texture(Fnv1a& hash, const models::TouchTexture& texture) {
   if (texture.kind == models::TouchTexture::Kind::none) return;
   hash.add(models::name_of(texture.kind));

@@ -9,11 +9,11 @@
 
 namespace palpable::session {
 
-/// A number for everything that a hand can feel of a scene (shape, materials, labels; not its picture or
-/// origin): 64 bits of FNV-1a, as 16 hexadecimal digits. Equal scenes have equal hashes on every machine.
+/// A hash of everything that a hand can feel of a scene (shape, materials and labels; not its picture or
+/// source): 64-bit FNV-1a as 16 hexadecimal digits. Equal scenes have equal hashes on every machine.
 std::string scene_hash(const models::Scene& scene);
 
-/// The same of shape and labels alone: scenes that differ in their materials only have the same.
+/// The hash of shape and labels alone: scenes that differ only in their materials have the same one.
 std::string shape_hash(const models::Scene& scene);
 
 struct SceneHash {
@@ -21,8 +21,8 @@ struct SceneHash {
   std::string shape;
 };
 
-/// The hashes of the scene that was asked for last, so that a scene whose settings change is hashed once. One
-/// thread at a time.
+/// Caches the hashes of the last scene, so that a scene whose settings change is hashed once. One thread at a
+/// time.
 class SceneHashes {
  public:
   SceneHash of(const std::shared_ptr<const models::Scene>& scene);

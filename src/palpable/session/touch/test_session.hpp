@@ -8,10 +8,10 @@
 #include <memory>
 #include <utility>
 
-// For the tests of touches without a page.
+// Helpers for tests of touches without the page.
 namespace palpable::session {
 
-/// A relief of 100 x 80 mm with smooth hills, from 0 to `height_m`.
+/// A relief of 100 x 80 mm with smooth hills of height 0 to `height_m`.
 inline models::Scene hilly_scene(double height_m) {
   Raster<float> samples(100, 80);
   for (int y = 0; y < 80; ++y)
@@ -23,7 +23,7 @@ inline models::Scene hilly_scene(double height_m) {
   return scene;
 }
 
-/// Without the rights that a test has not: real-time priority, locked memory.
+/// Options that need no privileges: no real-time priority, no locked memory.
 inline HeadlessOptions unprivileged(double seconds) {
   HeadlessOptions options;
   options.seconds = seconds;

@@ -21,7 +21,7 @@
 namespace palpable::session {
 namespace {
 
-/// The parts of a program that no PreparedScene holds.
+/// Describes a prepared scene for a recording.
 RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings& asked) {
   RecordedTouch touch;
   touch.law = prepared.law;
@@ -35,9 +35,10 @@ RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings&
 
 }  // namespace
 
-/// Three locks, taken in this order: `recording_changes` while a recording begins or ends, `changing` while a
-/// scene is prepared, which may take a second, and `state`, which every caller needs, the pointer ten times a
-/// second: nothing that reads a whole model, writes a file or waits for a thread happens under it.
+/// Three locks, always taken in this order. `recording_changes`: while a recording begins or ends.
+/// `changing`: while a scene is prepared, which may take a second. `state`: needed by every caller, for
+/// example by the pointer ten times per second; so no code that reads a whole model, writes a file or waits
+/// for a thread runs under it.
 struct TouchSession::Impl {
   Result<void> change(std::shared_ptr<const models::Scene> to_scene, const TouchSettings& to_settings,
                       const Transform<SceneFrame, DeviceFrame>& to_place);
@@ -52,7 +53,7 @@ struct TouchSession::Impl {
   std::string device_url;
   std::int64_t begin_ns = 0;
   std::int64_t servo_begin_ns = 0;
-  /// Where each probe's place arrives from the page, the hand's first.
+  /// Passes each probe's position from the page, the hand's first.
   std::vector<std::shared_ptr<device::PointerFeed>> pointers;
   std::unique_ptr<haptics::ServoLoop> loop;
 
@@ -66,13 +67,13 @@ struct TouchSession::Impl {
   TouchSettings settings;
   haptics::Law law_in_use = haptics::Law::proxy;
   Transform<SceneFrame, DeviceFrame> scene_from_device;
-  /// Of an explorer in the scene, under `changing`; nullopt in the exocentric frame.
+  /// Stance of an explorer, under `changing`; nullopt in the exocentric frame.
   std::optional<Stance> stance;
   std::vector<std::string> notices;
   device::RecordedScene described_now;
   std::uint32_t last_scene_id = 0;
   bool paused = false;
-  /// Of each probe.
+  /// The newest sample of each probe.
   std::array<haptics::TouchSample, haptics::kMaxLiveProbes> latest;
   std::unique_ptr<Recorder> recorder;
 };
@@ -100,7 +101,7 @@ Result<void> TouchSession::Impl::change(std::shared_ptr<const models::Scene> to_
     const std::lock_guard lock(state);
     if (recorder) recorder->note(description);
   }
-  // Reads every page of the model.
+  // This reads every page of the model.
   loop->change(std::move(prepared->scene));
   const std::lock_guard lock(state);
   described_now = std::move(description);
@@ -233,7 +234,7 @@ void TouchSession::recentre() {
   auto place = impl_->scene_from_device;
   const Vec3 turned = place.scale * place.rotate(hand);
   place.translation_m = Vec3{0.0, 0.0, models::size_m(*scene()).z} - turned;
-  // What was possible with this scene and these settings before is possible now.
+  // A change that differs only in the placement cannot fail.
   static_cast<void>(impl_->change(scene(), settings(), place));
 }
 
@@ -291,7 +292,7 @@ std::optional<Error> TouchSession::take_recording_fault() {
 
 Result<void> TouchSession::start_recording(const std::filesystem::path& file) {
   const std::lock_guard recording_changes(impl_->recording_changes);
-  // The scene that the file begins with stays until the recorder hears of changes.
+  // The scene with which the file begins must not change until the recorder receives changes.
   const std::lock_guard changing(impl_->changing);
   if (recording()) return Error{ErrorCode::usage, "a recording is running already", file.string()};
   return impl_->record_into(file);

@@ -22,26 +22,27 @@ namespace palpable::session {
 
 struct SessionOptions {
   haptics::ServoOptions servo;
-  /// Written into recordings, and given to a simulated hand that names none itself.
+  /// Written to recordings, and used for a simulated hand whose URL has no seed.
   std::uint64_t seed = 1;
-  /// Written into recordings: "shi", "park", … when a paper's parameters were chosen.
+  /// Written to recordings: "shi", "park", ... if the parameters of a paper were chosen.
   std::string as_published;
-  /// Written into recordings: "palpable 0.1.0", and the command line as it was given.
+  /// Written to recordings: "palpable 0.1.0", and the command line as given.
   std::string made_by = "palpable";
   std::vector<std::string> command;
-  /// Records from the first tick on; empty = start_recording() may begin one later.
+  /// File in which the touch is recorded from the first tick; empty = none, start_recording() may begin one
+  /// later.
   std::filesystem::path recording;
-  /// Probes beside the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
+  /// Number of probes besides the hand, moved by move_pointer(); at most haptics::kMaxLiveProbes - 1.
   std::size_t further_probes = 0;
 };
 
-/// One touch: a scene, felt by one law, through one device. Any thread may call any method; none of them
-/// makes the servo wait. Ending it, in any way, leaves the device at zero force.
+/// One touch: a scene, a law and a device. Any thread may call any method; no method makes the servo wait.
+/// However it ends, the device is left at zero force.
 class TouchSession {
  public:
-  /// Opens the device (device/drivers/open.hpp) and starts the servo. `begin_ns` is CLOCK_MONOTONIC when the
-  /// person asked for the touch: seconds_to_first_force counts from it; 0 = now. Errors: device (cannot be
-  /// opened), usage (a law, parameter or URL that does not exist), failed (the recording cannot be created).
+  /// Opens the device (device/drivers/open.hpp) and starts the servo. `begin_ns` is CLOCK_MONOTONIC at the
+  /// user's request, from which seconds_to_first_force counts; 0 = now. Errors: device (cannot be opened),
+  /// usage (an unknown law, parameter or URL), failed (the recording cannot be created).
   static Result<std::unique_ptr<TouchSession>> open(std::shared_ptr<const models::Scene> scene,
                                                     const TouchSettings& settings,
                                                     const std::string& device_url,
@@ -50,55 +51,57 @@ class TouchSession {
   TouchSession(const TouchSession&) = delete;
   TouchSession& operator=(const TouchSession&) = delete;
 
-  /// Swapped live, forces cross-faded; on an error everything stays as it was.
+  /// Changes the scene, or the settings, during the touch; the forces are cross-faded. After an error nothing
+  /// has changed.
   Result<void> change_scene(std::shared_ptr<const models::Scene> scene);
   Result<void> change_settings(const TouchSettings& settings);
-  /// Both at once; the scene's model stays, and so does its place under the hand. Errors: usage for materials
-  /// that are out of range or not one for each label of the scene.
+  /// Changes materials and settings together; the model and its placement stay. Errors: usage for materials
+  /// that are out of range, or not one for each label of the scene.
   Result<void> change_materials(std::vector<models::Material> materials, const TouchSettings& settings);
   std::shared_ptr<const models::Scene> scene() const;
   TouchSettings settings() const;
-  /// Another than the settings' where the scene or the device has no such law.
+  /// Differs from the settings if the scene or the device does not support that law.
   haptics::Law law_in_use() const;
-  /// What was changed by the device's limits and why, one sentence each: "Stiffness 800 N/m was lowered to
-  /// 412 N/m: …". Empty when nothing was.
+  /// What the device's limits changed and why, one sentence each: "Stiffness 800 N/m was lowered to 412 N/m:
+  /// …". Empty if nothing was changed.
   std::vector<std::string> notices() const;
 
   void pause();
   void resume();
   bool paused() const;
-  /// Places the scene so that the hand is at its middle, level with its highest point.
+  /// Moves the scene so that the hand is at its centre, at the height of its highest point.
   void recentre();
-  /// The egocentric frame of reference: from now on the device's middle stands and turns with an explorer;
-  /// its height and scale stay. So they do in a changed scene. Forces cross-fade; recordings note the new
-  /// place. Errors: as change_settings().
+  /// The egocentric frame of reference: from now on the centre of the device's workspace moves and turns with
+  /// an explorer; its height and scale do not change. This also holds for later scenes. Forces are
+  /// cross-faded, and recordings contain the new placement. Errors: as change_settings().
   Result<void> stand(const Stance& stance);
   void stop();
 
-  /// How many probes there can be at once, the hand's (probe 0) among them.
+  /// Greatest number of simultaneous probes, including the hand (probe 0).
   std::size_t probes() const;
-  /// Moves the hand where the device is `pointer:` (others ignore it), or a further probe whatever the device
-  /// is. Scene frame, so that the page need not know the device's. Send at least ten a second, also while the
-  /// pointer rests: silence for half a second counts as a lost source and ramps the force down. A probe that
-  /// there is not is ignored.
+  /// Moves the hand if the device is `pointer:` (other devices ignore it), or a further probe with any
+  /// device. The position is in the scene frame, so that the page need not know the device frame. Call it at
+  /// least ten times a second, also while the pointer rests: after half a second without a call the source
+  /// counts as lost, and the force ramps to zero. Unknown probes are ignored.
   void move_pointer(Point<SceneFrame> position, std::size_t probe = 0);
-  /// Takes a probe away until it is moved again; its force ramps to zero.
+  /// Removes a probe until it is moved again; its force ramps to zero.
   void lift_pointer(std::size_t probe);
 
-  /// The newest tick of a probe, less than probes(). Before the first, its status is not_ready.
+  /// The newest tick of a probe, which must be less than probes(). Before the first tick its status is
+  /// not_ready.
   haptics::TouchSample latest(std::size_t probe = 0) const;
-  /// Everything since the last call, in order. For one listener, which should call several times a second:
-  /// the ring holds 1024, and what finds it full is lost.
+  /// All events since the last call, in order. For one reader, which should call it several times a second:
+  /// the ring holds 1024 events, and further ones are lost.
   std::vector<haptics::TouchEvent> take_events();
-  /// Deadlines missed since the last call, each with its cause; likewise.
+  /// Deadlines missed since the last call, each with its cause; also for one reader.
   std::vector<haptics::MissedDeadline> take_missed();
-  /// Why the recording under way cannot be written any further, once; the touch goes on.
+  /// The reason why the current recording cannot be continued, returned once; the touch continues.
   std::optional<Error> take_recording_fault();
 
-  /// From here on: SessionOptions::recording records the touch's beginning too, so that all of it can be
-  /// recomputed. Errors: the file cannot be written; recording already.
+  /// Starts a recording. Unlike SessionOptions::recording it lacks the start of the touch, so not all of it
+  /// can be recomputed. Errors: the file cannot be written; a recording is running already.
   Result<void> start_recording(const std::filesystem::path& file);
-  /// Ends the file; errors met while writing come here.
+  /// Ends the recording; errors of any earlier write are returned here.
   Result<void> stop_recording();
   bool recording() const;
 

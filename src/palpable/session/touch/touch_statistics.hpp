@@ -9,10 +9,10 @@
 
 namespace palpable::session {
 
-/// CONTRACT's figures for a session that ran (docs/cli.md, a touch without page).
+/// Statistics of a touch without page (docs/cli.md).
 struct TouchStatistics {
   haptics::ServoStatistics servo;
-  /// From the reference time given to TouchSession::open to the first force that a hand can feel; NaN if
+  /// Time from `begin_ns` of TouchSession::open() to the first force that a hand can feel; NaN if there was
   /// none.
   double seconds_to_first_force = std::numeric_limits<double>::quiet_NaN();
   std::string device;
@@ -20,8 +20,8 @@ struct TouchStatistics {
   std::string memory_lock;
 };
 
-/// {"servo": {"ticks", "rate_hz", …}, "force": …} as CONTRACT states it; one JSON object, numbers only finite
-/// or null.
+/// One JSON object {"servo": {"ticks", "rate_hz", …}, "force": …} (docs/cli.md); values that are not finite
+/// are null.
 std::string to_json(const TouchStatistics& statistics);
 
 }  // namespace palpable::session

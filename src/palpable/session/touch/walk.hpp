@@ -13,41 +13,43 @@
 
 namespace palpable::session {
 
-/// Where an explorer stands in the scene, seen from above, and which way they face. In the egocentric frame
-/// of reference (Moustakas et al. 2007 distinguish it from the exocentric one, which looks on from outside)
-/// the hand's frame stands and turns with the explorer: y is ahead, x to the right, z up from the base as
-/// ever.
+/// Position and heading of an explorer in the scene, seen from above. In the egocentric frame of reference
+/// (Moustakas et al. 2007; the exocentric one looks from outside) the hand's frame moves and turns with the
+/// explorer: x right, y ahead, z up from the base.
 struct Stance {
   double x_m = 0.0;
   double y_m = 0.0;
-  /// 0 faces up the scene (+y), to the left is positive.
+  /// 0 faces up the scene (+y); turning left is positive.
   double heading_rad = 0.0;
 };
 
-/// An explorer stands so from that time on.
+/// A stance that holds from a time on.
 struct WalkStep {
   double t_s = 0.0;
   Stance stance;
 };
 
-/// Metres about the explorer's feet on the base: x to the right, y ahead, z up.
+/// Metres; origin at the explorer's feet on the base: x right, y ahead, z up.
 struct ExplorerFrame;
 
 Transform<SceneFrame, ExplorerFrame> scene_from_explorer(const Stance& stance);
-/// A device whose middle goes with the explorer; its scale and height in the scene stay as laid out.
+/// The placement of a device whose workspace centre moves with the explorer; scale and height are those of
+/// `laid_out`.
 Transform<SceneFrame, DeviceFrame> with_explorer(const Transform<SceneFrame, DeviceFrame>& laid_out,
                                                  const Stance& stance);
 
-/// How many steps have been taken by then. The walk's times rise.
+/// Number of steps up to the time `t_s`. The times of the walk must increase.
 std::size_t steps_by(std::span<const WalkStep> walk, double t_s);
-/// The last step that is not later; before the first, the first. `walk` is not empty, its times rise.
+/// The stance at a time: that of the last step that is not later; before the first step, the first. `walk`
+/// must not be empty, and its times must increase.
 const Stance& stance_at(std::span<const WalkStep> walk, double t_s);
 
-/// The first fault, as a sentence with the step's number: no steps, one that is not finite, farther than
-/// 1000 m from the middle, or not later than the one before.
+/// Checks a walk. The error is a sentence with the number of the first invalid step: no steps, values that
+/// are not finite, farther than 1000 m from the centre, or not later than the previous step.
 Result<void> check_walk(std::span<const WalkStep> walk);
 
-/// "You stand 20 millimetres right of and 5 millimetres below the middle, facing left." For speech.
+/// A sentence for speech: "You stand 20 millimetres right of and 5 millimetres below the middle, facing
+/// left."
 std::string words_of(const Stance& stance);
 
 }  // namespace palpable::session

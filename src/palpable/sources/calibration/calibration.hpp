@@ -22,23 +22,23 @@ struct CameraModel {
   std::array<double, 9> matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};
   /// OpenCV's order k1 k2 p1 p2 k3 k4 k5 k6 …: 0, 4, 5, 8, 12 or 14 numbers.
   std::vector<double> distortion;
-  /// The pictures' size; 0 where the file does not state it.
+  /// Size of the pictures; 0 if the file does not state it.
   int width = 0;
   int height = 0;
 };
 
-/// What a calibration file states.
+/// The content of a calibration file.
 struct Calibration {
   CameraModel left;
   /// Present for a pair of cameras.
   std::optional<CameraModel> right;
-  /// p_right = rotation * p_left + translation_m, row-major, metres; present where the file states it.
+  /// p_right = rotation * p_left + translation_m, row-major, metres; present if the file states it.
   std::optional<std::array<double, 9>> rotation;
   std::optional<Vec3> translation_m;
-  /// Where the file states a rectified pair (Middlebury, JSON with a baseline): what depth_from_disparity()
-  /// needs. Empty: the pair is to be rectified first.
+  /// The rig for depth_from_disparity(), if the file states a rectified pair (Middlebury, JSON with a
+  /// baseline). Empty: the pair must be rectified first.
   std::optional<StereoRig> rig;
-  /// What the person should know, a sentence each.
+  /// Information for the user, one sentence each.
   std::vector<std::string> notes;
 };
 
@@ -55,8 +55,8 @@ Result<Calibration> decode_calibration(std::span<const std::byte> file);
 /// else camera_matrix and distortion_coefficients. `reprojection_px` is noted in it.
 std::string encode_calibration(const Calibration& calibration, double reprojection_px);
 
-/// The calibration for pictures of this size. Another size of the same shape: scaled, and a note says so; of
-/// another shape, or with a principal point outside the pictures: invalid_input.
+/// Adapts a calibration to pictures of this size. Another size with the same aspect ratio: scaled, with a
+/// note. Errors: invalid_input for another aspect ratio, or a principal point outside the pictures.
 Result<Calibration> calibration_for(Calibration calibration, int width, int height);
 
 /// The left camera without its distortion; its size must be known (calibration_for sets it).

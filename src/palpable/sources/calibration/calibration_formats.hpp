@@ -8,8 +8,8 @@
 
 namespace palpable::sources {
 
-// One function a kind of file, for decode_calibration(), which checks the values. Errors: invalid_input,
-// without a place, for what cannot be parsed or lacks what it needs.
+// One function per kind of file, for decode_calibration(), which checks the values. Errors: invalid_input,
+// without a place, for content that cannot be parsed or is incomplete.
 
 Result<Calibration> calibration_from_json(std::string_view text);
 Result<Calibration> calibration_from_middlebury(std::string_view text);

@@ -10,17 +10,17 @@
 #include <string_view>
 #include <vector>
 
-// OpenCV's calibrations as the decoder process replies with them.
+// OpenCV calibrations in replies of the decoder process.
 namespace palpable::sources::isolated {
 
-/// Without `rig`, which no file of OpenCV's states.
+/// `rig` is omitted: OpenCV files do not state one.
 std::vector<std::byte> reply_of(const Calibration& calibration);
 
-/// What a reply says; decode_calibration() checks the values, as of every file. Errors: the reply's own;
-/// invalid_input for one that is not what it should be.
+/// Decodes a reply; decode_calibration() checks the values, as for every file. Errors: those in the reply;
+/// invalid_input for an invalid reply.
 Result<Calibration> calibration_in(std::span<const std::byte> reply);
 
-/// sources::calibration_from_opencv(), run in the decoder process.
+/// Runs sources::calibration_from_opencv() in the decoder process.
 Result<Calibration> calibration_from_opencv(std::string_view text);
 
 }  // namespace palpable::sources::isolated

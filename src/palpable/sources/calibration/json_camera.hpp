@@ -11,14 +11,14 @@
 
 namespace palpable::sources {
 
-/// The number under `key`; nullopt where there is none. For an object only.
+/// The number under `key`; nullopt if there is none. `object` must be an object.
 std::optional<double> number_in(const nlohmann::json& object, const char* key);
 
-/// Whether focal lengths and principal point are those of a camera: 0.1 to a million pixels, and at most a
+/// Checks that focal lengths and principal point are plausible: 0.1 to a million pixels, and at most a
 /// million pixels away. Errors: invalid_input.
 Result<void> check_lens(double fx_px, double fy_px, double cx_px, double cy_px);
 
-/// A camera stated as fx, fy, cx, cy, width, height. Errors: invalid_input naming what is missing or
+/// Reads a camera from fx, fy, cx, cy, width, height. Errors: invalid_input naming what is missing or
 /// impossible.
 Result<Pinhole> pinhole_from(const nlohmann::json& object);
 

@@ -23,7 +23,7 @@ namespace {
 bool limit(__rlimit_resource_t resource, rlim_t soft, rlim_t hard) {
   rlimit now{};
   if (getrlimit(resource, &now) != 0) return false;
-  // Never above what the person set.
+  // Never above what the user set.
   const rlimit wanted{soft < now.rlim_max ? soft : now.rlim_max, hard < now.rlim_max ? hard : now.rlim_max};
   return setrlimit(resource, &wanted) == 0;
 }

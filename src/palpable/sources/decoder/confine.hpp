@@ -13,12 +13,12 @@ struct Allowance {
   std::uint64_t processor_s = 0;
 };
 
-/// Restricts this process permanently: limits on memory, processor time and written bytes; no further
-/// descriptors, so that no file and no socket can be opened; no core dump; its end with its parent's. Where
-/// the kernel filters system calls (seccomp, on x86-64 and AArch64), only those remain that computing,
-/// memory and threads need: no open, no socket, no exec, no new process, no signal to others. Call once,
-/// before anything of the file is read, with all descriptors below `next_descriptor`. False: a limit was
-/// refused. Builds with a sanitizer keep the memory and the system calls that it needs.
+/// Permanently restricts this process: limits of memory, processor time and written bytes; no new
+/// descriptors, so that no file or socket can be opened; no core dump; it ends with its parent. If the kernel
+/// supports system call filters (seccomp, on x86-64 and AArch64), only the calls for computing, memory and
+/// threads remain: no open, socket, exec, new process, or signal to others. Call once, before the file is
+/// read, with all descriptors below `next_descriptor`. False: a limit was refused. Sanitizer builds keep the
+/// memory and system calls that the sanitizer needs.
 bool confine(const Allowance& allowance, int next_descriptor);
 
 }  // namespace palpable::sources::decoder

@@ -10,11 +10,11 @@
 
 namespace palpable::sources::decoder {
 
-/// Loads what a job needs from the disk before the process is restricted: plug-ins of its library.
+/// Loads a job's plug-ins from the disk before the process is restricted.
 void prepare(isolated::Job job);
 
-/// The reply to a job: the decoded value or an error, as isolated/flat.hpp lays it out. May crash or hang on
-/// a hostile file: only for the decoder process and the fuzzers.
+/// Runs a job and returns its reply: the decoded value or an error, in the layout of isolated/flat.hpp. It
+/// may crash or hang on a malicious file: only for the decoder process and the fuzzers.
 std::vector<std::byte> run(isolated::Job job, std::span<const std::byte> file);
 
 }  // namespace palpable::sources::decoder

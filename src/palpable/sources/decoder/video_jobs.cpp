@@ -7,8 +7,8 @@
 
 #include <exception>
 
-// The jobs of palpable-video-decoder: FFmpeg's libraries take longer to load than most files to read, so they
-// have a program of their own.
+// The jobs of palpable-video-decoder. Loading FFmpeg's libraries takes longer than reading most other files,
+// so they are in a separate program.
 namespace palpable::sources::decoder {
 
 void prepare(isolated::Job) {}

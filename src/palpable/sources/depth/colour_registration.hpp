@@ -11,7 +11,7 @@
 
 namespace palpable::sources {
 
-/// The camera that took the colours, beside the one that measured depth (Kinect and its kin).
+/// The colour camera beside a depth camera (Kinect and similar).
 struct ColourCamera {
   Pinhole camera;
   /// p_colour = rotation * p_depth + translation_m, row-major, metres.
@@ -19,9 +19,9 @@ struct ColourCamera {
   Vec3 translation_m;
 };
 
-/// The colours as the depth camera would see them: RGBA of the depth map's size; alpha 0 (and mid-grey) where
-/// the depth is unknown, lies outside the colour picture, or is hidden from the colour camera by something
-/// nearer. Errors: invalid_input where depth.camera is not known or a camera is not for its picture's size.
+/// Registers colours to the depth camera: RGBA of the depth map's size; alpha 0 (and mid-grey) where the
+/// depth is unknown, the point is outside the colour picture, or a nearer surface occludes it from the colour
+/// camera. Errors: invalid_input if depth.camera is unknown or a camera does not match its picture's size.
 Result<Image> colour_at_depth(const DepthMap& depth, const Image& colour, const ColourCamera& from);
 
 }  // namespace palpable::sources

@@ -21,17 +21,17 @@
 
 namespace palpable::sources {
 
-/// What the numbers of a depth file mean.
+/// The meaning of the numbers in a depth file.
 enum class DepthMeaning : std::uint8_t {
   /// Along the camera's axis, in units of metres_per_unit.
   depth,
-  /// Along each pixel's own ray; needs the camera.
+  /// Distance along each pixel's ray; needs the camera.
   distance,
-  /// Pixels between the eyes, in units of px_per_unit.
+  /// Stereo disparity, in units of px_per_unit.
   disparity,
   /// Larger is nearer, without unit (a grey picture of depth, as shown on screens).
   nearness,
-  /// A renderer's depth buffer; needs its planes.
+  /// A renderer's depth buffer; needs its near and far planes.
   zbuffer
 };
 
@@ -39,8 +39,8 @@ enum class DepthMeaning : std::uint8_t {
 std::string_view name_of(DepthMeaning meaning);
 std::optional<DepthMeaning> depth_meaning_from(std::string_view name);
 
-/// Settings of a depth file, by option or by a sidecar. What is not set is detected, or has the defaults of
-/// docs/formats.md.
+/// Settings of a depth file, from options or a sidecar. Settings that are not given are detected, or have the
+/// defaults of docs/formats.md.
 struct DepthSettings {
   std::optional<DepthMeaning> meaning;
   std::optional<double> metres_per_unit;
@@ -48,11 +48,11 @@ struct DepthSettings {
   std::optional<ZBuffer> zbuffer;
   /// The depth camera.
   std::optional<Pinhole> camera;
-  /// The camera that took the colour picture, where it is another one.
+  /// The camera of the colour picture, if it is another one.
   std::optional<ColourCamera> colour;
 };
 
-/// `first` where it states something, else `otherwise`.
+/// The settings of `first`; those that it does not contain, from `otherwise`.
 DepthSettings merged(DepthSettings first, const DepthSettings& otherwise);
 
 /// The settings in a JSON text: `meaning`, `metres_per_unit`, `px_per_unit`, `near_m`, `far_m`, `range`,
@@ -60,9 +60,9 @@ DepthSettings merged(DepthSettings first, const DepthSettings& otherwise);
 /// camera, `rotation` (9 numbers) and `translation_m` (3). Unknown keys are ignored. Errors: invalid_input.
 Result<DepthSettings> decode_depth_settings(std::string_view json);
 
-/// The sidecar of a depth file: FILE.json, FILE with .json as its extension, or depth.json in its folder,
-/// the first that exists and is about depth; empty settings if there is none. Errors: invalid_input, naming
-/// the sidecar.
+/// Reads the sidecar of a depth file: FILE.json, FILE with the suffix .json, or depth.json in its folder; the
+/// first that exists and is about depth. Empty settings if there is none. Errors: invalid_input, naming the
+/// sidecar.
 Result<DepthSettings> read_depth_sidecar(const std::filesystem::path& file);
 
 /// A depth file, read and interpreted.
@@ -72,14 +72,14 @@ struct DepthPicture {
   /// The picture of the same pixels; alpha 0 where there is no colour.
   std::optional<Image> colour;
   std::size_t unknown = 0;
-  /// What was assumed.
+  /// Assumptions that were made.
   std::vector<Note> notes;
 };
 
 /// Reads depth from one file (numbers; a picture with depth in its alpha channel; a phone's photograph with
 /// depth inside; a grey picture), or from two, colour first. `settings` override a sidecar. Errors:
-/// invalid_input or usage, with the file's name: not readable, no pixel known, planes or camera missing where
-/// they are needed, two pictures that do not fit each other.
+/// invalid_input or usage, with the file's name: unreadable, no known pixel, planes or camera missing where
+/// they are needed, two pictures that do not match.
 Result<DepthPicture> read_depth_picture(std::span<const std::filesystem::path> files,
                                         const DepthSettings& settings = {});
 

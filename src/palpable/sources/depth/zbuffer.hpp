@@ -9,7 +9,7 @@
 
 namespace palpable::sources {
 
-/// How a renderer filled its depth buffer (Gomez 2012, chapter 5, takes depth from there).
+/// The coding of a renderer's depth buffer (Gomez 2012, chapter 5, takes depth from there).
 struct ZBuffer {
   enum class Range : std::uint8_t {
     /// OpenGL's window depth, Direct3D, Vulkan, and integer files.
@@ -24,7 +24,7 @@ struct ZBuffer {
   };
   enum class Projection : std::uint8_t { perspective, orthographic };
   enum class FarPlane : std::uint8_t {
-    /// Cleared pixels that nothing was drawn on are unknown.
+    /// Cleared pixels, on which nothing was drawn, are unknown.
     is_empty,
     is_a_surface
   };
@@ -39,10 +39,10 @@ struct ZBuffer {
   FarPlane far_plane = FarPlane::is_empty;
 };
 
-/// Depth along the camera's axis in metres from the values of a depth buffer; NaN where nothing was drawn and
-/// for values outside the range. With z from 0 (near n) to 1 (far f), a perspective stores z = f/(f−n)·(1 −
-/// n/Z), so Z = n·f/(f − z·(f−n)); an orthographic projection stores depth evenly. Errors: usage for
-/// impossible planes.
+/// Converts the values of a depth buffer to depth along the camera's axis, metres; NaN where nothing was
+/// drawn and for values outside the range. With z from 0 (near n) to 1 (far f), a perspective projection
+/// stores z = f/(f−n)·(1 − n/Z), so Z = n·f/(f − z·(f−n)); an orthographic projection stores depth linearly.
+/// Errors: usage for impossible planes.
 Result<Raster<float>> linearise_zbuffer(const Raster<float>& values, const ZBuffer& buffer);
 
 }  // namespace palpable::sources

@@ -15,7 +15,7 @@
 
 namespace palpable::sources {
 
-/// What kind of input a file is.
+/// The kind of an input file.
 enum class InputKind : std::uint8_t {
   picture,
   stereo,
@@ -40,24 +40,24 @@ struct Input {
   /// that holds both. depth: one, or its colour picture first and the depth second. video: one film, or the
   /// pictures of a folder in the order of their names (numbers counted as numbers). map: one.
   std::vector<std::filesystem::path> files;
-  /// Notes for the person.
+  /// Notes for the user.
   std::vector<Note> notes;
 };
 
-/// What one file is, by its first bytes and never by its name: pictures of every kind that read_picture()
-/// knows are `picture` (a stereo file of a camera, MPO or JPS, is `stereo`); PFM, NumPy and OpenEXR hold
-/// numbers and are `depth`; MP4, Matroska, AVI, MPEG and Ogg are `video`; OpenStreetMap extracts are `map`;
-/// GLB, OBJ, STL, CityJSON and PLY with faces are `mesh`; PLY without faces is `points`; JSON with
-/// "primitives" is `shapes`; OpenVDB is `level_set`; ours is `scene`.
-/// Errors: invalid_input, naming the file, for what cannot be read or is none of these.
+/// Recognises one file by its first bytes, never by its name. Pictures that read_picture() supports are
+/// `picture` (a camera's stereo file, MPO or JPS, is `stereo`); PFM, NumPy and OpenEXR contain numbers and
+/// are `depth`; MP4, Matroska, AVI, MPEG and Ogg are `video`; OpenStreetMap extracts are `map`; GLB, OBJ,
+/// STL, CityJSON and PLY with faces are `mesh`; PLY without faces is `points`; JSON with "primitives" is
+/// `shapes`; OpenVDB is `level_set`; this program's scene files are `scene`.
+/// Errors: invalid_input, naming the file, for unreadable and unknown files.
 Result<InputKind> kind_of_file(const std::filesystem::path& path);
 
-/// Recognises what was named together: one file by its content, a photograph with depth inside as depth, a
-/// picture of one channel as depth where a sidecar states so or where it has more than 8 bits (unless these
-/// are 8 bits stretched), with a note of what was assumed, two
-/// pictures as a stereo pair, left first, a picture and a file of numbers as depth with its colour picture, a
-/// folder as a sequence. `wanted` overrides where it is possible. Errors: usage for a number of files that
-/// makes no sense; invalid_input as kind_of_file(), and for a folder without pictures.
+/// Recognises files that were given together. One file: by its content; a photograph with depth inside is
+/// depth; a picture of one channel is depth if a sidecar states so or it has more than 8 bits (unless these
+/// are 8 bits stretched), with a note about the assumption. Two pictures: a stereo pair, left first. A
+/// picture and a file of numbers: depth with its colour picture. A folder: a sequence. `wanted` overrides
+/// this where possible. Errors: usage for an impossible number of files; invalid_input as kind_of_file(), and
+/// for a folder without pictures.
 Result<Input> recognise_input(std::span<const std::filesystem::path> paths,
                               std::optional<InputKind> wanted = std::nullopt);
 

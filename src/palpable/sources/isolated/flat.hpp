@@ -13,8 +13,8 @@
 #include <type_traits>
 #include <vector>
 
-// The layout of what the decoder process gives back: numbers and arrays as they lie in memory, one behind the
-// other. Both processes are of one build, so there is no byte order to agree on.
+// The binary layout of the decoder process's replies: numbers and arrays as in memory, one after another.
+// Both processes are from the same build, so the byte order is the same.
 namespace palpable::sources::isolated {
 
 class FlatWriter {
@@ -22,7 +22,7 @@ class FlatWriter {
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void put(const T& value) { put_array(std::span(&value, 1)); }
-  /// Without its length.
+  /// Writes the elements without their number.
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void put_array(std::span<const T> values) {
@@ -40,14 +40,14 @@ class FlatWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what FlatWriter wrote, from a process that may have been taken over: past the end it gives zeros and
-/// nothing, and ok() becomes false for good. What the values mean is the caller's to check.
+/// Reads the output of FlatWriter from a process that may be compromised. A read past the end gives zeros and
+/// empty arrays and sets ok() to false permanently. The caller must check the values.
 class FlatReader {
  public:
   explicit FlatReader(std::span<const std::byte> bytes) : left_(bytes) {}
 
   bool ok() const { return ok_; }
-  /// Everything was read, and nothing was missing.
+  /// Whether everything was read and nothing was missing.
   bool done() const { return ok_ && left_.empty(); }
 
   template <class T>
@@ -57,7 +57,7 @@ class FlatReader {
     if (!raw.empty()) std::memcpy(&value, raw.data(), sizeof(T));
     return value;
   }
-  /// `count` values; none where fewer are left, and no memory is taken for them.
+  /// Reads `count` values; an empty vector if fewer are left; then no memory is allocated.
   template <class T>
   requires std::is_trivially_copyable_v<T> std::vector<T> get_array(std::uint64_t count) {
     std::vector<T> values;
@@ -67,11 +67,11 @@ class FlatReader {
     if (!raw.empty()) std::memcpy(values.data(), raw.data(), raw.size());
     return values;
   }
-  /// `count` bytes as they lie in the reply.
+  /// A view of the next `count` bytes of the reply.
   std::span<const std::byte> get_bytes(std::uint64_t count) {
     return count <= left_.size() ? take(static_cast<std::size_t>(count)) : fail();
   }
-  /// Text for a person: cut to `longest` bytes, control characters replaced.
+  /// Reads text for display: truncated to `longest` bytes, control characters replaced.
   std::string get_text(std::size_t longest);
 
  private:
@@ -91,14 +91,14 @@ class FlatReader {
   bool ok_ = true;
 };
 
-/// The error for a reply that is not what the job gives.
+/// The error for an invalid reply.
 Error invalid_reply();
 
-/// A reply that is an error, and back: an error's code is always invalid_input.
+/// Encodes an error as a reply; the code of a decoded error is always invalid_input.
 std::vector<std::byte> error_reply(const Error& error);
-/// The beginning of a reply that is a value; its content follows.
+/// Writes the start of a reply with a value; its content follows.
 void begin_value(FlatWriter& reply);
-/// Goes to the content of a value. Errors: the one that the reply holds.
+/// Moves to the content of a value. Errors: the one in the reply.
 Result<void> open_reply(FlatReader& reply);
 
 }  // namespace palpable::sources::isolated

@@ -171,7 +171,7 @@ Limits limits_of(Job job, std::size_t file_bytes) {
       limits.memory_bytes = kBase + 3072 * kMiB;
       limits.result_bytes = 1040 * kMiB;
   }
-  // Not the machine's last: the other process's memory counts as this one's to the person.
+  // Not the machine's last: the other process's memory counts as this one's to the user.
   if (const auto available = available_memory_bytes())
     limits.memory_bytes =
         std::min<std::uint64_t>(limits.memory_bytes, std::max<std::uint64_t>(*available, kBase));

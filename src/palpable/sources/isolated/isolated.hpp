@@ -13,7 +13,7 @@
 
 namespace palpable::sources::isolated {
 
-/// What the decoder process can be asked for: a kind of file that a library of others parses.
+/// The jobs of the decoder process: kinds of files that external libraries parse.
 enum class Job : std::uint8_t {
   obj,
   stl,
@@ -32,19 +32,19 @@ enum class Job : std::uint8_t {
 std::string_view name_of(Job job);
 std::optional<Job> job_from(std::string_view name);
 
-/// What the decoder process may use. Beyond that it is ended, and the file counts as damaged.
+/// Resource limits of the decoder process. If it exceeds them, it is ended, and the file counts as damaged.
 struct Limits {
   std::uint64_t memory_bytes = 0;
   std::uint64_t result_bytes = 0;
   std::chrono::seconds processor_time{};
-  /// From its start to its end, on a machine that may be busy.
+  /// Wall time from start to end, generous for a busy machine.
   std::chrono::seconds time{};
 };
 
-/// For a file of so many bytes; generous for every file that is what it claims to be.
+/// Limits for a file of this size; generous for every valid file.
 Limits limits_of(Job job, std::size_t file_bytes);
 
-/// What the decoder process gave back, mapped into memory. Not to be trusted: see flat.hpp.
+/// The reply of the decoder process, mapped into memory. Untrusted: see flat.hpp.
 class Reply {
  public:
   Reply(const void* begin, std::size_t size) : begin_(begin), size_(size) {}
@@ -58,12 +58,12 @@ class Reply {
   std::size_t size_ = 0;
 };
 
-/// Decodes `file` in a process of its own (`palpable-decoder`), which can open nothing, reach no network and
-/// ends with this one. Blocks until it has ended. Errors, without a place: invalid_input for what the decoder
-/// refused, crashed on, or did not finish within `limits`; failed where the program is missing or cannot be
+/// Decodes `file` in a separate process (`palpable-decoder`), which can open no files or network connections
+/// and ends with this process. Blocks until it has ended. Errors, without a place: invalid_input if the
+/// decoder rejected the file, crashed, or exceeded `limits`; failed if the program is missing or cannot be
 /// started. Any thread, also while a servo runs: the address space is not copied.
 Result<Reply> decode(Job job, std::span<const std::byte> file, const Limits& limits);
-/// The same within limits_of() the file.
+/// The same with limits_of() this file.
 Result<Reply> decode(Job job, std::span<const std::byte> file);
 
 }  // namespace palpable::sources::isolated

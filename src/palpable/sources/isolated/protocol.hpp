@@ -4,16 +4,16 @@
 
 #include <string_view>
 
-// What the two processes agree on. Arguments of palpable-decoder: the version, the job's name, bytes of
-// memory, bytes of the reply, seconds of processor time.
+// The protocol between the two processes. Arguments of palpable-decoder: the version, the job's name, bytes
+// of memory, bytes of the reply, seconds of processor time.
 namespace palpable::sources::isolated {
 
-/// Changed with every change of what is below or of a reply's layout.
+/// Must change with every change of the constants below or of a reply's layout.
 inline constexpr std::string_view kProtocolVersion = "1";
 inline constexpr const char* kDecoderName = "palpable-decoder";
 inline constexpr const char* kVideoDecoderName = "palpable-video-decoder";
 
-// Descriptors that the decoder process begins with; all others are closed.
+// Descriptors with which the decoder process starts; all others are closed.
 inline constexpr int kInputDescriptor = 3;
 inline constexpr int kReplyDescriptor = 4;
 /// Open while the process lives.

@@ -10,11 +10,10 @@
 
 namespace palpable::sources {
 
-// One function a file format. All ask check_picture_size() before they take
-// memory and give invalid_input, without a place, for what is damaged, cut off or not supported. None applies
-// an orientation except BMP and TGA, whose row order is a part of their pixels' layout. TIFF and WebP are
-// parsed by libraries of others and belong to the decoder process alone: picture.cpp asks it
-// (picture_reply.hpp).
+// One function per file format. All call check_picture_size() before they allocate memory, and return
+// invalid_input, without a place, for damaged, truncated or unsupported files. None applies an orientation
+// except BMP and TGA, whose row order is part of the pixel layout. TIFF and WebP are parsed by external
+// libraries and only in the decoder process, which picture.cpp calls (picture_reply.hpp).
 
 /// Grey or RGB, with or without alpha, of 8 or 16 bit integers or 32-bit floats, in strips or tiles;
 /// everything else that libtiff knows (palettes, YCbCr, fax) as 8-bit RGBA.

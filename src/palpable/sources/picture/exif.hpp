@@ -17,12 +17,12 @@ struct IfdEntry {
   std::uint16_t tag = 0;
   std::uint16_t type = 0;
   std::uint32_t count = 0;
-  /// The first value where it is a number held in the field itself; else the place of the values.
+  /// The first value if the field itself contains it; else the offset of the values.
   std::uint32_t value = 0;
 };
 
-/// Calls `visit` for each field of the first directory of a TIFF block ("II*\0" or "MM\0*" first); stops at
-/// damage. Returns where the next directory begins, 0 = none.
+/// Calls `visit` for each field of the first directory of a TIFF block (which starts with "II*\0" or
+/// "MM\0*"); stops at damage. Returns the offset of the next directory, 0 = none.
 std::uint32_t visit_first_ifd(std::span<const std::byte> tiff,
                               const std::function<void(const IfdEntry&)>& visit);
 
@@ -31,10 +31,10 @@ std::uint32_t visit_first_ifd(std::span<const std::byte> tiff,
 void visit_jpeg_segments(std::span<const std::byte> jpeg,
                          const std::function<void(int marker, std::span<const std::byte> content)>& visit);
 
-/// The EXIF orientation, 1 … 8, that a JPEG, PNG, WebP or TIFF file states; 1 where it states none.
+/// The EXIF orientation, 1 … 8, of a JPEG, PNG, WebP or TIFF file; 1 if it states none.
 int orientation_of(std::span<const std::byte> file);
 
-/// Turns and mirrors a picture so that it stands upright. `orientation` as EXIF defines it: 1 … 8.
+/// Rotates and mirrors a picture so that it is upright. `orientation` as EXIF defines it: 1 … 8.
 Image upright(Image image, int orientation);
 
 }  // namespace palpable::sources

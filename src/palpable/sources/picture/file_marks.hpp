@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <span>
 
-// The kinds of pictures that the decoder process reads, by the marks at their start; without their libraries.
+// Recognises the formats that the decoder process reads by their first bytes, without their libraries.
 namespace palpable::sources {
 
-/// Whether the bytes begin a HEIF picture (HEIC or AVIF; libheif tells the two apart).
+/// Whether this is a HEIF picture (HEIC or AVIF; libheif distinguishes them).
 bool is_heif(std::span<const std::byte> file);
 
-/// Whether the bytes begin an OpenEXR picture.
+/// Whether this is an OpenEXR picture.
 bool is_exr(std::span<const std::byte> file);
 
 }  // namespace palpable::sources

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-// For tests only: files as people's cameras write them, made as their specifications say.
+// For tests only: files as cameras write them, made according to their specifications.
 namespace palpable::sources {
 
 inline std::string big_endian(std::uint32_t value, int bytes) {

@@ -13,34 +13,34 @@
 
 namespace palpable::sources {
 
-/// Depth that a phone keeps inside its photograph.
+/// Depth that a phone stores in a photograph.
 struct PhotoDepth {
   enum class Coding : std::uint8_t {
-    /// 0 at the near plane, 1 at the far one, even in 1/Z (GDepth and Dynamic Depth "RangeInverse").
+    /// 0 at the near plane, 1 at the far one, linear in 1/Z (GDepth and Dynamic Depth "RangeInverse").
     range_inverse,
-    /// 0 at the near plane, 1 at the far one, even in Z ("RangeLinear").
+    /// 0 at the near plane, 1 at the far one, linear in Z ("RangeLinear").
     range_linear,
-    /// 1 is nearest, even in 1/Z: from far_m to near_m where both are known (HEIF's inverse Z and
+    /// 1 is nearest, linear in 1/Z: from far_m to near_m if both are known (HEIF's inverse Z and
     /// disparities).
     nearness
   };
-  /// 0 … 1, in the stored picture's own orientation.
+  /// 0 … 1, in the orientation of the stored picture.
   Raster<float> values;
   Coding coding = Coding::nearness;
-  /// Metres; absent where the phone does not know them.
+  /// Metres; nullopt if the phone does not know them.
   std::optional<double> near_m;
   std::optional<double> far_m;
 };
 
-/// Depth in a JPEG: Google's GDepth (XMP, extended over segments) or Dynamic Depth (a container behind the
-/// picture). nullopt: the picture holds none. Errors: invalid_input for depth that is announced but damaged.
+/// The depth in a JPEG: Google's GDepth (XMP, extended over segments) or Dynamic Depth (a container after the
+/// picture). nullopt: the picture contains none. Errors: invalid_input for depth that is announced but
+/// damaged.
 Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file);
 
 /// Whether a photograph, JPEG or HEIF, announces depth inside; its pixels are not decoded.
 bool announces_depth(std::span<const std::byte> file);
 
-/// Loads what libheif keeps in files of its own. Needed once, before the first of the functions below, where
-/// files can no longer be opened later.
+/// Loads libheif's plug-ins. Must be called once before the functions below if files cannot be opened later.
 void load_heif_plugins();
 
 /// The primary picture of a HEIF file, upright. Errors: invalid_input.

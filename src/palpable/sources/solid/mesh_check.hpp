@@ -11,14 +11,13 @@
 
 namespace palpable::sources {
 
-/// Whether a file of triangles is whole, as far as its format tells: an STL has the number of triangles that
-/// it states (binary), or its facets and itself are ended (text); an OBJ's last line is a whole one, and its
-/// faces name vertices that there are; a GLB has the length that it states. `ending`: "stl", "obj", "glb";
-/// other formats pass. Errors: invalid_input.
+/// Checks that a mesh file is complete, as far as its format allows. Binary STL has the stated number of
+/// triangles; in text STL all facets and the solid are closed; the last line of an OBJ is complete, and its
+/// faces refer to existing vertices; a GLB has the stated length. `ending`: "stl", "obj", "glb"; other
+/// formats pass. Errors: invalid_input.
 Result<void> check_mesh_file(std::span<const std::byte> file, const std::string& ending);
 
-/// The bytes of a binary STL that holds the number of triangles which this one states; 0 for what is too
-/// short to be one.
+/// The size in bytes of a binary STL with the stated number of triangles; 0 for a file that is too short.
 std::size_t stated_stl_bytes(std::span<const std::byte> file);
 
 /// Whether the name ends in .stl, in any case.

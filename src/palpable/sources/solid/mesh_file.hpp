@@ -18,18 +18,18 @@ struct MeshFile {
   CoordinateConvention convention;
 };
 
-/// Reads the triangles of an OBJ, PLY, STL or GLB file, all its parts in one, as they stand in the file's own
-/// coordinates (axes and units as in the file, with what its format says of them); larger faces are cut into
-/// triangles, lines and points left out. Errors: invalid_input, naming the file, for what cannot be read, has
-/// no triangle, or has over 20 million.
+/// Reads the triangles of an OBJ, PLY, STL or GLB file, with all its parts merged, in the file's own
+/// coordinates (axes and units as in the file, with the conventions of its format). Larger faces are split
+/// into triangles; lines and points are omitted. Errors: invalid_input, naming the file, for an unreadable
+/// file, one without triangles, or with more than 20 million.
 Result<MeshFile> read_mesh(const std::filesystem::path& path);
 
 /// The same in memory. All but PLY is parsed in the decoder process (isolated/isolated.hpp). `ending` names
 /// the format ("obj", "ply", "stl", "glb"). Errors without a place.
 Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending);
 
-/// What a format says: glTF (glb) has y up and metres; STL has z up, as 3D printers and CAD programs use it;
-/// of OBJ and PLY, y up is the usual. Those three have no unit.
+/// The coordinate convention of a format: glTF (glb) has y up and metres; STL has z up, as in 3D printing and
+/// CAD; OBJ and PLY usually have y up. These three have no unit.
 CoordinateConvention convention_of_format(const std::string& ending);
 
 }  // namespace palpable::sources

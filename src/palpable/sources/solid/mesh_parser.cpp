@@ -43,7 +43,7 @@ Result<Mesh> mesh_from(const aiScene& scene) {
 
 Result<Mesh> parse_mesh(std::span<const std::byte> file, const std::string& ending) {
   if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
-  // The reader's own words name its functions, and mean nothing to a person.
+  // The reader's own words name its functions, and mean nothing to a user.
   const Error unreadable = invalid_input(
       "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
   try {

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-// Meshes as the decoder process replies with them.
+// Meshes in replies of the decoder process.
 namespace palpable::sources::isolated {
 
 std::vector<std::byte> reply_of(const Mesh& mesh);
 
-/// What a reply says, checked: corners that are vertices, coordinates that are finite, no more triangles than
-/// are read. Errors: the reply's own; invalid_input for one that is not what it should be.
+/// Decodes and checks a reply: valid vertex indices, finite coordinates, the limit of triangles. Errors:
+/// those in the reply; invalid_input for an invalid reply.
 Result<Mesh> mesh_in(std::span<const std::byte> reply);
 
-/// sources::decode_mesh() of an "obj", "stl" or "glb", run in the decoder process.
+/// Runs sources::decode_mesh() for "obj", "stl" or "glb" in the decoder process.
 Result<Mesh> decode_mesh(std::span<const std::byte> file, const std::string& ending);
 
 }  // namespace palpable::sources::isolated

@@ -29,7 +29,7 @@ struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
-  /// The least that one of them takes in a binary file: a list at least its length.
+  /// Least size of one value of the property in a binary file; for a list, that of its length.
   std::size_t least_bytes() const;
 };
 
@@ -37,19 +37,19 @@ struct PlyHeader {
   enum class Format : std::uint8_t { ascii, little_endian, big_endian };
   Format format = Format::ascii;
   std::vector<PlyElement> elements;
-  /// What follows the header, in the file's own memory.
+  /// The bytes after the header; a view of the file.
   std::span<const std::byte> body;
 };
 
-/// The header of a PLY file, checked against the file's size: each element takes at least the bytes of its
-/// properties (binary) or a line (ASCII), so that no stated count takes memory that the rest of the file does
-/// not explain. Errors: invalid_input for a header that is damaged or has no end, and for a file that holds
-/// less than its header states.
+/// Parses the header of a PLY file and checks it against the file's size: each element takes at least the
+/// bytes of its properties (binary) or a line (ASCII), so a stated count cannot cause more memory to be
+/// allocated than the file justifies. Errors: invalid_input for a damaged header or one without an end, and
+/// for a file with less data than its header states.
 Result<PlyHeader> parse_ply_header(std::span<const std::byte> file);
 
-/// Cuts `text` after its first line and returns that line without its end ("\n" or "\r\n").
+/// Removes the first line from `text` and returns it without its line end ("\n" or "\r\n").
 std::string_view take_line(std::string_view& text);
-/// Cuts `line` after its first word and returns that word; empty where there is none.
+/// Removes the first word from `line` and returns it; empty if there is none.
 std::string_view take_word(std::string_view& line);
 
 }  // namespace palpable::sources

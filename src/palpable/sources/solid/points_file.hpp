@@ -11,9 +11,8 @@
 
 namespace palpable::sources {
 
-/// Reads the points of a PLY file, with their normals (nx, ny, nz) if it has them, in the file's own
-/// coordinates. Errors: invalid_input, naming the file, for what cannot be read, or has over 50 million
-/// points.
+/// Reads the points of a PLY file, with their normals (nx, ny, nz) if present, in the file's own coordinates.
+/// Errors: invalid_input, naming the file, for an unreadable file, or more than 50 million points.
 Result<PointCloud> read_points(const std::filesystem::path& path);
 
 /// The same in memory. Errors without a place.

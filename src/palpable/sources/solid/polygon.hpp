@@ -11,12 +11,13 @@
 
 namespace palpable::sources {
 
-/// More corners than this are no face that any program writes; cutting it takes the square of their number.
+/// Greatest number of corners of a face. No program writes faces with more, and the time of triangulation
+/// grows with the square of the number.
 inline constexpr std::size_t kMostCorners = 1024;
 
-/// Appends the triangles of a plane face, turning as it does. `corners` (at least 3, at most kMostCorners)
-/// are indices of `vertices`, all in range. Quadrilaterals are cut at their reflex corner, larger faces as a
-/// fan where they are convex, else ear by ear (Meisters 1975).
+/// Triangulates a planar face and appends the triangles with the same orientation. `corners` (3 to
+/// kMostCorners) are valid indices into `vertices`. Quadrilaterals are split at their reflex corner; larger
+/// faces are split as a fan if convex, else by ear clipping (Meisters 1975).
 void append_triangles(std::span<const Vec3> vertices, std::span<const std::uint32_t> corners,
                       std::vector<std::array<std::uint32_t, 3>>& triangles);
 

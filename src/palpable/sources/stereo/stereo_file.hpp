@@ -14,11 +14,10 @@
 
 namespace palpable::sources {
 
-/// How one picture holds two. "crossed": the right eye's picture comes first (left or above), for viewing
-/// with crossed eyes.
+/// The arrangement of a pair in one picture. "crossed": the right eye's picture comes first (left or above),
+/// for cross-eyed viewing.
 enum class StereoLayout : std::uint8_t {
-  /// What the file itself states; else side by side for pictures wider than high, one above the other for
-  /// others.
+  /// As the file states; else side by side for pictures wider than high, and one above the other for others.
   automatic,
   side_by_side,
   side_by_side_crossed,
@@ -29,21 +28,21 @@ enum class StereoLayout : std::uint8_t {
 struct StereoPictures {
   Image left;
   Image right;
-  /// What the person should know, a sentence each.
+  /// Information for the user, one sentence each.
   std::vector<std::string> notes;
 };
 
-/// Whether a JPEG states that it holds a stereo pair: a multi-picture file (MPO) with two pictures of the
-/// kind "disparity", or a JPS descriptor. The file's start, up to its picture data, is enough. A phone's
-/// multi-picture files with previews or gain maps are not.
+/// Whether a JPEG states that it contains a stereo pair: a multi-picture file (MPO) with two pictures of the
+/// kind "disparity", or a JPS descriptor. Multi-picture files of phones with previews or gain maps do not
+/// count. The start of the file, up to its picture data, is sufficient.
 bool is_stereo_jpeg(std::span<const std::byte> file);
 
-/// The pair in one file: MPO, JPS (its descriptor is obeyed; squeezed halves are widened again), or any
-/// picture that holds both. Errors: invalid_input.
+/// Decodes a pair in one file: MPO, JPS (its descriptor is applied, and squeezed halves are widened), or any
+/// picture that contains both. Errors: invalid_input.
 Result<StereoPictures> decode_stereo(std::span<const std::byte> file,
                                      StereoLayout layout = StereoLayout::automatic);
 
-/// The pair in one file or two, left first. Errors: invalid_input with the file's name; two pictures of
+/// Reads a pair from one file or two, left first. Errors: invalid_input with the file's name; two pictures of
 /// different size, naming both sizes.
 Result<StereoPictures> read_stereo(std::span<const std::filesystem::path> files,
                                    StereoLayout layout = StereoLayout::automatic);

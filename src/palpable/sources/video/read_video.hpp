@@ -11,9 +11,9 @@
 
 namespace palpable::sources {
 
-/// The frames of a film (one file), or of pictures in the order given, which are numbered from 0. Reduced to
-/// kLongestVideoSide; of more than kMostVideoFrames only some are kept. Long work. Errors: invalid_input,
-/// naming the file, for what cannot be read and for pictures of different sizes; interrupted.
+/// Reads the frames of a film (one file), or pictures in the given order, which are numbered from 0. They are
+/// reduced to kLongestVideoSide; of more than kMostVideoFrames only some are kept. Long work. Errors:
+/// invalid_input, naming the file, for what cannot be read and for pictures of different sizes; interrupted.
 Result<Video> read_video(std::span<const std::filesystem::path> files, const Work& work);
 
 }  // namespace palpable::sources

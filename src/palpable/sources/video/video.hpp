@@ -10,7 +10,7 @@
 namespace palpable::sources {
 
 struct VideoFrame {
-  /// In the file, counted from 0; frames may be left out.
+  /// Number in the file, counted from 0; frames may be omitted.
   int number = 0;
   Raster<Rgb8> picture;
 };
@@ -18,14 +18,14 @@ struct VideoFrame {
 /// Frames of a video or a folder of pictures, upright, all of one size.
 struct Video {
   std::vector<VideoFrame> frames;
-  /// Of a frame in the file, upright; the frames here may be smaller.
+  /// Size of a frame in the file, upright; the frames here may be smaller.
   int full_width = 0;
   int full_height = 0;
 };
 
-/// Frames are reduced so that no side is longer, px.
+/// Longest side of a frame, px; larger frames are reduced.
 inline constexpr int kLongestVideoSide = 960;
-/// Of more frames every second, third … is taken.
+/// Greatest number of frames; of more, only every second, third, … is kept.
 inline constexpr int kMostVideoFrames = 400;
 
 }  // namespace palpable::sources

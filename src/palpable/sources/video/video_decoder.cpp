@@ -19,7 +19,7 @@ extern "C" {
 namespace palpable::sources {
 namespace {
 
-// A file in memory, as FFmpeg reads it.
+// A file in memory, for FFmpeg's input functions.
 struct MemoryFile {
   std::span<const std::byte> bytes;
   std::size_t at = 0;
@@ -72,7 +72,7 @@ using Owned = std::unique_ptr<T, Free>;
 
 Error damaged(const char* what) { return invalid_input(std::string("is damaged: ") + what); }
 
-// Quarter turns that make the frame upright, clockwise, 0 … 3: a phone's rotation flag.
+// Number of clockwise quarter turns, 0 … 3, that make the frame upright: a phone's rotation flag.
 int quarter_turns(const AVStream& stream) {
   const std::uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, nullptr);
   if (matrix == nullptr) return 0;
@@ -123,7 +123,7 @@ class Film {
     return {};
   }
 
-  // How many frames there are, roughly: as stated, or by duration and rate.
+  // Approximate number of frames: as stated, or from duration and rate.
   double stated_frames() const {
     const AVStream& stream = *format_->streams[stream_];
     if (stream.nb_frames > 0) return static_cast<double>(stream.nb_frames);
@@ -143,7 +143,7 @@ class Film {
     if (avcodec_send_packet(codec_.get(), nullptr) == 0)
       if (auto taken = take_frames(); !taken) return taken.error();
     if (video_.frames.empty()) return damaged("none of its frames can be read");
-    // Some writers count a frame too many.
+    // Some programs state one frame too many.
     const std::int64_t stated = format_->streams[stream_]->nb_frames;
     if (!full() && number_ + 1 < stated)
       return damaged(
@@ -152,7 +152,7 @@ class Film {
   }
 
  private:
-  // Where a file states fewer frames than it has, no more than twice the number is kept.
+  // If a file states fewer frames than it has, at most twice the limit is kept.
   bool full() const { return video_.frames.size() >= 2 * static_cast<std::size_t>(kMostVideoFrames); }
 
   Result<void> take_frames() {
@@ -169,7 +169,7 @@ class Film {
     if (frame.width != width_ || frame.height != height_ || frame.format != format_of_frames_ || !scaler_)
       return damaged("the size of its frames changes");
     Raster<Rgb8> picture(scaled_width_, scaled_height_);
-    // FFmpeg writes whole vectors, also beyond a row's end.
+    // FFmpeg writes whole vectors, which may extend beyond a row's end.
     constexpr int kAlign = 64;
     const int stride = (3 * scaled_width_ + kAlign - 1) / kAlign * kAlign;
     rows_.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(scaled_height_) + kAlign);

@@ -9,16 +9,16 @@
 #include <span>
 #include <vector>
 
-// A video as the decoder process replies with it, and decode_video() run in that process.
+// A video in the reply of the decoder process, and decode_video(), which runs in that process.
 namespace palpable::sources::isolated {
 
 std::vector<std::byte> reply_of(const Video& video);
 
-/// What a reply says, checked: sizes, counts, rising frame numbers. Errors: the reply's own; invalid_input
-/// for one that is not what it should be.
+/// Decodes and checks a reply: sizes, counts, increasing frame numbers. Errors: those in the reply;
+/// invalid_input for an invalid reply.
 Result<Video> video_in(std::span<const std::byte> reply);
 
-/// Errors as video_decoder.hpp, and those of isolated::decode().
+/// Decodes a film in a separate process. Errors as video_decoder.hpp, and those of isolated::decode().
 Result<Video> decode_video(std::span<const std::byte> file);
 
 }  // namespace palpable::sources::isolated

@@ -97,7 +97,7 @@ void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& o
   solver.linear_solver_type = ceres::SPARSE_SCHUR;
   solver.linear_solver_ordering.reset(ordering);
   solver.max_num_iterations = options.most_iterations;
-  // More threads would add in another order from run to run, and round differently.
+  // More threads would change the order of summation, and so the rounding, from run to run.
   solver.num_threads = 1;
   solver.logging_type = ceres::SILENT;
   solver.function_tolerance = 1e-7;

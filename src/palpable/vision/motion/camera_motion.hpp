@@ -12,54 +12,55 @@
 
 namespace palpable::vision {
 
-/// Where a camera was, as the world sees it.
+/// Pose of a camera: world_from_camera.
 using CameraPose = Transform<WorldFrame, CameraFrame>;
 
-/// A point of the scene and the track that it was computed from.
+/// A scene point and the track from which it was triangulated.
 struct StructurePoint {
   Point<WorldFrame> position;
   std::size_t track = 0;
 };
 
-/// Structure and motion: where the camera was, and where the points are. Unit scale: without a known length
-/// nothing says how large a filmed scene is.
+/// Structure and motion: camera poses and scene points. The scale is arbitrary, since the size of a filmed
+/// scene cannot be determined without a known length.
 struct CameraMotion {
-  /// As given, or with the focal length that was found.
+  /// The given camera, or one with the estimated focal length.
   Pinhole camera;
-  /// One for each frame; not given for frames whose points do not determine it.
+  /// One for each frame; nullopt for frames whose points do not determine it.
   std::vector<std::optional<CameraPose>> poses;
   std::vector<StructurePoint> points;
-  /// Root mean square distance between seen and projected places, px.
+  /// RMS reprojection error, px.
   double reprojection_rms_px = 0.0;
 };
 
 struct BatchMotionOptions {
-  /// A keyframe follows when points have moved by this share of the picture's width, 0.002 … 0.5.
+  /// The next keyframe is the frame in which points have moved by this share of the picture's width, 0.002 …
+  /// 0.5.
   double keyframe_step = 0.03;
-  /// Least angle between the lines of sight of a point in two frames, degrees, 0.1 … 20.
+  /// Least triangulation angle of a point between two frames, degrees, 0.1 … 20.
   double least_angle_deg = 1.5;
-  /// Errors larger than this count as wrong tracks, px, 0.1 … 20.
+  /// A larger reprojection error means a wrong track, px, 0.1 … 20.
   double outlier_px = 2.0;
-  /// Errors above it count linearly (Huber), px, 0.05 … 10.
+  /// Scale of the Huber loss, px, 0.05 … 10: larger errors count linearly.
   double robust_px = 0.7;
-  /// A frame's pose needs so many points, 6 … 1000.
+  /// Least number of points for a frame's pose, 6 … 1000.
   int least_points = 20;
 };
 std::vector<Parameter> parameters_of(BatchMotionOptions& options);
 
 /// What is known of a video's camera.
 struct VideoCamera {
-  /// Where the focal length is not known: one of the right order.
+  /// If the focal length is unknown, an approximate one.
   Pinhole pinhole;
   bool focal_length_known = true;
 };
 
-/// Poses of all frames and positions of the tracked points by bundle adjustment (Triggs et al. 2000): the
-/// pair of keyframes that determines most points begins, further keyframes join by their known points, all is
-/// refined together with a robust loss, an unknown focal length too. The world is the camera of the first
-/// keyframe, in which the median depth of the points is one. Long work: reports progress, polls cancel.
-/// Errors: usage for options out of range; invalid_input where the camera hardly moved, only turned, or too
-/// few points are followed; interrupted.
+/// Computes the poses of all frames and the positions of the tracked points by bundle adjustment (Triggs et
+/// al. 2000). It starts with the pair of keyframes that determines most points; further keyframes are added
+/// by their known points. Then all variables are refined together with a robust loss, including an unknown
+/// focal length. The world frame is the camera of the first keyframe, scaled so that the median depth of the
+/// points is 1. Long work: reports progress, polls cancel. Errors: usage for options out of range;
+/// invalid_input if the camera hardly moved, only rotated, or too few points are tracked; interrupted.
 Result<CameraMotion> motion_from_tracks(std::span<const PointTrack> tracks, int frame_count,
                                         const VideoCamera& camera, const BatchMotionOptions& options,
                                         const Work& work);

@@ -15,8 +15,8 @@ using testing::HasSubstr;
 constexpr Pinhole kCamera{500, 500, 319.5, 239.5, 640, 480};
 constexpr int kFrames = 30;
 
-// A camera at an angle round the origin, 1 away, that looks at it; or one in one place that turns by the
-// angle.
+// A camera at distance 1 from the origin, at this angle, facing it; or one that stays in place and rotates by
+// the angle.
 CameraPose pose_at(double angle, bool turns_only) {
   CameraPose pose;
   const double c = std::cos(angle), s = std::sin(angle);
@@ -30,7 +30,7 @@ struct Filmed {
   std::vector<PointTrack> tracks;
 };
 
-// Points about the origin, seen by all cameras, with Gaussian noise.
+// Points around the origin, observed by all cameras, with Gaussian noise.
 Filmed film(double arc, bool turns_only, double noise_px) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-0.25, 0.25);
@@ -51,8 +51,8 @@ Filmed film(double arc, bool turns_only, double noise_px) {
   return out;
 }
 
-// How much the angle between two frames' cameras, and the shares of the path between three, differ from the
-// truth.
+// Compares with the truth: the angle between the cameras of two frames, and the ratios of the path's length
+// between three frames.
 void expect_same_path(const CameraMotion& motion, const Filmed& truth, double tolerance) {
   const auto turned = [](const CameraPose& a, const CameraPose& b) {
     const auto between = a.inverse() * b;

@@ -7,15 +7,15 @@
 namespace palpable::vision {
 namespace {
 
-// Depths of the same surface as other maps see it, in the map's own camera.
+// The depth of a surface as other maps measured it, converted to this map's camera.
 class Neighbours {
  public:
   Neighbours(std::span<const PosedDepthMap> maps, std::size_t self) : maps_(maps), self_(self) {
     for (const PosedDepthMap& map : maps) there_from_self_.push_back(map.pose.inverse() * maps[self].pose);
   }
 
-  // The depth that map `other` has where it sees the point of pixel (x, y) at `depth`, turned back into this
-  // map's camera; NaN where it sees none.
+  // The depth that map `other` has at the projection of pixel (x, y) at `depth`, converted to this map's
+  // camera; NaN if it has none.
   double depth_seen_by(std::size_t other, int x, int y, double depth) const {
     const Point<CameraFrame> there = there_from_self_[other] * point(maps_[self_], x, y, depth);
     const PosedDepthMap& map = maps_[other];
@@ -24,7 +24,7 @@ class Neighbours {
     const int u = static_cast<int>(std::lround(camera.fx * there.v.x / there.v.z + camera.cx));
     const int v = static_cast<int>(std::lround(camera.fy * there.v.y / there.v.z + camera.cy));
     if (!map.depth.depth_m.contains(u, v)) return std::nan("");
-    // Along this map's line of sight the difference of depths is the same share.
+    // Along this map's viewing ray the relative difference of depths is the same.
     return depth * static_cast<double>(map.depth.depth_m(u, v)) / there.v.z;
   }
 

@@ -43,8 +43,8 @@ Eigen::Vector3d direction(const Pinhole& camera, const cv::Point2d& place) {
       .normalized();
 }
 
-// How far places move, at the median, beyond the turn of the camera that explains most of it (Kabsch 1976):
-// without such a remainder nothing says how far anything is.
+// Median parallax, px: the movement of points after the camera's rotation that explains most of it (Kabsch
+// 1976) is removed. Without parallax depth cannot be determined.
 double parallax_px(const CommonPlaces& places, const Pinhole& camera, const cv::Mat& inliers) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < places.first.size(); ++i)
@@ -64,7 +64,7 @@ double parallax_px(const CommonPlaces& places, const Pinhole& camera, const cv::
   return left_px.empty() ? 0.0 : quantile_of(left_px, 0.5);
 }
 
-// The pose of the second camera, and how many of the places determine a point with it.
+// The pose of the second camera, and the number of points that can be triangulated with it.
 std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole& camera,
                                        const BatchMotionOptions& options) {
   const cv::Matx33d k(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);

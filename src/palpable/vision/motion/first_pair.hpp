@@ -12,17 +12,18 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// The two keyframes that a reconstruction begins with. The first one's camera is the world.
+/// The two keyframes with which a reconstruction starts. The world frame is the first one's camera.
 struct FirstPair {
   /// Indices into the keyframes.
   int first = 0, second = 0;
   BundlePose second_pose{};
-  /// Points that both determine.
+  /// Number of points that both determine.
   int points = 0;
 };
 
-/// The pair of keyframes whose relative pose (Nistér's five points, in RANSAC) determines most points with
-/// the angle that the options want. Errors: invalid_input, with what the camera did wrong; interrupted.
+/// Chooses the pair of keyframes whose relative pose (Nistér's five-point method with RANSAC) determines most
+/// points with the required triangulation angle. Errors: invalid_input, with the deficiency of the camera's
+/// motion; interrupted.
 Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes,
                                     const Pinhole& camera, const BatchMotionOptions& options,
                                     const Work& work);

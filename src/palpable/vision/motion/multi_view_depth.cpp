@@ -24,7 +24,7 @@ MatchView view_of(const PosedFrame& frame, const VolumeOptions& options, const W
   return match_view(*frame.picture, luma8(*frame.picture), options.census, work);
 }
 
-// Where a pixel of the reference at inverse depth w lies in another picture: (h + w e) / z, in homogeneous
+// The position of a reference pixel at inverse depth w in another picture: (h + w e) / z, in homogeneous
 // coordinates.
 struct Epipolar {
   Eigen::Matrix3d at_infinity;
@@ -46,7 +46,7 @@ struct Epipolar {
   }
 };
 
-// Costs of colour and census differences, tabulated: kCostUnit units each at most.
+// Tables of colour and census costs, each at most kCostUnit.
 struct CostTables {
   std::array<std::uint16_t, 256> colour;
   std::array<std::uint16_t, 64> census;
@@ -86,7 +86,7 @@ int steps_needed(const Sweep& sweep, const Pinhole& camera, const MultiViewOptio
   return std::clamp(static_cast<int>(std::ceil(longest / options.step_px)) + 1, 16, options.most_steps);
 }
 
-// The cost of one pixel in one other picture at each inverse depth; kUnseen outside it.
+// The costs of a pixel in another picture at each inverse depth; kUnseen outside it.
 constexpr std::uint16_t kUnseen = 0xFFFF;
 void costs_in_other(const Sweep& sweep, std::size_t other, int x, int y, std::uint16_t* out) {
   const MatchView& there = sweep.others[other];
@@ -116,7 +116,7 @@ void costs_in_other(const Sweep& sweep, std::size_t other, int x, int y, std::ui
   }
 }
 
-// The mean of the least costs over the share of other pictures that counts.
+// The mean of the least costs over the counted share of the other pictures.
 std::uint16_t robust_mean(std::array<std::uint16_t, kMostOthers>& costs, std::size_t count, double share) {
   const auto end = costs.begin() + static_cast<std::ptrdiff_t>(count);
   std::sort(costs.begin(), end);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr Pinhole kCamera{300, 300, 119.5, 89.5, 240, 180};
 
-// The texture of a slanted plane, by its own coordinates.
+// The texture of a slanted plane in its own coordinates.
 Rgb8 texture(double u, double v) {
   const auto wave = [](double a) { return static_cast<std::uint8_t>(std::lround(127 + 120 * std::sin(a))); };
   return {wave(61 * u + 3 * std::sin(17 * v)), wave(53 * v + 2 * std::sin(23 * u)),
@@ -20,7 +20,7 @@ Rgb8 texture(double u, double v) {
 
 constexpr double kSlope = 0.3;  // z = 1 + kSlope x
 
-// Where the ray of a pixel meets the plane, in the world.
+// The intersection of a pixel's ray with the plane, in the world frame.
 Vec3 on_plane(const CameraPose& pose, int x, int y) {
   const Vec3 d = pose.rotate({(x - kCamera.cx) / kCamera.fx, (y - kCamera.cy) / kCamera.fy, 1});
   const Vec3 o = pose.translation_m;

@@ -20,7 +20,7 @@ cv::Mat view_of(const Raster<std::uint8_t>& frame) {
   return {frame.height(), frame.width(), CV_8U, const_cast<std::uint8_t*>(frame.data())};
 }
 
-// A point that is followed: its track, and the frame whose look it is compared with.
+// A tracked point: its track, and the frame from which its template is taken.
 struct Followed {
   std::size_t track = 0;
   int template_frame = 0;
@@ -59,7 +59,7 @@ class Tracker {
         ->levels;
   }
 
-  // Follows all points into `frame`, those of one template frame together.
+  // Tracks all points into `frame`, those with the same template frame together.
   void follow(int frame) {
     std::vector<Followed> kept;
     for (int first = frame - options_.frames_per_template; first < frame; ++first) {

@@ -13,16 +13,16 @@
 
 namespace palpable::vision {
 
-/// A place in a picture in pixels; pixel centres are at integers.
+/// A position in a picture, px; pixel centres are at integers.
 struct ImagePoint {
   double x = 0.0, y = 0.0;
   bool operator==(const ImagePoint&) const = default;
 };
 
-/// A point of the scene, followed through consecutive frames.
+/// A scene point that is tracked through consecutive frames.
 struct PointTrack {
   int first_frame = 0;
-  /// Its place in first_frame, first_frame + 1, …
+  /// Its positions in first_frame, first_frame + 1, …
   std::vector<ImagePoint> places;
 
   int end_frame() const { return first_frame + static_cast<int>(places.size()); }
@@ -31,28 +31,29 @@ struct PointTrack {
 };
 
 struct TrackOptions {
-  /// Points followed at the same time, 16 … 20 000.
+  /// Greatest number of points that are tracked at the same time, 16 … 20 000.
   int most_points = 900;
-  /// New points keep this distance from points that are followed, px, 2 … 100.
+  /// Least distance of new points from tracked ones, px, 2 … 100.
   double least_distance_px = 9.0;
-  /// Corners weaker than this share of the strongest one are not followed (Shi & Tomasi 1994), 0.0001 … 1.
+  /// Corners of lower quality than this share of the best one are not tracked (Shi & Tomasi 1994), 0.0001 …
+  /// 1.
   double least_quality = 0.005;
-  /// Side of the window that is compared, px, odd, 5 … 61.
+  /// Side of the compared window, px, odd, 5 … 61.
   int window_px = 15;
-  /// Halvings of the picture, 0 … 8.
+  /// Pyramid levels above the full picture, 0 … 8.
   int levels = 3;
-  /// A point that, followed back, ends farther from its start is lost, px, 0.01 … 10.
+  /// Forward-backward check: a point that, tracked back, ends farther from its start is lost, px, 0.01 … 10.
   double return_limit_px = 0.5;
-  /// After this many frames a point is compared with its look in a newer frame, 1 … 100: fewer frames let it
-  /// drift, more let its look change too much.
+  /// Number of frames after which a point's template is taken from a newer frame, 1 … 100: with fewer the
+  /// point drifts, with more its appearance changes too much.
   int frames_per_template = 10;
 };
 std::vector<Parameter> parameters_of(TrackOptions& options);
 
-/// Follows corners through the frames of a video (Lucas & Kanade 1981, on pyramids as Bouguet 2001; each
-/// step forward and back), and finds new ones where none is followed. Frames are 8-bit grey, all of one size.
-/// Tracks of one frame are left out. Long work: reports progress, polls cancel. Errors: usage for options out
-/// of range; invalid_input for frames of different sizes; interrupted.
+/// Tracks corners through the frames of a video (Lucas & Kanade 1981, on pyramids as Bouguet 2001; each step
+/// forwards and backwards), and detects new ones where none is tracked. Frames are 8-bit grey, all of one
+/// size. Tracks of a single frame are omitted. Long work: reports progress, polls cancel. Errors: usage for
+/// options out of range; invalid_input for frames of different sizes; interrupted.
 Result<std::vector<PointTrack>> track_points(std::span<const Raster<std::uint8_t>> frames,
                                              const TrackOptions& options, const Work& work);
 

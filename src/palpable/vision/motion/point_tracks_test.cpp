@@ -11,7 +11,7 @@
 namespace palpable::vision {
 namespace {
 
-// A smooth pattern without repetition, defined at every real place.
+// A smooth pattern without repetition, defined at all real positions.
 double pattern(double x, double y) {
   return 128 + 40 * std::sin(0.31 * x + 0.7 * std::sin(0.11 * y)) +
          40 * std::cos(0.27 * y + 0.9 * std::sin(0.13 * x)) + 20 * std::sin(0.057 * x * (1 + 0.01 * y));
@@ -46,7 +46,7 @@ TEST(PointTracks, FollowAMovingPattern) {
           std::hypot(track.places[i].x - track.places[0].x - kStepX * static_cast<double>(i),
                      track.places[i].y - track.places[0].y - kStepY * static_cast<double>(i)));
   EXPECT_LT(quantile_of(errors_px, 0.5), 0.03);
-  // Windows that reach beyond the picture's border see its repeated pixels.
+  // Windows that extend beyond the picture's border contain repeated pixels.
   EXPECT_LT(quantile_of(errors_px, 0.99), 0.5);
 }
 

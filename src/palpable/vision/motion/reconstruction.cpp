@@ -127,7 +127,7 @@ void Reconstruction::refine(int iterations, const Work& work) {
     bundle.points.push_back(*points_[i]);
     point_tracks.push_back(i);
   }
-  // Fewer views do not tell a longer focal length from a longer distance.
+  // With fewer views a longer focal length cannot be distinguished from a greater distance.
   constexpr std::size_t kViewsForFocalLength = 4;
   const bool refine_focal = !focal_length_known_ && bundle.poses.size() >= kViewsForFocalLength;
   adjust_bundle(
@@ -167,7 +167,7 @@ CameraMotion Reconstruction::result() const {
   const auto first =
       std::find_if(poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); });
   const Transform<WorldFrame, WorldFrame> turned = [&] {
-    // The old world as the first camera sees it.
+    // The old world frame in the first camera's frame.
     const auto camera_from_world = camera_pose(**first).inverse();
     Transform<WorldFrame, WorldFrame> t;
     t.rotation = camera_from_world.rotation;

@@ -14,26 +14,26 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// Incremental structure from motion: poses of frames and points of tracks, as far as they are known. It
-/// refers to the tracks, which must outlive it.
+/// Incremental structure from motion: the known poses of frames and points of tracks. It refers to the
+/// tracks, which must outlive it.
 class Reconstruction {
  public:
-  /// `frames` in rising order: the keyframes, until add_all_frames().
+  /// `frames` in increasing order: the keyframes, until add_all_frames().
   Reconstruction(std::span<const PointTrack> tracks, std::vector<int> frames, const VideoCamera& camera,
                  const BatchMotionOptions& options);
 
   void begin(const FirstPair& pair, const Work& work);
-  /// The frame without a pose that sees most known points; -1 where none sees enough of them.
+  /// The frame without a pose that observes most known points; -1 if no frame observes enough of them.
   int next_keyframe() const;
-  /// False where its points do not determine its pose; it is tried again when another frame was added.
+  /// False if its points do not determine its pose; it is tried again after another frame was added.
   bool add_keyframe(int index);
-  /// Computes the points of tracks that enough frames with poses see.
+  /// Triangulates the tracks that enough frames with poses observe.
   void triangulate_all();
   /// Refines everything and removes points with large errors.
   void refine(int iterations, const Work& work);
-  /// Every frame, not only the keyframes, gets its pose by the points that it sees.
+  /// Computes the pose of every frame, not only of keyframes, from the points that it observes.
   void add_all_frames(int frame_count, const Work& work);
-  /// In the first posed camera's frame, with unit median depth of the points.
+  /// The result in the frame of the first camera with a pose, scaled to a median depth of 1.
   CameraMotion result() const;
 
  private:

@@ -10,21 +10,21 @@
 // Inside vision's sources only.
 namespace palpable::vision {
 
-/// A place and the pose of the camera that saw it there.
+/// An observation of a point and the pose of its camera.
 struct PosedSighting {
   BundlePose pose;
   ImagePoint place;
 };
 
 struct TriangulationOptions {
-  /// The lines of sight must differ by this angle, degrees.
+  /// Least angle between two viewing rays, degrees.
   double least_angle_deg = 1.5;
-  /// Every error must be below it, px.
+  /// Greatest reprojection error, px.
   double outlier_px = 2.0;
 };
 
-/// The point nearest to the lines of sight (sum of squared distances). None where it lies behind a camera,
-/// the lines are nearly parallel, or an error is too large.
+/// The point with the least sum of squared distances to the viewing rays. nullopt if it is behind a camera,
+/// the rays are nearly parallel, or an error is too large.
 std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedSighting> sightings,
                                                         const Pinhole& camera,
                                                         const TriangulationOptions& options);

@@ -23,7 +23,7 @@ const CameraPose& pose_of(const CameraMotion& motion, int frame) {
   return *motion.poses[static_cast<std::size_t>(frame)];
 }
 
-// The depths of the structure as the cameras of all frames see it, sorted out of outliers, with a margin.
+// The range of depths of the structure in the cameras of all frames, without outliers, with a margin.
 struct Depths {
   DepthSpan span;
   double middle = 0.0;
@@ -41,8 +41,8 @@ Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames) {
   return {{near * (1 - kMargin), far * (1 + kMargin)}, quantile_of(depths, 0.5)};
 }
 
-// The frame in one direction (+1, -1) that sees the middle of the scene under the angle; -1 where the video
-// ends too early.
+// The nearest frame in one direction (+1, -1) in which the scene's centre is seen under the angle; -1 if the
+// video ends before.
 int frame_at_angle(const CameraMotion& motion, const std::vector<int>& frames, std::size_t from,
                    int direction, double wanted) {
   const Vec3 here = pose_of(motion, frames[from]).translation_m;

@@ -11,10 +11,10 @@
 namespace palpable::vision {
 
 struct VideoDepthOptions {
-  /// Frames whose depth is computed, evenly along the video, 2 … 200.
+  /// Number of frames whose depth is computed, evenly spaced along the video, 2 … 200.
   int maps = 14;
-  /// Each is compared with frames on both sides from which the middle of the scene is seen under these
-  /// angles, degrees, 0.2 … 30.
+  /// Each is compared with earlier and later frames whose viewing directions of the scene's centre differ by
+  /// these angles, degrees, 0.2 … 30.
   double near_angle_deg = 3.5;
   double far_angle_deg = 7.0;
   MultiViewOptions sweep = {};
@@ -28,10 +28,10 @@ struct FrameDepth {
   PosedDepthMap map;
 };
 
-/// Depth maps of frames along a video whose camera's path is known (multi_view_depth()), with the pixels on
-/// which they agree (consistent_depth()); in the unit of the poses. Pictures, one for each pose, have the
+/// Computes depth maps of frames of a video with known poses (multi_view_depth()), and keeps the pixels on
+/// which they agree (consistent_depth()); in the unit of the poses. `pictures`: one for each pose, of the
 /// camera's size. Long work: reports progress, polls cancel. Errors: usage for options out of range;
-/// invalid_input where fewer than two frames can be compared with others; interrupted.
+/// invalid_input if fewer than two frames can be compared with others; interrupted.
 Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* const> pictures,
                                                const CameraMotion& motion, const Pinhole& camera,
                                                const VideoDepthOptions& options, const Work& work);

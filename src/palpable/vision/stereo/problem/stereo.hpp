@@ -27,7 +27,7 @@ struct StereoMatch {
   DisparityMap disparity;
   /// 0…1 per pixel; empty if the method gives none.
   Raster<float> confidence;
-  /// Sentences for the person: exchanged, misaligned, little agreement …
+  /// Sentences for the user: exchanged, misaligned, little agreement …
   std::vector<std::string> notes;
 };
 

@@ -53,7 +53,7 @@ bool agree(const DisparityRange& range, const PairCheckOptions& options = {});
 /// about 1/4 for camera noise alone, mostly above 1 for pictures of a real scene.
 double contrast_beyond_grain(const Raster<std::uint8_t>& grey);
 
-/// Warnings about a pair's depth for the person, one sentence each; empty for a good pair. `contrast` is the
+/// Warnings about a pair's depth for the user, one sentence each; empty for a good pair. `contrast` is the
 /// left picture's contrast_beyond_grain().
 std::vector<std::string> pair_notes(const DisparityRange& range, const VerticalOffset& offset,
                                     double contrast, const PairCheckOptions& options = {});

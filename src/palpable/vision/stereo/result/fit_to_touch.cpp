@@ -93,7 +93,7 @@ Ninth worst_place(const Raster<std::uint8_t>& trouble) {
   return worst;
 }
 
-/// The main trouble of a place, and advice for the person.
+/// The main trouble of a place, and advice for the user.
 struct Advice {
   const char* why;
   const char* what;
