@@ -11,7 +11,7 @@ namespace {
 using haptics::Law;
 using haptics::LawParameters;
 
-/// Sets a word that still has its preset.
+/// Sets a word that still has its default.
 void set_word(std::string& word, std::string_view preset, std::string_view value) {
   if (word == preset) word = value;
 }
@@ -35,7 +35,7 @@ void make_as_park(MakeArguments& make) {
   set_word(make.grid_filling, "relief", "camera");
 }
 
-// Gomez 2012: pyramid, the bilateral operator of Durand & Dorsey (the one that was decided on), bicubic
+// Gomez 2012: pyramid, the bilateral operator of Durand & Dorsey (the thesis' final choice), bicubic
 // interpolation, 4 x 4 inches.
 void make_as_gomez(MakeArguments& make) {
   set_word(make.stereo.method, "", "pyramid");
@@ -51,7 +51,7 @@ void make_as_ghd(MakeArguments& make) {
   set_word(make.size, "", "140x100x15");
 }
 
-// Moustakas et al. 2007: distance and force at every place of a lattice, by fast marching.
+// Moustakas et al. 2007: distance and force at every lattice point, by fast marching.
 void make_as_moustakas(MakeArguments& make) {
   if (!make.dense) make.paper = true;
   if (!make.resolution) make.resolution = 400;
@@ -70,7 +70,7 @@ LawParameters shaded_penalty() {
   return parameters;
 }
 
-// Eq. 8 alone: it has neither bounds nor a damper.
+// Eq. 8 alone, without limits and without a damper.
 LawParameters printed_tracing() {
   LawParameters parameters = point(Law::tracing);
   parameters.tracing_bounds = 0.0;
@@ -78,8 +78,8 @@ LawParameters printed_tracing() {
   return parameters;
 }
 
-// Loop rates: Shi & Pai 1997, Gomez 2012 and GHD 2006 state 500, 997 and 400 Hz; Park & Howard 2012 state how
-// long a force took, and no rate.
+// Loop rates: Shi & Pai 1997, Gomez 2012 and GHD 2006 state 500, 997 and 400 Hz. Park & Howard 2012 state the
+// time per force, but no rate.
 const std::array<Published, 5> kPublished{
     Published{
         "shi", point(Law::sobel), 500.0,

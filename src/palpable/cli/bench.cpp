@@ -71,7 +71,7 @@ Result<void> time_laws(const models::Scene& scene, const std::vector<haptics::La
   return {};
 }
 
-/// Our own surface: hills, a ridge and a step of 100 x 75 mm, 640 x 480 samples, 15 mm high.
+/// The built-in surface: hills, a ridge and a step of 100 x 75 mm, 640 x 480 samples, 15 mm high.
 Result<models::Scene> own_scene() {
   constexpr int kWidth = 640, kHeight = 480;
   Raster<float> height_m(kWidth, kHeight);
@@ -92,7 +92,7 @@ Result<models::Scene> own_scene() {
   return scene;
 }
 
-/// A Lissajous figure over 86 % of the relief, half a millimetre under its surface: sliding in contact.
+/// A Lissajous figure over 86 % of the relief, half a millimetre below its surface: sliding in contact.
 std::vector<haptics::PathSample> own_path(const models::Scene& scene) {
   constexpr int kTicks = 60000;
   constexpr double kTick_s = 0.001, kUnder_m = 0.0005;
@@ -126,7 +126,7 @@ Result<std::vector<Benchmark>> own_set(const Work& work) {
   std::vector<Benchmark> benchmarks;
   if (auto timed = time_laws(*scene, haptics::laws_for(*scene), path, benchmarks); !timed)
     return timed.error();
-  // What a fingertip meets on the page: a ball of 1 mm, friction and a texture.
+  // The settings of a fingertip on the page: a ball of 1 mm, friction and a texture.
   models::Scene textured = *scene;
   textured.materials.front().texture.kind = models::TouchTexture::Kind::grain;
   haptics::LawParameters fingertip;

@@ -18,7 +18,7 @@ class TwoBalls final : public sculpt::DistanceSource {
     const Vec3 a = p - Vec3{-kApart_m, 0.0, 0.0}, b = p - Vec3{kApart_m, 0.0, 0.0};
     const Vec3 nearer = squared_norm(a) < squared_norm(b) ? a : b;
     const double length = norm(nearer);
-    // Inside, the crease's circle is nearer than the far side of the other ball.
+    // Inside, the circle of the crease is nearer than the far side of the other ball.
     const double across = std::hypot(p.y, p.z),
                  crease = std::sqrt(kRadius_m * kRadius_m - kApart_m * kApart_m);
     const double way_x = p.x, way_r = across - crease;
@@ -39,7 +39,7 @@ class TwoBalls final : public sculpt::DistanceSource {
   static constexpr double kRadius_m = 0.03;
 };
 
-/// Asks the model alone.
+/// Evaluates only the model.
 class Asking final : public haptics::Touchable {
  public:
   explicit Asking(const models::DistanceField& field) : field_(field) {}
@@ -79,7 +79,7 @@ std::vector<haptics::PathSample> own_field_path(const models::DistanceField& fie
   constexpr double kTick_s = 0.001, kUnder_m = 0.0005, kFastest_m_per_s = 1.0;
   std::vector<haptics::PathSample> path;
   path.reserve(kTicks);
-  // The hand goes towards a place that moves through both balls, along their surface.
+  // The hand follows a point that moves through both balls, along their surface.
   Vec3 hand{0.0, 0.0, 0.03};
   for (int i = 0; i < kTicks; ++i) {
     const double t = i * kTick_s, turn = 2.0 * std::numbers::pi;

@@ -25,10 +25,10 @@ struct CalibrateArguments {
   double square_mm = 25.0;
 };
 
-/// The pictures of a folder, those of two cameras paired by their names.
+/// The pictures of a folder; those of two cameras are paired by their names.
 struct Boards {
   std::vector<vision::StereoPair> pairs;
-  /// Of one camera, where no name says left and right.
+  /// Pictures of one camera, if no name says left or right.
   std::vector<Image> pictures;
 };
 
@@ -92,7 +92,7 @@ sources::CameraModel model_of(const vision::LensCamera& lens, const Image& pictu
   return {lens.matrix, lens.distortion, picture.width, picture.height};
 }
 
-/// What was found, and the sizes and numbers that the answer tells.
+/// The calibration, and the sizes and numbers for the answer.
 struct Found {
   sources::Calibration calibration;
   double reprojection_px = 0.0;

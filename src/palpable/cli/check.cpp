@@ -26,7 +26,7 @@ struct CheckArguments {
 
 using Scenes = std::vector<std::shared_ptr<const models::Scene>>;
 
-/// The scene files that the recorded command named, where they are still there.
+/// The scene files that the recorded command named, if they still exist.
 std::vector<std::string> named_scenes(const CheckArguments& arguments,
                                       const session::RecordedSession& session) {
   std::vector<std::string> found;
@@ -68,7 +68,7 @@ std::string_view name_of(device::RecordingEnd end) {
   }
 }
 
-/// Forces of which none was recomputed say nothing about themselves.
+/// Whether anything was recomputed; otherwise the forces were not checked.
 bool is_judged(const CheckReport& report) { return report.recomputed + report.law_recomputed > 0; }
 
 bool is_clean(const CheckReport& report, const CheckArguments& arguments) {

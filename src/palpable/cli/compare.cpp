@@ -29,7 +29,7 @@ struct Truth {
   Raster<std::uint8_t> mask;
 };
 
-/// What one method made of the pair.
+/// The result of one method on the pair.
 struct Outcome {
   vision::StereoMethod method{};
   double seconds = 0.0;
@@ -60,7 +60,7 @@ Result<Outcome> outcome_of(vision::StereoMethod method, const vision::StereoPair
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!match) return Error{match.error().code, match.error().message, places_of(arguments.stereo)};
   Outcome out{method, seconds.count(), std::move(match->disparity), {}};
-  // Every method sees the same pair and says the same of it.
+  // The notes are about the pair and are the same for every method.
   if (method == vision::available_stereo_methods().front())
     for (const std::string& note : match->notes) console.note(note);
   if (truth) {
@@ -125,7 +125,7 @@ Json json_of(const std::vector<Outcome>& outcomes) {
 }
 
 Result<Answer> compare(const CompareArguments& arguments, Console& console) {
-  // Before the pictures are read.
+  // Checked before the pictures are read.
   if (const auto options = stereo_options_of_all(arguments.stereo); !options) return options.error();
   const auto truth = read_truth(arguments);
   if (!truth) return truth.error();

@@ -22,19 +22,20 @@ namespace {
 
 constexpr std::chrono::seconds kProgressAfter{1};
 constexpr std::chrono::milliseconds kProgressEvery{500};
-// To the line's start, and everything after it removed.
+// Moves to the start of the line and clears it.
 constexpr const char* kClearLine = "\r\x1b[K";
 
-// The signal handler can reach nothing else.
+// Global, since a signal handler cannot access anything else.
 std::atomic<bool> interrupt_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr int kServoPatience_ms = 200;
-// The time that interrupted work has to end; with the servo's end the program ends within a second.
+// The time that interrupted work has to end. With the time of the servo's end, the program ends within a
+// second.
 constexpr int kWorkPatience_ms = 700;
 
-/// Work that did not end by itself in time: waiting for a pipe, in a library that cannot be stopped. Whatever
-/// it was writing is still beside its file or without a name, so the old file stays.
+/// Called if work did not end in time: it waits for a pipe, or a library cannot be interrupted. A file that
+/// is being written has no name or a temporary one, so the old file is unchanged.
 void on_patience_over(int /*number*/) {
   haptics::end_every_servo(kServoPatience_ms);
   constexpr std::string_view kSentence = "palpable: interrupted\n";
@@ -42,8 +43,8 @@ void on_patience_over(int /*number*/) {
   _exit(static_cast<int>(ErrorCode::interrupted));
 }
 
-/// The first one takes the force from every hand, asks the work to end and gives it time. The second one has
-/// the system's own action, after every servo has written zero force.
+/// The first signal sets every servo to zero force, requests the work to end and gives it time. The second
+/// one has the default action, after every servo has written zero force.
 void on_interrupt(int number) {
   haptics::end_every_servo(0);
   if (!interrupt_flag.exchange(true, std::memory_order_relaxed)) {
@@ -69,7 +70,7 @@ void catch_interrupts() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
   action.sa_handler = on_patience_over;
   sigaction(SIGALRM, &action, nullptr);
-  // A pipe without a reader and a file that may grow no more are errors of the write.
+  // A pipe without a reader and a file at its size limit are errors of the write call.
   for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
 }
 

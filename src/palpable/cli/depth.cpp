@@ -39,7 +39,7 @@ Result<vision::StereoOptions> options_of(const DepthArguments& arguments, vision
   return options;
 }
 
-/// Options of one method say nothing to the others: better refused than left out without a word.
+/// An option of one method is rejected with other methods, not ignored silently.
 Result<void> only_of_pyramid(const DepthArguments& arguments, vision::StereoMethod method) {
   const DepthArguments none;
   if (method == vision::StereoMethod::pyramid) return {};
@@ -52,7 +52,7 @@ Result<void> only_of_pyramid(const DepthArguments& arguments, vision::StereoMeth
                fmt::format("is an option of --method pyramid, not of {}", vision::name_of(method)), given};
 }
 
-/// The rectified pictures as PREFIX_left.png and PREFIX_right.png.
+/// Writes the rectified pictures as PREFIX_left.png and PREFIX_right.png.
 Result<void> write_rectified(const std::string& prefix, const vision::StereoPair& pair) {
   if (prefix.empty()) return {};
   if (const auto left = formats::write_png(prefix + "_left.png", rgb8(pair.left)); !left) return left;
@@ -64,7 +64,7 @@ Result<void> write_disparity(const std::filesystem::path& output, const Raster<f
   return formats::write_disparity_png(output, disparity_px);
 }
 
-/// 0 … 1 as floats, or as 8-bit grey, white being sure.
+/// Writes confidence 0 … 1 as floats, or as 8-bit grey (white = 1).
 Result<void> write_confidence(const std::filesystem::path& output, const Raster<float>& confidence) {
   if (confidence.empty()) return Error{ErrorCode::usage, "this method gives no confidence", "--confidence"};
   if (output.extension() == ".pfm") return formats::write_pfm(output, confidence);

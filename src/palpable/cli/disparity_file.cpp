@@ -13,7 +13,7 @@
 namespace palpable::cli {
 namespace {
 
-/// Some are known, and none reaches a pixel.
+/// Whether some disparities are known and all are below a pixel.
 bool all_below_a_pixel(const Raster<float>& disparity_px) {
   float greatest = 0.0F;
   for (const float d : disparity_px.values())

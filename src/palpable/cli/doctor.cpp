@@ -25,20 +25,20 @@
 namespace palpable::cli {
 namespace {
 
-/// One thing looked at. A touch works without what is only `wanted`, less well.
+/// The result of one check. Without a `wanted` property a touch works, but less well.
 struct Finding {
   enum class State { good, wanted, missing };
   std::string name;
   State state = State::good;
   std::string found;
-  /// What to do about it; empty where nothing is to be done.
+  /// What to do about it; empty if nothing is necessary.
   std::string advice;
 };
 
 Finding realtime_priority() {
   Finding finding{"realtime-priority", Finding::State::good, {}, {}};
   int outcome = 0;
-  // Asked for on a thread of its own, so that this one keeps its ordinary priority.
+  // Requested on a separate thread, so that this one keeps its normal priority.
   std::thread([&outcome] {
     sched_param parameters{};
     parameters.sched_priority = 1;
@@ -56,7 +56,7 @@ Finding realtime_priority() {
   return finding;
 }
 
-/// An empty loop at the usual rate and at the greatest.
+/// Runs an empty loop at the default rate and at the highest rate.
 Finding servo_rate() {
   constexpr double kMeasure_s = 0.3;
   Finding finding{"servo-rate", Finding::State::good, {}, {}};
@@ -73,13 +73,13 @@ Finding servo_rate() {
   return finding;
 }
 
-/// How soon the force of a loop that hangs is cut on this machine.
+/// Measures how soon the force of a hanging loop is cut on this machine.
 Finding watchdog() {
   constexpr int kHangs = 50;
   constexpr double kPromised_ms = 5.0;
   const double rate_hz = haptics::ServoOptions{}.rate_hz;
   const auto latency = haptics::measure_watchdog(rate_hz, kHangs, haptics::ServoOptions{}.realtime_priority);
-  // From the write that was due.
+  // Relative to the time at which the write was due.
   const double period_ms = 1e3 / rate_hz;
   Finding finding{"watchdog", Finding::State::good, {}, {}};
   finding.found = fmt::format(
@@ -139,7 +139,7 @@ Finding processors() {
   return finding;
 }
 
-/// Devices on USB are opened as an ordinary user only where udev's rules allow it.
+/// Normal users can open USB devices only if udev rules allow it.
 Finding device_rules() {
   Finding finding{"device-rules", Finding::State::good, {}, {}};
   for (const char* folder : {"/etc/udev/rules.d", "/usr/lib/udev/rules.d", "/lib/udev/rules.d"}) {
@@ -168,7 +168,7 @@ std::string_view name_of(Finding::State state) {
   return "missing";
 }
 
-/// The hand that holds a device, as --hand-damping wants it.
+/// Measures the hand that holds a device, for --hand-damping.
 Result<Answer> examine_hand(const std::string& device_url, Console& console) {
   device::OpenOptions open;
   open.seed = console.options().seed;

@@ -36,7 +36,7 @@ struct ExportArguments {
   std::string band = "narrow";
 };
 
-/// The surface's own height at the place of each sample (the samples are its control values).
+/// The surface's height at each sample position (the samples are control values).
 Raster<float> surface_heights(const models::Relief& relief) {
   Raster<float> heights(relief.samples_m().width(), relief.samples_m().height());
   for (int j = 0; j < heights.height(); ++j) {
@@ -49,8 +49,7 @@ Raster<float> surface_heights(const models::Relief& relief) {
   return heights;
 }
 
-/// Heights as 16-bit grey, 0 = the base, 65535 = the highest place; the answer says how many metres a step
-/// is.
+/// Writes heights as 16-bit grey: 0 is the base, 65535 the highest point; the answer gives metres per step.
 Result<void> write_heights(const models::Relief& relief, const std::filesystem::path& output,
                            double metres_per_step) {
   const Raster<float> heights = surface_heights(relief);
@@ -71,7 +70,7 @@ Result<void> write_body(const models::Relief& relief, const models::Scene& scene
   return write_file_atomically(output, *bytes);
 }
 
-/// What `make` needs to read the heights back, as a sidecar beside the picture.
+/// Writes a sidecar with the settings that `make` needs to read the heights.
 Result<void> write_height_sidecar(const models::Relief& relief, const std::filesystem::path& output,
                                   double metres_per_step) {
   std::filesystem::path sidecar = output;
@@ -120,14 +119,14 @@ Result<Answer> export_model(const models::Relief& relief, const models::Scene& s
   return Error{ErrorCode::usage, "a relief is exported as .stl, .glb, .svg, .npz or .png", arguments.output};
 }
 
-/// The distance between samples of which `grid` lie along the field's longest side.
+/// The spacing for `grid` samples along the field's longest side.
 template <models::DistanceSurface Distance>
 double spacing_of(const Distance& field, int grid) {
   const Vec3 size = field.size_m();
   return std::max({size.x, size.y, size.z}) / (grid - 1);
 }
 
-/// The surface of a field, a cube of dual contouring for every two finest cells.
+/// The surface of a field by dual contouring, with one cube per two finest cells.
 template <models::DistanceSurface Distance>
 Result<Answer> export_surface(const Distance& field, const models::Scene& scene,
                               const ExportArguments& arguments, const Work& work) {
@@ -229,9 +228,9 @@ Result<Answer> export_model(const models::Grid& grid, const models::Scene& /*sce
   return answer;
 }
 
-/// As a plate with grooves or raised lines, as outlines for swell paper or an embosser, as a picture of the
-/// lines; or, .npz, unit tangents in image axes (x right, y down; their sign is free) and strength of the
-/// averaged map (eq. 7), and the one-pixel-wide lines.
+/// Exports contours as a plate with grooves or raised lines, as outlines for swell paper or an embosser, or
+/// as a picture of the lines. As .npz: unit tangents in image axes (x right, y down; the sign is arbitrary)
+/// and strength of the averaged map (eq. 7), and the one-pixel-wide lines.
 Result<Answer> export_model(const models::Contours& contours, const models::Scene& scene,
                             const ExportArguments& arguments, const Work& /*work*/) {
   const std::filesystem::path output(arguments.output);

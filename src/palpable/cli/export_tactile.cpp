@@ -25,7 +25,7 @@ Result<void> write_text(const Result<std::string>& text, const std::filesystem::
 
 Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
                                 const std::filesystem::path& output, const Work& work) {
-  /// An outline lies well above what counts as ground, and no shorter line is felt as an object.
+  /// Least height of an outline above the ground, and least length of an outline that is felt as an object.
   constexpr double kOutlineShare = 0.04, kLeastLength_m = 0.006;
   formats::ContourLineOptions options;
   options.interval_m = arguments.interval_mm / 1000.0;

@@ -11,7 +11,7 @@
 namespace palpable::cli {
 namespace {
 
-/// CLI11 writes a type and what its check says of it as "FLOAT:[0.1 to 10]" or "TEXT:{a,b}".
+/// CLI11 formats a type and its check as "FLOAT:[0.1 to 10]" or "TEXT:{a,b}".
 std::string plain_type(const std::string& type) {
   const std::size_t colon = type.find(':');
   const std::string base = type.substr(0, colon);

@@ -38,7 +38,7 @@ Json json_of(const models::Material& material) {
   return json;
 }
 
-/// One line for a user; a texture after it where there is one.
+/// One line about a material, with its texture if it has one.
 std::string words_of(const models::Material& material) {
   std::string words = fmt::format("  material {}: {} N/m, {} N·s/m, friction {} (sliding {})", material.name,
                                   figure(material.stiffness_N_per_m, 3), figure(material.damping_Ns_per_m, 3),
@@ -106,7 +106,7 @@ void add_primitives(Answer& answer, const std::vector<models::Superquadric>& pri
 void add_model(Answer& answer, const models::Field& field) {
   const models::DistanceField& distance = field.distance;
   const models::FieldGrid& grid = distance.grid();
-  // As the paper counts: a distance and a force vector, four bytes each, for every finest cell.
+  // As in the paper: a distance and a force vector, four bytes each, for every finest cell.
   constexpr double kBytes = 16.0;
   const double dense = kBytes * grid.cells(0) * grid.cells(1) * grid.cells(2);
   answer.json["resolution"] = {grid.cells(0), grid.cells(1), grid.cells(2)};

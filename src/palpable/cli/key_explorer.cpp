@@ -16,11 +16,11 @@ namespace {
 
 using Name = TerminalKey::Name;
 
-// On a scene of a tenth of a metre.
+// For a scene of 0.1 m.
 constexpr double kStep_m = 0.001, kLongStep_m = 0.005;
 constexpr double kPressStep_m = 0.0005, kDeepest_m = 0.004, kHighest_m = -0.02;
 
-/// What one step on a scene of a tenth of a metre is on this one: 1, 2 or 5 times a power of ten.
+/// Factor of the steps for this scene relative to one of 0.1 m: 1, 2 or 5 times a power of ten.
 double scale_of(const models::Scene& scene) {
   constexpr double kUsual_m = 0.1;
   const Vec3 size = models::size_m(scene);
@@ -32,7 +32,7 @@ double scale_of(const models::Scene& scene) {
   return best;
 }
 
-/// Small scenes are pressed less deep, but never so little that nothing is felt; large ones as all.
+/// Small scenes are pressed less deep, but deep enough to be felt; large ones as deep as one of 0.1 m.
 double press_scale_of(const models::Scene& scene) { return std::clamp(scale_of(scene), 0.2, 1.0); }
 
 }  // namespace

@@ -23,7 +23,7 @@ std::string typed_unit(const LawParameter& parameter) {
   return parameter.unit == "m" ? "mm" : std::string(parameter.unit);
 }
 
-/// What one option means to which laws.
+/// The meaning of an option, and the laws that have it.
 struct OptionUse {
   std::string meaning;
   std::vector<std::string_view> laws;
@@ -68,7 +68,8 @@ std::vector<LawOption> options_of_all_laws() {
   return options;
 }
 
-/// A number that the law does not take is kept for the law that a scene without this one falls back to.
+/// A number that the law does not have is kept for the law that is used if the scene does not support this
+/// one.
 void set_number(haptics::LawParameters& parameters, const LawDescription& law, const LawNumber& number) {
   const auto set_in = [&](const LawDescription& description) {
     for (const LawParameter& parameter : description.parameters)
@@ -96,7 +97,7 @@ std::vector<std::string> all_names() {
   return names;
 }
 
-/// The laws by the kinds of scenes that they are for: "reliefs: proxy, rolling; contours: tracing".
+/// The laws by kind of scene: "reliefs: proxy, rolling; contours: tracing".
 std::string laws_by_kind() {
   using haptics::ModelKinds;
   struct KindOfScene {

@@ -46,7 +46,7 @@ std::string or_dash(double value, int digits, const char* unit) {
   return std::isnan(value) ? "–" : fmt::format("{:.{}f}{}", value, digits, unit);
 }
 
-/// All detail operators' reliefs in one picture, with what each costs the hand.
+/// Writes all detail operators' reliefs in one picture, with their scores.
 Result<Answer> compare(const session::MakeOptions& options, const std::string& output, Console& console) {
   auto compared = session::compare_details(options, console.work());
   if (!compared) return compared.error();

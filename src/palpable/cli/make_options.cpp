@@ -48,7 +48,7 @@ std::vector<std::string> up_names() {
   return names;
 }
 
-/// A solid's place: a file's solid is fitted for a hand where it has no size.
+/// The placement of a solid; a solid without a size is fitted for a hand.
 sculpt::PlacementOptions placement_options(const MakeArguments& arguments) {
   sculpt::PlacementOptions placement;
   placement.default_size = sculpt::DefaultSize::for_a_hand;
@@ -151,7 +151,7 @@ void add_make_options(Options& options, MakeArguments& arguments) {
 std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,
                                    const models::Scene& made) {
   const auto given = arguments.given ? arguments.given() : std::vector<std::string>{};
-  // Recognised again only where there is something to say of it.
+  // The input is recognised again only if it is needed.
   if (given.empty()) return std::nullopt;
   const auto input = session::recognise(options.input);
   if (!input) return std::nullopt;
@@ -253,7 +253,7 @@ Result<recipes::FieldRecipe> field_recipe(const MakeArguments& arguments) {
   return recipe;
 }
 
-/// --set, among the parameters of every step and of the pair's method.
+/// Applies --set to the parameters of every step and of the stereo method.
 Result<void> set_given(const MakeArguments& arguments, session::Recipes& recipes,
                        sculpt::ShapeSetOptions& shapes) {
   if (arguments.stereo.parameters.empty()) return {};
@@ -268,7 +268,7 @@ Result<void> set_given(const MakeArguments& arguments, session::Recipes& recipes
   return {};
 }
 
-/// --size bounds the scene, whatever kind it becomes.
+/// Applies --size to every kind of scene.
 Result<void> set_size(const std::string& text, session::Recipes& recipes) {
   if (text.empty()) return {};
   const auto size = size_from(text);

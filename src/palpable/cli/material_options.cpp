@@ -45,7 +45,7 @@ std::string property_names() {
   return names;
 }
 
-/// One of the textures by name, or a picture's file.
+/// Sets a texture by name, or from a picture file.
 Result<void> apply_texture(std::string_view value, models::TouchTexture& texture) {
   const auto kind = models::texture_kind_from(value);
   if (kind && *kind != models::TouchTexture::Kind::picture) {
@@ -123,7 +123,7 @@ Result<Raster<std::uint8_t>> labels_from(const std::string& file, const models::
   if (!picture) return picture.error();
   const auto invalid = [&file](std::string message) { return invalid_input(std::move(message), file); };
   const auto& samples = models::relief_of(scene)->samples_m();
-  // The same shape to within a pixel of the coarser one, whose sides were rounded.
+  // The same aspect ratio to within a pixel of the coarser one, whose sides were rounded.
   const double pixel = std::max(1.0, static_cast<double>(picture->width) / samples.width());
   const double height = static_cast<double>(picture->width) * samples.height() / samples.width();
   if (std::abs(height - picture->height) > pixel)

@@ -47,7 +47,7 @@ void add_parameters(const std::vector<Parameter>& parameters, Answer& answer) {
   }
 }
 
-/// One step's parameters, a line each.
+/// One step's parameters, one line each.
 Answer one_group(const ParameterGroup& group) {
   SettableOptions options;
   Answer answer;
@@ -60,7 +60,7 @@ Answer one_group(const ParameterGroup& group) {
   return answer;
 }
 
-/// One method's parameters, a line each.
+/// One method's parameters, one line each.
 Result<Answer> one_method(const std::string& name) {
   if (const ParameterGroup* group = find_group(name)) return one_group(*group);
   StereoArguments arguments;

@@ -17,7 +17,8 @@ namespace {
 
 bool has_screen() { return std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr; }
 
-/// Gives the browser none of our descriptors: it lives on, and would keep the page's port.
+/// Starts the browser without this program's descriptors: the browser lives on, and would keep the page's
+/// port open.
 void start_browser(const std::string& place) {
   std::string program = "xdg-open", word = place;
   std::array<char*, 3> words{program.data(), word.data(), nullptr};

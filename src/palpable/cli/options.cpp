@@ -15,7 +15,7 @@
 namespace palpable::cli {
 namespace {
 
-/// Errors that list what is allowed, in place of CLI11's own.
+/// A check whose error lists the allowed words, instead of CLI11's own.
 CLI::Validator one_of(const std::vector<std::string>& words) {
   return {[words](std::string& typed) { return unknown_word(typed, words); },
           fmt::format("{{{}}}", fmt::join(words, ","))};
@@ -33,7 +33,7 @@ CLI::Validator within(Range range) {
           fmt::format("[{} to {}]", range.least, range.most)};
 }
 
-/// For a text: an empty one is a slip (an unset variable of a script).
+/// For a text: an empty one is probably a mistake (an unset variable in a script).
 CLI::Validator not_empty() {
   return {[](std::string& typed) -> std::string { return typed.empty() ? "the value is empty" : ""; }, ""};
 }

@@ -22,13 +22,13 @@ Error usage(std::string message, const fs::path& file) {
   return {ErrorCode::usage, std::move(message), file.string()};
 }
 
-/// Both exist and are one file, whatever their names.
+/// Whether both exist and are the same file.
 bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code none;
   return fs::equivalent(a, b, none) && !none;
 }
 
-/// The parts of a word that may name a file: itself, and what follows one of @ : = in it (`@FILE`,
+/// The parts of a word that may name a file: the word itself, and the parts after @ : = (`@FILE`,
 /// `replay:FILE`, `0:texture=FILE,pitch=2`).
 std::vector<std::string> names_in(const std::string& word) {
   std::vector<std::string> names{word};
@@ -69,7 +69,7 @@ Result<void> check_output(const fs::path& file, const OutputOption& option,
                           std::span<const std::string> words) {
   std::error_code none;
   if (fs::is_directory(file, none)) return usage("cannot be written: it is a folder", file);
-  // A device or a pipe takes what comes, and has no name of its own choice.
+  // A device or a pipe can always be written to, and its name has no suffix.
   const auto status = fs::status(file, none);
   if (fs::exists(status) && !fs::is_regular_file(status)) return {};
   if (auto named = check_suffix(file, option.suffixes); !named) return named;

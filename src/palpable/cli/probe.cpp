@@ -49,7 +49,7 @@ haptics::ToolPose in_scene(haptics::ToolPose pose, const Walk& walk) {
   return pose;
 }
 
-/// And back: the pose, and what is felt there, as the explorer tells them.
+/// The inverse: the pose, and the result there, in the explorer's frame.
 haptics::ToolPose in_view(haptics::ToolPose pose, const Walk& walk) {
   if (walk.empty()) return pose;
   const auto told =

@@ -21,7 +21,7 @@ struct RectifyArguments {
   std::string corners, aspect, lines, orthogonal;
 };
 
-/// Exactly `count` numbers parted by commas, colons, semicolons or spaces. Errors: usage.
+/// Parses exactly `count` numbers separated by commas, colons, semicolons or spaces. Errors: usage.
 Result<std::vector<double>> numbers_of(const std::string& text, std::size_t count, const char* option,
                                        const char* example) {
   const Error wrong{ErrorCode::usage,

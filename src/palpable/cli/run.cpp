@@ -24,9 +24,9 @@ class Program {
  public:
   CLI::App app;
   CommonOptions common;
-  /// Of all commands.
+  /// The output options of all commands.
   std::vector<OutputOption> outputs;
-  /// What the parsed arguments ask for.
+  /// The action of the parsed command.
   Action action;
 };
 
@@ -42,12 +42,12 @@ void add_common(Options& options, CommonOptions& common) {
   options.under("Options");
 }
 
-/// Makes one line of a sentence that may quote an argument, and shortens it in the middle.
+/// Makes a single line of a sentence that may quote an argument, and shortens it in the middle.
 std::string one_line(std::string sentence) {
   constexpr std::size_t kLongest = 1200, kKept = 500;
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');
   if (sentence.size() <= kLongest) return sentence;
-  // Not within a character: the bytes of UTF-8 that go on one begin with the bits 10.
+  // Do not split a character: continuation bytes of UTF-8 begin with the bits 10.
   const auto goes_on = [&](std::size_t k) {
     return (static_cast<unsigned char>(sentence[k]) & 0xC0U) == 0x80U;
   };
@@ -100,7 +100,7 @@ const CLI::App& chosen_command(const CLI::App& app) {
   return chosen.empty() ? app : chosen_command(*chosen.front());
 }
 
-/// CLI11's complaint as one sentence of ours.
+/// CLI11's error as one sentence.
 Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
   const CLI::App& command = chosen_command(app);
   const auto extras = app.remaining(true);
@@ -182,7 +182,7 @@ void describe(Program& program) {
   add_help(program);
 }
 
-/// What the command is to write can be written, and is none of its inputs.
+/// Checks that the command's outputs can be written and are not its inputs.
 Result<void> check_command_outputs(const Program& program) {
   const CLI::App& command = chosen_command(program.app);
   std::vector<OutputOption> outputs;
@@ -220,7 +220,7 @@ int parse_and_run(int argc, char** argv) {
     Console console(program.common);
     return program.action(console);
   }();
-  // After Ctrl-C the command is reported as interrupted, even if its work was done just then.
+  // After Ctrl-C the command is reported as interrupted, even if its work was just finished.
   const bool says_so = answer && answer->exit_code == static_cast<int>(ErrorCode::interrupted);
   if (interrupted() && !says_so) return report(Work::interrupted());
   return finish(answer, program.common);
@@ -230,7 +230,7 @@ int parse_and_run(int argc, char** argv) {
 
 Result<std::string> help_text(const Program& program, const std::vector<std::string>& words) {
   const CLI::App* app = &program.app;
-  // The program's help, although the parsed command is `help`.
+  // The help of the program, not of the command `help`.
   if (words.empty()) return app->get_formatter()->make_help(app, app->get_name(), CLI::AppFormatMode::Normal);
   std::string before;
   for (const std::string& word : words) {
@@ -254,8 +254,7 @@ Options add_command_below(Program& program, const std::string& parent, const std
                         std::move(action));
 }
 
-/// Opens /dev/null in place of closed standard streams; otherwise the next file that is opened would receive
-/// their text.
+/// Opens /dev/null for closed standard streams; otherwise the next opened file would receive their text.
 static void keep_standard_streams() {
   for (int at = 0; at >= 0 && at <= STDERR_FILENO;) {
     at = open("/dev/null", O_RDWR | O_CLOEXEC);

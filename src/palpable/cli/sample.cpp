@@ -23,7 +23,7 @@ struct SampleArguments {
 /// The values of one row; empty if the point is outside the model's domain.
 using Value = std::optional<models::ClosestPoint>;
 
-/// What the field itself says; the nearest place of the surface is where its gradient leads.
+/// The field's value; its gradient leads to the nearest surface point.
 template <models::DistanceSurface Distance>
 Value ask(const Distance& field, Vec3 place_m) {
   if (!is_finite(place_m) || !field.contains(place_m)) return std::nullopt;

@@ -30,7 +30,7 @@ Result<SceneArguments> with_words(SceneArguments arguments, const std::filesyste
     for (const auto& name : words.at("objects"))
       materials.push_back(fmt::format("{}:name={}", materials.size(), name.get<std::string>()));
     arguments.material.labels = (folder / "sculpture_labels.png").string();
-    // What the user says of a material comes after the sample's own.
+    // The user's materials come after the sample's own, so that they take precedence.
     materials.insert(materials.end(), arguments.material.materials.begin(),
                      arguments.material.materials.end());
     arguments.material.materials = std::move(materials);

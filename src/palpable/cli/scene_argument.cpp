@@ -37,7 +37,7 @@ std::string_view words_of(sources::InputKind kind) {
   return sources::name_of(kind);
 }
 
-/// A word as a shell takes it: in quotes where it holds more than names usually do.
+/// A word quoted for a shell if it contains unusual characters.
 std::string shell_word(const std::string& word) {
   const auto is_plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || c >= 0x80 ||
@@ -56,7 +56,7 @@ std::optional<sources::InputKind> other_kind_of(const std::filesystem::path& pat
   return input->kind;
 }
 
-/// `reason`, unless the file can be recognised as something that a scene is made from.
+/// The error `reason`, or, if the file can be recognised as an input, a message about that.
 Error not_a_scene(const std::filesystem::path& path, Error reason) {
   const auto kind = other_kind_of(path);
   if (!kind) return reason;

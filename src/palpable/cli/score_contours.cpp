@@ -38,7 +38,7 @@ Result<Raster<float>> member(const formats::Npz& arrays, const std::string& name
   return raster;
 }
 
-/// One-pixel-wide boundaries: of a scene, of an .npz (`line`), or the grey values of a picture.
+/// Reads one-pixel-wide boundaries from a scene, an .npz (`line`), or the grey values of a picture.
 Result<Raster<float>> read_lines(const std::string& file) {
   if (is_scene(file)) {
     const auto map = read_boundaries(file);
@@ -111,7 +111,7 @@ struct OrientationArguments {
   int margin_px = 0;
 };
 
-/// Of a contours scene (averaged as they are felt), or of an .npz as `export` writes it.
+/// Reads directions from a contours scene (averaged, as rendered), or from an .npz written by `export`.
 Result<measure::Directions> read_directions(const std::string& file) {
   if (!is_npz(file)) {
     const auto map = read_boundaries(file);

@@ -32,7 +32,7 @@ struct ShowArguments {
   bool picture = false;
 };
 
-/// "made from A.png and B.png"; of many files the first; empty where the scene does not know.
+/// "made from A.png and B.png"; only the first of many files; empty if the scene does not state any.
 std::string origin_of(const models::Scene& scene) {
   constexpr std::size_t kMostNamed = 3;
   std::vector<std::string> files;
@@ -57,8 +57,8 @@ draw::Heading heading_of(const ShowArguments& arguments, const models::Scene& sc
                       origin_of(scene))};
 }
 
-/// What a hand feels that rests on the surface at each place of a grid, pressed in by half a millimetre where
-/// the law needs a press; a new touch at every place.
+/// The forces on a hand that rests at each point of a grid, pressed in by half a millimetre if the law needs
+/// contact; a new touch at every point.
 std::vector<draw::ForceArrow> forces_on(const models::Relief& relief, const haptics::Touchable& touchable,
                                         double spacing_m) {
   constexpr double kPress_m = 0.0005;
@@ -84,7 +84,7 @@ Result<draw::Figure> force_picture(const ShowArguments& arguments, const models:
                                    const models::Relief& relief) {
   constexpr double kArrowsAcross = 28.0;
   LawArguments chosen = arguments.law;
-  // The law that a touch begins with, but for tracing, which gives no force to a hand at rest.
+  // The default law, except tracing, which gives no force to a hand at rest.
   for (const haptics::Law law : haptics::laws_for(scene))
     if (chosen.law.empty() && law != haptics::Law::tracing) chosen.law = haptics::name_of(law);
   const auto parameters = law_parameters(chosen, scene);
@@ -101,14 +101,15 @@ double height_of_row_m(const models::Relief& relief, std::ptrdiff_t row) {
   return -(static_cast<double>(row) - 0.5 * (relief.samples_m().height() - 1)) * relief.pixel_m();
 }
 
-/// Through the highest place, so that a cut shows something.
+/// A section through the highest point, so that it shows something.
 double cut_through_the_top_m(const models::Relief& relief) {
   const auto& heights = relief.samples_m();
   const auto top = std::max_element(heights.values().begin(), heights.values().end());
   return height_of_row_m(relief, (top - heights.values().begin()) / heights.width());
 }
 
-/// Through as many grooves as possible: the highest place of contours may be anywhere beside their lines.
+/// A section through as many grooves as possible: the highest point of contours may be anywhere between their
+/// lines.
 double cut_through_most_lines_m(const models::Relief& relief) {
   const auto& heights = relief.samples_m();
   int best = 0;
@@ -159,7 +160,7 @@ Result<draw::Figure> regions_picture(const ShowArguments& arguments, const model
                             "Tinted: the regions that were found. Not tinted: the objects.");
 }
 
-/// Through the middle, or where `--at` says.
+/// A section through the centre, or at `--at`.
 template <models::DistanceSurface Distance>
 Result<draw::Figure> field_section(const ShowArguments& arguments, const models::Scene& scene,
                                    const std::shared_ptr<const models::SolidField<Distance>>& field) {

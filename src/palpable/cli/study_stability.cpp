@@ -18,7 +18,8 @@ struct StudyStabilityArguments {
   double resolution_um = 10.0;
 };
 
-/// A light hand with an ordinary grip, as friction-free as a device can be: what vibrates, vibrates.
+/// A light hand with a normal grip on a device almost without friction, so that any vibration becomes
+/// visible.
 study::GrooveStudyOptions options_of(const StudyStabilityArguments& arguments) {
   study::GrooveStudyOptions options;
   options.rate_hz = arguments.rate_hz;
@@ -32,7 +33,7 @@ study::GrooveStudyOptions options_of(const StudyStabilityArguments& arguments) {
   return options;
 }
 
-/// The hand's place across the groove over the last fifth of a second, a row a law, a column a stiffness.
+/// The hand's position across the groove in the last 0.2 s; one row per law, one column per stiffness.
 draw::Figure figure_of(const std::vector<study::GrooveResult>& results, int columns,
                        const StudyStabilityArguments& arguments) {
   std::vector<draw::Trace> traces;

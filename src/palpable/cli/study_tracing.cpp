@@ -79,7 +79,7 @@ Json json_of(const study::TracingSummary& s) {
           {"resting_N", s.resting_N}};
 }
 
-/// One aspect of the model at a time, smaller and greater.
+/// A change of one parameter of the model, to a smaller and a greater value.
 struct Change {
   const char* what;
   void (*make)(study::TracingStudyOptions& options, double factor);

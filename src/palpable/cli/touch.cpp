@@ -71,7 +71,7 @@ Result<session::TouchSettings> settings_of(const TouchArguments& arguments,
   return settings;
 }
 
-/// Hears what the user should know of the input.
+/// Receives notes for the user about the input.
 using Notes = std::function<void(const Note&)>;
 
 /// The options of a touch, with or without the page.
@@ -226,7 +226,7 @@ std::filesystem::path save_path(const std::vector<std::filesystem::path>& inputs
   return free;
 }
 
-/// Serves the page of a touch under way until the user ends it.
+/// Serves the page of a running touch until the user ends it.
 Result<void> serve_page(const TouchArguments& arguments, const Plan& plan, session::TouchSession& session,
                         session::MakerThread& maker, NoteBox& notes, Console& console) {
   page::TouchHost host(session, {std::string("palpable ") + PALPABLE_VERSION,

@@ -17,7 +17,7 @@ namespace {
 // A pointer that is silent for half a second counts as lost.
 constexpr std::chrono::milliseconds kBeat{50};
 
-/// Prints what is said, and speaks it where there is a voice.
+/// Prints sentences, and speaks them if there is a speech output.
 class Mouth {
  public:
   Mouth(Console& console, bool aloud) : console_(console) {
@@ -47,7 +47,7 @@ void pause_or_go_on(session::TouchSession& session, Mouth& mouth) {
   mouth.say(session.paused() ? "Paused: no force." : "Going on.", voice::Importance::news);
 }
 
-/// Until Q, the end of the keys or an interruption.
+/// Runs until Q, the end of the input or an interruption.
 Result<void> explore(session::TouchSession& session, session::MakerThread& maker, Mouth& mouth) {
   KeyExplorer explorer;
   TerminalKeys keys;
@@ -63,7 +63,7 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
       const auto request = explorer.press(*key, *scene, session.settings().depth, words);
       if (request == KeyExplorer::Request::end) return {};
       if (request == KeyExplorer::Request::pause) pause_or_go_on(session, mouth);
-      // A key that is held down sends more moves than anybody can read.
+      // A key that is held down sends more moves than can be read, so only the last one is described.
       if (!is_move(*key) || !keys.waiting()) mouth.say(words, voice::Importance::label);
     }
     session.move_pointer(explorer.hand(*scene, session.settings()));

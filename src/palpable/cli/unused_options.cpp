@@ -17,7 +17,7 @@ using sources::InputKind;
 
 using Inputs = std::vector<InputKind>;
 
-/// Where an option has an effect; nothing named means on all.
+/// The inputs and scenes on which an option has an effect; an empty list means all.
 struct Effect {
   std::string_view option;
   Inputs inputs;
@@ -71,7 +71,7 @@ const std::vector<Effect>& effects() {
   return table;
 }
 
-/// An empty list holds all.
+/// True if `list` contains `value` or is empty.
 template <class T>
 bool is_among(const T& value, const std::vector<T>& list) {
   return list.empty() || std::find(list.begin(), list.end(), value) != list.end();

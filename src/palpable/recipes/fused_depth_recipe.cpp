@@ -18,7 +18,7 @@ namespace {
 
 using WorldFromCamera = Transform<models::InputFrame, CameraFrame>;
 
-/// First `turn`, a pure rotation, then `place`.
+/// Composition: first `turn`, a pure rotation, then `place`.
 SceneFromInput composed(const SceneFromInput& turn, const SceneFromInput& place) {
   return place * Transform<models::InputFrame, models::InputFrame>{turn.rotation, {}, 1.0};
 }
@@ -60,7 +60,7 @@ Result<MadeScene> field_from_depth_maps(const std::vector<PosedDepth>& given, co
   std::vector<sculpt::DepthView> views;
   views.reserve(given.size());
   for (const PosedDepth& view : given) views.push_back({&view.depth, upright * view.world_from_camera});
-  // Depth cameras' metres are known, and y is up by now.
+  // Depth cameras give metres, and y is up after the rotation.
   FusedDepthRecipe upright_recipe = recipe;
   sculpt::PlacementOptions& placement = upright_recipe.field.placement;
   placement.default_size = sculpt::DefaultSize::own;

@@ -37,7 +37,7 @@ AxisDirection towards_person(const Mesh& mesh, const sculpt::Placement& automati
   const bool one_way = norm(facing) > kFacesOneWay;
   if (options.lay == Lay::automatic && one_way) {
     const AxisDirection side = nearest_axis_direction(facing);
-    // A map whose triangles are wound the other way is still seen from above.
+    // A map with reversed triangles is still seen from above.
     return dot(unit_vector(side), unit_vector(up)) != 0.0 ? up : side;
   }
   return automatic.lay == Lay::flat ? up : sculpt::front_of(up);

@@ -19,7 +19,7 @@ Vec3 mean_of(const std::vector<Vec3>& places) {
   return sum / static_cast<double>(places.size());
 }
 
-// How far the points lie from their middle, at the median.
+// Median distance of the points from their mean.
 double spread_of(const std::vector<Vec3>& places) {
   const Vec3 middle = mean_of(places);
   std::vector<double> distances;
@@ -34,7 +34,7 @@ std::vector<Vec3> on_plane(const std::vector<Vec3>& places, Vec3 normal, Vec3 th
   return out;
 }
 
-// The direction in which the points vary least.
+// The direction of the smallest variance of the points.
 Vec3 normal_of(const std::vector<Vec3>& places) {
   const Vec3 middle = mean_of(places);
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -46,7 +46,7 @@ Vec3 normal_of(const std::vector<Vec3>& places) {
   return {n.x(), n.y(), n.z()};
 }
 
-// A plane through three points that most points lie on, then through all of those.
+// RANSAC: a plane through three points that contains most points, refined over its inliers.
 Vec3 plane_normal(const std::vector<Vec3>& places, std::uint64_t seed) {
   constexpr int kDraws = 400;
   constexpr double kTolerance = 0.015;
@@ -95,7 +95,7 @@ TableAxes table_axes(const PointCloud& structure, std::span<const vision::Camera
   }
   Vec3 z = plane_normal(some_of(structure.places_m), seed);
   if (dot(z, forward) > 0) z = -z;
-  // Along the plane, away from the cameras; where they look straight down, their pictures' up.
+  // In the plane, away from the cameras; if they look straight down, the up direction of their pictures.
   const auto along = [&](Vec3 v) { return v - dot(v, z) * z; };
   const Vec3 away = along(forward + up);
   const Vec3 y = unit(norm(away) > 0 ? away : along({1, 0, 0}));

@@ -18,8 +18,8 @@ Result<void> move_to_front_view(vision::StereoPair& pair, DisparityMap& disparit
   if (!front) return front.error();
   pair.left = std::move(front->picture);
   disparity.disparity_px = std::move(front->disparity_px);
-  // A camera half a baseline to the right sees everything half its disparity farther left; at infinity, half
-  // of doffs.
+  // A camera that is half a baseline to the right sees each point half its disparity farther left; at
+  // infinity, half of doffs.
   if (disparity.rig) disparity.rig->left.cx += 0.5 * disparity.rig->doffs_px;
   return {};
 }

@@ -13,7 +13,7 @@ std::array<double, 9> scene_rotation_for(
   }
   constexpr std::array<Vec3, 6> kAxes{{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}, {0, -1, 0}, {-1, 0, 0}}};
   std::array<double, 9> best{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  // The scene's axes in the world. The world's own axes are kept unless others are clearly better.
+  // Axes of the scene in the world frame. The world's own axes are kept unless others are clearly better.
   double most = dot(up, kAxes[1]) - dot(forward, kAxes[0]) + 1e-9;
   for (const Vec3& z : kAxes)
     for (const Vec3& y : kAxes) {

@@ -69,7 +69,7 @@ Result<void> check(const Calibration& c) {
   return {};
 }
 
-/// Pixel centres stand at integers, so the picture's corner is at -0.5.
+/// Pixel centres are at integers, so the picture's corner is at -0.5.
 double scaled_place(double place, double scale) { return (place + 0.5) * scale - 0.5; }
 
 void scale_camera(CameraModel& camera, double sx, double sy) {

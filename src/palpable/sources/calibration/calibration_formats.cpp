@@ -17,14 +17,15 @@
 namespace palpable::sources {
 namespace {
 
-// A side beyond this is no picture's; it keeps the conversion to int defined. check_picture_size() judges it.
+// Larger sides are invalid; this limit keeps the conversion to int defined. check_picture_size() checks the
+// exact limit.
 constexpr double kMaxSide = 1e9;
 
 int side_of(double value) {
   return std::isfinite(value) && std::abs(value) < kMaxSide ? static_cast<int>(value) : -1;
 }
 
-/// The numbers of "[f 0 cx; 0 f cy; 0 0 1]" or of a single one.
+/// The numbers of "[f 0 cx; 0 f cy; 0 0 1]" or a single number.
 std::vector<double> numbers_in(std::string_view text) {
   std::vector<double> numbers;
   const auto is_gap = [](char c) {
@@ -65,9 +66,8 @@ cv::FileNode first_of(const cv::FileStorage& file, Names names) {
   return {};
 }
 
-/// A matrix of one channel or a plain list of numbers, flattened by rows; empty where it is neither. A
-/// matrix's numbers are read as they stand: OpenCV itself would first take the memory for whatever size the
-/// file states.
+/// The numbers of a one-channel matrix or a plain list, row by row; empty for anything else. A matrix is read
+/// as a list, since OpenCV would first allocate memory for whatever size the file states.
 std::vector<double> numbers_of(const cv::FileNode& node) {
   std::vector<double> numbers;
   if (node.empty()) return numbers;

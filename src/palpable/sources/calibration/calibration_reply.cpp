@@ -15,7 +15,7 @@
 namespace palpable::sources::isolated {
 namespace {
 
-// More than any calibration has.
+// Greater than in any valid calibration.
 constexpr std::uint64_t kMostNumbers = 64, kMostNotes = 8;
 constexpr std::size_t kLongestNote = 400;
 
@@ -31,7 +31,7 @@ CameraModel get_camera(FlatReader& reply) {
   CameraModel camera;
   camera.matrix = reply.get<std::array<double, 9>>();
   const auto numbers = reply.get<std::uint64_t>();
-  // A count that is none of a calibration's is refused with the values.
+  // An invalid count is rejected when the values are checked.
   camera.distortion = reply.get_array<double>(std::min(numbers, kMostNumbers));
   camera.width = reply.get<std::int32_t>();
   camera.height = reply.get<std::int32_t>();

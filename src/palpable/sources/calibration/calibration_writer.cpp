@@ -9,9 +9,9 @@
 namespace palpable::sources {
 namespace {
 
-/// A matrix as OpenCV's FileStorage reads it; shortest digits that come back the same.
+/// A matrix for OpenCV's FileStorage; the shortest digits that convert back to the same value.
 std::string matrix_text(const char* name, int rows, std::span<const double> values) {
-  // YAML takes "1." for a number with decimals where "1" would be a whole one.
+  // In YAML "1." is a real number, while "1" would be an integer.
   std::string data;
   for (const double v : values) {
     std::string number = fmt::format("{}", v);

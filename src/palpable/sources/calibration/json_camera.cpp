@@ -36,7 +36,7 @@ Result<Pinhole> pinhole_from(const nlohmann::json& object) {
     if (!number_in(object, key)) return invalid_input(std::string("lacks the number ") + key);
   const double width = *number_in(object, "width");
   const double height = *number_in(object, "height");
-  // Asked as doubles first: a number beyond every picture must not reach the conversion to int.
+  // Checked as doubles first, so that the conversion to int is defined.
   constexpr double kMaxSide = 1e9;
   if (!(width >= 1.0 && width < kMaxSide && height >= 1.0 && height < kMaxSide))
     return invalid_input("states an impossible picture size");

@@ -23,7 +23,7 @@ namespace {
 bool limit(__rlimit_resource_t resource, rlim_t soft, rlim_t hard) {
   rlimit now{};
   if (getrlimit(resource, &now) != 0) return false;
-  // Never above what the user set.
+  // Never above the limit that the user set.
   const rlimit wanted{soft < now.rlim_max ? soft : now.rlim_max, hard < now.rlim_max ? hard : now.rlim_max};
   return setrlimit(resource, &wanted) == 0;
 }
@@ -40,7 +40,7 @@ constexpr unsigned kArchitecture = AUDIT_ARCH_X86_64;
 constexpr unsigned kArchitecture = AUDIT_ARCH_AARCH64;
 #endif
 
-/// Computing, memory, threads, and reading and writing what is open.
+/// Calls for computing, memory, threads, and reading and writing open descriptors.
 constexpr std::array kAllowed{SYS_read,
                               SYS_write,
                               SYS_readv,
@@ -79,7 +79,7 @@ constexpr std::array kAllowed{SYS_read,
                               SYS_exit_group,
                               SYS_restart_syscall};
 
-/// The filter's program: instruction by instruction, a jump's targets counted from the next one.
+/// The filter's program. Jump targets are relative to the next instruction.
 class Filter {
  public:
   Filter() {
@@ -106,7 +106,7 @@ class Filter {
     give(SECCOMP_RET_ALLOW);
     give(SECCOMP_RET_ERRNO | EPERM);
   }
-  /// Other calls fail as unknown ones, which libraries handle.
+  /// All other calls fail like unknown ones, which libraries handle.
   bool install() {
     give(SECCOMP_RET_ERRNO | ENOSYS);
     const sock_fprog program{static_cast<unsigned short>(size_), code_.data()};
@@ -124,11 +124,11 @@ class Filter {
   std::size_t size_ = 0;
 };
 
-/// A kernel without seccomp leaves the limits above, which suffice against opening files.
+/// Without seccomp in the kernel only the limits above remain, which still prevent opening files.
 void filter_system_calls() {
   Filter filter;
   for (const long number : kAllowed) filter.allow(number);
-  // Memory, but no new code; threads, but no processes.
+  // Memory that is not executable; threads, but no processes.
   filter.allow_if(SYS_mmap, 2, 0, PROT_EXEC);
   filter.allow_if(SYS_mprotect, 2, 0, PROT_EXEC);
   filter.allow_if(SYS_clone, 0, CLONE_THREAD, 0);
@@ -148,7 +148,7 @@ void filter_system_calls() {
 }  // namespace
 
 bool confine(const Allowance& allowance, int next_descriptor) {
-  // The parent may have ended before this call; then nobody waits for an answer.
+  // The parent may have ended before this call; then nobody waits for a reply.
   const pid_t parent = getppid();
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent || parent == 1) return false;
   prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);

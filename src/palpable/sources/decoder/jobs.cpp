@@ -23,7 +23,7 @@ namespace {
 using isolated::Job;
 using Bytes = std::span<const std::byte>;
 
-/// Replies with what was decoded, or why it was not.
+/// The reply with the decoded value or the error.
 template <class T>
 std::vector<std::byte> reply_to(const Result<T>& decoded) {
   return decoded ? isolated::reply_of(*decoded) : isolated::error_reply(decoded.error());
@@ -59,7 +59,7 @@ std::vector<std::byte> decoded(Job job, Bytes file) {
     case Job::opencv_calibration:
       return reply_to(calibration_from_opencv(as_text(file)));
     case Job::video:
-      // palpable-video-decoder's.
+      // Done by palpable-video-decoder.
       break;
   }
   return {};

@@ -61,7 +61,7 @@ int serve(int argc, char** argv) {
 }  // namespace palpable::sources::decoder
 
 int main(int argc, char** argv) {
-  // Not through the libraries' destructors: the answer is written, and nothing else is to be done.
+  // Without running the libraries' destructors: the reply is written, and nothing else is left to do.
   try {
     _exit(palpable::sources::decoder::serve(argc, argv));
   } catch (const std::exception&) {

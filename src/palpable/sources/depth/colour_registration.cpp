@@ -12,7 +12,7 @@ namespace {
 struct Seen {
   double x = 0.0;
   double y = 0.0;
-  /// Depth in the colour camera; not positive: not seen.
+  /// Depth in the colour camera; not positive: not visible.
   double z = 0.0;
 };
 
@@ -44,8 +44,8 @@ bool within(const Seen& s, int width, int height) {
   return s.z > 0.0 && s.x >= -0.5 && s.y >= -0.5 && s.x < width - 0.5 && s.y < height - 0.5;
 }
 
-/// The nearest depth that the colour camera meets in each of its pixels. A depth pixel covers as many colour
-/// pixels as the ratio of the focal lengths says.
+/// A depth buffer of the colour camera. A depth pixel covers as many colour pixels as the ratio of the focal
+/// lengths.
 Raster<float> nearest_in_colour(const DepthMap& depth, const Projector& project, const ColourCamera& colour) {
   const Pinhole& c = colour.camera;
   Raster<float> nearest(c.width, c.height, std::numeric_limits<float>::infinity());
@@ -63,7 +63,7 @@ Raster<float> nearest_in_colour(const DepthMap& depth, const Projector& project,
   return nearest;
 }
 
-/// Bilinear, channel by channel; alpha of the picture itself is ignored.
+/// Bilinear sample of each channel; the picture's own alpha is ignored.
 void sample_colour(const Image& colour, const Seen& s, float* out) {
   const double x = std::clamp(s.x, 0.0, colour.width - 1.0);
   const double y = std::clamp(s.y, 0.0, colour.height - 1.0);
@@ -100,7 +100,7 @@ Result<Image> colour_at_depth(const DepthMap& depth, const Image& colour, const 
       std::fill_n(pixel, 3, 0.5F);
       const Seen s = project(x, y);
       if (!within(s, colour.width, colour.height)) continue;
-      // Ratio of depths below which a surface hides another one; smaller differences are slopes and sensor
+      // Ratio of depths below which a surface occludes another one; smaller differences are slopes and sensor
       // noise.
       constexpr double kHides = 0.97;
       const auto front = static_cast<double>(

@@ -18,7 +18,8 @@
 namespace palpable::sources {
 namespace {
 
-/// One channel's numbers as the file has them: an Image holds integers as value / most, exact to recover.
+/// The original numbers of one channel: an Image stores integers as value / maximum, from which they are
+/// recovered exactly.
 Result<Raster<float>> values_of(const Image& image) {
   const auto channels = static_cast<std::size_t>(image.channels);
   const float most = image.bits == 8 ? 255.0F : image.bits == 16 ? 65535.0F : 1.0F;

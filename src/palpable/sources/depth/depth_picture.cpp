@@ -25,7 +25,7 @@ Note taken_as_metres() {
 /// A file's numbers, and their default meaning.
 struct Numbers {
   Raster<float> values;
-  /// The value that an integer file's 1.0 stands for: 255 or 65535; 1 for floats.
+  /// The integer that corresponds to 1.0: 255 or 65535; 1 for floats.
   float most = 1.0F;
   /// The picture in the same file, if there is one.
   std::optional<Image> colour;
@@ -114,7 +114,7 @@ Result<Numbers> from_file(std::span<const std::byte> file) {
     if (!*photo) return invalid_input("is a photograph that holds no depth");
     auto colour = isolated::decode_heif(file);
     if (!colour) return std::move(colour).error();
-    constexpr int kUpright = 1;  // libheif has turned both already
+    constexpr int kUpright = 1;  // libheif has rotated both already
     return from_photo(**photo, *std::move(colour), kUpright);
   }
   const auto format = picture_format_of(file).value_or(PictureFormat::pfm);
@@ -134,7 +134,7 @@ DisparityMap scaled_disparity(const Raster<float>& values, double scale, bool ze
   return out;
 }
 
-/// Depth along the axis from lengths along the rays.
+/// Converts distances along the rays to depth along the axis.
 void turn_distance_into_depth(Raster<float>& values, const Pinhole& c) {
   for (int y = 0; y < values.height(); ++y)
     for (int x = 0; x < values.width(); ++x) {
@@ -159,7 +159,7 @@ Result<std::variant<DepthMap, DisparityMap>> interpreted(Numbers numbers, const 
   if (meaning == DepthMeaning::disparity)
     return Depth(scaled_disparity(values, s.px_per_unit.value_or(1.0), integers));
   if (meaning == DepthMeaning::nearness) {
-    // The steps of an 8-bit picture are the unit, whatever the file's own.
+    // The unit is a step of an 8-bit picture, whatever the file's depth.
     constexpr double kSteps = 255.0;
     return Depth(scaled_disparity(values, kSteps / static_cast<double>(numbers.most), false));
   }
@@ -189,7 +189,7 @@ const Raster<float>& raster_of(const std::variant<DepthMap, DisparityMap>& depth
   return metres != nullptr ? metres->depth_m : std::get<DisparityMap>(depth).disparity_px;
 }
 
-/// Equal sizes, or a colour picture that is larger or smaller by one factor: its nearest pixels are taken.
+/// The colour picture at this size: unchanged, or scaled by one factor with nearest neighbours.
 Result<Image> fitted(const Image& colour, int width, int height) {
   if (colour.width == width && colour.height == height) return colour;
   const double sx = static_cast<double>(colour.width) / width;
@@ -208,7 +208,7 @@ Result<Image> fitted(const Image& colour, int width, int height) {
   return out;
 }
 
-/// Gives the depth its camera, which must be for pictures of this size.
+/// Sets the camera, which must match the picture's size.
 Result<void> give_camera(DepthPicture& picture, const std::optional<Pinhole>& camera) {
   auto* depth = std::get_if<DepthMap>(&picture.depth);
   if (!camera || depth == nullptr) return {};
@@ -238,7 +238,7 @@ Result<DepthPicture> assembled(std::span<const std::byte> file, const std::optio
       !settings.meaning && !settings.metres_per_unit && !settings.px_per_unit && !settings.zbuffer;
   if (assumed && numbers->note) out.notes.push_back(*numbers->note);
   DepthSettings stated = settings;
-  // A stated scale or planes also state what the numbers mean.
+  // A given scale, or given planes, also determine the meaning of the numbers.
   if (!stated.meaning && stated.metres_per_unit) stated.meaning = DepthMeaning::depth;
   if (!stated.meaning && stated.px_per_unit) stated.meaning = DepthMeaning::disparity;
   if (!stated.meaning && stated.zbuffer) stated.meaning = DepthMeaning::zbuffer;

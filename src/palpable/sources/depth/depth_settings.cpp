@@ -24,7 +24,8 @@ constexpr std::array<std::pair<DepthMeaning, std::string_view>, 5> kNames{
      {DepthMeaning::nearness, "nearness"},
      {DepthMeaning::zbuffer, "zbuffer"}}};
 
-/// True where `key` says `word`, false where it says `otherwise` or nothing. Errors: for any other word.
+/// True if `key` has the value `word`, false if it has `otherwise` or is missing. Errors: for any other
+/// value.
 Result<bool> choice(const json& object, const char* key, std::string_view word, std::string_view otherwise) {
   if (!object.contains(key)) return false;
   const json& value = object.at(key);

@@ -39,7 +39,7 @@ constexpr std::array<std::pair<InputKind, std::string_view>, 10> kKindNames{
      {InputKind::level_set, "level-set"},
      {InputKind::scene, "scene"}}};
 
-/// Enough to pass over a phone picture's EXIF block with its thumbnail (at most 64 KiB a segment).
+/// Long enough to skip a phone picture's EXIF block with its thumbnail (at most 64 KiB per segment).
 constexpr std::size_t kStartBytes = std::size_t{256} << 10U;
 
 bool is_video(Bytes file) {
@@ -61,8 +61,8 @@ bool is_map(Bytes file) {
          start.substr(0, 64).find('<') != std::string_view::npos;
 }
 
-/// Wavefront OBJ has no mark, and its faces may stand far from its start: every line begins with one of its
-/// words.
+/// Wavefront OBJ has no magic number, and its faces may be far from its start: every line must begin with one
+/// of its keywords.
 bool is_obj(std::string_view start) {
   constexpr std::array<std::string_view, 10> kWords{"v", "vn", "vt", "f",      "o",
                                                     "g", "s",  "l",  "mtllib", "usemtl"};
@@ -94,7 +94,7 @@ std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
     return InputKind::shapes;
   if (has_magic(file, "solid") && start.find("facet") != std::string_view::npos) return InputKind::mesh;
   if (is_obj(start)) return InputKind::mesh;
-  // A binary STL has no mark, but its size follows from its count of triangles.
+  // A binary STL has no magic number, but its size follows from its number of triangles.
   ByteReader reader(file);
   reader.seek(80);
   const std::uint64_t triangles = reader.u32();
@@ -102,7 +102,7 @@ std::optional<InputKind> solid_kind(Bytes file, std::uintmax_t size) {
   return std::nullopt;
 }
 
-/// A zip archive is a scene of ours or a NumPy file: its members' names tell.
+/// A zip archive is a scene file or a NumPy file, which the names of its members show.
 Result<InputKind> archive_kind(const fs::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
@@ -115,7 +115,7 @@ Result<InputKind> archive_kind(const fs::path& path) {
   return invalid_input("is a zip archive, but neither a scene nor a NumPy file", path.string());
 }
 
-/// Compares names as people count: frame-2 before frame-10.
+/// Natural order of names: frame-2 before frame-10.
 bool counted_before(const std::string& a, const std::string& b) {
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
   std::size_t i = 0;
@@ -224,7 +224,7 @@ bool is_stretched_from_8_bits(const Image& image) {
                                          [](float v) { return std::lround(v * 65535.0F) % 257 == 0; });
 }
 
-/// A picture of one channel may hold depth: the sidecar decides, then the number of bits.
+/// A picture of one channel may contain depth: the sidecar decides, then the number of bits.
 Result<Input> recognise_grey(const fs::path& path, const Image& image) {
   const auto sidecar = read_depth_sidecar(path);
   if (!sidecar) return sidecar.error();
@@ -244,7 +244,7 @@ Result<Input> recognise_grey(const fs::path& path, const Image& image) {
                  Reason::photo_depth_used}}};
 }
 
-/// One picture is a picture, unless a phone has put depth inside or its pixels are depth.
+/// A single picture is a picture, unless it is a photograph with depth inside or its pixels are depth.
 Result<Input> recognise_one_picture(const fs::path& path) {
   const auto file = read_file(path);
   if (!file) return file.error();
@@ -252,7 +252,7 @@ Result<Input> recognise_one_picture(const fs::path& path) {
     const auto format = picture_format_of(*file);
     const bool may_be_grey =
         format == PictureFormat::png || format == PictureFormat::tiff || format == PictureFormat::pnm;
-    // What cannot be decoded is reported where it is read.
+    // An error of decoding is reported when the file is read.
     const auto image = may_be_grey ? decode_picture(*file) : invalid_input("is in colour");
     if (image && image->channels == 1) return recognise_grey(path, *image);
     return Input{InputKind::picture, {path}, {}};
@@ -284,8 +284,7 @@ Result<InputKind> kind_of_file(const fs::path& path) {
   if (is_video(file)) return InputKind::video;
   if (const auto solid = solid_kind(file, unknown ? 0 : size)) return *solid;
   const auto picture = picture_format_of(file);
-  // A binary STL has no mark: one that is cut off is known by its name alone, and its reader says what is
-  // missing.
+  // A truncated binary STL can be recognised only by its name; its reader reports what is missing.
   if (!picture && is_named_stl(path)) return InputKind::mesh;
   if (picture == PictureFormat::pfm || picture == PictureFormat::exr) return InputKind::depth;
   if (picture == PictureFormat::jpeg && is_stereo_jpeg(file)) return InputKind::stereo;

@@ -51,7 +51,7 @@ Error cannot_start(const std::string& why) {
 
 std::string reason_of(int number) { return std::generic_category().message(number); }
 
-/// Memory that has a descriptor; sealed, so that the other process cannot change it.
+/// A memory file; sealed, so that the other process cannot change it.
 Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
   Descriptor memory = passable(Descriptor(::memfd_create("palpable-input", MFD_CLOEXEC | MFD_ALLOW_SEALING)));
   if (memory.number() < 0) return cannot_start(reason_of(errno));
@@ -77,7 +77,7 @@ Result<fs::path> decoder_program(Job job) {
                {}};
 }
 
-/// Waits until nobody holds the other end any more; false after `patience`.
+/// Waits until the other end is closed; false after `patience`.
 bool wait_for_end(int alive, std::chrono::seconds patience) {
   const auto deadline = std::chrono::steady_clock::now() + patience;
   while (true) {
@@ -91,7 +91,7 @@ bool wait_for_end(int alive, std::chrono::seconds patience) {
   }
 }
 
-/// The process's status, once it has ended.
+/// The exit status of the process, if it has ended.
 std::optional<int> status_of(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0)
@@ -151,7 +151,7 @@ Limits limits_of(Job job, std::size_t file_bytes) {
     case Job::obj:
     case Job::stl:
     case Job::glb: {
-      // A triangle takes some 20 bytes of a file and 150 of Assimp's structures.
+      // A triangle takes about 20 bytes in a file and 150 in Assimp's structures.
       constexpr std::uint64_t kMemory = 24, kResult = 16;
       limits.memory_bytes = kBase + kMemory * kMiB * mebibytes;
       limits.result_bytes = 64 * kMiB + kResult * kMiB * mebibytes;
@@ -162,16 +162,16 @@ Limits limits_of(Job job, std::size_t file_bytes) {
       limits.result_bytes = 16 * kMiB;
       break;
     case Job::video:
-      // Frames as they are given back, and those that the codec keeps; films pack much into few bytes.
+      // Returned frames, and those that the codec keeps; a short file may contain a long film.
       limits.memory_bytes = kBase + 3072 * kMiB;
       limits.result_bytes = 1300 * kMiB;
       break;
     default:
-      // kMaxPixels of four floats, once as the library gives them and once as ours.
+      // kMaxPixels of four floats, twice: in the library's and in this program's format.
       limits.memory_bytes = kBase + 3072 * kMiB;
       limits.result_bytes = 1040 * kMiB;
   }
-  // Not the machine's last: the other process's memory counts as this one's to the user.
+  // Not more than the machine has left: for the user, the child's memory is memory of this program.
   if (const auto available = available_memory_bytes())
     limits.memory_bytes =
         std::min<std::uint64_t>(limits.memory_bytes, std::max<std::uint64_t>(*available, kBase));

@@ -30,7 +30,7 @@ struct Header {
   std::array<std::uint32_t, 4> masks{};
 };
 
-/// The file's and the picture's headers; BITMAPCOREHEADER (12 bytes) up to BITMAPV5HEADER (124).
+/// Reads the file header and the picture header, from BITMAPCOREHEADER (12 bytes) to BITMAPV5HEADER (124).
 Header read_header(ByteReader& reader) {
   Header h;
   reader.seek(10);
@@ -72,7 +72,7 @@ Palette read_palette(ByteReader& reader, const Header& h) {
   const std::size_t most = std::size_t{1} << static_cast<unsigned>(h.bits);
   const std::size_t count = h.colours == 0 || h.colours > most ? most : h.colours;
   reader.seek(14 + std::size_t{h.size});
-  // A file may hold fewer colours than it could; the missing ones are black.
+  // A file may contain fewer palette entries than possible; the missing ones are black.
   Palette palette(most, {0.0F, 0.0F, 0.0F});
   for (std::size_t i = 0; i < count && reader.ok() && reader.position() < h.pixels_at; ++i) {
     for (const std::size_t c : {2U, 1U, 0U}) palette[i][c] = static_cast<float>(reader.u8()) / 255.0F;

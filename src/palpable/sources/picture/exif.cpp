@@ -28,7 +28,7 @@ std::span<const std::byte> exif_of_jpeg(std::span<const std::byte> jpeg) {
   return found;
 }
 
-/// PNG: length, name, content, checksum; the block may stand behind the pixels.
+/// PNG: length, name, content, checksum; the block may come after the pixels.
 std::span<const std::byte> exif_of_png(std::span<const std::byte> png) {
   ByteReader reader(png, std::endian::big);
   reader.skip(8);
@@ -129,7 +129,8 @@ Image upright(Image image, int orientation) {
   out.channels = image.channels;
   out.bits = image.bits;
   out.samples.resize(image.samples.size());
-  // Orientation says which side of the shown picture the stored rows and columns begin at (EXIF 2.3, 4.6.4).
+  // The orientation states the sides of the upright picture at which stored rows and columns begin (EXIF 2.3,
+  // 4.6.4).
   const bool from_right = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
   const bool from_bottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
   float* to = out.samples.data();

@@ -21,7 +21,7 @@
 namespace palpable::sources {
 namespace {
 
-/// The file in memory, as OpenEXR reads it.
+/// A file in memory, for OpenEXR.
 class MemoryStream : public Imf::IStream {
  public:
   explicit MemoryStream(std::span<const std::byte> file) : Imf::IStream("picture"), file_(file) {}
@@ -70,12 +70,13 @@ Result<Image> read_channels(Imf::InputFile& file, const std::vector<std::string>
   return image;
 }
 
-/// Runs `choose` on the channels' names and reads what it chose; all of OpenEXR's exceptions end here.
+/// Calls `choose` with the names of the channels and reads the chosen ones; catches all exceptions of
+/// OpenEXR.
 template <class Choose>
 Result<Image> decode(std::span<const std::byte> bytes, const Choose& choose) {
   try {
     MemoryStream stream(bytes);
-    // One thread: the caller's. OpenEXR's own pool does not obey the caller's number of threads.
+    // Only the caller's thread, since OpenEXR's thread pool ignores the caller's number of threads.
     Imf::InputFile file(stream, 0);
     const std::vector<std::string> chosen = choose(channels_of(file));
     if (chosen.empty()) return invalid_input("is an OpenEXR file without the channels that are looked for");

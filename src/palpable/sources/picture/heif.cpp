@@ -35,7 +35,7 @@ struct Opened {
 Result<Opened> open(std::span<const std::byte> file) {
   Opened out;
   out.context.reset(heif_context_alloc());
-  // libheif's own guard, asked before it takes memory for pixels; our exact one follows.
+  // libheif's own limit, checked before it allocates pixels; the exact limit is checked later.
   constexpr int kMaxSide = 65535;
   heif_context_set_maximum_image_size_limit(out.context.get(), kMaxSide);
   heif_error error =
@@ -132,7 +132,7 @@ Result<std::optional<PhotoDepth>> depth_in_heif(std::span<const std::byte> file)
   const heif_error error = heif_image_handle_get_depth_image_handle(opened->primary.get(), id, &raw);
   if (error.code != heif_error_Ok) return damaged(error);
   const Owned<heif_image_handle> handle(raw);
-  // Its luma is the depth, whether idle colour planes are stored beside it or not.
+  // The luma is the depth, with or without unused colour planes.
   auto pixels = pixels_of(handle.get(), heif_colorspace_YCbCr, heif_chroma_420);
   if (!pixels) pixels = pixels_of(handle.get(), heif_colorspace_monochrome, heif_chroma_monochrome);
   if (!pixels) return pixels.error();

@@ -26,8 +26,8 @@ using Bytes = std::span<const std::byte>;
 constexpr std::string_view kXmp("http://ns.adobe.com/xap/1.0/\0", 29);
 constexpr std::string_view kExtendedXmp("http://ns.adobe.com/xmp/extension/\0", 35);
 
-/// The XMP packet of a JPEG, and behind it the extended one put together from its parts (XMP specification
-/// part 3, 1.1.3.1).
+/// The XMP packet of a JPEG, followed by the extended one, assembled from its parts (XMP specification part
+/// 3, 1.1.3.1).
 std::string xmp_of(Bytes file) {
   std::string standard;
   std::map<std::uint32_t, std::string_view> parts;
@@ -118,8 +118,8 @@ Result<std::optional<PhotoDepth>> depth_from(Bytes picture, const Planes& planes
   return std::optional(std::move(depth));
 }
 
-/// The appended item that `uri` names, by the container's list of lengths; items stand at the file's end in
-/// their order.
+/// The appended item with this `uri`, by the container's list of lengths; the items are at the end of the
+/// file, in order.
 std::optional<Bytes> container_item(Bytes file, std::string_view xml, std::string_view uri) {
   std::vector<std::pair<std::string_view, std::size_t>> items;
   constexpr std::string_view kItem = "Container:Item";
@@ -155,7 +155,7 @@ Result<std::optional<PhotoDepth>> depth_in_jpeg(std::span<const std::byte> file)
   const std::string xml = xmp_of(file);
   if (const auto data = property(xml, "GDepth:Data")) {
     const auto units = property(xml, "GDepth:Units");
-    // The specification's unit is metres where none or "m" is stated.
+    // By the specification the unit is metres if none or "m" is stated.
     return depth_from(from_base64(*data), planes_in(xml, "GDepth"), !units || *units == "m");
   }
   if (const auto uri = property(xml, "DepthMap:DepthURI")) {

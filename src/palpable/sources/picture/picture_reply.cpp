@@ -13,10 +13,10 @@
 namespace palpable::sources::isolated {
 namespace {
 
-/// How the samples travel: integers take a quarter or half of what floats take.
+/// Coding of the samples in a reply: integers take a quarter or half of the size of floats.
 enum class Coding : std::uint8_t { u8, u16, f32 };
 
-/// The samples of integer files, by their integers.
+/// Table of sample values of integer files.
 template <class T>
 const std::vector<float>& sample_values() {
   static const std::vector<float> kValues = [] {
@@ -41,7 +41,7 @@ std::vector<float> floats(std::span<const std::byte> raw) {
   return out;
 }
 
-/// False, with nothing written, where a sample would not come back bit by bit.
+/// Writes samples as integers. False, with nothing written, if a sample would not be restored exactly.
 template <class T>
 bool put_integers(FlatWriter& reply, const std::vector<float>& samples, Coding coding) {
   const std::vector<float>& values = sample_values<T>();
@@ -49,7 +49,7 @@ bool put_integers(FlatWriter& reply, const std::vector<float>& samples, Coding c
   std::vector<T> codes;
   codes.reserve(samples.size());
   for (const float v : samples) {
-    // Written so that NaN is refused.
+    // Also rejects NaN.
     if (!(v >= 0.0F && v <= 1.0F)) return false;
     const auto code = static_cast<T>(v * most + 0.5F);
     if (values[code] != v) return false;
@@ -159,7 +159,7 @@ Result<Image> image_in(std::span<const std::byte> bytes) {
       get_samples(reply, static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height) *
                              static_cast<std::uint64_t>(image.channels));
   if (!reply.done()) return invalid_reply();
-  // Written so that NaN fails; float files keep whatever they hold.
+  // Also false for NaN; float files may contain any value.
   const auto in_range = [](float v) { return v >= 0.0F && v <= 1.0F; };
   if (image.bits != 32 && !std::all_of(image.samples.begin(), image.samples.end(), in_range))
     return invalid_reply();

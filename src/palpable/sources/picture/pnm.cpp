@@ -11,7 +11,7 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
-/// The text part of a file: numbers between blanks and comments.
+/// The text part of a file: numbers separated by white space and comments.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
@@ -28,7 +28,7 @@ class Words {
     }
     return static_cast<int>(value);
   }
-  /// P1 may write its digits without blanks between them.
+  /// The digits of P1 need not be separated.
   std::optional<int> bit() {
     skip_blanks();
     if (text_.empty() || (text_.front() != '0' && text_.front() != '1')) return std::nullopt;
@@ -36,7 +36,7 @@ class Words {
     text_.remove_prefix(1);
     return value;
   }
-  /// What follows the single blank after the header.
+  /// The bytes after the single white space that ends the header.
   std::string_view rest() const { return text_.empty() ? text_ : text_.substr(1); }
 
  private:
@@ -51,7 +51,7 @@ class Words {
   std::string_view text_;
 };
 
-/// Written out in digits: P1, P2, P3.
+/// Decimal text: P1, P2, P3.
 bool read_digits(Words& words, bool bits, int most, std::vector<float>& samples) {
   for (float& sample : samples) {
     const auto value = bits ? words.bit() : words.number(most);
@@ -104,7 +104,7 @@ Result<Image> decode_pnm(std::span<const std::byte> file) {
   const auto count = static_cast<std::size_t>(*width) * static_cast<std::size_t>(*height) *
                      static_cast<std::size_t>(image.channels);
   const bool digits = kind <= 3;
-  // Eight pixels a byte at the very most: a header alone cannot ask for memory.
+  // At most eight pixels per byte, so a header alone cannot cause a large allocation.
   if (words.rest().size() < count / 8) return invalid_input("is cut off: pixels are missing");
   image.samples.resize(count);
   const bool whole = digits ? read_digits(words, bits, *most, image.samples)

@@ -86,7 +86,7 @@ Pixel read_pixel(ByteReader& reader, const Header& h, const std::vector<Pixel>& 
   return index >= 0 && index < h.map_count ? palette[static_cast<std::size_t>(index)] : Pixel{0, 0, 0, 1};
 }
 
-/// Pixels in the order of the file, unpacked where run-length coded. False where they end too early.
+/// Reads pixels in file order and expands run-length coding. False if the file ends too early.
 bool read_pixels(ByteReader& reader, const Header& h, const std::vector<Pixel>& palette, const auto& put) {
   const std::int64_t count = std::int64_t{h.width} * h.height;
   for (std::int64_t done = 0; done < count && reader.ok();) {
@@ -120,7 +120,7 @@ Result<Image> decode_tga(std::span<const std::byte> file) {
   std::vector<Pixel> palette;
   for (int i = 0; h.map_kind == 1 && i < h.map_count && reader.ok(); ++i)
     palette.push_back(read_colour(reader, h.map_bits));
-  // A run packet gives at most 128 pixels for two bytes: a header alone cannot ask for memory.
+  // A run packet gives at most 128 pixels for two bytes, so a header alone cannot cause a large allocation.
   const std::int64_t pixels = std::int64_t{h.width} * h.height;
   const std::string cut_off = "is a TGA picture that is cut off: pixels are missing";
   if (!reader.ok() || static_cast<std::int64_t>(reader.left()) < pixels / 64) return invalid_input(cut_off);

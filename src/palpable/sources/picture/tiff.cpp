@@ -129,13 +129,13 @@ float sample_at(const std::byte* place, const Layout& layout) {
   return layout.white_is_zero ? 1.0F - value : value;
 }
 
-/// One strip or tile, as it lies in the picture.
+/// One strip or tile and its position in the picture.
 struct Block {
   std::uint32_t left, top, width, height;
   int channel;
 };
 
-/// Copies a decoded block into the picture; what sticks out of the picture (a tile's padding) is dropped.
+/// Copies a decoded block into the picture, without the part outside the picture (a tile's padding).
 void place_block(const std::vector<std::byte>& raw, const Block& block, const Layout& layout, Image& image) {
   const auto sample_bytes = static_cast<std::size_t>(layout.bits / 8);
   const std::size_t step = layout.planes_apart ? 1 : static_cast<std::size_t>(layout.channels);
@@ -143,7 +143,7 @@ void place_block(const std::vector<std::byte>& raw, const Block& block, const La
   const std::uint32_t rows = std::min(block.height, layout.height - block.top);
   std::array<float, 256> of_byte{};
   for (std::size_t k = 0; layout.bits == 8 && k < of_byte.size(); ++k) {
-    // As long as the longest sample, which sample_at() may read.
+    // As long as the longest sample that sample_at() may read.
     const std::array<std::byte, sizeof(float)> sample{static_cast<std::byte>(k)};
     of_byte[k] = sample_at(sample.data(), layout);
   }
@@ -196,7 +196,7 @@ bool read_rows(TIFF* tiff, const Layout& layout, Image& image) {
   return true;
 }
 
-/// Everything that is not a plain grid of samples, through libtiff's own conversion to 8-bit RGBA.
+/// Reads all other layouts by libtiff's conversion to 8-bit RGBA.
 bool read_converted(TIFF* tiff, std::uint32_t width, std::uint32_t height, Image& image) {
   std::vector<std::uint32_t> rgba(static_cast<std::size_t>(width) * height);
   // The orientation is applied by the caller, as for every other format.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kStlHeader = 84, kStlTriangle = 50;
 
-/// The words of a line, one after the other; empty at its end.
+/// The next word of a line; empty at its end.
 std::string_view next_word(std::string_view& line) {
   constexpr std::string_view kSpace = " \t\r\f\v";
   const std::size_t begin = line.find_first_not_of(kSpace);
@@ -70,7 +70,7 @@ Result<void> check_stl(std::span<const std::byte> file) {
                   (stated - kStlHeader) / kStlTriangle, stated, file.size()));
 }
 
-/// The vertex of "7/1/3"; nothing for what is no number.
+/// The vertex index of "7/1/3"; nullopt if it is not a number.
 std::optional<long long> face_corner_of(std::string_view word) {
   long long index = 0;
   const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), index);
@@ -85,7 +85,7 @@ class ObjCheck {
     while (!text.empty()) {
       std::string_view line = next_line(text);
       ++line_number_;
-      // A line that goes on: its words are those of both.
+      // A line with a continuation: the words of both lines.
       std::string joined;
       while (line.ends_with('\\') || line.ends_with("\\\r")) {
         joined += line.substr(0, line.rfind('\\'));
@@ -108,7 +108,7 @@ class ObjCheck {
           fmt::format("is an OBJ file that is cut off or damaged: the face in line {} names vertex {} "
                       "of {}",
                       line_of_highest_, highest_, vertices_));
-    // A file may end without a line's end, or hold vertices for nothing: half a file does both.
+    // A valid file may lack the last line end or contain unused vertices; a truncated file has both.
     constexpr double kMany = 0.01;
     const auto unused = vertices_ - std::count(used_.begin(), used_.end(), true);
     if (!has_end && static_cast<double>(unused) > kMany * static_cast<double>(vertices_))
@@ -132,7 +132,7 @@ class ObjCheck {
     }
     return true;
   }
-  /// Vertices may come after the faces that name them.
+  /// Vertices may follow the faces that use them.
   bool add_face(std::string_view rest) {
     int corners = 0;
     for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#';
@@ -147,7 +147,7 @@ class ObjCheck {
   }
 
   void use(long long vertex) {
-    // More than any mesh here has; a wrong index is reported at the end.
+    // Greater than in any supported mesh; a wrong index is reported at the end.
     constexpr long long kMost = 1LL << 28U;
     if (vertex > kMost) return;
     const auto at = static_cast<std::size_t>(vertex) - 1;
@@ -169,7 +169,7 @@ Result<void> check_glb(std::span<const std::byte> file) {
   if (!reader.ok() || stated > file.size())
     return invalid_input(
         fmt::format("is a GLB file that is cut off: it states {} bytes and has {}", stated, file.size()));
-  // Its length is that of the whole file (glTF 2.0, 4.4.2).
+  // The stated length is that of the whole file (glTF 2.0, 4.4.2).
   if (stated < file.size())
     return invalid_input(
         fmt::format("is a damaged GLB file: it states {} bytes and has {}", stated, file.size()));

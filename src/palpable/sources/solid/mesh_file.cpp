@@ -14,8 +14,8 @@
 namespace palpable::sources {
 namespace {
 
-/// By content, as kind_of_file() recognises it; names lie. Only a binary STL that is cut off has nothing but
-/// its name.
+/// The format by content, as kind_of_file() recognises it, since names may be wrong. Only a truncated binary
+/// STL is recognised by its name.
 std::string ending_of(std::span<const std::byte> file, const std::filesystem::path& path) {
   if (has_magic(file, "glTF")) return "glb";
   if (has_magic(file, "ply\n") || has_magic(file, "ply\r")) return "ply";

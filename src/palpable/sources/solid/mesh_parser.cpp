@@ -43,12 +43,12 @@ Result<Mesh> mesh_from(const aiScene& scene) {
 
 Result<Mesh> parse_mesh(std::span<const std::byte> file, const std::string& ending) {
   if (const auto whole = check_mesh_file(file, ending); !whole) return whole.error();
-  // The reader's own words name its functions, and mean nothing to a user.
+  // Assimp's own message names its functions, which does not help a user.
   const Error unreadable = invalid_input(
       "cannot be read as a mesh: what it holds is not valid for a file of this kind (" + ending + ")");
   try {
     Assimp::Importer importer;
-    // Lines and points are no surface; nodes' transforms are applied to their vertices.
+    // Lines and points are not surfaces; transforms of nodes are applied to their vertices.
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_LINE | aiPrimitiveType_POINT);
     const aiScene* scene = importer.ReadFileFromMemory(
         file.data(), file.size(),

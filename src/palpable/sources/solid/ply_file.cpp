@@ -23,7 +23,7 @@ constexpr std::size_t kMostPoints = 50'000'000;
 Error too_short() { return invalid_input("is cut off: it holds less than its header states"); }
 Error too_long() { return invalid_input("is damaged: it holds more than its header states"); }
 
-/// The values of one element after the other, whatever the format. Damage is kept until ok() is asked.
+/// Reads values sequentially, in any of the formats. Errors are kept for ok().
 class PlyBody {
  public:
   explicit PlyBody(const PlyHeader& header)
@@ -32,7 +32,7 @@ class PlyBody {
         binary_(header.body,
                 header.format == PlyHeader::Format::big_endian ? std::endian::big : std::endian::little) {}
 
-  /// Goes to the next element: a line of its own in ASCII.
+  /// Moves to the next element: in ASCII a line of its own.
   void begin_element() {
     if (!ascii_) return;
     line_ = {};
@@ -45,12 +45,12 @@ class PlyBody {
     return ok();
   }
   bool ok() const { return ok_ && binary_.ok(); }
-  /// Nothing is left but line ends.
+  /// Whether only line ends are left.
   bool at_end() const {
     const std::string_view rest = ascii_ ? text_ : text_.substr(binary_.position());
     return rest.find_first_not_of(ascii_ ? " \t\r\n" : "\r\n") == std::string_view::npos;
   }
-  /// Fewer than `count` values of this type can follow.
+  /// Whether fewer than `count` values of this type are left.
   bool lacks(std::uint64_t count, PlyType type) const {
     return ascii_ ? count > line_.size() : count > binary_.left() / bytes_of(type);
   }
@@ -95,7 +95,7 @@ class PlyBody {
   ByteReader binary_;
 };
 
-/// The length of a list, and whether so many values can follow.
+/// The length of a list, checked against the remaining data.
 Result<std::size_t> list_length(PlyBody& body, const PlyProperty& property) {
   const double length = body.number(property.length_type);
   if (!body.ok()) return too_short();
@@ -130,7 +130,7 @@ Result<void> visit_element(PlyBody& body, const PlyElement& element,
   return {};
 }
 
-/// Places of x, y, z and of nx, ny, nz among an element's properties; the count of properties where absent.
+/// Indices of x, y, z and of nx, ny, nz among an element's properties; the number of properties if absent.
 std::array<std::size_t, 6> places_of_vectors(const PlyElement& element) {
   constexpr std::array<std::string_view, 6> kNames{"x", "y", "z", "nx", "ny", "nz"};
   std::array<std::size_t, 6> places{};
@@ -163,7 +163,7 @@ Result<PointCloud> read_vertices(PlyBody& body, const PlyElement& element) {
     } else {
       row[p] = body.number(element.properties[p].type);
     }
-    // The last property completes the vertex; what the file lacks is reported as damage of its element.
+    // The last property completes the vertex; missing data are reported as damage of the element.
     if (p + 1 < none || !body.ok()) return {};
     const Vec3 place{row[places[0]], row[places[1]], row[places[2]]};
     if (!is_finite(place))
@@ -177,7 +177,7 @@ Result<PointCloud> read_vertices(PlyBody& body, const PlyElement& element) {
   return cloud;
 }
 
-/// One list of corners, -1 allowed between the strips of `tristrips` only.
+/// Reads one list of corners; -1 is allowed only between the strips of `tristrips`.
 Result<void> read_corners(PlyBody& body, const PlyProperty& property, std::vector<double>& corners) {
   const auto length = list_length(body, property);
   if (!length) return length.error();
@@ -205,7 +205,7 @@ Result<void> append_face(const std::vector<double>& list, Mesh& mesh, std::vecto
   return {};
 }
 
-/// Strips turn every other triangle over; -1 begins a new strip.
+/// In a strip every other triangle has the opposite orientation; -1 begins a new strip.
 Result<void> append_strips(const std::vector<double>& list, Mesh& mesh) {
   std::vector<std::uint32_t> strip;
   for (const double corner : list) {
@@ -236,7 +236,7 @@ Result<void> read_faces(PlyBody& body, const PlyElement& element, Mesh& mesh) {
     const PlyProperty& property = element.properties[p];
     if (!is_corner_list(element, property)) return skip(body, property);
     if (auto read = read_corners(body, property, list); !read) return read;
-    // What the list lacks is reported as damage of its element.
+    // Missing data are reported as damage of the element.
     if (!body.ok()) return {};
     auto appended = element.name == "face" ? append_face(list, mesh, corners) : append_strips(list, mesh);
     if (appended && mesh.triangles.size() > kMostTriangles)

@@ -70,7 +70,7 @@ Result<PlyProperty> property_in(std::string_view line) {
 }
 
 Result<PlyHeader> header_in(std::string_view text) {
-  // More than any program writes; a header made of noise ends here.
+  // Greater than in any real file; bounds the parsing of random data.
   constexpr std::size_t kMostElements = 64, kMostProperties = 256;
   PlyHeader header;
   bool has_format = false;
@@ -108,7 +108,7 @@ Result<PlyHeader> header_in(std::string_view text) {
   return invalid_input("has a header without an end");
 }
 
-/// Lines that hold more than white space.
+/// Number of lines that are not blank.
 std::uint64_t lines_in(std::string_view body) {
   std::uint64_t lines = 0;
   while (!body.empty()) {
@@ -155,7 +155,7 @@ Result<PlyHeader> parse_ply_header(std::span<const std::byte> file) {
   for (const PlyElement& element : header->elements) {
     const std::uint64_t each = ascii ? 1 : element.least_bytes();
     if (each == 0 && element.count > 0) return damaged_header();
-    // Counts are compared by division: their product may be larger than any number.
+    // Compared by division, since the product may overflow.
     if (each > 0 && element.count > (there - stated) / each)
       return invalid_input("is cut off: it holds less than its header states");
     stated += element.count * each;

@@ -16,7 +16,7 @@ Vec3 area_vector(std::span<const Vec3> vertices, std::span<const std::uint32_t> 
   return sum;
 }
 
-/// Positive where a to b to c turns as the face does.
+/// Positive if a, b, c turn in the same direction as the face.
 double turn(const Vec3& normal, const Vec3& a, const Vec3& b, const Vec3& c) {
   return dot(normal, cross(b - a, c - b));
 }
@@ -43,7 +43,7 @@ bool is_convex(std::span<const Vec3> vertices, std::span<const std::uint32_t> co
   return true;
 }
 
-/// The corner at which a quadrilateral is cut: its reflex one, else the first.
+/// The corner at which a quadrilateral is split: its reflex one, else the first.
 std::size_t cut_of(std::span<const Vec3> vertices, std::span<const std::uint32_t> corners) {
   const Vec3 normal = area_vector(vertices, corners);
   for (std::size_t k = 0; k < 4; ++k)
@@ -78,7 +78,7 @@ void append_triangles(std::span<const Vec3> vertices, std::span<const std::uint3
   while (ring.size() > 3) {
     const std::size_t n = ring.size();
     std::size_t ear = 0;
-    // A face that crosses itself has no ear: its first corner is cut all the same, so that none is lost.
+    // A self-intersecting face may have no ear: then its first corner is cut, so that no corner is lost.
     for (std::size_t k = 0; k < n; ++k)
       if (is_ear(vertices, ring, k, normal)) {
         ear = k;

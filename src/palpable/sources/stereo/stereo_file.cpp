@@ -19,7 +19,7 @@ using Bytes = std::span<const std::byte>;
 struct MpEntry {
   std::uint32_t attributes = 0;
   std::uint32_t size = 0;
-  /// From the multi-picture block's own start; 0 = the first picture of the file.
+  /// Relative to the start of the multi-picture block; 0 = the first picture of the file.
   std::uint32_t offset = 0;
 };
 
@@ -53,7 +53,7 @@ MpIndex stereo_entries(Bytes file) {
   return index;
 }
 
-/// The 32 bits behind "_JPSJPS_" and a length: separation, flags, layout, kind (VRex, 2000).
+/// The 32 bits after "_JPSJPS_" and a length: separation, flags, layout, kind (VRex, 2000).
 std::optional<std::uint32_t> jps_descriptor(Bytes file) {
   std::optional<std::uint32_t> found;
   visit_jpeg_segments(file, [&found](int marker, Bytes content) {
@@ -96,7 +96,7 @@ Image stretched(const Image& image, bool across) {
   const auto channels = static_cast<std::size_t>(image.channels);
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
-      // New pixel centres lie a quarter of an old pixel beside the old ones.
+      // New pixel centres are a quarter of an old pixel from the old ones.
       const int place = across ? x : y;
       const int most = (across ? image.width : image.height) - 1;
       const int near = place / 2;
