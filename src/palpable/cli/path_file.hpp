@@ -10,12 +10,12 @@
 
 namespace palpable::cli {
 
-/// The columns `wanted` of a CSV file. Errors: as parse_number_table(), with the file's name.
+/// Reads the columns `wanted` of a CSV file. Errors: as parse_number_table(), with the file's name.
 Result<NumberTable> read_number_table(const std::filesystem::path& file,
                                       std::span<const std::string_view> wanted);
 
-/// A path of the probe from a CSV with t_s, x_m, y_m, z_m. Errors: invalid_input, naming file, line and
-/// fault; times must rise.
+/// Reads a path of the probe from a CSV with t_s, x_m, y_m, z_m. Errors: invalid_input, naming the file, the
+/// line and the fault; times must increase.
 Result<std::vector<haptics::PathSample>> read_path(const std::filesystem::path& file);
 
 }  // namespace palpable::cli

@@ -12,7 +12,7 @@
 
 namespace palpable::cli {
 
-/// What is written beside the scene of a video.
+/// The outputs of a video in addition to its scene; empty = not written.
 struct VideoOutputs {
   /// Poses of the cameras, CSV.
   std::string poses;
@@ -23,17 +23,17 @@ struct VideoOutputs {
 };
 void add_video_outputs(Options& options, VideoOutputs& outputs);
 
-/// Whether these inputs are one film, or the folder of a sequence: --poses is then written, else read.
+/// Whether these inputs are one film, or the folder of a sequence. Then --poses is an output, else an input.
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 
-/// Whether all of them can be written, asked before any work is done. `files`: the inputs and every other
-/// file of the command line, none of which may be overwritten. Errors: usage for outputs where `video` is
-/// false (the input is none), for a file that is one of `files`, a folder that is missing or holds other
-/// files; failed where there is no room.
+/// Checks before any work that all outputs can be written. `files`: the inputs and all other files of the
+/// command line, which must not be overwritten. Errors: usage for outputs if `video` is false (the input is
+/// not a video), for a file that is one of `files`, for a folder that is missing or contains other files;
+/// failed if the disk is full.
 Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
                                  const std::vector<std::string>& files);
 
-/// Adds them to the files of the command, which appear together. Errors: failed, as AtomicFiles::add().
+/// Adds the outputs to the command's files, which appear together. Errors: failed, as AtomicFiles::add().
 Result<void> add_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction& video,
                                AtomicFiles& files);
 

@@ -9,7 +9,7 @@
 namespace palpable {
 
 AtomicFiles::~AtomicFiles() {
-  // What has no name yet must go first: a folder is removed only if it is empty.
+  // Unfinished files are removed first: only empty folders can be removed.
   files_.clear();
   for (auto folder = folders_.rbegin(); folder != folders_.rend(); ++folder) {
     std::error_code not_empty;

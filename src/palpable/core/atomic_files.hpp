@@ -12,8 +12,8 @@
 
 namespace palpable {
 
-/// Files that a command writes together: none has its name until all of them are on the disk. Destroyed
-/// without commit(): nothing has changed, also folders that were made are removed.
+/// Several files that a command writes together: none gets its name until all are on the disk. Without
+/// commit() the destructor undoes everything; folders that were created are removed.
 class AtomicFiles {
  public:
   AtomicFiles() = default;
@@ -21,17 +21,17 @@ class AtomicFiles {
   AtomicFiles& operator=(const AtomicFiles&) = delete;
   ~AtomicFiles();
 
-  /// Makes a folder for the next files, where there is none. Errors: failed, with the system's reason.
+  /// Creates a folder for the next files if it does not exist. Errors: failed, with the system's reason.
   Result<void> make_folder(const std::filesystem::path& folder);
-  /// Writes a file beside its place. Errors: as AtomicFile.
+  /// Writes a file under a temporary name, or without one. Errors: as AtomicFile.
   Result<void> add(const std::filesystem::path& path, std::span<const std::byte> bytes);
-  /// Renames all of them to their names. At most once, as the last call. Errors: as AtomicFile::commit(); the
-  /// files before that one are then there.
+  /// Renames all files to their names. At most once, as the last call. Errors: as AtomicFile::commit(); files
+  /// before the failed one are then in place.
   Result<void> commit();
 
  private:
   std::vector<AtomicFile> files_;
-  /// Made by this, the first one first.
+  /// Folders created by this object, in order.
   std::vector<std::filesystem::path> folders_;
 };
 

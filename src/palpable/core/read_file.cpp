@@ -26,7 +26,7 @@ Result<File> open_for_reading(const std::filesystem::path& path) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (std::filesystem::is_directory(status)) return invalid_input("is a folder, not a file", path.string());
-  // It may never end, or reading may change it.
+  // Reading a device may never end, or change its state.
   if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status))
     return invalid_input("is a device, not a file", path.string());
   File file(std::fopen(path.c_str(), "rbe"));
@@ -34,8 +34,8 @@ Result<File> open_for_reading(const std::filesystem::path& path) {
   return file;
 }
 
-/// Appends until the end of the file or until `limit` bytes are there. A pipe has no size, so it grows step
-/// by step.
+/// Reads until the end of the file or until `limit` bytes are read. A pipe has no size, so the buffer grows
+/// step by step.
 Result<std::vector<std::byte>> read_up_to(std::FILE* file, std::size_t limit,
                                           const std::filesystem::path& path) {
   constexpr std::size_t kStep = std::size_t{1} << 20U;
@@ -68,7 +68,7 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path, std:
   };
   if (!no_size && size > max_bytes) return too_large();
   const auto limit = static_cast<std::size_t>(no_size ? max_bytes : size);
-  // One byte more than allowed shows a file that grows, or a pipe that goes on.
+  // Reading one byte more than allowed detects a growing file and an endless pipe.
   auto bytes = read_up_to(file->get(), limit + 1, path);
   if (bytes && bytes->size() > max_bytes) return too_large();
   return bytes;

@@ -12,18 +12,18 @@
 
 namespace palpable {
 
-/// No input file is read whole beyond this; recordings and videos are streamed instead.
+/// Largest size of an input file that is read into memory; recordings and videos are streamed instead.
 inline constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1} << 30U;
 
-/// A pipe states no size, and may never end: less is read from it.
+/// Largest number of bytes that is read from a pipe, which has no size and may never end.
 inline constexpr std::uintmax_t kMaxPipeBytes = std::uintmax_t{256} << 20U;
 
-/// Of a text: a table, a list or a description, which takes several times its size in memory.
+/// Largest size of a text (a table, a list or a description), which needs several times its size in memory.
 inline constexpr std::uintmax_t kMaxTextBytes = std::uintmax_t{256} << 20U;
 
-/// The whole content of a regular file (or a pipe). Its size is checked before memory is taken. Errors:
-/// invalid_input, with the system's reason: missing, a folder or a device, not permitted, larger than
-/// max_bytes (a pipe: than kMaxPipeBytes too).
+/// Reads a regular file or a pipe. The size is checked before memory is allocated. Errors (invalid_input,
+/// with the system's reason): missing, a folder or a device, permission denied, larger than max_bytes (for a
+/// pipe also kMaxPipeBytes).
 Result<std::vector<std::byte>> read_file(const std::filesystem::path& path,
                                          std::uintmax_t max_bytes = kMaxFileBytes);
 
@@ -31,7 +31,7 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path,
 Result<std::string> read_text_file(const std::filesystem::path& path,
                                    std::uintmax_t max_bytes = kMaxTextBytes);
 
-/// Its first bytes, at most `count`: enough to recognise it by content. Errors as read_file().
+/// Reads at most the first `count` bytes, to recognise the format. Errors as read_file().
 Result<std::vector<std::byte>> read_file_start(const std::filesystem::path& path, std::size_t count);
 
 }  // namespace palpable

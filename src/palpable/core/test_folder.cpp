@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Linked into every test program: testing::TempDir() and the system's folder for temporary files are a folder
-// of the program's own, which is removed when it ends.
+// Linked into every test program. It gives the program its own temporary folder, used by testing::TempDir()
+// and by the system's functions, and removes the folder at the end.
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -23,7 +23,7 @@ class TestFolder {
     setenv("TMPDIR", name.c_str(), 1);
   }
   ~TestFolder() {
-    // A forked process that ends leaves it to its parent.
+    // A forked process leaves the folder to its parent.
     if (path_.empty() || getpid() != owner_) return;
     std::error_code in_use;
     std::filesystem::remove_all(path_, in_use);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kAhead = std::size_t{1} << 15U;
 constexpr auto kReadPeriod = std::chrono::milliseconds(100);
 
-/// How a recording that holds a tick, and in which nothing is damaged, ends. One that was interrupted is good.
+/// The end of a recording, checked to contain a tick and not to be damaged. A truncated recording is valid.
 Result<RecordingEnd> end_of(const std::string& file) {
   const auto reader = RecordingReader::open(file);
   if (!reader) return reader.error();
@@ -36,7 +36,7 @@ Result<RecordingEnd> end_of(const std::string& file) {
 
 ReplayDevice::ReplayDevice(std::unique_ptr<RecordingReader> reader, const Traits& traits)
     : traits_(traits), reader_(std::move(reader)), ahead_(kAhead) {
-  // Full before the first tick, whatever the machine's load.
+  // Filled before the first tick, so that the machine's load does not matter.
   fill();
   thread_ = std::thread([this] { read_ahead(); });
 }
@@ -53,7 +53,7 @@ void ReplayDevice::read_ahead() {
   }
 }
 
-/// Until the ring is full or the recording ends.
+/// Reads until the ring is full or the recording ends.
 void ReplayDevice::fill() {
   while (true) {
     while (piece_ == nullptr || next_ == piece_->ticks.size()) {

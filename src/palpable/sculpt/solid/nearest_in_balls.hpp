@@ -11,9 +11,9 @@
 
 namespace palpable::sculpt {
 
-/// How sources made of triangles use their hints.
+/// Use of hints in sources made of triangles.
 inline void enter_ball(const TriangleTree& tree, Vec3 centre_m, double radius_m, DistanceSource::Hint& hint) {
-  // A shorter list would cost more than the queries in the smaller ball save.
+  // Making a shorter list would cost more than it saves.
   constexpr std::size_t kShort = 12;
   if (hint.entered > 0) {
     TriangleShortlist& last = hint.balls[hint.entered - 1];
@@ -38,20 +38,19 @@ inline NearestTriangle nearest_in_ball(const TriangleTree& tree, Vec3 p, const D
   return hint.entered == 0 ? tree.nearest(p, hint.triangle)
                            : tree.nearest(p, hint.triangle, hint.balls[hint.entered - 1]);
 }
-/// Decides by the winding number whether places are inside a mesh.
+/// Tests by the winding number whether points are inside a mesh.
 struct InsideTest {
   const TriangleTree& tree;
-  /// Parts of the mesh thinner than this, such as a sheet and its other face, are no solid, although the
-  /// winding number between their faces is not 0, and in their plane has no value. 0: there are no such
-  /// parts.
+  /// Parts of the mesh thinner than this, such as a sheet and its reverse side, are not solid, although the
+  /// winding number between their faces is not 0 and is undefined in their plane. 0: there are no such parts.
   double thinnest_m = 0.0;
 
-  /// `surface_m`: the distance of the solid's surface from `p`, > 0.
+  /// `surface_m`: the distance from `p` to the solid's surface, > 0.
   bool contains(Vec3 p, double surface_m) const {
     constexpr std::uint32_t kNone = 0xFFFFFFFFU;
     if (!(thinnest_m > 0.0) || !tree.any_within(p, thinnest_m, kNone)) return tree.winding(p) > 0.5;
-    // The same side of the surface, beyond the sheet: most of four corners of a tetrahedron that is aligned
-    // with no axis.
+    // Points on the same side of the surface, beyond the sheet: the majority of four corners of a tetrahedron
+    // that is not aligned with any axis.
     constexpr double kBeyond = 5.0;
     constexpr std::array kCorners{Vec3{0.441, 0.637, 0.633}, Vec3{0.605, -0.17, -0.778},
                                   Vec3{-0.859, 0.395, -0.326}, Vec3{-0.187, -0.862, 0.471}};
@@ -62,20 +61,20 @@ struct InsideTest {
   }
 };
 
-/// Whether a place is inside: as one of the last places, if that is nearer than any surface, else by the
-/// winding number. `surface_m`: its distance from the surface.
+/// Whether a point is inside: the same as at a previous point if that is nearer than any surface, else by the
+/// winding number. `surface_m`: the point's distance from the surface.
 inline bool is_behind(const InsideTest& solid, Vec3 p, double surface_m, const DistanceSource::Hint& hint) {
   for (const auto& last : hint.last)
     if (squared_norm(p - last.place_m) < 0.99 * last.distance_m * last.distance_m)
       return last.distance_m < 0.0;
   return solid.contains(p, surface_m);
 }
-/// Whether a place is inside, decided by `normal` where it is nearest to a closed surface, on the `way` from
-/// there.
+/// Whether a point is inside, by the `normal` at the nearest point of a closed surface and the vector `way`
+/// from there.
 inline bool is_behind(const InsideTest& solid, Vec3 p, Vec3 way, Vec3 normal,
                       const DistanceSource::Hint& hint) {
-  // The nearest place is known to a few parts in ten thousand: a normal nearly at right angles decides
-  // nothing.
+  // The nearest point is accurate to a few parts in ten thousand, so a normal nearly orthogonal to `way`
+  // decides nothing.
   constexpr double kTelling = 0.1;
   const double height = dot(way, normal);
   if (height * height > kTelling * kTelling * squared_norm(way) * squared_norm(normal)) return height < 0.0;

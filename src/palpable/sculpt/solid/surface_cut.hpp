@@ -12,25 +12,25 @@ namespace palpable::sculpt {
 
 /// The surface of the solid in which a mesh's winding number is at least one.
 struct SolidSurface {
-  /// Triangles facing outwards. Those that others cross are cut along the crossing lines, so corners may
-  /// lie on other triangles' edges.
+  /// Triangles facing outwards. Triangles that cross others are cut along the crossing lines, so corners may
+  /// be on edges of other triangles.
   Mesh mesh;
-  /// Triangles of the mesh that have the solid on both of their sides, or on none.
+  /// Number of triangles of the mesh with the solid on both sides or on none.
   std::size_t inner = 0;
 };
 
-/// Thinner parts of a mesh are no solid, as a share of the diagonal of its box: 0.4 um in 200 mm. Both sides
-/// of a triangle are tested at half of this distance from it; files in single precision are exact to a
-/// thirtieth.
+/// Parts of a mesh that are thinner than this share of the diagonal of its box are not solid: 0.4 um in 200
+/// mm. Both sides of a triangle are tested at half of this distance from it; the rounding of single-precision
+/// files is a thirtieth of it.
 inline constexpr double kThinnestSolid = 4e-6;
 
-/// Whether the solid lies behind every triangle and nothing before it, by the winding number: then the mesh
-/// is its solid's surface already. Tested at the centre of each triangle; for those from `first_added` on,
-/// and for all that are near them, at six more places. `tree` holds the mesh. All threads; polls cancel.
+/// Whether the solid is behind every triangle and not in front of it, by the winding number: then the mesh
+/// already is the solid's surface. Tested at the centre of each triangle; for those from `first_added` on,
+/// and for all near them, at six more points. `tree` contains the mesh. All threads; polls cancel.
 bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t first_added, const Work& work);
 
-/// Leaves out what lies inside the solid. `tree` holds the mesh. Pieces smaller than `finest_m` are not cut
-/// further. Long work: all threads, polls cancel (then the surface is not whole).
+/// Removes the triangles inside the solid. `tree` contains the mesh. Pieces smaller than `finest_m` are not
+/// cut further. Long work: all threads, polls cancel (then the surface is incomplete).
 SolidSurface surface_of(const Mesh& mesh, const TriangleTree& tree, double finest_m, const Work& work);
 
 }  // namespace palpable::sculpt

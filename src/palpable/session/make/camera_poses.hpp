@@ -11,10 +11,10 @@
 
 namespace palpable::session {
 
-/// Where a camera was, by the number of the frame.
+/// Camera poses by frame number.
 using CameraPoses = std::map<long, Transform<models::InputFrame, CameraFrame>>;
 
-/// The poses of a CSV file with the columns frame, qw, qx, qy, qz, tx, ty, tz (world from camera, unit
+/// Reads the poses of a CSV file with the columns frame, qw, qx, qy, qz, tx, ty, tz (world_from_camera, unit
 /// quaternions). Errors: invalid_input, naming the file.
 Result<CameraPoses> read_camera_poses(const std::filesystem::path& file);
 
