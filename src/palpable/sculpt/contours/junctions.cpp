@@ -25,8 +25,8 @@ Raster<std::uint8_t> dilated(const Raster<float>& line, int by) {
   return thick;
 }
 
-/// Counts the directions in which the lines reach a circle from its centre without leaving it: arcs that are
-/// closer than `apart_rad` to the one before are one direction.
+/// Counts the directions in which lines lead from a circle's centre to the circle within it. Arcs closer than
+/// `apart_rad` to the previous one count as one direction.
 class BranchCounter {
  public:
   BranchCounter(const Raster<std::uint8_t>& lines, int radius, double apart_rad)
@@ -109,8 +109,8 @@ class BranchCounter {
   std::vector<std::pair<int, int>> todo_;
 };
 
-/// Removes the candidates that are connected with one of them (at most `apart_px` apart) from `parts`, as one
-/// junction.
+/// Removes the candidates that are connected with one of them (at most `apart_px` apart) from `parts`, and
+/// returns them as one junction.
 Junction taken_off(Raster<std::uint8_t>& parts, int x, int y, int apart_px) {
   Junction sum;
   int count = 0;
@@ -155,7 +155,7 @@ std::vector<Junction> find_junctions(const Raster<float>& line, const JunctionOp
   PALPABLE_CHECK(check_ranges(options));
   const auto lines = dilated(line, options.bridged_px);
   BranchCounter branches(lines, options.radius_px, options.least_angle_degrees * std::numbers::pi / 180.0);
-  // How many lines leave each candidate, 0 elsewhere.
+  // Number of lines that leave each candidate, 0 elsewhere.
   Raster<std::uint8_t> parts(line.width(), line.height(), 0);
   for (int y = 0; y < line.height(); ++y)
     for (int x = 0; x < line.width(); ++x)

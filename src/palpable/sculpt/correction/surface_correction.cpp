@@ -210,7 +210,7 @@ Mesh CorrectedSurface::adapted() const {
 }
 
 Mesh CorrectedSurface::changed() const {
-  // The moved samples and their neighbours: all triangles around them change, or their normals do.
+  // The moved samples and their neighbours: all triangles around them, or the normals of these, change.
   std::vector<bool> is_near(predicted.vertices_m.size());
   for (const Moved& m : moved) {
     is_near[m.sample] = true;
@@ -229,7 +229,7 @@ Mesh CorrectedSurface::changed() const {
     }
     now.triangles.push_back(t);
   }
-  // The same triangles a second time, with the moved samples at their earlier places.
+  // The same triangles once more, with the moved samples at their earlier positions.
   const auto vertices = static_cast<std::uint32_t>(now.vertices_m.size());
   const std::size_t triangles = now.triangles.size();
   now.vertices_m.resize(2 * std::size_t{vertices});

@@ -40,7 +40,7 @@ double bytes_of(const Lattice& lattice, DenseContent content) {
   return static_cast<double>(sizeof(float) * models::floats_of(content)) * places;
 }
 
-/// Calls each(z) for every layer of places, on all threads.
+/// Calls each(z) for every layer of points, on all threads.
 template <class Each>
 Result<void> for_layers(const Lattice& lattice, std::string_view what, const Work& work, const Each& each) {
   std::atomic<int> done{0};
@@ -62,7 +62,7 @@ Result<std::vector<float>> exact_distances(const DistanceSource& source, const L
     DistanceSource::Hint hint;
     for (int y = 0; y < lattice.counts[1]; ++y)
       for (int k = 0; k < lattice.counts[0]; ++k) {
-        // There and back, so that a place is near the last one.
+        // In alternating directions, so that each point is near the previous one.
         const int x = y % 2 == 0 ? k : lattice.counts[0] - 1 - k;
         values[lattice.index(x, y, z)] =
             static_cast<float>(source.at(lattice.place_m(x, y, z), hint).distance_m);
@@ -72,11 +72,11 @@ Result<std::vector<float>> exact_distances(const DistanceSource& source, const L
   return values;
 }
 
-/// The exact distance within a cell of the surface, which lets a front begin on both its sides.
+/// Computes the exact distance within a cell of the surface, from which the front starts on both sides.
 Result<Front> front_of(const DistanceSource& source, const Lattice& lattice, const Work& work) {
   constexpr int kBlock = 8;
-  // A little more than a cell: a source's distance is exact to less than a thousandth, and where faces run
-  // along the lattice both their sides must be known.
+  // Slightly more than a cell: a source's distance has an error of less than a thousandth, and where faces
+  // are parallel to the lattice both their sides must be known.
   constexpr double kBand = 1.01;
   Front front{lattice, std::vector<float>(4 * lattice.places()), {}};
   std::vector<std::uint8_t> known(lattice.places());

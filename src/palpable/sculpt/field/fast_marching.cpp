@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t kFloats = 4;
 
-/// A known neighbour that the front may come from.
+/// A known neighbour from which the front may arrive.
 struct Neighbour {
   double distance_m = 0.0;
   std::size_t index = 0;
 };
 
-/// The known neighbours of a place, one an axis, the nearer of two; the nearest first.
+/// The known neighbours of a point, the nearer one on each axis; sorted by distance.
 class Upwind {
  public:
   void add(const Neighbour& neighbour) {
@@ -31,7 +31,7 @@ class Upwind {
     neighbours_[at] = neighbour;
   }
 
-  /// Sum over the neighbours below d of (d - d_i)^2 = h^2, of as many as that holds for.
+  /// Solves sum of (d - d_i)^2 = h^2 over as many of the nearest neighbours as have d_i < d.
   double solve(double spacing_m) {
     double sum = 0.0, squares = 0.0, solved = 0.0;
     std::size_t used = 0;
@@ -90,7 +90,7 @@ class March {
  private:
   float* at(std::size_t index) { return front_.values.data() + kFloats * index; }
 
-  /// Calls use(axis, neighbour's index) for each of up to six.
+  /// Calls use(axis, index) for each of up to six neighbours.
   template <class Use>
   void each_neighbour(std::size_t index, const Use& use) const {
     const std::array<std::size_t, 3> place{
@@ -135,7 +135,7 @@ class March {
       force += (d - upwind[i].distance_m) * Vec3{static_cast<double>(other[1]), static_cast<double>(other[2]),
                                                  static_cast<double>(other[3])};
     }
-    // Where fronts from opposite sides meet, the nearest surface's.
+    // Where fronts from opposite sides meet, that of the nearest surface.
     const float* nearest = at(upwind[0].index);
     constexpr double kOpposite = 1e-3;
     if (norm(force) < kOpposite * front_.lattice.spacing_m)
@@ -152,7 +152,7 @@ class March {
   using Waiting = std::pair<float, std::uint32_t>;
   Front& front_;
   std::array<int, 3> counts_;
-  /// From a place to the next one along each axis.
+  /// Index offset to the next point along each axis.
   std::array<std::size_t, 3> steps_{};
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
 };

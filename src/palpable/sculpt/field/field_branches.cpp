@@ -20,14 +20,15 @@ using models::FieldGrid;
 using models::FieldSample;
 using models::FieldTree;
 
-/// A source's samples on a root cell's lattice, half a finest cell apart, shared by neighbouring cells and by
-/// all levels of the tree. A cache of fixed size: what was replaced is sampled again.
+/// Cache of a source's samples on a root cell's lattice, half a finest cell apart, shared by neighbouring
+/// cells and all levels of the tree. Its size is fixed: replaced samples are computed again.
 class SharedSamples {
  public:
   SharedSamples(const DistanceSource& source, const Earlier* earlier)
       : source_(source), earlier_(earlier), slots_(earlier == nullptr ? kSlots : kSlots / 4) {}
 
-  /// A new lattice of `count` places along each axis; its first lies at `from_grid_m` from the grid's origin.
+  /// Starts a new lattice of `count` points along each axis; the first one is at `from_grid_m` from the
+  /// grid's origin.
   void begin(const FieldGrid& grid, Vec3 from_grid_m, int count) {
     const double step_m = 0.5 * grid.cell_m;
     from_grid_m_ = from_grid_m;
@@ -39,7 +40,7 @@ class SharedSamples {
   }
   struct Answer {
     FieldSample sample;
-    /// Whether the place is nearest to what changed since the earlier field.
+    /// Whether the nearest surface point belongs to the change since the earlier field.
     bool changed = false;
     double coarse_m = 0.0, coarse_turn = 0.0;
   };
@@ -59,18 +60,18 @@ class SharedSamples {
     }
     return slot.answer;
   }
-  /// All places lie in this ball until it is left.
+  /// All points are in this ball until leave().
   void enter(Vec3 centre_from_grid_m, double radius_m) {
     source_.enter(origin_m_ - from_grid_m_ + centre_from_grid_m, radius_m, hint_);
   }
   void leave() { source_.leave(hint_); }
-  /// Since the lattice's begin.
+  /// Since the start of the lattice.
   double greatest_difference_m() const { return hint_.greatest_difference_m; }
-  /// At any place from the lattice's first.
+  /// The sample at any point relative to the lattice's first one.
   FieldSample between(Vec3 from_first_m) { return source_.at(origin_m_ + from_first_m, hint_); }
 
  private:
-  /// In bricks of 4 x 4 x 4 places: those of one cell lie near each other in memory.
+  /// Index in bricks of 4 x 4 x 4 points, so that the points of a cell are near each other in memory.
   std::uint64_t index_of(std::array<int, 3> place) const {
     const auto at = [&](std::size_t axis) { return static_cast<std::uint64_t>(place[axis]); };
     const std::uint64_t brick = (at(2) / kBrick * bricks_ + at(1) / kBrick) * bricks_ + at(0) / kBrick;
@@ -80,7 +81,7 @@ class SharedSamples {
   /// A power of two.
   static constexpr std::size_t kSlots = std::size_t{1} << 19U;
   struct alignas(64) Slot {
-    /// The lattice's number, from 1, and the place in it: what an earlier lattice left is never taken.
+    /// The lattice's number, from 1, and the point in it, so that samples of earlier lattices are not used.
     std::uint64_t key = 0;
     Answer answer;
   };
@@ -95,7 +96,7 @@ class SharedSamples {
   std::vector<Slot> slots_;
 };
 
-/// Copies an entry and all below it.
+/// Copies an entry and its subtree.
 std::uint32_t copied(const FieldTree& tree, std::uint32_t entry, Branch& branch) {
   if ((entry & FieldTree::kLeaf) != 0) {
     const std::uint32_t* words = &tree.words[entry & ~FieldTree::kLeaf];
@@ -117,11 +118,11 @@ class BranchBuilder {
   BranchBuilder(const DistanceSource& source, const FieldGrid& grid, const FitBounds& bounds,
                 const Earlier* earlier, const Work& work)
       : grid_(grid), bounds_(bounds), earlier_(earlier), work_(work), shared_(source, earlier) {
-    // A cell on the surface is never larger than this: small details could lie between its samples.
+    // Largest size of a cell on the surface: larger ones could miss small details between their samples.
     longest_on_surface_ = std::max(1, (1 << grid.levels) / 2);
   }
 
-  /// Builders may be used for one root cell after another.
+  /// Builds the branch of a root cell. A builder may be used for several root cells in turn.
   Branch build(std::array<int, 3> corner, std::size_t root) {
     Branch branch;
     if (earlier_ != nullptr) {
@@ -151,7 +152,7 @@ class BranchBuilder {
     samples.centre_m = place_of(corner) + Vec3{samples.half_m, samples.half_m, samples.half_m};
     if (was != kNone && earlier_->is_far(samples.centre_m, samples.half_m))
       return copied(earlier_->tree, was, branch);
-    // Round the cell's corners, and a little for the places' rounding.
+    // Includes the cell's corners and a margin for rounding.
     shared_.enter(samples.centre_m, 1.7321 * samples.half_m);
     const std::uint32_t entry = build_within(samples, corner, level, was, branch);
     shared_.leave();
@@ -174,7 +175,7 @@ class BranchBuilder {
       if (changed == 0 && whole) return copied(earlier_->tree, was, branch);
       if (changed < kFitPlaces && !whole) return split(corner, level, was, branch);
     }
-    // Half the diagonal of a cube, and a little.
+    // Half the diagonal of a cube, with a margin.
     constexpr std::size_t kCentre = kFitPlaces / 2;
     const bool on_surface = std::abs(samples.at[kCentre].distance_m) < 1.8 * samples.half_m;
     if (on_surface && side > longest_on_surface_ && !work_.cancelled())
@@ -189,7 +190,7 @@ class BranchBuilder {
     return begin | FieldTree::kLeaf;
   }
 
-  /// A place of the fit in half cells from the root's corner.
+  /// A sample point of the fit in half cells from the root's corner.
   std::array<int, 3> lattice_place(std::array<int, 3> corner, int side, Vec3 u) const {
     const auto along = [&](std::size_t axis, double v) {
       return 2 * (corner[axis] - root_[axis]) + side * (1 + static_cast<int>(v));
@@ -211,9 +212,9 @@ class BranchBuilder {
     return node;
   }
 
-  /// Asks at places between those of the fit, where something small may hide: many near the surface, a few
-  /// elsewhere, where what is small has no distance of its own. They may err a little more: the bound was
-  /// judged at the others.
+  /// Tests the leaf at points between those of the fit, to find small details: many near the surface, a few
+  /// elsewhere, where small details have little effect. The allowed error is slightly larger, since the bound
+  /// was tested at the other points.
   bool holds_between(const LeafFit& leaf, const CellSamples& samples) {
     constexpr std::array<Vec3, 9> kBetween{{{0.4, -0.45, 0.35},
                                             {0.6, 0.56, 0.52},
@@ -224,7 +225,7 @@ class BranchBuilder {
                                             {-0.66, 0.62, -0.7},
                                             {0.66, -0.68, -0.64},
                                             {-0.62, -0.7, -0.66}}};
-    // Edges are allowed less: the rounding of the edge adds to the error.
+    // Edges have a smaller allowance, since the rounding of the edge adds to the error.
     const bool has_edge = models::LeafHead{leaf.words[0]}.pieces() > 1;
     const double slack = has_edge ? 1.1 : 1.5;
     constexpr std::ptrdiff_t kFew = 4;
@@ -238,7 +239,7 @@ class BranchBuilder {
     const auto end = is_near ? kBetween.end() : kBetween.begin() + kFew;
     if (!std::all_of(kBetween.begin(), end, holds_at)) return false;
     if (!is_near) return true;
-    // In large cells the places of the fit are far apart: where there is one edge, another could cut off a
+    // In large cells the sample points are far apart: where there is one edge, another one could cut off a
     // part between them.
     const int side = static_cast<int>(std::lround(2.0 * samples.half_m / grid_.cell_m));
     const int more = has_edge && side >= kLarge ? kMorePerCell * side : 0;
@@ -247,7 +248,7 @@ class BranchBuilder {
     return true;
   }
   static constexpr int kLarge = 4, kMorePerCell = 8;
-  /// The i-th of places that fill a cell evenly, however many are taken (Roberts 2018: the sequence R3).
+  /// The i-th point of a sequence that fills a cell evenly for any number of points (Roberts 2018: R3).
   static Vec3 spread_place(int i) {
     const auto along = [&](double step) {
       const double v = 0.5 + i * step;
@@ -256,7 +257,7 @@ class BranchBuilder {
     return {along(0.8191725133961645), along(0.6710436067037893), along(0.5497004779019703)};
   }
 
-  /// Far from the surface small details do not matter: there cells stay larger.
+  /// Far from the surface small details do not matter, so cells stay larger.
   int smallest_side(const CellSamples& samples) const {
     double nearest_m = std::numeric_limits<double>::infinity();
     bool outside = true;
@@ -269,7 +270,7 @@ class BranchBuilder {
     return std::max(2, static_cast<int>(0.25 * nearest_m / grid_.cell_m));
   }
 
-  /// No node has this number: there are fewer than 2^31.
+  /// Not an index of a node, since there are fewer than 2^31.
   static constexpr std::uint32_t kNone = FieldTree::kLeaf - 1;
   const FieldGrid& grid_;
   const FitBounds& bounds_;
@@ -281,7 +282,7 @@ class BranchBuilder {
   int longest_on_surface_ = 1;
 };
 
-/// Estimates the total size from the root cells that are done, which are spread over the solid.
+/// Estimates the total size from the finished root cells, which are distributed over the solid.
 class SizeEstimate {
  public:
   SizeEstimate(int count, std::size_t most_bytes)
@@ -296,7 +297,8 @@ class SizeEstimate {
     squares_ += bytes * bytes;
     const double mean = sum_ / done_;
     const double variance = std::max(0.0, squares_ / done_ - mean * mean) * (count_ - done_) / count_;
-    // Root cells differ a hundredfold: the estimate needs enough of them, and its standard error counts.
+    // Sizes of root cells differ by a factor of a hundred, so the estimate needs enough of them and includes
+    // its standard error.
     constexpr double kLeast = 64.0, kSure = 4.0;
     const double least = count_ * (mean - kSure * std::sqrt(variance / done_));
     if (sum_ > most_bytes_ || (done_ >= kLeast && least > most_bytes_)) too_much_ = true;
@@ -319,7 +321,7 @@ class SizeEstimate {
   std::atomic<bool> too_much_{false};
 };
 
-/// A step that visits each of `count` root cells once, the first ones spread over all.
+/// A step size that visits each of `count` root cells once; the first visited ones are distributed over all.
 int spread_step(int count) {
   constexpr double kGolden = 0.618034;
   int step = std::max(1, static_cast<int>(kGolden * count));
@@ -339,7 +341,8 @@ Result<std::vector<Branch>> branches_of(const DistanceSource& source, const Fiel
   SizeEstimate estimate(count, options.most_bytes);
   const std::int64_t step = spread_step(count);
   std::mutex reporting;
-  // Roots differ a hundredfold in work: each thread takes the next one when it is ready.
+  // The work for root cells differs by a factor of a hundred, so each thread takes the next one when it is
+  // ready.
   parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
     if (begin == end) return;
     BranchBuilder builder(source, grid, bounds, earlier, work);
@@ -384,7 +387,7 @@ std::uint32_t Joiner::kept(std::uint32_t entry) {
     }
     return node;
   }
-  // What was shared stays shared.
+  // Shared words stay shared.
   std::uint32_t& went = kept_words_[entry & ~FieldTree::kLeaf];
   if (went == 0) {
     const std::uint32_t* words = &earlier_->words[entry & ~FieldTree::kLeaf];
@@ -398,7 +401,7 @@ FitBounds bounds_for(double longest_m, double cell_m, const FieldOptions& option
   FitBounds bounds;
   bounds.cell_m = cell_m;
   bounds.bound_m = options.max_error_m > 0.0 ? options.max_error_m : 1e-4 * longest_m;
-  // A hand's depths on a scene of a hand's size; of a smaller scene they would be all of it and more.
+  // Depths that a hand reaches, limited to shares of the size for small and large scenes.
   bounds.inside_m = std::clamp(options.inside_m, 0.03 * longest_m, 0.15 * longest_m);
   bounds.outside_m = std::clamp(options.outside_m, 0.01 * longest_m, 0.05 * longest_m);
   return bounds;

@@ -88,7 +88,7 @@ Result<DistanceField> field_from_source(const DistanceSource& source, const Fiel
   auto branches = branches_of(source, grid, bounds, options, nullptr, work);
   if (!branches) return branches.error();
   Joiner joiner;
-  // Given back one by one: together they take more than the tree.
+  // Freed one by one, since together they take more memory than the tree.
   for (Branch& branch : *branches) {
     joiner.add(branch);
     branch = {};

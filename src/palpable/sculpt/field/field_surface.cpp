@@ -10,7 +10,7 @@
 namespace palpable::sculpt {
 namespace {
 
-/// A place on the surface in every block that may hold some: from its middle along the gradient.
+/// A point on the surface in every block that may contain some: from its centre along the gradient.
 template <models::DistanceSurface Distance>
 std::vector<Vec3> seeds_of(const Distance& field, double block_m) {
   const Vec3 size = field.size_m();

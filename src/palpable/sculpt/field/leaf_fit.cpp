@@ -23,7 +23,7 @@ using models::HalfAngle;
 using models::LeafHead;
 using models::Meeting;
 
-/// One piece, in the form that leaves keep.
+/// One piece, in the form in which leaves store it.
 struct Piece {
   bool curved = false;
   std::array<std::uint32_t, 6> words{};
@@ -32,10 +32,10 @@ struct Piece {
 
 std::uint32_t word(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value)); }
 
-/// The tangent plane of a sample. Coarsely rounded, so that leaves over the same face hold the same words.
+/// The tangent plane of a sample, rounded so that leaves over the same face have the same words.
 Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
   const FieldSample& s = samples.at[k];
-  // Adding zero makes one zero of both.
+  // Adding zero turns -0 into 0.
   const auto rounded = [](double v, double step) { return std::round(v / step) * step + 0.0; };
   constexpr double kDirectionStep = 1.0 / (1 << 20);
   const Vec3 n{rounded(s.gradient.x, kDirectionStep), rounded(s.gradient.y, kDirectionStep),
@@ -47,7 +47,8 @@ Piece plane_through(const CellSamples& samples, std::size_t k, double cell_m) {
   return piece;
 }
 
-/// Rounded as far as the leaf's size allows: what is judged is what is kept, and round numbers pack better.
+/// Quantised as the leaf's size allows: the tested values are the stored ones, and rounded numbers compress
+/// better.
 Piece quadratic_of(const Quadratic& c, double half_m, double cell_m) {
   const double value_step = cell_m / LeafHead::kValuesPerCell / half_m;
   const int level = std::ilogb(1.01 * 2.0 * half_m / cell_m);
@@ -65,7 +66,7 @@ Piece quadratic_of(const Quadratic& c, double half_m, double cell_m) {
   return piece;
 }
 
-/// A quadratic as a compact leaf; nothing where it does not fit into one.
+/// A quadratic as a compact leaf; nullopt if it does not fit into one.
 std::optional<LeafFit> compact_leaf_of(const Quadratic& c) {
   models::CompactQuadratic compact;
   const auto steps = [](double value, double step) {
@@ -103,8 +104,8 @@ LeafFit leaf_of(std::span<const Piece> pieces, std::span<const Meeting> meetings
   return leaf;
 }
 
-/// Samples whose directions differ most: those of the faces that meet, for the directions of the fan over
-/// their edge lie between.
+/// The samples whose directions differ most. They belong to the adjacent faces, since the directions of the
+/// fan at their edge are in between.
 struct Extremes {
   std::size_t a = 0, b = 0, c = 0;
   double ab = 0.0, c_from_both = 0.0;
@@ -176,9 +177,9 @@ class Search {
     if (errors_.is_finest()) keep_closest(leaf);
     return false;
   }
-  /// A finest cell whose best leaf errs by more than the rounding of an edge does takes the leaf that is
-  /// nearest to the true distance: where many faces meet, none has the gradient right everywhere, and the one
-  /// that errs least in it may be far off. In finest cells.
+  /// If the best leaf of a finest cell has an error larger than the rounding of an edge, the leaf nearest to
+  /// the true distance is used: where many faces meet, no leaf has the right gradient everywhere, and the one
+  /// with the least gradient error may have a large distance error. In finest cells.
   static constexpr double kTooFar = 0.3;
   void keep_closest(LeafFit leaf) {
     const double greatest_m = errors_.greatest_m(leaf, closest_m_);
@@ -187,9 +188,9 @@ class Search {
     leaf.error = std::max(leaf.error, 1.0 + 1e-9);
     closest_ = leaf;
   }
-  /// Where many faces meet, those whose directions differ most need not be those of the surface: of all
-  /// planes that the samples lie in, the most frequent ones, each two and each three of them; and one smooth
-  /// piece through everything.
+  /// Where many faces meet, the most different directions need not be those of the surface. So the most
+  /// frequent planes of the samples are tried, in pairs and triples, and one smooth piece through all
+  /// samples.
   void try_all_planes() {
     keep_closest(quadratic_leaf());
     std::vector<std::pair<int, Piece>> planes;
@@ -227,7 +228,7 @@ class Search {
           keep_closest(leaf_of(pieces, std::array{m, n}));
     }
   }
-  /// Which of the two comes first is no matter: one order makes equal leaves of equal pieces.
+  /// The order of the two does not matter; a fixed order gives equal leaves for equal pieces.
   bool try_pair(Piece a, Piece b) {
     const HalfAngle half = models::half_angle_between(a.normal, b.normal);
     if (!have_distinct_normals(half)) return false;
@@ -252,7 +253,7 @@ class Search {
     const Piece b = quadratic(quadratic_through(samples_, by_b));
     return try_pair(a, b);
   }
-  /// Which two of three meet first.
+  /// Which two of three pieces are joined first.
   static constexpr std::array<std::array<std::size_t, 3>, 3> kOrders{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
   static bool corner_has_distinct_normals(const std::array<Piece, 3>& p) {
     return have_distinct_normals(models::half_angle_between(p[0].normal, p[1].normal)) &&

@@ -61,7 +61,7 @@ class Fit {
   Quadratic right_{};
 };
 
-/// The rows of one place: what value and gradient there say.
+/// The rows of one sample point: its value and its gradient.
 std::array<Quadratic, 4> rows_at(std::size_t k) {
   const Vec3 u = fit_place(k);
   const auto rows = gradient_rows(u);

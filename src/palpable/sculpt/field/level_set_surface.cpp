@@ -49,12 +49,12 @@ class Sampler {
     return sum;
   }
 
-  /// Without a gradient: a grid has rounded its edges already, and its gradients would only fold the surface.
+  /// Without a gradient: a grid has rounded its edges already, so gradients could only fold the surface.
   models::FieldSample sample(Vec3 p) const { return {at(p), {}}; }
 
  private:
-  /// Where there is no block, there is no surface: what lies there is as the nearest place of a block beside
-  /// it.
+  /// There is no surface where there is no block: points there get the sign of the nearest sample of an
+  /// adjacent block.
   void note_inside(const LevelSet::Block& block) {
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
@@ -68,7 +68,7 @@ class Sampler {
         }
   }
   static int floor(double x) { return static_cast<int>(std::floor(x)); }
-  /// Corners lie within 2^28, and each is a multiple of 8.
+  /// Corners are within 2^28 and multiples of 8.
   static std::uint64_t key(std::array<int, 3> corner) {
     const auto bits = [](int c) { return static_cast<std::uint64_t>(c / kSide) & 0x1FFFFFU; };
     return (bits(corner[0]) << 42U) | (bits(corner[1]) << 21U) | bits(corner[2]);
@@ -79,8 +79,8 @@ class Sampler {
   std::unordered_set<std::uint64_t> inside_;
 };
 
-/// Places beside the surface: one in every eighth of a block that the surface passes. `crossed` counts the
-/// voxels that it passes, and the search ends where they are too many.
+/// Points near the surface: one in every eighth of a block that the surface crosses. `crossed` counts the
+/// crossed voxels; the search ends if there are too many.
 std::vector<Vec3> seeds_of(const LevelSet& set, const Sampler& sampler, std::size_t& crossed) {
   std::vector<Vec3> seeds;
   for (const LevelSet::Block& block : set.blocks) {

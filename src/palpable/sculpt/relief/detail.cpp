@@ -58,8 +58,8 @@ cv::Mat chiu(const cv::Mat& nearness, double compression, const ChiuOptions& opt
   return nearness - mean * (1.0 - 1.0 / compression);
 }
 
-/// The level that a place is adapted to: its mean over the largest window in which that mean differs little
-/// from the mean over twice the window.
+/// The local adaptation level of a pixel: its mean over the largest window whose mean differs little from
+/// that of the window of twice the size.
 cv::Mat adapted_level(const cv::Mat& nearness, const AshikhminOptions& options) {
   const auto contrast = static_cast<float>(options.contrast);
   cv::Mat level = nearness.clone();

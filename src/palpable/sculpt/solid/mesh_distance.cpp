@@ -20,10 +20,10 @@ namespace {
 /// An edge of a mesh with all its triangles.
 struct Edge {
   std::uint32_t from = 0, to = 0;
-  /// Of the sum of its triangles' normals.
+  /// Direction of the sum of its triangles' normals.
   Vec3 normal;
-  /// Whether its triangles are two, each on one side. On rims, and where triangles end on the middle of
-  /// another's edge, they are not.
+  /// Whether it has exactly two triangles, one on each side. This is false on rims, and where triangles end
+  /// on the middle of another triangle's edge.
   bool closed = true;
 };
 
@@ -78,7 +78,7 @@ std::vector<Vec3> face_normals(const Mesh& mesh) {
   return faces;
 }
 
-/// For each part of each triangle, what decides the sign for a point that is nearest to it.
+/// The normal that decides the sign for points nearest to each part of each triangle.
 class Joints {
  public:
   explicit Joints(const Mesh& surface)
@@ -95,8 +95,8 @@ class Joints {
     all_closed_ = std::all_of(edges_.all.begin(), edges_.all.end(), [](const Edge& e) { return e.closed; });
   }
 
-  /// Whether all edges close. Where some do not, bodies were cut along each other or touch, and even an edge
-  /// with its two triangles may lie on the middle of a third.
+  /// Whether all edges are closed. If some are not, bodies were cut along each other or touch, and even an
+  /// edge with two triangles may lie on the middle of a third.
   bool all_closed() const { return all_closed_; }
   Vec3 at(std::uint32_t triangle, TrianglePart part) const {
     if (part == TrianglePart::face) return faces_[triangle];
@@ -127,7 +127,7 @@ class MeshDistance final : public DistanceSource {
       whole_.emplace(whole);
       thinnest_m_ = kThinnestSolid * norm(box.most_m - box.least_m);
     }
-    // Files keep single precision: what touches there may be apart by its last digit.
+    // Files use single precision: surfaces that touch may be apart by the last digit.
     touching_m_ = 2e-7 * norm(box.most_m - box.least_m);
     normals_valid_within_m_ = touching_m_ / TriangleTree::kNearestSlack;
   }
@@ -162,14 +162,14 @@ class MeshDistance final : public DistanceSource {
 
   TriangleTree tree_;
   Joints joints_;
-  /// The mesh that the surface was taken from, if it is another.
+  /// The original mesh, if it differs from the surface.
   std::optional<TriangleTree> whole_;
-  /// Only that mesh may have parts that are not the solid's.
+  /// Only the original mesh may have parts that are not of the solid.
   double thinnest_m_ = 0.0;
   Box bounds_;
   double touching_m_ = 0.0;
-  /// Farther away, one side of a thin sheet may have been taken for the nearest triangle instead of the
-  /// other: there the winding number decides the sign.
+  /// Beyond this distance the wrong side of a thin sheet may have been found as the nearest triangle, so the
+  /// winding number decides the sign.
   double normals_valid_within_m_ = 0.0;
 };
 

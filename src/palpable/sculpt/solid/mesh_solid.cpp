@@ -47,7 +47,7 @@ std::vector<std::string> MeshRepair::notes() const {
 
 namespace {
 
-/// Triangles with a vertex that is not finite or not there.
+/// Number of triangles with a vertex that is missing or not finite.
 std::size_t without_place(const Mesh& mesh) {
   return static_cast<std::size_t>(
       std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
@@ -57,7 +57,7 @@ std::size_t without_place(const Mesh& mesh) {
       }));
 }
 
-/// Null where there are few facets to be smoothed.
+/// Null if there are few facets to smooth.
 std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, const FacetOptions& facets,
                                          MeshRepair& repair) {
   auto smooth = std::make_unique<SmoothSurface>(
@@ -100,9 +100,9 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   const std::size_t first_added = whole.triangles.size();
   solid.repair.closed_holes = close_holes(whole);
   if (work.cancelled()) return Work::interrupted();
-  // Freed before the distance builds its own: for millions of triangles it takes gigabytes.
+  // Freed before the distance source builds its own tree: for millions of triangles it takes gigabytes.
   std::optional<TriangleTree> tree(whole);
-  // The orientation that rays found for parts that were still open may be wrong.
+  // The orientation by rays may be wrong for parts that were still open.
   if (solid.repair.closed_holes > 0) {
     const std::size_t turned = turn_inside_out_parts(whole, *tree);
     if (turned > 0) {
@@ -127,13 +127,13 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   solid.repair.inner = surface.inner;
   if (surface.mesh.triangles.empty()) return invalid_input("is a mesh that encloses no volume");
   solid.distance = mesh_distance(surface.mesh, whole);
-  // What closes holes is no sheet.
+  // Triangles that close holes are not sheets.
   thicken(solid, surface.mesh, whole, first_added, finest_m, walls, work);
   return solid;
 }
 
 std::optional<Error> mesh_too_large(std::size_t triangles, std::size_t free_bytes) {
-  // Measured (docs/measurements.md): welding, search trees and normals, 528 at their most.
+  // Measured: welding, search trees and normals need at most 528 (docs/history/measurements-2026-11-21.md).
   constexpr std::size_t kBytesPerTriangle = 540;
   if (triangles <= free_bytes / kBytesPerTriangle) return std::nullopt;
   const auto mebi = [](std::size_t bytes) { return std::to_string(bytes >> 20U); };

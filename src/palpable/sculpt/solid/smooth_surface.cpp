@@ -41,7 +41,8 @@ struct SmoothSurface::Patch {
 
 namespace {
 
-/// Neighbours whose normals differ by more meet in an edge: the cosine of 20 degrees.
+/// Neighbouring facets whose normals differ by more than 20 degrees meet in a sharp edge: cosine of that
+/// angle.
 constexpr double kSmoothCosine = 0.9397;
 
 /// The radius of the greatest circle in a triangle.
@@ -50,8 +51,8 @@ double inradius_m(const std::array<Vec3, 3>& t) {
   return norm(cross(t[1] - t[0], t[2] - t[0])) / around_m;
 }
 
-/// The height of an evenly bent surface above two triangles that turn by `turn` over a common
-/// edge: h turn / 3 above the centre of equilateral ones, h turn / 8 of long strips.
+/// The height of a uniformly curved surface above two triangles that turn by `turn` over a common edge: h
+/// turn / 3 above the centre of equilateral ones, h turn / 8 for long strips.
 double bulge_over_edge_m(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double edge_m,
                          double turn) {
   const auto height_m = [&](const std::array<Vec3, 3>& t) {
@@ -67,7 +68,7 @@ struct Foot {
   double u = 0.0, v = 0.0, along = 0.0;
 };
 
-/// The weights of a place in the triangle's plane.
+/// The barycentric weights of a point in the triangle's plane.
 Foot foot_at(const SmoothSurface::Patch& patch, Vec3 q, double along) {
   const Vec3 a = patch.corners[1] - patch.corners[0], b = patch.corners[2] - patch.corners[0];
   const Vec3 w = q - patch.corners[0];
@@ -90,7 +91,7 @@ bool solve_foot(const SmoothSurface::Patch& patch, Vec3 p, Foot& foot) {
     const Vec3 by_u = a + foot.along * na, by_v = b + foot.along * nb;
     const Vec3 vn = cross(by_v, n);
     const double det = dot(by_u, vn);
-    // Beyond the place where the normals cross, the offset surface folds over.
+    // Beyond the point where the normals cross, the offset surface folds over.
     if (!(det > 0.0)) return false;
     foot.u += dot(rest, vn) / det;
     foot.v += dot(rest, cross(n, by_u)) / det;
@@ -175,7 +176,7 @@ void SmoothSurface::set_normals(std::uint32_t vertex) {
   std::vector<std::uint32_t> left(corners.begin(), corners.end());
   around_[vertex] = {};
   while (!left.empty()) {
-    // All that is reached from one of them without crossing an edge.
+    // All triangles that are reached without crossing a sharp edge.
     std::vector<std::uint32_t> part{left.back()};
     left.pop_back();
     Vec3 sum;
@@ -219,9 +220,9 @@ void SmoothSurface::move(std::span<const Move> moves) {
   tree_.move(mesh_, triangles);
 }
 
-/// The squared difference between the normal at a vertex and the mean normal of its neighbours, which is 0
-/// where a surface bends evenly. Also 0 where an edge turns by more than 20 degrees, or a facet is not small:
-/// there the mesh has a shape of its own.
+/// The squared difference between the normal at a vertex and the mean normal of its neighbours; 0 for
+/// constant curvature. Also 0 if an edge turns by more than 20 degrees or a facet is not small, since that is
+/// the mesh's own shape.
 double SmoothSurface::normal_scatter2(std::uint32_t vertex) const {
   Vec3 sum;
   for (const std::uint32_t corner : fan(vertex)) {
@@ -234,7 +235,7 @@ double SmoothSurface::normal_scatter2(std::uint32_t vertex) const {
   return squared_norm(unit(around_[vertex]) - unit(sum));
 }
 
-/// Of each triangle the root mean square over the vertices of the triangles around it.
+/// For each triangle, the root mean square over the vertices of the triangles around it.
 void SmoothSurface::measure_noise() {
   const std::size_t count = mesh_.triangles.size();
   std::vector<double> at_vertex(mesh_.vertices_m.size());
@@ -312,7 +313,7 @@ std::optional<models::FieldSample> SmoothSurface::projected(Vec3 p, const Neares
     }
     const std::size_t side = (least + 1) % 3;
     if (!is_smooth(triangle, side)) return std::nullopt;
-    // The same place of the common edge.
+    // The same point of the common edge.
     from = patch.place(foot.u, foot.v);
     along = foot.along;
     triangle = across_[triangle][side];

@@ -17,7 +17,7 @@ namespace palpable::sculpt {
 namespace {
 
 using Corners = std::array<Vec3, 3>;
-/// Convex, in one triangle's plane, its corners in the triangle's sense.
+/// Convex, in one triangle's plane, with the triangle's orientation.
 using Polygon = std::vector<Vec3>;
 
 /// The sides of a piece of surface on which the solid lies.
@@ -39,8 +39,8 @@ class SideTester {
     if (front == back) return Sides::inner;
     return back ? Sides::surface : Sides::turned;
   }
-  /// The same at a place of one of the tree's triangles, with its normal. Where no other triangle is near,
-  /// the winding number rises by 1 from the front to the back: one value is enough.
+  /// The same at a point of one of the tree's triangles, with its normal. If no other triangle is near, the
+  /// winding number rises by 1 from front to back, so one value is sufficient.
   Sides sides_of(std::uint32_t triangle, Vec3 place, Vec3 normal) const {
     if (tree_.any_within(place, 2.0 * lift_m_, triangle)) return sides_at(place, normal);
     const double front = tree_.winding(place + lift_m_ * normal);
@@ -252,7 +252,7 @@ Mesh mesh_of(const std::vector<Corners>& triangles) {
 bool is_own_surface(const Mesh& mesh, const TriangleTree& tree, std::size_t first_added, const Work& work) {
   const SideTester side_tester(tree, size_of(mesh));
   const std::size_t count = mesh.triangles.size();
-  // What was added may cross what was there: both are tested at more places.
+  // Added triangles may cross existing ones: both are tested at more points.
   std::vector<char> is_suspect(count);
   for (std::size_t i = first_added; i < count; ++i) {
     const Corners corners = corners_of(mesh, i);
@@ -283,7 +283,7 @@ SolidSurface surface_of(const Mesh& mesh, const TriangleTree& tree, double fines
   const auto count = static_cast<int>(mesh.triangles.size());
   constexpr int kChunk = 8;
   std::vector<Cutter::Sorted> parts(static_cast<std::size_t>((count + kChunk - 1) / kChunk));
-  // Triangles differ in work: each thread takes the next few when it is ready.
+  // The work differs between triangles, so each thread takes the next few when it is ready.
   std::atomic<int> next{0};
   parallel_for(work, static_cast<int>(work.thread_count()), 1, [&](int begin, int end) {
     if (begin == end) return;

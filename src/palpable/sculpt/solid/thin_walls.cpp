@@ -19,11 +19,11 @@
 namespace palpable::sculpt {
 namespace {
 
-// Thin walls are thickened in this many steps of thickness: each gets what it lacks of the least thickness.
+// Number of thickness steps: each wall gets about what it lacks of the least thickness.
 constexpr int kSteps = 4;
 constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
-/// The middle of a triangle and a place near each of its corners.
+/// The centre of a triangle and a point near each of its corners.
 std::array<Vec3, 4> places_of(const std::array<Vec3, 3>& c) {
   const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
   constexpr double kOutwards = 0.6;
@@ -49,7 +49,7 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
   int thin = 0, left = kPlaces;
   double sum_m = 0.0;
   for (const Vec3 place : places_of(c)) {
-    // Most walls are thick: two places decide.
+    // Most walls are thick, so usually two points decide.
     if (thin + left-- < kMostPlaces) return least_m;
     const models::FieldSample there = solid.at(place - depth_m * normal, hint);
     if (dot(there.gradient, normal) > -kOpposite) continue;
@@ -66,7 +66,7 @@ class SheetFinder {
  public:
   SheetFinder(const DistanceSource& solid, double finest_m) : solid_(solid), finest_m_(finest_m) {}
 
-  /// Adds those parts of one triangle, which is divided where they differ.
+  /// Adds those parts of one triangle, which is divided if they differ.
   void add(const std::array<Vec3, 3>& c, DistanceSource::Hint& hint,
            std::vector<std::array<Vec3, 3>>& sheets) const {
     // Larger triangles may contain parts of both kinds between their sample points.
@@ -102,12 +102,12 @@ struct Layer {
   Layer(const Mesh& mesh, double by_m, bool sheets) : tree(mesh), added_m(by_m), is_sheets(sheets) {}
   TriangleTree tree;
   double added_m;
-  /// Outside the solid; else the triangles are part of its surface.
+  /// Whether the triangles are outside the solid; otherwise they are part of its surface.
   bool is_sheets;
 };
 
-/// The union of the solid and of what is within `added_m` of each layer. Where a layer is part of the
-/// surface, it lies farther from what is inside by that. Planes stay planes, so that a field needs few cells.
+/// The union of the solid and the points within `added_m` of each layer. Where a layer is part of the
+/// surface, the surface moves outwards by that distance. Planes stay planes, so that a field needs few cells.
 class ThickenedSource final : public DistanceSource {
  public:
   /// `rest`: the solid's surface without the layers.
@@ -135,7 +135,7 @@ class ThickenedSource final : public DistanceSource {
       if (-layer_m - layer.added_m > under.distance_m)
         under = {-layer_m - layer.added_m, layer_m > 0.0 ? -1.0 * away : solid.gradient};
     }
-    // The nearest triangle is known to a few parts in ten thousand.
+    // The nearest triangle is accurate to a few parts in ten thousand.
     if (solid.distance_m < 0.0 && surface_m <= -1.001 * solid.distance_m)
       solid = below_layers(p, surface_m, solid, under, hint.of_parts.back());
     return joined.distance_m < solid.distance_m ? joined : solid;
@@ -162,8 +162,8 @@ class ThickenedSource final : public DistanceSource {
   }
 
  private:
-  /// Inside the solid, near a layer `surface_m` away that is part of its surface: `under` the moved layers,
-  /// or nearer to the rest.
+  /// Inside the solid, near a layer of its surface at distance `surface_m`: `under` is the distance to the
+  /// moved layers; the rest of the surface may be nearer.
   models::FieldSample below_layers(Vec3 p, double surface_m, const models::FieldSample& solid,
                                    const models::FieldSample& under, Hint& hint) const {
     if (!rest_) return under;
@@ -185,7 +185,7 @@ void add_triangle(Mesh& mesh, const std::array<Vec3, 3>& c) {
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// The step of each triangle, kSteps where it is not thin; 0 is a sheet without thickness.
+/// The thickness step of each triangle; kSteps if it is not thin, 0 for a sheet without thickness.
 template <class StepOf>
 std::vector<int> steps_of(std::size_t count, const Work& work, const StepOf& step_of) {
   std::vector<int> steps(count, kSteps);
@@ -212,8 +212,8 @@ struct SheetPatch {
     size_m2 += 0.5 * norm(doubled);
     for (const Vec3 corner : c) box.grow(corner);
   }
-  /// Ground on which the solid stands, as that of a city: it faces one direction, lies under or over all of
-  /// the solid, and goes on beyond it.
+  /// Whether it is the ground of a solid such as a city: it faces one direction, is below or above the whole
+  /// solid, and extends beyond it.
   bool is_ground(const Box& solid) const {
     constexpr double kFacingShare = 0.75, kBeyondShare = 0.05;
     if (norm(area_m2) < kFacingShare * size_m2) return false;
@@ -233,7 +233,7 @@ struct SheetPatch {
   }
 };
 
-/// For each triangle the first one of those that it is connected to by vertices; only `wanted` ones count.
+/// For each triangle, the first one of those connected to it by vertices; only `wanted` ones count.
 std::vector<std::uint32_t> connected(const Mesh& mesh, const std::vector<char>& wanted) {
   std::vector<std::uint32_t> first(mesh.triangles.size()), at_vertex(mesh.vertices_m.size(), kNobody);
   std::iota(first.begin(), first.end(), 0U);

@@ -87,7 +87,7 @@ const Sheets& sheets_of(unsigned mask) {
   return kAll[mask];
 }
 
-/// Where an edge of the cubes crosses the surface.
+/// The crossing of an edge of the cubes with the surface.
 struct Crossing {
   Cell from;
   std::uint8_t axis = 0;

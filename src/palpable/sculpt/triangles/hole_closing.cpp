@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// What a triangulation costs: its sharpest fold, and then its area.
+/// Cost of a triangulation: its sharpest fold, then its area.
 struct Weight {
   double fold = 0.0;
   double area_m2 = 0.0;
@@ -27,7 +27,7 @@ struct Weight {
   }
 };
 
-/// For a triangle without an area: more than for any other.
+/// Fold of a triangle without an area: greater than any other.
 constexpr double kDegenerate = 3.0;
 
 /// By how much the cosine between two neighbours' normals is below that of 120 degrees. A lid meets walls at
@@ -153,8 +153,8 @@ struct RimEdge {
 using Rim = std::multimap<std::uint32_t, RimEdge>;
 
 Rim rim_of(const Mesh& mesh) {
-  // How often an edge is used in one direction more than in the other: where the uses cancel, as at walls
-  // that two bodies share, there is no rim.
+  // Uses of an edge in one direction minus those in the other. Where they cancel, as at walls that two bodies
+  // share, there is no rim.
   std::unordered_map<std::uint64_t, int> upwards;
   const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
   for (const Triangle& t : mesh.triangles)
@@ -210,7 +210,7 @@ std::vector<Triangle> triangulated_hole(std::span<const Vec3> rim, std::span<con
 std::size_t close_holes(Mesh& mesh) {
   Rim rim = rim_of(mesh);
   std::size_t closed = 0;
-  // As many rims end at a vertex as start there, so each walk along them returns to a vertex that it has
+  // At each vertex as many rims end as start, so each walk along them returns to a vertex that it has
   // visited.
   while (!rim.empty()) {
     std::vector<RimPlace> way{{rim.begin()->first, {}}};
@@ -225,7 +225,7 @@ std::size_t close_holes(Mesh& mesh) {
         continue;
       }
       const auto length = static_cast<std::size_t>(way.end() - before);
-      // Slits without an area, where one edge meets several in a row, are no holes.
+      // Slits without an area, where one edge meets several in a row, are not holes.
       if (length >= 3 && close(mesh, std::span<const RimPlace>(way).last(length)) > 0) ++closed;
       way.erase(before + 1, way.end());
     }

@@ -32,12 +32,12 @@ std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
-/// Whether the triangle runs along its edge from a to b.
+/// Whether the triangle contains the directed edge from a to b.
 bool runs(const Triangle& t, std::uint32_t a, std::uint32_t b) {
   return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
 }
 
-/// For each triangle the one across each of its edges; itself where there is none or more than one.
+/// For each triangle, the one across each of its edges; itself if there is none or more than one.
 std::vector<Triangle> neighbours_of(const Mesh& mesh) {
   struct Users {
     std::uint32_t first = 0, second = 0;
@@ -100,7 +100,7 @@ Mesh welded(const Mesh& mesh, std::size_t& removed) {
   std::unordered_map<Vec3, std::uint32_t, PlaceHash> places;
   std::vector<std::uint32_t> now(mesh.vertices_m.size());
   for (std::size_t i = 0; i < mesh.vertices_m.size(); ++i) {
-    // Adding zero makes one zero of both.
+    // Adding zero turns -0 into 0.
     const Vec3 p = mesh.vertices_m[i] + Vec3{};
     if (!is_finite(p)) continue;
     const auto [at, fresh] = places.try_emplace(p, static_cast<std::uint32_t>(result.vertices_m.size()));
@@ -129,7 +129,8 @@ namespace {
 /// Triangles that are connected across edges that two of them share.
 struct Part {
   std::vector<std::uint32_t> triangles;
-  /// Whether some were turned to agree with their neighbours, and whether all were turned after that.
+  /// Whether some were turned to agree with their neighbours, and whether the whole part was turned
+  /// afterwards.
   bool made_to_agree = false, turned = false;
 };
 
@@ -173,7 +174,7 @@ double area_m2(const Mesh& mesh, std::uint32_t triangle) {
   return 0.5 * norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
 }
 
-/// The edges that more than two triangles share, as the parts run along them.
+/// The edges that more than two triangles share, with the directions in which parts use them.
 class SharedEdges {
  public:
   SharedEdges(const Mesh& mesh, const std::vector<Part>& parts) : of_part_(parts.size()) {
@@ -207,7 +208,7 @@ class SharedEdges {
                                 mesh.vertices_m[static_cast<std::uint32_t>(uses[i].key)]));
     }
   }
-  /// How much less is left open when the part is turned, metres.
+  /// Length of open edges that is saved if the part is turned, metres.
   double gain_m(std::uint32_t part) const {
     double gain = 0.0;
     for (const Along& a : of_part_[part])
@@ -231,9 +232,9 @@ class SharedEdges {
   std::vector<double> lengths_m_;
 };
 
-/// A closed solid's triangles use every edge once in each direction. A wall that two bodies share is a
-/// separate part for each, and rays cannot decide, since there is solid on both of its sides: it is turned so
-/// that its edges match, small parts before large ones.
+/// The triangles of a closed solid use every edge once in each direction. A wall shared by two bodies is a
+/// separate part for each body, and rays cannot decide its orientation, since the solid is on both sides. It
+/// is turned so that its edges match, small parts before large ones.
 void turn_as_shared_edges_want(Mesh& mesh, std::vector<Part>& parts) {
   if (parts.size() < 2) return;
   SharedEdges edges(mesh, parts);
@@ -278,7 +279,7 @@ std::size_t turn_inside_out_parts(Mesh& mesh, const TriangleTree& tree) {
   const double lift_m = 1e-6 * norm(tree.bounds().size_m());
   std::size_t turned = 0;
   for (Part& part : parts) {
-    // Spread over the part: a body's triangles may be many.
+    // Distributed over the part, which may have many triangles.
     constexpr std::size_t kMost = 64;
     const std::size_t step = std::max<std::size_t>(1, part.triangles.size() / kMost);
     double inside_out = 0.0, all = 0.0;

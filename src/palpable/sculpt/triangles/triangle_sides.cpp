@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// On which side of a TriangleTree's triangles a place lies.
+// Tests on which side of a TriangleTree's triangles a point is.
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
