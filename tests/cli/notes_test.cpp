@@ -85,7 +85,7 @@ TEST_F(Notes, TheSamplesNamesFitItHoweverItIsResampled) {
   }
 }
 
-TEST_F(Notes, AFileThatIsCutOffIsRefusedInOurOwnWords) {
+TEST_F(Notes, ATruncatedFileIsRefusedInPlainWords) {
   write_text(path("cut.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   const Outcome obj = palpable({"make", path("cut.obj"), "-o", path("out.palp")});
   EXPECT_EQ(obj.exit_code, 3);

@@ -45,7 +45,7 @@ TEST(AsPublished, ShiConvolvesTheDisparityOfTheScanlineMethod) {
   EXPECT_TRUE(notes("shi", "does not state the height"));
 }
 
-TEST(AsPublished, ParkProjectsWhatIsLeftWithoutGroundAndBackground) {
+TEST(AsPublished, ParkProjectsTheSceneWithoutGroundAndBackground) {
   const MakeArguments made = made_as("park");
   EXPECT_EQ(made.stereo.method, "graph-cut");
   EXPECT_EQ(made.ground, "remove");
@@ -56,7 +56,7 @@ TEST(AsPublished, ParkProjectsWhatIsLeftWithoutGroundAndBackground) {
   EXPECT_TRUE(notes("park", "is a product"));
 }
 
-TEST(AsPublished, GomezUsesTheOperatorThatWasDecidedOnAndAPoint) {
+TEST(AsPublished, GomezUsesTheChosenOperatorAndAPoint) {
   const MakeArguments made = made_as("gomez");
   EXPECT_EQ(made.stereo.method, "pyramid");
   EXPECT_EQ(made.detail, "bilateral");
@@ -67,7 +67,7 @@ TEST(AsPublished, GomezUsesTheOperatorThatWasDecidedOnAndAPoint) {
   EXPECT_TRUE(notes("gomez", "weights of the average are corrected"));
 }
 
-TEST(AsPublished, GhdIsEquation8WithoutOurBounds) {
+TEST(AsPublished, GhdIsEquation8WithoutBounds) {
   EXPECT_EQ(made_as("ghd").contour_method, "paper");
   EXPECT_EQ(felt_as("ghd").law, haptics::Law::tracing);
   EXPECT_EQ(felt_as("ghd").tracing_bounds, 0.0);
@@ -86,7 +86,7 @@ TEST(AsPublished, MoustakasShadesTheForceOfAStoredLattice) {
   EXPECT_TRUE(notes("moustakas", "sign of the force is corrected"));
 }
 
-TEST(AsPublished, WhatThePersonSetsGoesBeforeIt) {
+TEST(AsPublished, SettingsOfTheUserTakePrecedence) {
   MakeArguments made;
   made.detail = "histogram";
   made.resolution = 128;

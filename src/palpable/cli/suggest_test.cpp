@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string> kCommands{"touch", "make", "depth", "probe", "sample", "score"};
 
-TEST(Suggestion, FindsTheCommandBehindATypingSlip) {
+TEST(Suggestion, CorrectsATypingError) {
   EXPECT_EQ(suggestion("tuoch", kCommands), "touch");
   EXPECT_EQ(suggestion("dept", kCommands), "depth");
   EXPECT_EQ(suggestion("samples", kCommands), "sample");

@@ -68,7 +68,7 @@ TEST(Transform, ActsOnAPointAsItsFormulaSays) {
   EXPECT_EQ(scene_from_device * Point<DeviceFrame>({1, 0, 0}), (Point<SceneFrame>{{10, 22, 30}}));
 }
 
-TEST(Transform, MovesNoVector) {
+TEST(Transform, DoesNotTranslateVectors) {
   const Transform<SceneFrame, DeviceFrame> scene_from_device{{0, -1, 0, 1, 0, 0, 0, 0, 1}, {10, 20, 30}, 2.0};
   EXPECT_EQ(scene_from_device * Vector<DeviceFrame>({1, 0, 0}), (Vector<SceneFrame>{{0, 2, 0}}));
 }
@@ -82,7 +82,7 @@ TEST(Transform, KeepsTheSizeOfAForceInALargerScene) {
   }
 }
 
-TEST(Transform, InverseBringsEveryPointBack) {
+TEST(Transform, InverseRestoresEveryPoint) {
   std::mt19937 random(2);
   for (int i = 0; i < 100; ++i) {
     const auto scene_from_device = random_similarity<SceneFrame, DeviceFrame>(random);
@@ -91,7 +91,7 @@ TEST(Transform, InverseBringsEveryPointBack) {
   }
 }
 
-TEST(Transform, ComposesRightOneFirst) {
+TEST(Transform, AppliesTheRightFactorFirst) {
   std::mt19937 random(3);
   for (int i = 0; i < 100; ++i) {
     const auto world_from_camera = random_similarity<WorldFrame, CameraFrame>(random);

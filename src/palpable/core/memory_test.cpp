@@ -35,7 +35,7 @@ TEST_F(AvailableMemory, IsWhatTheSystemHasAvailable) {
   EXPECT_EQ(available_memory_bytes(files_), 2000U * 1024U);
 }
 
-TEST_F(AvailableMemory, EndsWithTheControlGroupAndAllAboveIt) {
+TEST_F(AvailableMemory, IsLimitedByTheControlGroupAndItsParents) {
   write(files_.system, "MemAvailable:   2000 kB\n");
   write(files_.process / "cgroup", "0::/outer/inner\n");
   write(files_.control_groups / "outer/inner/memory.max", "max\n");
@@ -50,12 +50,12 @@ TEST_F(AvailableMemory, EndsWithTheControlGroupAndAllAboveIt) {
   EXPECT_EQ(available_memory_bytes(files_), 0U);
 }
 
-TEST_F(AvailableMemory, IsUnknownWhereNothingTells) {
+TEST_F(AvailableMemory, IsUnknownIfNothingIsReported) {
   write(files_.system, "MemAvailable: much\n");
   EXPECT_EQ(available_memory_bytes(files_), std::nullopt);
 }
 
-TEST_F(AvailableMemory, IsToldByThisSystem) {
+TEST_F(AvailableMemory, IsReportedByThisSystem) {
   const auto bytes = available_memory_bytes();
   if (!bytes) GTEST_SKIP() << "this system does not tell its memory";
   EXPECT_GT(*bytes, std::size_t{1} << 20U);

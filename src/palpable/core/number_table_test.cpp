@@ -28,7 +28,7 @@ TEST(NumberTable, TakesColumnsByNameInAnyOrderAndSkipsOthers) {
   EXPECT_THAT(table->row(1), ElementsAre(3.0, -0.0045));
 }
 
-TEST(NumberTable, TakesWhatSpreadsheetsWrite) {
+TEST(NumberTable, AcceptsFilesOfSpreadsheets) {
   const auto table = parse_number_table("\xEF\xBB\xBF\"x_m\", \"y_m\"\r\n 1 ,\"2\"\r\n\r\n3,4", kWanted);
   ASSERT_TRUE(table);
   EXPECT_THAT(table->values, ElementsAre(1.0, 2.0, 3.0, 4.0));

@@ -45,7 +45,7 @@ TEST(Parameters, SetTheFieldThatTheyDescribe) {
   EXPECT_EQ(options.window.reach_px, 9);
 }
 
-TEST(Parameters, RefuseWhatLiesOutsideTheirRangeAndSayWhichOneItIs) {
+TEST(Parameters, RefuseValuesOutOfRangeAndNameTheParameter) {
   Options options;
   const auto all = parameters_of(options);
   const auto refused = set_parameter(all[1], 10.0);

@@ -13,7 +13,7 @@ TEST(PlainText, KeepsWordsOfAnyLanguageAndLines) {
   EXPECT_EQ(without_control_characters(text), text);
 }
 
-TEST(PlainText, ReplacesWhatActsOnATerminalOrTurnsTheWriting) {
+TEST(PlainText, ReplacesControlCharactersAndDirectionOverrides) {
   for (const std::string control :
        {"\x1b", "\r", "\x7f", "\xC2\x85", "\xE2\x80\xAE", "\xE2\x81\xA6", "\x01"}) {
     EXPECT_TRUE(has_control_characters("a" + control + "b"));

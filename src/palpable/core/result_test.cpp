@@ -28,7 +28,7 @@ TEST(Result, HoldsAnErrorWithItsCodeAndPlace) {
   EXPECT_EQ(none.error().sentence(), "settings.txt: not a digit");
 }
 
-TEST(Result, GivesUpAValueThatCannotBeCopied) {
+TEST(Result, ReturnsAMoveOnlyValue) {
   Result<std::unique_ptr<int>> owned(std::make_unique<int>(3));
   const std::unique_ptr<int> taken = *std::move(owned);
   EXPECT_EQ(*taken, 3);
@@ -53,7 +53,7 @@ TEST(Error, CodesAreTheExitCodesOfTheCommandLine) {
   EXPECT_EQ(static_cast<int>(ErrorCode::interrupted), 130);
 }
 
-TEST(ResultDeathTest, NamesThePlaceWhereAnErrorIsTakenForAValue) {
+TEST(ResultDeathTest, NamesTheLineThatUsesAnErrorAsAValue) {
   const Result<int> none = parse_digit('x');
   EXPECT_DEATH(static_cast<void>(none.value()), "bug of ours: has_value\\(\\).*result.hpp");
 }

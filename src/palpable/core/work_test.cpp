@@ -31,7 +31,7 @@ TEST(ParallelFor, RethrowsTheFirstException) {
                std::runtime_error);
 }
 
-TEST(ParallelFor, CutsNoPartSmallerThanTheGrain) {
+TEST(ParallelFor, HasNoPartSmallerThanTheGrain) {
   Work work;
   work.threads = 8;
   std::atomic<int> parts{0};
@@ -43,7 +43,7 @@ TEST(ParallelFor, CutsNoPartSmallerThanTheGrain) {
   parallel_for(work, 0, 40, [](int, int) { FAIL() << "there is nothing to do"; });
 }
 
-TEST(ParallelFor, CutsTheSamePartsEveryTime) {
+TEST(ParallelFor, DividesTheSameWayEveryTime) {
   Work work;
   work.threads = 3;
   const auto edges = [&] {
@@ -60,7 +60,7 @@ TEST(ParallelFor, CutsTheSamePartsEveryTime) {
   EXPECT_EQ(edges(), first);
 }
 
-TEST(Work, IsCancelledOnceThePersonSaysSo) {
+TEST(Work, IsCancelledByItsFlag) {
   std::atomic<bool> cancel{false};
   Work work;
   EXPECT_FALSE(work.cancelled());
@@ -71,7 +71,7 @@ TEST(Work, IsCancelledOnceThePersonSaysSo) {
   EXPECT_EQ(Work::interrupted().code, ErrorCode::interrupted);
 }
 
-TEST(Work, ReportsProgressToWhoAskedForIt) {
+TEST(Work, ReportsProgressToItsCallback) {
   Work work;
   work.report(0.5, "nobody listens");
   std::string heard;

@@ -94,7 +94,7 @@ TEST(Commentary, SaysTheLinesOfContours) {
   EXPECT_EQ(sweep.said(), Sentences{"On the line"});
 }
 
-TEST(Commentary, DoesNotRepeatWhatThePersonHasHeard) {
+TEST(Commentary, DoesNotRepeatWhatTheUserHasHeard) {
   Sweep sweep(named_hills());
   sweep.hear({-0.03, 0.02});
   sweep.go({-0.03, 0.02}, {-0.028, 0.02}, 3.0);

@@ -7,7 +7,7 @@
 namespace palpable::page {
 namespace {
 
-TEST(RateLimit, AcceptsThePaceOfAFastPerson) {
+TEST(RateLimit, AcceptsThePaceOfAFastUser) {
   RateLimit limit({.per_s = 250, .burst = 500, .most_drops = 1000});
   for (int i = 0; i < 6000; ++i) EXPECT_EQ(limit.check(i / 200.0), Verdict::accept);
 }

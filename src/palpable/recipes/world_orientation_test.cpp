@@ -23,7 +23,7 @@ constexpr Rotation kKept{1, 0, 0, 0, 1, 0, 0, 0, 1};
 /// A camera's own axes, a few degrees off, seen from the scene's.
 constexpr Rotation kTilted{1, 0, 0, 0, 0.98, -0.199, 0, 0.199, 0.98};
 
-TEST(WorldOrientation, TurnsACamerasOwnWorldSoThatItLooksAwayFromThePerson) {
+TEST(WorldOrientation, TurnsACamerasOwnWorldSoThatItLooksAwayFromTheUser) {
   EXPECT_EQ(scene_rotation_for(std::vector{pose(kKept)}), (Rotation{1, 0, 0, 0, -1, 0, 0, 0, -1}));
   EXPECT_EQ(scene_rotation_for(std::vector{pose(kTilted), pose(kTilted)}),
             (Rotation{1, 0, 0, 0, -1, 0, 0, 0, -1}));

@@ -77,7 +77,7 @@ TEST(SimulatedHand, FeelsAForceAfterItsDelay) {
   }
 }
 
-TEST(SimulatedHand, SwingsAsItsMassAndSpringSay) {
+TEST(SimulatedHand, OscillatesAtTheFrequencyOfItsMassAndSpring) {
   // 0.25 kg on 100 N/m without damping: 20 rad/s, so a quarter of a swing takes 78.5 ms.
   HandOptions options;
   options.device_mass_kg = 0.25;
@@ -136,7 +136,7 @@ TEST(Pointer, IsNotReadyBeforeTheFirstPlaceAndStaleWhenThePageFallsSilent) {
   EXPECT_EQ(pointer.read().status, Status::ok);
 }
 
-TEST(Pointer, GlidesBetweenTwoPlacesWithoutPassingTheSecond) {
+TEST(Pointer, InterpolatesBetweenTwoPositionsWithoutOvershoot) {
   auto feed = std::make_shared<PointerFeed>();
   PointerDevice pointer(feed, 1000.0);
   feed->put({{0.0, 0.0, 0.0}});

@@ -66,7 +66,7 @@ TEST(Recording, ComesBackToTheLastBit) {
   for (std::uint64_t n = 0; n < 1001; ++n) ASSERT_EQ(recording->ticks[n], tick_number(n));
 }
 
-TEST(Recording, CutAnywhereGivesWhatStandsBefore) {
+TEST(Recording, TruncatedAnywhereGivesTheTicksBefore) {
   const auto bytes = *read_file(written(100, "cut.rec"));
   const auto whole = *parse_recording(bytes, "cut.rec");
   for (std::size_t size = 0; size < bytes.size(); size += 7) {
@@ -106,7 +106,7 @@ TEST(Recording, SaysWhatItCannotRead) {
   EXPECT_EQ(message("PALPREC1"), "x.rec: is a recording with a damaged header");
 }
 
-TEST(Recording, CannotBeWrittenWhereNoFolderIs) {
+TEST(Recording, IsNotWrittenIntoAMissingFolder) {
   const auto writer = RecordingWriter::create("/nowhere/at/all.rec", "{}");
   ASSERT_FALSE(writer);
   EXPECT_NE(writer.error().sentence().find("No such file or directory"), std::string::npos);

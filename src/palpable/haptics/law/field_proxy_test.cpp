@@ -108,7 +108,7 @@ TEST(FieldProxyLaw, SticksWithinTheFrictionCone) {
   EXPECT_NEAR(slid.force_N.v.x, -0.5, 0.01);
 }
 
-TEST(FieldProxyLaw, LetsGoOfAHandThatLeaves) {
+TEST(FieldProxyLaw, ReleasesAHandThatLeaves) {
   const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.3), 0.0);
   FieldProxyLaw<Ball>::State state;
   for (const double z : {0.022, 0.0195, 0.019, 0.0201, 0.021}) law.evaluate(hand_at({0.0, 0.0, z}), state);
@@ -118,7 +118,7 @@ TEST(FieldProxyLaw, LetsGoOfAHandThatLeaves) {
   EXPECT_NEAR(output.proxy.v.z, 0.0215, 1e-9);
 }
 
-TEST(PenaltyLawOnFields, MakesNoEnergyRoundAClosedLoop) {
+TEST(PenaltyLawOnFields, GeneratesNoEnergyOnAClosedPath) {
   const PenaltyLaw<Wall> law(std::make_shared<const Wall>(), material(0.0), 0.0, 0.0);
   PenaltyLaw<Wall>::State state;
   double work_J = 0.0, swing_J = 0.0;

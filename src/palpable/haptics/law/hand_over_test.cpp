@@ -90,7 +90,7 @@ TEST(HandOver, HoldsAHandAtAThinWallWhenTheRadiusChanges) {
   }
 }
 
-TEST(HandOver, KeepsTheGripOfFrictionWhileTheSurfaceIsUpdated) {
+TEST(HandOver, KeepsStaticFrictionWhileTheSurfaceIsUpdated) {
   LawParameters p = frictionless();
   p.static_friction = 0.6;
   p.dynamic_friction = 0.5;

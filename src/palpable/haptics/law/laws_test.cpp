@@ -15,7 +15,7 @@
 namespace palpable::haptics {
 namespace {
 
-TEST(RollingLaw, DoesNoWorkRoundClosedLoopsWhereSobelDoes) {
+TEST(RollingLaw, DoesNoWorkOnClosedPathsWhereSobelDoes) {
   const models::Scene scene = scene_of(random_hills(200, 160, 13));
   const auto net_of = [&](Law kind) {
     LawParameters p;

@@ -48,7 +48,7 @@ TEST(PenaltyLaw, IsTheExactGradientOfWhatItStores) {
   }
 }
 
-TEST(PenaltyLaw, MakesNoEnergyRoundClosedLoopsUnderHills) {
+TEST(PenaltyLaw, GeneratesNoEnergyOnClosedPathsUnderHills) {
   const models::Scene scene = scene_of(random_hills(200, 160, 30));
   const auto& relief = *models::relief_of(scene);
   const auto law = made(scene, spring());

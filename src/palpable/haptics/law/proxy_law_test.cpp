@@ -25,7 +25,7 @@ TEST(ProxyLaw, PushesFromFlatGroundWithExactlyTheSpringsForce) {
   }
 }
 
-TEST(ProxyLaw, IsSilentAboveTheSurface) {
+TEST(ProxyLaw, GivesNoForceAboveTheSurface) {
   const auto law = made(scene_of(random_hills(100, 80, 3)), frictionless());
   TouchState state;
   for (double x = -0.02; x < 0.02; x += 0.0003) {
@@ -106,7 +106,7 @@ TEST(ProxyLaw, FeelsTheSameWhenSceneAndProbeAreTurnedTogether) {
   }
 }
 
-TEST(ProxyLaw, MakesNoEnergyRoundClosedLoopsOfAPress) {
+TEST(ProxyLaw, GeneratesNoEnergyOnClosedPathsInContact) {
   // Without friction and damping the force is the gradient of half the stiffness times the distance squared.
   const models::Scene scene = scene_of(random_hills(200, 160, 11));
   const auto law = made(scene, frictionless());

@@ -20,7 +20,7 @@ models::Scene textured_ground(models::TouchTexture texture) {
 
 constexpr models::TouchTexture kRidges{models::TouchTexture::Kind::ridges, 0.002, 50e-6, 0.0};
 
-TEST(Texture, IsFeltAsASurfaceThatStandsSoMuchHigher) {
+TEST(Texture, RaisesTheSurfaceByItsHeight) {
   const auto law = made(textured_ground(kRidges), frictionless());
   const models::TexturePattern pattern(kRidges);
   TouchState state;
@@ -37,7 +37,7 @@ TEST(Texture, IsFeltAsASurfaceThatStandsSoMuchHigher) {
   }
 }
 
-TEST(Texture, MakesNoEnergyRoundALoopOfASlowPress) {
+TEST(Texture, GeneratesNoEnergyOnASlowClosedPath) {
   const auto law =
       made(textured_ground({models::TouchTexture::Kind::grain, 0.003, 1e-4, 0.3}), frictionless());
   const LoopWork loop = work_round(*law, 100000, 1, [](double t) {
@@ -70,7 +70,7 @@ TEST(Texture, FadesBeforeTheHandIsTooFastForTheLoop) {
   EXPECT_LT(swing_at(1.05), 1e-6);
 }
 
-TEST(Texture, IsNoHigherThanTheWallCanCarry) {
+TEST(Texture, IsNoHigherThanTheWallCanRender) {
   models::TouchTexture high = kRidges;
   high.height_m = 1e-3;
   const auto law = made(textured_ground(high), frictionless());

@@ -56,7 +56,7 @@ TEST(ToolTouch, IsThePointForceForAToolOfOnePlace) {
   EXPECT_EQ(norm(w.torque_Nm), 0.0);
 }
 
-TEST(ToolTouch, TurnsAStickWhoseOneEndIsPushed) {
+TEST(ToolTouch, AppliesATorqueToAStickPushedAtOneEnd) {
   // Tilted about y so that the end at +x is under the floor.
   const Wrench w =
       tool_wrench(Floor{}, kStick, turned({0.0, 1.0, 0.0}, 0.1, {0.0, 0.0, 0.003}), kStiffness_N_per_m);
@@ -84,7 +84,7 @@ TEST(ToolTouch, ForceAndTorqueAreTheDerivativesOfOneEnergy) {
   EXPECT_NEAR(dot(w.torque_Nm.v, unit(axis)), -round_axis, 1e-8);
 }
 
-TEST(ToolTouch, MakesNoEnergyWhileItMovesAndTurnsRoundALoop) {
+TEST(ToolTouch, GeneratesNoEnergyOnAClosedPathOfPoses) {
   double work_J = 0.0, swing_J = 0.0;
   constexpr int kSteps = 20000;
   const auto pose = [](int i) {

@@ -110,14 +110,14 @@ TEST(Tracing, LetsAHandRest) {
   for (std::size_t k = 700; k < felt.size(); ++k) EXPECT_LE(norm(felt[k].force_N), 0.001) << k;
 }
 
-TEST(Tracing, GivesNothingAtTheSpeedCap) {
+TEST(Tracing, HasNoForceAtTheSpeedCap) {
   const TracingLaw law(straight_boundary(), undamped());
   TracingLaw::State state{};
   const auto felt = traced(law, state, straight_path({-0.045, 0, 0}, {0.3, 0, 0}, 280));
   EXPECT_LT(norm(felt.back().force_N), 1e-9);
 }
 
-TEST(Tracing, NeverGivesMoreThanItsTank) {
+TEST(Tracing, NeverDeliversMoreThanItsTank) {
   // A hand led along the boundary as fast as the law helps, for long: energy given <= tank + refill.
   TracingParameters strong = undamped();
   strong.force_N = 5.0;
@@ -156,7 +156,7 @@ double speed_left(const TracingLaw& law, double mass_kg, double hertz, double da
   return std::abs(v);
 }
 
-TEST(Tracing, KeepsNoArmSwingingAboutItsAim) {
+TEST(Tracing, DoesNotSustainOscillationsAboutAnAim) {
   for (const double force_N : {1.0, 5.0}) {
     TracingParameters p;
     p.force_N = force_N;
@@ -169,7 +169,7 @@ TEST(Tracing, KeepsNoArmSwingingAboutItsAim) {
   }
 }
 
-TEST(Tracing, PushesAgainSoonAfterTheHandTurnedRound) {
+TEST(Tracing, PushesAgainSoonAfterAReversal) {
   const TracingLaw law(straight_boundary(), undamped());
   TracingLaw::State state{};
   traced(law, state, straight_path({}, {0.05, 0, 0}, 200));

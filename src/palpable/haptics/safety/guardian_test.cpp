@@ -32,7 +32,7 @@ class GuardianTest : public testing::Test {
   std::unique_ptr<device::MotorFile> motors;
 };
 
-TEST_F(GuardianTest, LeavesTheForceAloneWhileItsProgramLives) {
+TEST_F(GuardianTest, DoesNotChangeTheForceWhileItsProgramRuns) {
   const auto guardian = Guardian::start(motors->zero_write());
   ASSERT_TRUE(guardian) << guardian.error().message;
   motors->write({0.0, 0.0, 2.0});

@@ -9,7 +9,7 @@ namespace {
 
 using Force = Vector<DeviceFrame>;
 
-TEST(ForceCap, ShortensAlongTheForceAndSaysSo) {
+TEST(ForceCap, ReducesTheMagnitudeAndReportsIt) {
   const auto capped = cap_force(Force{{3.0, 0.0, 4.0}}, 2.5);
   EXPECT_TRUE(capped.limited);
   EXPECT_NEAR(capped.force_N.v.x, 1.5, 1e-12);
@@ -29,7 +29,7 @@ TEST(RiseCap, LetsTheForceGrowByNoMoreThanAllowed) {
   EXPECT_NEAR(risen.force_N.v.z, 1.3, 1e-12);
 }
 
-TEST(RiseCap, LimitsATurnAtConstantSizeAndALeapToTheOtherSide) {
+TEST(RiseCap, LimitsARotationAtConstantMagnitudeAndAReversal) {
   const auto turned = cap_rise(Force{{1.0, 0.0, 0.0}}, Force{{0.0, 0.0, 1.0}}, 0.3);
   EXPECT_TRUE(turned.limited);
   EXPECT_NEAR(norm(turned.force_N), 0.3, 1e-12);

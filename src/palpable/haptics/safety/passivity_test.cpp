@@ -37,7 +37,7 @@ double press_once(PassivityObserver& observer, double damping, double seconds) {
   return observer.made_max_J();
 }
 
-TEST(PassivityObserver, SeesTheEnergyThatAHeldSpringMakes) {
+TEST(PassivityObserver, DetectsTheEnergyThatAHeldSpringGenerates) {
   // A held spring makes ½K·dx² a tick on the way in and again on the way out.
   PassivityObserver observer;
   const double made_J = press_once(observer, 0.0, 0.1);
@@ -52,7 +52,7 @@ TEST(PassivityObserver, SeesTheEnergyThatAHeldSpringMakes) {
   EXPECT_NEAR(made_J, expected_J, 1e-9);
 }
 
-TEST(PassivityObserver, FindsNothingMadeWhereTheDamperTakesMoreThanTheHeldSpringMakes) {
+TEST(PassivityObserver, DetectsNothingIfTheDamperDissipatesMoreThanTheSpringGenerates) {
   // Colgate & Schenkel: b > K·T/2 = 0.5 N·s/m.
   // At the very begin the damper still knows a smaller speed than the one that the spring lags by.
   PassivityObserver enough;
@@ -61,7 +61,7 @@ TEST(PassivityObserver, FindsNothingMadeWhereTheDamperTakesMoreThanTheHeldSpring
   EXPECT_GT(press_once(too_little, 0.4, 0.1), 5e-6);
 }
 
-TEST(PassivityObserver, DoesNotPayWithWhatFrictionTookLongAgo) {
+TEST(PassivityObserver, DoesNotCountOldDissipationAsReserve) {
   PassivityObserver observer;
   PassivityObserver::Step braking;
   braking.held_force_N = {{-1.0, 0.0, 0.0}};
@@ -72,7 +72,7 @@ TEST(PassivityObserver, DoesNotPayWithWhatFrictionTookLongAgo) {
   EXPECT_NEAR(press_once(observer, 0.0, 0.1), press_once(fresh, 0.0, 0.1), 1e-9);
 }
 
-TEST(PassivityObserver, DoesNotBlameTheLawForWhatALimitKeptBack) {
+TEST(PassivityObserver, DoesNotCountEnergyThatALimitWithheld) {
   PassivityObserver observer;
   PassivityObserver::Step tick;
   tick.held_force_N = {{0.0, 0.0, 1.0}};
@@ -84,13 +84,13 @@ TEST(PassivityObserver, DoesNotBlameTheLawForWhatALimitKeptBack) {
   EXPECT_EQ(observer.made_max_J(), 0.0);
 }
 
-TEST(PassivityController, TakesOutExactlyWhatWasMadeWhereItMay) {
+TEST(PassivityController, DissipatesExactlyTheGeneratedEnergyWherePossible) {
   const Vector<DeviceFrame> velocity{{0.1, 0.0, 0.0}};
   const auto braked = control_passivity({{1.0, 0.0, 0.0}}, velocity, 1e-6, kT_s);
   EXPECT_NEAR(dot(braked - Vector<DeviceFrame>{{1.0, 0.0, 0.0}}, velocity) * kT_s, -1e-6, 1e-15);
 }
 
-TEST(PassivityController, NeverPullsAndNeverPushesToASide) {
+TEST(PassivityController, NeverPullsOrPushesSideways) {
   const Vector<DeviceFrame> force{{0.0, 0.3, 1.0}};
   for (const double made_J : {1e-8, 1e-6, 1e-3, 1.0})
     for (const Vec3 v :
@@ -102,7 +102,7 @@ TEST(PassivityController, NeverPullsAndNeverPushesToASide) {
     }
 }
 
-TEST(PassivityObserver, CountsThePlainWorkOfAContactWithoutAPotential) {
+TEST(PassivityObserver, CountsTheWorkOfAContactWithoutAPotential) {
   PassivityObserver observer;
   observer.begin(0.0, PassivityObserver::Beginning::from_no_force);
   PassivityObserver::Step step;
@@ -120,7 +120,7 @@ TEST(PassivityObserver, CountsThePlainWorkOfAContactWithoutAPotential) {
   EXPECT_NEAR(observer.made_max_J(), 1e-3, 1e-15);
 }
 
-TEST(PassivityObserver, CountsWhatATouchGivesThatBeganInsideWithoutForce) {
+TEST(PassivityObserver, CountsTheEnergyOfATouchThatBeganInsideWithoutForce) {
   for (const double stored_J : {std::numeric_limits<double>::quiet_NaN(), 0.01}) {
     PassivityObserver observer;
     observer.begin(stored_J, PassivityObserver::Beginning::from_no_force);
@@ -137,7 +137,7 @@ TEST(PassivityObserver, CountsWhatATouchGivesThatBeganInsideWithoutForce) {
   }
 }
 
-TEST(PassivityController, OnlyTakesEnergyOut) {
+TEST(PassivityController, OnlyDissipatesEnergy) {
   EXPECT_EQ(control_passivity({{1.0, 2.0, 3.0}}, {{0.1, 0.0, 0.0}}, -1.0, kT_s).v, (Vec3{1.0, 2.0, 3.0}));
   EXPECT_EQ(control_passivity({{1.0, 2.0, 3.0}}, {}, 1.0, kT_s).v, (Vec3{1.0, 2.0, 3.0}));
 }

@@ -22,7 +22,7 @@ device::Traits known() {
   return traits;
 }
 
-TEST(SafeContact, LeavesASoftWallAsItIs) {
+TEST(SafeContact, DoesNotChangeASoftWall) {
   const auto safe = safe_contact(known(), 1000.0, 1.0, 500.0, 0.5);
   EXPECT_EQ(safe.stiffness_N_per_m, 500.0);
   EXPECT_EQ(safe.damping_Ns_per_m, 0.5);
@@ -47,7 +47,7 @@ TEST(SafeContact, CountsTheDelayAndTheRate) {
   EXPECT_NE(safe_contact(traits, 4000.0, 1.0, 1e6, 0.5).bound, StiffnessBound::none);
 }
 
-TEST(SafeContact, LowersADampingThatTheDeviceCannotCarry) {
+TEST(SafeContact, LowersADampingThatTheDeviceCannotRender) {
   const auto safe = safe_contact(known(), 1000.0, 1.0, 300.0, 50.0);
   EXPECT_NEAR(safe.damping_Ns_per_m, 0.55 * 1.6, 1e-12);
   EXPECT_EQ(safe.stiffness_N_per_m, 300.0);
@@ -61,20 +61,20 @@ TEST(SafeContact, KeepsTheSensorsStepsBelowWhatFrictionHolds) {
   EXPECT_EQ(safe.bound, StiffnessBound::quantisation);
 }
 
-TEST(SafeContact, KnowsThatAScaledSceneIsStifferInTheHand) {
+TEST(SafeContact, AccountsForTheScaleOfTheScene) {
   // Half a metre of scene in a tenth of a metre of device: stiffness and damping are five times as great
   // there.
   const auto safe = safe_contact(known(), 1000.0, 5.0, 1e6, 0.1);
   EXPECT_NEAR(safe.stiffness_N_per_m, 0.65 * 1.1 * 320.0, 1e-9);
 }
 
-TEST(SafeContact, BoundsNothingWithoutMotors) {
+TEST(SafeContact, LimitsNothingWithoutMotors) {
   device::Traits traits = known();
   traits.pushes_back = false;
   EXPECT_EQ(safe_contact(traits, 1000.0, 1.0, 1e5, 9.0).stiffness_N_per_m, 1e5);
 }
 
-TEST(SafeContact, ComesToRestInEveryHandThatWeTried) {
+TEST(SafeContact, ComesToRestInEveryTestedHand) {
   Hands hands(11);
   for (int round = 0; round < 60; ++round) {
     device::HandOptions hand = hands.next();

@@ -136,7 +136,7 @@ TEST_F(ZeroForceDeathTest, IsWrittenWhenAnExceptionIsNotCaught) {
       testing::KilledBySignal(SIGABRT), "zero force");
 }
 
-TEST_F(ZeroForceDeathTest, IsNotLeftOnTheHandByATerminalThatStopsTheProgram) {
+TEST_F(ZeroForceDeathTest, IgnoresTheStopSignalOfATerminal) {
   EXPECT_EXIT(
       {
         write_zero_force_on_crash();

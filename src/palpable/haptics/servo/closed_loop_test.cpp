@@ -85,7 +85,7 @@ TEST(ClosedLoop, IsPushedAsideOnASphereAlongItsNormal) {
   EXPECT_GT(sample.raw_force_N.v.x, 0.0);
 }
 
-TEST(ClosedLoop, MakesNoEnergyOnAPlaneBelowTheStabilityLimit) {
+TEST(ClosedLoop, GeneratesNoEnergyOnAPlaneBelowTheStabilityLimit) {
   for (const int delay : {0, 1, 2}) {
     auto options = held();
     options.delay_samples = delay;
@@ -103,7 +103,7 @@ TEST(ClosedLoop, MakesNoEnergyOnAPlaneBelowTheStabilityLimit) {
   }
 }
 
-TEST(ClosedLoop, ControllerEndsTheSwingingOfAWallThatIsTooStiff) {
+TEST(ClosedLoop, ControllerEndsTheOscillationOfATooStiffWall) {
   auto options = held();
   options.device_mass_kg = 0.1;
   options.arm_mass_kg = 0.0;

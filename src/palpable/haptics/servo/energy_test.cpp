@@ -44,7 +44,7 @@ double made_by(Law law, const device::HandOptions& options, double times_the_lim
 
 class EnergyOf : public testing::TestWithParam<Law> {};
 
-TEST_P(EnergyOf, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
+TEST_P(EnergyOf, IsGeneratedFarAboveTheStiffnessLimitButNotAtIt) {
   Hands hands(17);
   double most_above_J = 0.0;
   for (int round = 0; round < 6; ++round) {
@@ -61,7 +61,7 @@ TEST_P(EnergyOf, IsNotMadeAtTheStiffnessLimitAndIsFarAboveIt) {
   EXPECT_GT(most_above_J, 1e-5) << "the account sees what there is to see";
 }
 
-TEST(EnergyOfRolling, IsNotMadeAtBendsWhateverTheDelay) {
+TEST(EnergyOfRolling, IsNotGeneratedAtBendsForAnyDelay) {
   Hands hands(17);
   double most_J = 0.0;
   for (int round = 0; round < 12; ++round) {

@@ -52,7 +52,7 @@ double swing_m(const device::HandOptions& options, double stiffness_N_per_m, Pas
   return most_m - least_m;
 }
 
-TEST(FieldTouch, DoesNotSwingOnFrictionInALooseGrip) {
+TEST(FieldTouch, DoesNotOscillateOnFrictionInALooseGrip) {
   device::HandOptions hand;
   hand.explorer.script = device::ExplorerOptions::Script::hold;
   hand.arm_mass_kg = 0.1;
@@ -67,7 +67,7 @@ TEST(FieldTouch, DoesNotSwingOnFrictionInALooseGrip) {
     }
 }
 
-TEST(FieldTouch, PassesFromOneMaterialToAnotherWithoutAKick) {
+TEST(FieldTouch, ChangesMaterialsWithoutAForceStep) {
   std::array<Contact, 256> contacts{};
   contacts[0] = {1000.0, 0.0, 0.0, 0.0};
   contacts[1] = {200.0, 0.0, 0.0, 0.0};
@@ -88,7 +88,7 @@ TEST(FieldTouch, PassesFromOneMaterialToAnotherWithoutAKick) {
   EXPECT_LE(greatest_N, 0.25) << "2.4 N between the two";
 }
 
-TEST(FieldTouch, IsNoStifferUnderATextureThanTheStabilityLimitKnows) {
+TEST(FieldTouch, StaysWithinTheStabilityLimitUnderATexture) {
   for (const auto kind : {models::TouchTexture::Kind::ridges, models::TouchTexture::Kind::grain,
                           models::TouchTexture::Kind::bumps}) {
     models::Material material;

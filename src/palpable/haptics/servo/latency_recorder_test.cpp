@@ -10,7 +10,7 @@
 namespace palpable::haptics {
 namespace {
 
-TEST(LatencyRecorder, KnowsThePercentilesOfAKnownDistribution) {
+TEST(LatencyRecorder, ComputesThePercentilesOfAKnownDistribution) {
   LatencyRecorder recorder;
   for (int i = 1; i <= 100000; ++i) recorder.record_ns(0.1 * i);
   const LatencySummary s = recorder.summary();

@@ -27,7 +27,7 @@ TEST(Pacer, NeverWakesBeforeItsDeadlineAndCountsEveryPeriodOnce) {
   EXPECT_GE(k, 100);
 }
 
-TEST(Pacer, SkipsWhatAStallCostAndDoesNotCatchUpInABurst) {
+TEST(Pacer, SkipsMissedDeadlinesWithoutCatchingUpInABurst) {
   Pacer pacer(1000.0, 100e-6);
   pacer.begin();
   pacer.wait();
@@ -41,7 +41,7 @@ TEST(Pacer, SkipsWhatAStallCostAndDoesNotCatchUpInABurst) {
   EXPECT_GE(next.periods, 1U);
 }
 
-TEST(Pacer, KnowsATickThatTookTooLongItself) {
+TEST(Pacer, DetectsATickThatTookTooLongItself) {
   Pacer pacer(1000.0, 100e-6);
   pacer.begin();
   pacer.wait();

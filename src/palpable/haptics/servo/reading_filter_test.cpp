@@ -27,7 +27,7 @@ class ReadingFilterTest : public testing::Test {
   ReadingFilter filter;
 };
 
-TEST_F(ReadingFilterTest, BelievesAHandsMovement) {
+TEST_F(ReadingFilterTest, AcceptsAHandsMovement) {
   EXPECT_EQ(judge(0.002), ReadingUse::continues);
   const JudgedReading judged = filter.judge(at(0.003), kT_s);
   EXPECT_FALSE(judged.first);
@@ -42,7 +42,7 @@ TEST_F(ReadingFilterTest, DoesNotUseAGlitch) {
   EXPECT_DOUBLE_EQ(back.passed_s, 3 * kT_s);
 }
 
-TEST_F(ReadingFilterTest, BeginsANewTouchWhereAJumpLasts) {
+TEST_F(ReadingFilterTest, BeginsANewTouchIfAJumpPersists) {
   EXPECT_EQ(judge(0.02), ReadingUse::glitch);
   EXPECT_EQ(judge(0.0201), ReadingUse::glitch);
   const JudgedReading third = filter.judge(at(0.0202), kT_s);
@@ -51,7 +51,7 @@ TEST_F(ReadingFilterTest, BeginsANewTouchWhereAJumpLasts) {
   EXPECT_EQ(judge(0.0203), ReadingUse::continues);
 }
 
-TEST_F(ReadingFilterTest, KnowsNoPositionWhereReadingsAgreeWithNothing) {
+TEST_F(ReadingFilterTest, HasNoPositionIfReadingsAgreeWithNoOther) {
   double side = 0.02;
   for (int k = 0; k < options.glitch_readings; ++k, side = -side) EXPECT_EQ(judge(side), ReadingUse::glitch);
   EXPECT_EQ(judge(side), ReadingUse::none);

@@ -48,7 +48,7 @@ Impact thrown(double mass_kg, double speed_m_per_s, double stiffness, double dam
   return {v, tick.counts().withheld_max_J};
 }
 
-TEST(RiseLimit, GivesBackNoMoreThanTheHandGave) {
+TEST(RiseLimit, ReturnsNoMoreEnergyThanTheHandDelivered) {
   // The device's cap is far above, so that the limit of 300 N/s is what acts.
   for (const double speed : {0.6, 1.0, 1.5}) {
     const Impact impact = thrown(0.3, speed, 960.0, 1.0, 20.0, Passivity::observe);
@@ -57,7 +57,7 @@ TEST(RiseLimit, GivesBackNoMoreThanTheHandGave) {
   }
 }
 
-TEST(RiseLimit, MakesNoEnergyInRandomImpacts) {
+TEST(RiseLimit, GeneratesNoEnergyInRandomImpacts) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   for (int k = 0; k < 200; ++k) {
@@ -122,7 +122,7 @@ Work guided(const Guided& hand) {
   return work;
 }
 
-TEST(Ramp, GivesBackNoMoreThanTheHandGaveWhereverItBegan) {
+TEST(Ramp, ReturnsNoMoreEnergyThanTheHandDeliveredWhereverItBegan) {
   for (const double deep_m : {0.001, 0.003, 0.007})
     for (const double in_s : {-0.1, 0.0, 0.05, 0.15, 0.24})
       for (const double out_s : {0.1, 0.3, 0.5}) {
@@ -136,11 +136,11 @@ TEST(Ramp, GivesBackNoMoreThanTheHandGaveWhereverItBegan) {
     EXPECT_LE(guided({0.4, 0.8, 0.005, stall_s}).received_J, 1e-6) << "stall at " << stall_s << " s";
 }
 
-TEST(Ramp, BringsARestingHandTheWholeSpring) {
+TEST(Ramp, GivesARestingHandTheWholeSpring) {
   EXPECT_NEAR(guided({-0.1, 0.5, 0.003}).deepest_force_N, 1.5, 0.05);
 }
 
-TEST(PassivityController, LetsNoSpringThrowAHandBackFaster) {
+TEST(PassivityController, NeverLetsASpringReturnAHandFaster) {
   // Undamped, the held spring makes energy; without controller it shows.
   double without = 0.0;
   for (const double mass_kg : {0.05, 0.15, 0.5}) {

@@ -108,7 +108,7 @@ TEST(ServoLoop, RunsAtEveryRateWithTheOptionsThatItHas) {
   }
 }
 
-TEST(ServoLoop, WritesZeroForceOnEveryWayOut) {
+TEST(ServoLoop, WritesZeroForceOnEveryExit) {
   Log log;
   std::atomic<int> alive{0};
   {
@@ -170,7 +170,7 @@ TEST(ServoLoop, RecordsEveryTickInOrderAndCountsWhatItLoses) {
   EXPECT_GT((*loop)->recording_lost(), 0U);
 }
 
-TEST(ServoLoop, SwapsProgramsLiveAndFreesTheOldOnesElsewhere) {
+TEST(ServoLoop, SwapsScenesLiveAndFreesTheOldOnesOnAnotherThread) {
   constexpr int kChanges = 100;
   Log log;
   std::atomic<int> alive{0};
@@ -196,7 +196,7 @@ TEST(ServoLoop, SwapsProgramsLiveAndFreesTheOldOnesElsewhere) {
   EXPECT_EQ(alive, 0);
 }
 
-TEST(ServoLoop, KeepsOnlyTheNewestOfProgramsThatCameTooFast) {
+TEST(ServoLoop, KeepsOnlyTheNewestOfScenesThatComeTooFast) {
   Log log;
   std::atomic<int> alive{0};
   ServoOptions options = quiet();
@@ -264,7 +264,7 @@ std::optional<TouchSample> wait_for(ServoLoop& loop, std::size_t probe, device::
   return std::nullopt;
 }
 
-TEST(ServoLoop, FurtherProbesTouchTheSameSceneEachForItself) {
+TEST(ServoLoop, FurtherProbesTouchTheSameSceneIndependently) {
   Log log;
   HapticScene program;
   program.touchable = std::make_shared<SpringSurface>(flat, 500.0, 0.0);
@@ -302,7 +302,7 @@ TEST(ServoLoop, FurtherProbesTouchTheSameSceneEachForItself) {
   EXPECT_GT(recorded[2], 0U);
 }
 
-TEST(ServoLoop, ChangesTheSceneOfProbesThatAreAwayToo) {
+TEST(ServoLoop, ChangesTheSceneOfAbsentProbesToo) {
   Log log;
   std::atomic<int> alive{0};
   auto feed = std::make_shared<device::PointerFeed>();

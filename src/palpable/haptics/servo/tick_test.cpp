@@ -56,7 +56,7 @@ std::shared_ptr<const Touchable> plane(double stiffness = 500.0, std::uint64_t f
   return std::make_shared<SpringSurface>(flat, stiffness, 0.0, family);
 }
 
-TEST(Tick, LetsTheForceRiseSlowlyAtTheBegin) {
+TEST(Tick, RampsTheForceUpAtTheStart) {
   Loop loop(plane());
   loop.device.reading.position.v = {0.0, 0.0, -0.002};
   loop.run(1);
@@ -111,7 +111,7 @@ TEST(Tick, RefusesAReadingThatIsNotFiniteAndRampsDown) {
   EXPECT_EQ(loop.count(TouchEvent::Kind::recovered), 1);
 }
 
-TEST(Tick, RefusesALeapThatNoHandMakes) {
+TEST(Tick, RefusesAJumpThatNoHandMakes) {
   Loop loop(plane());
   loop.run(300);
   loop.device.reading.position.v = {0.04, 0.0, -0.02};
@@ -141,7 +141,7 @@ TEST(Tick, DoesNotFeelAGlitchOfAReading) {
   }
 }
 
-TEST(Tick, TakesAJumpThatLastsForANewTouch) {
+TEST(Tick, StartsANewTouchAfterAPersistentJump) {
   Loop loop(plane());
   loop.device.reading.position.v = {0.0, 0.0, 0.004};
   loop.run(500);
@@ -158,7 +158,7 @@ TEST(Tick, TakesAJumpThatLastsForANewTouch) {
   }
 }
 
-TEST(Tick, BeginsAnewFromZeroForceAfterAStall) {
+TEST(Tick, StartsFromZeroForceAfterAStall) {
   Loop loop(plane(5000.0));
   loop.device.mutable_traits().max_force_N = 20.0;
   loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);
@@ -234,7 +234,7 @@ TEST(Tick, FadesFromOneSceneToTheNextWithoutAStep) {
   EXPECT_EQ(loop.sample->scene_id, 7U);
 }
 
-TEST(Tick, DoesNotBlameALawForTheWorkOfAChangeOfScene) {
+TEST(Tick, DoesNotCountTheWorkOfAChangeOfSceneForTheLaw) {
   Loop loop(plane(500.0));
   loop.device.reading.position.v = {0.0, 0.0, -0.002};
   loop.run(400);
@@ -266,7 +266,7 @@ TEST(Tick, ContinuesAStateWithinAFamilyAndBeginsAnewOutside) {
   EXPECT_EQ(loop.tick->take_retired(), &same);
 }
 
-TEST(Tick, TurnsForcesBackIntoTheDevicesFrameAndKeepsTheirSize) {
+TEST(Tick, RotatesForcesIntoTheDeviceFrameAndKeepsTheirMagnitude) {
   Loop loop(plane());
   // The scene's z is the device's y, shown at twice the size.
   loop.program.scene_from_device.rotation = {1, 0, 0, 0, 0, -1, 0, 1, 0};
@@ -290,7 +290,7 @@ TEST(Tick, PushesAPlanarDeviceInItsPlaneOnly) {
   EXPECT_EQ(loop.written().z, 0.0);
 }
 
-TEST(Tick, TellsContactLabelsAndButtonsOnce) {
+TEST(Tick, ReportsContactLabelsAndButtonsOnce) {
   Loop loop(plane());
   loop.device.reading.position.v = {-0.01, 0.0, -0.001};
   loop.run(5);

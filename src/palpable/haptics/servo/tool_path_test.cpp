@@ -111,7 +111,7 @@ TEST(ToolPath, KeepsEachProbesTouchApart) {
   EXPECT_TRUE(expected[1].back().contact);
 }
 
-TEST(ToolPath, RefusesPosesAndToolsThatMakeNoSense) {
+TEST(ToolPath, RefusesInvalidPosesAndTools) {
   const std::array good{pose_at(0.0, {}), pose_at(0.0, {}, 1), pose_at(0.1, {})};
   EXPECT_TRUE(check_poses(good));
   EXPECT_FALSE(check_poses({}));

@@ -131,7 +131,7 @@ TEST(ContactTransients, VibrateOnceForEachTapWithinAllLimits) {
   EXPECT_GT(greatest_N, 0.2) << "it is there";
 }
 
-TEST(ContactTransients, CountTheirEnergyAndTheControllerTakesOutWhatTheyMake) {
+TEST(ContactTransients, CountTheirEnergyWhichTheControllerDissipates) {
   // Of soft ground that rings for long: what comes back from a spring cannot hide it.
   const ContactTransient ringing{20.0, 20.0, 2.0};
   const Taps observed(ringing, Passivity::observe);

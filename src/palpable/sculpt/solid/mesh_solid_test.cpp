@@ -22,7 +22,7 @@
 namespace palpable::sculpt {
 namespace {
 
-TEST(MeshSolid, TellsBeforehandWhatAMeshTakes) {
+TEST(MeshSolid, EstimatesTheMemoryOfAMeshBeforehand) {
   EXPECT_FALSE(mesh_too_large(100'000, std::size_t{1} << 30U));
   const auto refused = mesh_too_large(10'000'000, std::size_t{1} << 30U);
   ASSERT_TRUE(refused);
@@ -107,7 +107,7 @@ TEST(MeshSolid, JoinsBodiesThatOverlap) {
   }
 }
 
-TEST(MeshSolid, CutsWhatOthersCrossWithoutCuttingItSmall) {
+TEST(MeshSolid, CutsCrossedTrianglesIntoFewPieces) {
   Mesh city = box_mesh({-1, -1, -0.1}, {1, 1, 0});
   for (int i = 0; i < 16; ++i) {
     const double x = -0.9 + 0.45 * (i % 4), y = -0.9 + 0.45 * (i / 4);
@@ -220,7 +220,7 @@ TEST(MeshSolid, KeepsStripsOfSmallFacetsThatOthersCover) {
   EXPECT_NEAR(top_m2, (kSide - kCovered) * kSide, 1e-10);
 }
 
-TEST(MeshSolid, TellsTheSideOfAThinPlateFromFarAway) {
+TEST(MeshSolid, DeterminesTheSideOfAThinPlateFromFarAway) {
   constexpr double kThickness = 4e-6;
   const Vec3 low{-0.05, -0.05, 0}, high{0.05, 0.05, kThickness};
   const auto solid = solid_from_mesh(box_mesh(low, high), 2e-4, {});
@@ -236,7 +236,7 @@ TEST(MeshSolid, TellsTheSideOfAThinPlateFromFarAway) {
   }
 }
 
-TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {
+TEST(MeshSolid, ReplacesSmallFacetsByTheSmoothSurfaceThatTheyApproximate) {
   models::Superquadric ball;
   ball.size_m = {0.02, 0.02, 0.02};
   const Mesh mesh = models::mesh_of(ball, 0.001);
@@ -264,7 +264,7 @@ TEST(MeshSolid, TakesSmallFacetsForTheSmoothSurfaceThatTheyStandFor) {
   EXPECT_GT(facets_m, 3e-6);
 }
 
-TEST(MeshSolid, KeepsFacetsThatStandTooFarOffASmoothSurfaceOrAreLarge) {
+TEST(MeshSolid, KeepsFacetsThatAreLargeOrFarFromASmoothSurface) {
   models::Superquadric ball;
   ball.size_m = {0.02, 0.02, 0.02};
   const Mesh mesh = models::mesh_of(ball, 0.001);

@@ -30,7 +30,7 @@ Vec3 place_near(std::mt19937_64& random) {
   return (kRadius_m + depth(random)) * unit(Vec3{x, y, z});
 }
 
-TEST(SmoothSurface, IsTheBallThatItsFacetsStandFor) {
+TEST(SmoothSurface, IsTheBallThatItsFacetsApproximate) {
   const Mesh mesh = sphere();
   const SmoothSurface smooth(mesh);
   const auto facets = mesh_distance(mesh, mesh);
@@ -49,7 +49,7 @@ TEST(SmoothSurface, IsTheBallThatItsFacetsStandFor) {
   EXPECT_GT(worst_facet_m, 2e-6);
 }
 
-TEST(SmoothSurface, KeepsEdgesAsSharpAsTheyAre) {
+TEST(SmoothSurface, KeepsEdgesSharp) {
   const Mesh mesh = box_mesh({-0.01, -0.02, -0.03}, {0.01, 0.02, 0.03});
   const SmoothSurface smooth(mesh);
   const auto exact = mesh_distance(mesh, mesh);
@@ -84,7 +84,7 @@ double mean_coarse_turn(const Mesh& mesh, const SmoothSurface::Rounding& roundin
   return sum;
 }
 
-TEST(SmoothSurface, KnowsAScansNoiseFromTheCurvatureOfASmoothSurface) {
+TEST(SmoothSurface, DistinguishesAScansNoiseFromCurvature) {
   SmoothSurface::Rounding noise_only;
   noise_only.coarse_share = 0.0;
   noise_only.noise_turn_share = 1.0;
@@ -99,7 +99,7 @@ TEST(SmoothSurface, KnowsAScansNoiseFromTheCurvatureOfASmoothSurface) {
   EXPECT_EQ(mean_coarse_turn(noisy_sphere(0.05), noise_only), 0.0);
 }
 
-TEST(SmoothSurface, AnswersAfterItsVerticesMovedAsOneThatWasMadeThere) {
+TEST(SmoothSurface, EqualsANewSurfaceAfterItsVerticesMoved) {
   const Mesh before = sphere();
   Mesh after = before;
   SmoothSurface moved(before);
@@ -123,7 +123,7 @@ TEST(SmoothSurface, AnswersAfterItsVerticesMovedAsOneThatWasMadeThere) {
   EXPECT_EQ(moved.bounds().most_m.z, made.bounds().most_m.z);
 }
 
-TEST(SmoothSurface, SaysTheSameInABallThatWasEntered) {
+TEST(SmoothSurface, GivesTheSameInsideAnEnteredBall) {
   const SmoothSurface smooth(sphere());
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> uniform(-0.57, 0.57);

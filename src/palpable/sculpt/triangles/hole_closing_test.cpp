@@ -89,7 +89,7 @@ TEST(HoleClosing, BendsNoMoreThanTheSurfaceAround) {
   }
 }
 
-TEST(HoleClosing, DividesARimOfManyPlaces) {
+TEST(HoleClosing, DividesARimOfManyVertices) {
   constexpr int kPlaces = 1500;
   std::vector<Vec3> circle;
   for (int i = 0; i < kPlaces; ++i) {

@@ -25,7 +25,7 @@ Mesh open_house(double at_m) {
   return house;
 }
 
-TEST(MeshOrientation, TurnsWallsThatHousesShareAsTheirEdgesWant) {
+TEST(MeshOrientation, OrientsWallsSharedByHousesByTheirEdges) {
   constexpr int kHouses = 5;
   Mesh row = open_house(0.0);
   for (int k = 1; k < kHouses; ++k) row = together(row, open_house(kSide_m * k));

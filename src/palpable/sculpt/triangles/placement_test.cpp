@@ -63,7 +63,7 @@ TEST(Placement, FitsWhatIsTooLargeOrTooSmallIntoTheWorkingVolume) {
   }
 }
 
-TEST(Placement, StandsWhatHasZUpUprightWithItsFrontToThePerson) {
+TEST(Placement, PlacesSolidsWithZUpUprightWithTheirFrontToTheUser) {
   // Front at -y, up +z.
   const auto placement = placement_of({{-4.0, -5.0, 0.0}, {4.0, 5.0, 6.0}}, with_up(AxisDirection::plus_z));
   ASSERT_TRUE(placement);
@@ -84,7 +84,7 @@ TEST(Placement, LaysAMapFlatWithNorthUpwards) {
   }
 }
 
-TEST(Placement, DoesWhatIsAsked) {
+TEST(Placement, ObeysItsOptions) {
   PlacementOptions options;
   options.up = AxisDirection::minus_x;
   options.lay = Lay::flat;

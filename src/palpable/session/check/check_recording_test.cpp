@@ -105,7 +105,7 @@ TEST(CheckRecording, RecomputesEveryTickOfATouchToTheLastBit) {
   EXPECT_EQ(report.laws, std::vector<std::string>{"proxy"});
 }
 
-TEST(CheckRecording, GoesOnThroughAChangeOfScene) {
+TEST(CheckRecording, ContinuesThroughAChangeOfScene) {
   auto options = recorded_touch_of(2.0, "two-scenes.rec");
   ASSERT_TRUE(touch_headless(makes({waves(0.010), waves(0.012)}), options, {}));
   const auto report = checked(options.recording, {waves(0.012), waves(0.010)});
@@ -216,7 +216,7 @@ TEST(CheckRecording, SaysThatAForceIsNotAFiniteNumberInWords) {
   EXPECT_EQ(text.find("nan"), std::string::npos) << text;
 }
 
-TEST(CheckRecording, RefusesAHeaderWithARateThatIsNone) {
+TEST(CheckRecording, RefusesAHeaderWithAnInvalidRate) {
   for (const std::string rate : {"0", "-1000", "1e300"}) {
     const auto file = in_temp("rate.rec");
     ASSERT_TRUE((*device::RecordingWriter::create(

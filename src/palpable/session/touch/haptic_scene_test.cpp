@@ -68,7 +68,7 @@ TEST_F(PreparingAScene, MakesItsSurfaceOnceWhileOnlyParametersChange) {
   EXPECT_EQ(softer.scene.touchable->state_family(), first.scene.touchable->state_family());
 }
 
-TEST_F(PreparingAScene, NeverAnswersWithASurfaceKeptOfSomethingElse) {
+TEST_F(PreparingAScene, NeverUsesACachedSurfaceOfAnotherScene) {
   KeptSurfaces kept;
   const Vec3 under{0.0073, 0.0041, 0.002};
   for (const double radius_m : {0.001, 0.003})
@@ -88,7 +88,7 @@ TEST_F(PreparingAScene, NeverAnswersWithASurfaceKeptOfSomethingElse) {
   EXPECT_EQ(kept.of, models::relief_of(scene_));
 }
 
-TEST_F(PreparingAScene, GivesADeviceThatMovesInThePlaneTheRollingLawAndSaysSo) {
+TEST_F(PreparingAScene, UsesTheRollingLawOnPlanarDevicesWithANotice) {
   traits_.degrees_of_freedom = 2;
   KeptSurfaces kept;
   const auto prepared = prepare({}, kept);
@@ -107,7 +107,7 @@ TEST_F(PreparingAScene, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {
   EXPECT_NE(prepared.notices.front().find("lowered"), std::string::npos);
 }
 
-TEST_F(PreparingAScene, RefusesADepthThatIsNone) {
+TEST_F(PreparingAScene, RefusesAnInvalidDepthFactor) {
   TouchSettings settings;
   settings.depth = std::nan("");
   KeptSurfaces kept;

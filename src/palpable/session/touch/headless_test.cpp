@@ -30,7 +30,7 @@ Result<void> two_scenes(const DeliverScene& deliver, const Work&) {
   return {};
 }
 
-TEST(TouchHeadless, TouchesASceneAndTakesABetterOneIn) {
+TEST(TouchHeadless, ReplacesTheSceneByABetterOneDuringTheTouch) {
   auto options = unprivileged(2.0);
   options.recording = std::filesystem::path(testing::TempDir()) / "headless.rec";
   const auto statistics = touch_headless(two_scenes, options, {});
@@ -68,7 +68,7 @@ TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {
   EXPECT_NEAR(place["translation_m"][1].get<double>(), 0.01, 1e-9);
 }
 
-TEST(Recorder, KeepsWhatTheSameLawAnswersAgainToTheLastBit) {
+TEST(Recorder, StoresForcesThatTheLawReproducesToTheLastBit) {
   const auto scene = hills(0.010);
   const auto device = device::open_device("sim:", {});
   ASSERT_TRUE(device);

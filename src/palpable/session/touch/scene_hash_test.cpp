@@ -28,7 +28,7 @@ models::Scene with_texture(models::TouchTexture::Kind kind, double pitch_m) {
   return scene;
 }
 
-TEST(SceneHash, TellsTexturesApart) {
+TEST(SceneHash, DistinguishesTextures) {
   using Kind = models::TouchTexture::Kind;
   EXPECT_NE(scene_hash(flat()), scene_hash(with_texture(Kind::grain, 0.002)));
   EXPECT_NE(scene_hash(with_texture(Kind::grain, 0.001)), scene_hash(with_texture(Kind::grain, 0.002)));

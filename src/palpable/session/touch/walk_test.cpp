@@ -20,7 +20,7 @@ TEST(Walk, TurnsAheadWithTheExplorer) {
   EXPECT_NEAR(p.z, 0.005, 1e-12);
 }
 
-TEST(Walk, TakesTheDevicesMiddleAlongAndKeepsItsScaleAndHeight) {
+TEST(Walk, MovesTheDevicesCentreAndKeepsItsScaleAndHeight) {
   Transform<SceneFrame, DeviceFrame> laid_out;
   laid_out.scale = 2.0;
   laid_out.translation_m = {0.5, 0.6, 0.007};
@@ -39,7 +39,7 @@ TEST(Walk, StandsWhereItsLastStepLed) {
   EXPECT_EQ(stance_at(walk, 9.0).x_m, 0.2);
 }
 
-TEST(Walk, RefusesWhatIsNoWalk) {
+TEST(Walk, RefusesInvalidWalks) {
   EXPECT_FALSE(check_walk({}));
   EXPECT_FALSE(check_walk(std::array{WalkStep{0.0, {}}, WalkStep{0.0, {}}}));
   EXPECT_FALSE(check_walk(std::array{WalkStep{0.0, {NAN, 0.0, 0.0}}}));

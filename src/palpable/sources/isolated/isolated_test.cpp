@@ -71,7 +71,7 @@ TEST(Isolated, GivesEveryTriangleOfAMesh) {
   EXPECT_NEAR(norm(twice_the_areas), 0.0, 1e-6) << "a closed surface";
 }
 
-TEST(Isolated, AnswersManyThreadsAtOnce) {
+TEST(Isolated, ServesManyThreadsAtOnce) {
   std::vector<std::thread> threads;
   std::atomic<int> good{0};
   for (int k = 0; k < 8; ++k)
@@ -106,7 +106,7 @@ TEST(Isolated, DeepNestingDoesNotEndThisProcess) {
   }
 }
 
-TEST(Isolated, WorkWithoutEndIsEnded) {
+TEST(Isolated, EndlessWorkIsEnded) {
   const Limits limits{std::uint64_t{1} << 30U, std::uint64_t{1} << 20U, std::chrono::seconds(1),
                       std::chrono::seconds(1)};
   const WithDecoder endless("while :; do :; done");
@@ -116,7 +116,7 @@ TEST(Isolated, WorkWithoutEndIsEnded) {
   EXPECT_THAT(reply.error().message, HasSubstr("was not read within 1 s"));
 }
 
-TEST(Isolated, ADecoderThatIsMissingOrAnotherIsNamed) {
+TEST(Isolated, AMissingOrDifferentDecoderIsReported) {
   ::setenv("PALPABLE_DECODER", "/nowhere/palpable-decoder", 1);
   const auto missing = decode_mesh(as_bytes(kTetrahedron), "obj");
   ::unsetenv("PALPABLE_DECODER");
@@ -128,7 +128,7 @@ TEST(Isolated, ADecoderThatIsMissingOrAnotherIsNamed) {
   EXPECT_THAT(other.error().message, HasSubstr("another version"));
 }
 
-TEST(Isolated, OpensNoFileThatAMeshNames) {
+TEST(Isolated, OpensNoFileNamedInAMesh) {
   const fs::path pipe = fs::path(testing::TempDir()) / "palpable-isolated.mtl";
   fs::remove(pipe);
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

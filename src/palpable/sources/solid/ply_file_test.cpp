@@ -75,7 +75,7 @@ TEST(PlyFile, ReadsPointsWithNormalsAndSkipsWhatItDoesNotKnow) {
   EXPECT_EQ(cloud->normals[1], (Vec3{0, 1, 0}));
 }
 
-TEST(PlyFile, TakesStripsApartAsTheyTurn) {
+TEST(PlyFile, SplitsStripsWithTheirOrientation) {
   const auto strip = mesh(
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
@@ -108,7 +108,7 @@ TEST(PlyFile, RefusesMoreThanTheHeaderStates) {
   EXPECT_FALSE(mesh(header("ascii", 3, 1) + "0 0 0 7\n1 0 0\n0 1 0\n3 0 1 2\n"));
 }
 
-TEST(PlyFile, RefusesCornersThatAreNoVertexAndPlacesThatAreNoNumber) {
+TEST(PlyFile, RefusesInvalidIndicesAndCoordinates) {
   EXPECT_FALSE(mesh(header("ascii", 3, 1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"));
   EXPECT_FALSE(mesh(header("ascii", 3, 1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"));
   EXPECT_FALSE(mesh(header("ascii", 3, 1) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n"));

@@ -19,7 +19,7 @@ Video small_video() {
   return video;
 }
 
-TEST(VideoReply, ComesBackAsItWas) {
+TEST(VideoReply, RestoresEveryFrame) {
   const Video video = small_video();
   const auto back = video_in(reply_of(video));
   ASSERT_TRUE(back);
@@ -29,7 +29,7 @@ TEST(VideoReply, ComesBackAsItWas) {
   EXPECT_EQ(back->frames[2].picture, video.frames[2].picture);
 }
 
-TEST(VideoReply, IsRefusedWhereItIsCutOrTooLongOrItsNumbersAreWild) {
+TEST(VideoReply, IsRefusedIfTruncatedTooLongOrWithInvalidNumbers) {
   auto bytes = reply_of(small_video());
   for (std::size_t length = 0; length < bytes.size(); ++length)
     EXPECT_FALSE(video_in(std::span(bytes).first(length))) << length;
@@ -75,7 +75,7 @@ TEST(DecodeVideo, ReducesLongSides) {
   EXPECT_EQ(video->full_width, 1920);
 }
 
-TEST(DecodeVideo, RefusesWhatIsNoFilm) {
+TEST(DecodeVideo, RefusesOtherFiles) {
   EXPECT_FALSE(decode_video(bytes_of(std::string("no film at all, but some words"))));
   EXPECT_FALSE(decode_video(bytes_of(film(32, 16, 0))));
   EXPECT_FALSE(decode_video({}));

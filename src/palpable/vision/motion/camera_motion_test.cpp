@@ -81,7 +81,7 @@ TEST(CameraMotion, IsExactForExactTracks) {
   expect_same_path(*motion, truth, 1e-4);
 }
 
-TEST(CameraMotion, BearsNoiseAndWrongTracks) {
+TEST(CameraMotion, ToleratesNoiseAndWrongTracks) {
   Filmed truth = film(0.6, false, 0.3);
   for (std::size_t i = 0; i < truth.tracks.size(); i += 10)
     for (std::size_t k = 0; k < truth.tracks[i].places.size(); ++k)
@@ -102,7 +102,7 @@ TEST(CameraMotion, FindsAnUnknownFocalLength) {
   expect_same_path(*motion, truth, 0.01);
 }
 
-TEST(CameraMotion, SaysWhatIsWrongWhereTheCameraOnlyTurns) {
+TEST(CameraMotion, ReportsACameraThatOnlyRotates) {
   const Filmed truth = film(0.3, true, 0.1);
   const auto motion = motion_from_tracks(truth.tracks, kFrames, {kCamera, true}, {}, {});
   ASSERT_FALSE(motion);

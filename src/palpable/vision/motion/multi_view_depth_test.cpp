@@ -81,7 +81,7 @@ PosedDepthMap exact_map(const CameraPose& pose) {
   return out;
 }
 
-TEST_F(MultiViewDepth, ConsistencyKeepsWhatAgreesAndDropsWhatDoesNot) {
+TEST_F(MultiViewDepth, ConsistencyKeepsAgreeingDepthsOnly) {
   std::vector<PosedDepthMap> maps{exact_map(here_), exact_map(right_), exact_map(up_)};
   maps[0].depth.depth_m(80, 60) *= 1.05F;
   const auto consistent = consistent_depth(maps, {}, {});
@@ -90,7 +90,7 @@ TEST_F(MultiViewDepth, ConsistencyKeepsWhatAgreesAndDropsWhatDoesNot) {
   EXPECT_NEAR((*consistent)[0].depth.depth_m(70, 50), true_depth(here_, 70, 50), 0.003);
 }
 
-TEST_F(MultiViewDepth, ConsistencyNeedsAsManyMapsAsItIsTold) {
+TEST_F(MultiViewDepth, ConsistencyNeedsTheGivenNumberOfMaps) {
   const std::vector<PosedDepthMap> maps{exact_map(here_), exact_map(right_)};
   const auto strict = consistent_depth(maps, {.tolerance = 0.01, .least_agreeing = 2}, {});
   ASSERT_TRUE(strict);

@@ -67,7 +67,7 @@ TEST(PointTracks, EndWhereAPointLeavesThePictureAndBeginWhereNewOnesAppear) {
   EXPECT_TRUE(some_begin);
 }
 
-TEST(PointTracks, LoseAPointWhosePlaceIsCovered) {
+TEST(PointTracks, LoseAnOccludedPoint) {
   auto frames = moving_frames(6);
   for (int y = 0; y < 120; ++y)
     for (int x = 0; x < 80; ++x) frames[5](x, y) = static_cast<std::uint8_t>((7 * x + 13 * y) % 256);
