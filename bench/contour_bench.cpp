@@ -65,7 +65,7 @@ void BM_BoundaryMap1024x768(benchmark::State& state) {
 }
 BENCHMARK(BM_BoundaryMap1024x768)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// A hand that moves on a circle of 30 mm across all discs at 50 mm/s.
+/// A hand that moves at 50 mm/s on a circle of 30 mm across all discs.
 void BM_TracingTick(benchmark::State& state) {
   const auto contours = vision::find_contours(discs(1), {}, Work{});
   const auto map =

@@ -31,7 +31,7 @@ Mesh ball(double radius_m) {
   return models::mesh_of(s, kSpacing_m);
 }
 
-/// The cap around +z that is this share of a ball's surface.
+/// The cap around +z with this fraction of the surface of a ball.
 Mesh patch(double radius_m, double share) {
   Mesh mesh = ball(radius_m);
   const double cut_m = radius_m * (1.0 - 2.0 * share);

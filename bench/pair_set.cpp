@@ -20,9 +20,9 @@
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
 
-// Judges pairs, good and spoilt, as `palpable fit` does, beside the rank correlation of the depth that `fast`
-// gives with the truth: a CSV row a case on standard output, on which the thresholds of fit_to_touch() were
-// chosen.
+// Judges pairs of the tuning set, unchanged and degraded, as `palpable fit` does. Also computes the rank
+// correlation between the depth of the method `fast` and the true depth. Prints one CSV row per case to
+// standard output; the thresholds of fit_to_touch() were chosen from these rows.
 //
 //   palpable_pair_set FIRST_SEED LAST_SEED
 namespace palpable::bench {
@@ -69,7 +69,7 @@ Image mirrored(Image image) {
   return image;
 }
 
-/// A short exposure: a fraction of the light, and the sensor's noise.
+/// A short exposure: a fraction of the light, with sensor noise added.
 Image dimmed(Image image, double gain, double noise, std::mt19937& random) {
   std::normal_distribution<double> grain(0.0, noise);
   for (float& sample : image.samples)

@@ -39,8 +39,8 @@ void measure(const char* name, const FitCaseOptions& options, const FitOptions& 
               100.0 * at_share(relative, 0.5), 100.0 * at_share(relative, 0.9));
 }
 
-/// Errors of fitted taper and bend. A shape turned end over end, or with x and y exchanged, has another taper
-/// for the same surface, so they are compared in the true shape's axes.
+/// Errors of fitted taper and bend. A shape whose z axis is reversed, or whose x and y are exchanged, has
+/// another taper for the same surface, so both are compared in the axes of the true shape.
 struct ParameterErrors {
   double taper = 0.0;
   /// Bend: curvature times half length.

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A device of one's own: a class with four functions. This one is a mass on which the force acts.
+// Implements a device: a class with four functions. Here it is a simulated mass on which the force acts.
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -9,7 +9,7 @@
 
 using namespace palpable;
 
-/// A 100 g stylus that is dropped onto the scene, slowed by the hand's own damping.
+/// A stylus of 100 g that falls onto the scene; its motion is damped.
 class DroppedStylus final : public device::Device {
  public:
   DroppedStylus() {

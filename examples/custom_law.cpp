@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A force law of one's own: a Touchable. This one pulls the hand to the highest point, as a magnet would.
+// Implements a force law: a Touchable. This one pulls the hand to the highest point, like a magnet.
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -20,7 +20,8 @@ class Magnet final : public haptics::Touchable {
     output.contact = true;
     output.spring_N = stiffness_N_per_m_ * to_place;
     output.force_N = output.spring_N - damping_Ns_per_m_ * hand.velocity_m_per_s;
-    // The energy of the spring lets the passivity observer tell what is given back from what is made.
+    // With the energy stored in the spring, the passivity observer can distinguish returned energy from
+    // generated energy.
     output.stored_J = 0.5 * stiffness_N_per_m_ * dot(to_place.v, to_place.v);
     return output;
   }

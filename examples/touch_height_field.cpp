@@ -1,6 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Touches a height field through two functions: a program gives the hand's position and gets the force.
+// Touches a height field through two functions: a program passes the position of the hand and receives the
+// force.
 #include <atomic>
 #include <chrono>
 #include <cmath>

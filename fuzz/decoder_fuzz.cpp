@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
-// The libraries of others, as the decoder process calls them. Their faults end that process and nothing else;
-// this finds those of the code around them. The first byte chooses the job.
+// Runs the third-party libraries as the decoder process calls them. A fault in such a library ends only that
+// process; this target looks for faults in our code around them. The first byte selects the job.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using palpable::sources::isolated::Job;
   if (size < 2) return 0;

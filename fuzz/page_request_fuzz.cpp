@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The input's lines are the parts of a request: none without the secret is admitted.
+// The lines of the input are the parts of a request. A request without the secret is never admitted.
 #include "palpable/core/check.hpp"
 #include "palpable/page/http.hpp"
 

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What our own readers take out of a photograph: its EXIF orientation, depth inside a JPEG, and two pictures
-// in one file. The first byte chooses a layout.
+// Our own readers of photographs: EXIF orientation, depth inside a JPEG, and two pictures in one file. The
+// first byte selects a layout.
 #include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 #include "palpable/sources/stereo/stereo_file.hpp"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <span>
 
-// What is read names its own vertices only, and all of them are somewhere.
+// The triangles of a mesh that can be read refer to existing vertices only, and all vertices are finite.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto file = std::as_bytes(std::span(data, size));
   if (const auto mesh = palpable::sources::decode_ply_mesh(file)) {

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The JSON texts of a recording: its header and what was touched. What was read is written again and read as
-// the same.
+// The JSON texts of a recording: its header and the description of what was touched. Text that can be read is
+// written and read again, with the same result.
 #include "palpable/session/touch/recorded_touch.hpp"
 #include "palpable/session/touch/recording_header.hpp"
 

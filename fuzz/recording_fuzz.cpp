@@ -31,7 +31,7 @@ palpable::ByteWriter whole_file(std::span<const std::byte> rest) {
   return file;
 }
 
-/// Any bytes give at most as many ticks as they can hold, or an error.
+/// Any bytes give at most as many ticks as the bytes can hold, or an error.
 void check(std::span<const std::byte> file) {
   const auto recording = palpable::device::parse_recording(file, "fuzzed");
   if (recording && recording->ticks.size() * format::kTick_bytes > file.size()) std::abort();

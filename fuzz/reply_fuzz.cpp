@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <span>
 
-// What a decoder process that was taken over may answer: nothing of it is believed that is not checked.
+// Replies of a compromised decoder process: everything in a reply is checked before it is used.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace palpable::sources::isolated;
   const auto reply = std::as_bytes(std::span(data, size));

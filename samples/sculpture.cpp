@@ -17,7 +17,8 @@ double length2(double x, double y) { return std::sqrt(x * x + y * y); }
 
 double sphere(Vec3 p, Vec3 centre, double radius) { return norm(p - centre) - radius; }
 
-/// Not the exact distance, but never more than it near the surface where the radii are alike.
+/// A lower bound of the distance, not the exact distance; close to it near the surface if the radii are
+/// similar.
 double ellipsoid(Vec3 p, Vec3 centre, Vec3 radii) {
   const Vec3 q = p - centre;
   const double k0 = norm({q.x / radii.x, q.y / radii.y, q.z / radii.z});
@@ -32,7 +33,7 @@ double box(Vec3 p, Vec3 centre, Vec3 half, double rounding) {
   return norm(outside) + std::min(std::max({q.x, q.y, q.z}), 0.0) - rounding;
 }
 
-/// A rod with round ends whose radius changes evenly.
+/// A rod with round ends whose radius changes linearly.
 double rod(Vec3 p, Vec3 a, Vec3 b, double radius_a, double radius_b) {
   const Vec3 along = b - a;
   const double t = std::clamp(dot(p - a, along) / squared_norm(along), 0.0, 1.0);
@@ -114,7 +115,7 @@ enum Thing : std::size_t { kTable, kHead, kBall, kCube, kBowl, kRing, kStairs, k
 
 struct Place {
   Vec3 at;
-  /// Radius of a ball round `at` (raised by half of it) that holds the thing.
+  /// Radius of a bounding ball of the object, centred at `at` raised by half of the radius.
   double reach;
 };
 constexpr std::array<Place, kThings> kPlaces{{{{0, 0, 0}, 0},
@@ -163,7 +164,7 @@ Nearest nearest(Vec3 p) {
   Nearest best{p.z, kTable};
   for (std::size_t i = 1; i < kThings; ++i) {
     const Place& place = kPlaces[i];
-    // Outside its ball a thing is at least this far away: enough to step on.
+    // Outside its ball, the distance to an object is at least this: enough for a step of the ray.
     const double bound = norm(p - place.at) - place.reach;
     if (bound > best.distance) continue;
     const double d = bound > 0.02 ? bound : distance_to(static_cast<Thing>(i), p);
@@ -178,8 +179,9 @@ Vec3 normal_at(Vec3 p) {
   return unit({difference({kStep, 0, 0}), difference({0, kStep, 0}), difference({0, 0, kStep})});
 }
 
-/// Length along a ray to the first surface. The table ends every ray. Steps shortened, since the joined
-/// distances may exceed the true ones a little; a bisection at the end makes the place exact.
+/// Length along a ray to the first surface. Every ray ends at the table or before it. Steps are shortened,
+/// since the joined distances may slightly exceed the true ones; a bisection at the end makes the result
+/// exact.
 double meet(Vec3 from, Vec3 direction) {
   double t = 0.0;
   double before = 0.0;
@@ -197,7 +199,7 @@ double meet(Vec3 from, Vec3 direction) {
   return t;
 }
 
-/// 1 in the light, 0 in the shade, between where something only just stands in the way.
+/// 1 in light, 0 in shadow, between them in the penumbra.
 double light_reaching(Vec3 p, Vec3 to_light) {
   double most = 1.0;
   double t = 0.002;
@@ -210,7 +212,7 @@ double light_reaching(Vec3 p, Vec3 to_light) {
   return most * most * (3.0 - 2.0 * most);
 }
 
-/// How open the surface is to the sky: creases are darker.
+/// Ambient light: less of it reaches creases.
 double openness(Vec3 p, Vec3 n) {
   double closed = 0.0;
   double weight = 1.0;
@@ -222,7 +224,8 @@ double openness(Vec3 p, Vec3 n) {
   return std::clamp(1.0 - 14.0 * closed, 0.25, 1.0);
 }
 
-// Solid textures from hashed lattice noise: fine grain for stereo matching, coarser figure for the eye.
+// Solid textures from hashed lattice noise: fine grain for stereo matching, coarser patterns for the
+// appearance.
 
 double lattice(std::int64_t x, std::int64_t y, std::int64_t z) {
   auto h = static_cast<std::uint64_t>(x) * 0x9E3779B97F4A7C15ULL +
@@ -319,7 +322,7 @@ Vec3 direction_through(const View& view, double x, double y) {
   return (x - c.cx) / c.fx * view.right + (y - c.cy) / c.fy * view.down + view.forward;
 }
 
-/// A square root is close to sRGB's curve, and rounds alike everywhere.
+/// A square root is close to the transfer curve of sRGB, and gives the same rounding on every machine.
 std::uint8_t encoded(double linear) {
   return static_cast<std::uint8_t>(std::floor(255.0 * std::sqrt(std::clamp(linear, 0.0, 1.0)) + 0.5));
 }
@@ -331,7 +334,8 @@ View sculpture_view() {
   constexpr int kWidth = 640;
   constexpr int kHeight = 480;
   view.rig = {{760.0, 760.0, 319.5, 239.5, kWidth, kHeight}, 0.05, 0.0};
-  // The camera looks down at the table, leaning 16.26 degrees: sine and cosine are a Pythagorean triple.
+  // The camera looks down at the table at an angle of 16.26 degrees, whose sine and cosine come from a
+  // Pythagorean triple.
   constexpr double kSine = 7.0 / 25.0;
   constexpr double kCosine = 24.0 / 25.0;
   constexpr double kDistance_m = 0.68;

@@ -20,7 +20,7 @@ namespace {
 
 const std::filesystem::path kFolder(PALPABLE_SAMPLES);
 
-/// Rows enough to meet every thing in the scene; the whole pictures take half a minute.
+/// Enough rows to include every object of the scene; rendering the whole pictures takes half a minute.
 constexpr int kEvery = 48;
 
 TEST(Sculpture, PicturesAreWhatTheCodeRenders) {
@@ -77,7 +77,7 @@ TEST(Sculpture, CalibrationFileStatesTheCameraOfTheCode) {
 
 TEST(Sculpture, DisparityAgreesWithSolidsKnownInClosedForm) {
   const View view = sculpture_view();
-  // The bare table at the picture's lower left corner.
+  // The table without objects, at the lower left corner of the picture.
   EXPECT_NEAR(disparity_row(view, 470)[5], table_disparity_px(view, 5, 470), 1e-4);
   // The ball: centre and radius as the scene states them; its nearest point lies on the line to its centre.
   const Vec3 centre{-0.175, 0.105, 0.042};

@@ -14,7 +14,7 @@
 namespace palpable::cli {
 namespace {
 
-/// Standard error on a terminal of its own.
+/// Redirects standard error to a pseudo-terminal.
 class ATerminal : public testing::Test {
  protected:
   void SetUp() override {
@@ -35,7 +35,7 @@ class ATerminal : public testing::Test {
     close(kept_);
     close(master_);
   }
-  /// What stands on it within `patience_ms`.
+  /// The text on the terminal after at most `patience_ms`.
   std::string written(int patience_ms) const {
     pollfd wait{master_, POLLIN, 0};
     if (poll(&wait, 1, patience_ms) <= 0) return {};

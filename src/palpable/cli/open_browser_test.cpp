@@ -30,7 +30,7 @@ TEST(OpenBrowser, WritesARedirectThatOnlyThisUserReads) {
   fs::remove(file);
 }
 
-/// What the browser's program was given, one line each, once it has run.
+/// The arguments that the browser program received, one per line, after it has run.
 std::string given_to(const fs::path& file) {
   while (!fs::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   const auto text = read_file(file);
@@ -48,7 +48,7 @@ TEST(OpenBrowser, GivesTheBrowserNeitherTheTokenNorADescriptor) {
   fs::permissions(program, fs::perms::owner_all);
   ASSERT_EQ(setenv("PATH", (folder.string() + ":" + std::getenv("PATH")).c_str(), 1), 0);
   ASSERT_EQ(setenv("DISPLAY", ":0", 1), 0);
-  // Like the page's port: open, and without close-on-exec.
+  // Open and without close-on-exec, like the page's port.
   constexpr int kPort = 200;
   ASSERT_EQ(dup2(STDERR_FILENO, kPort), kPort);
   const OpenedBrowser browser("http://127.0.0.1:4711/#token");

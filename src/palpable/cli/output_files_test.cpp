@@ -26,7 +26,7 @@ class OutputFiles : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  /// The code of the error; nothing where it may be written.
+  /// The code of the error; empty if writing is allowed.
   std::optional<ErrorCode> asked(const std::string& output, const std::vector<std::string>& words = {},
                                  const std::vector<std::string>& suffixes = {}) const {
     const std::string value = output.starts_with('/') ? output : (folder_ / output).string();

@@ -22,7 +22,7 @@ struct StructureArguments {
   double within_percent = 1.0;
 };
 
-/// A file without triangles may hold points.
+/// A file without triangles may contain points.
 Result<measure::TrueSurface> read_true_surface(const std::filesystem::path& file) {
   auto mesh = sources::read_mesh(file);
   if (mesh) return measure::TrueSurface(std::move(mesh->mesh));

@@ -17,11 +17,11 @@ TEST(AllocationScope, CountsNewMallocAndAlignedMemory) {
   const AllocationScope scope;
   const auto number = std::make_unique<int>(1);
   EXPECT_EQ(scope.count(), 1U);
-  // Through a volatile pointer, or the compiler removes the pair.
+  // A volatile pointer, since the compiler would otherwise remove the pair.
   void* volatile memory = std::malloc(100);
   std::free(memory);
   EXPECT_EQ(scope.count(), 2U);
-#ifndef __SANITIZE_THREAD__  // its hook does not tell of aligned memory
+#ifndef __SANITIZE_THREAD__  // its hook does not report aligned memory
   memory = std::aligned_alloc(64, 128);
   std::free(memory);
   EXPECT_EQ(scope.count(), 3U);

@@ -24,7 +24,7 @@ TEST(ChildProcess, HasTheGivenDescriptorsAndNoOthers) {
   auto pipe = make_pipe();
   ASSERT_TRUE(pipe);
   auto& [ours, its] = *pipe;
-  // As the numbers of its own listing: 3 is what was passed, and 4 the folder that it reads.
+  // The descriptors as listed by the process itself: 3 was passed to it, 4 is the folder that it reads.
   const auto process = start_child("/bin/sh", {"-c", "ls /proc/self/fd >&3"}, std::array{its.number()});
   ASSERT_TRUE(process) << process.error().message;
   its.close();

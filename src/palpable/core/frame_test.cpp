@@ -22,7 +22,8 @@ void expect_near(Vec3 a, Vec3 b, double tolerance) {
   EXPECT_NEAR(a.z, b.z, tolerance);
 }
 
-/// Turned about a random axis (Rodrigues' formula), moved up to a metre a side, scaled between 1/4 and 4.
+/// A rotation about a random axis (Rodrigues' formula), a translation of up to 1 m along each axis, and a
+/// scale of 1/4 to 4.
 template <class To, class From>
 Transform<To, From> random_similarity(std::mt19937& random) {
   std::uniform_real_distribution<double> side(-1.0, 1.0);

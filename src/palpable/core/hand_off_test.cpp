@@ -10,7 +10,7 @@
 namespace palpable {
 namespace {
 
-/// Wide enough that a torn copy would show.
+/// Large enough that a torn copy is detected.
 struct Wide {
   std::array<std::uint64_t, 40> words{};
   static Wide of(std::uint64_t n) {
@@ -38,7 +38,7 @@ TEST(LatestValue, GivesTheNewestOnceAndNothingBeforeTheFirst) {
 }
 
 TEST(LatestValue, NeverTearsNorGoesBackwardsBetweenThreads) {
-  // Ends after a number of values that were really taken while the writer ran, not after a time.
+  // Ends after a number of values taken while the writer was running, not after a time.
   constexpr int kExchanges = 20000;
   LatestValue<Wide> cell;
   std::atomic<bool> done{false};

@@ -56,7 +56,7 @@ TEST(Commentary, StaysSilentOnWhatAQuickSweepOnlyCrosses) {
 
 TEST(Commentary, IsCalmOnABorder) {
   Sweep sweep(named_hills());
-  // A hand that trembles over the border of a hill, 1 mm to each side, ten times a second.
+  // A hand that oscillates across the border of a hill, 1 mm to each side, at 10 Hz.
   for (int k = 0; k < 50; ++k) {
     sweep.go({-0.0415, 0.02}, {-0.0425, 0.02}, 0.05);
     sweep.go({-0.0425, 0.02}, {-0.0415, 0.02}, 0.05);

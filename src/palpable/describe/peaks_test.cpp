@@ -27,7 +27,7 @@ TEST(Peaks, LeaveOutRipplesAndSpecks) {
   const auto rippled = surface_scene(
       [](double x, double y) { return bump(x, y, 0.0, 0.0, 0.01) + 0.0001 * std::sin(2000.0 * x); });
   EXPECT_EQ(find_peaks(*models::relief_of(rippled)).size(), 1U);
-  // A needle of one sample is high and has no area.
+  // A peak of one sample is high but has no area.
   const auto needle = surface_scene([](double x, double y) {
     const bool is_needle = std::abs(x - 0.03) < 0.0006 && std::abs(y) < 0.0006;
     return bump(x, y, -0.02, 0.0, 0.01) + (is_needle ? 0.008 : 0.0);
@@ -49,7 +49,7 @@ TEST(Peaks, AreOneForAPlateauAndOneForARim) {
 TEST(Peaks, OfAPlateauAreAtItsMiddle) {
   for (const Place middle : {Place{-0.025, 0.025}, Place{0.02, -0.01}}) {
     const auto table = surface_scene([&](double x, double y) {
-      // Hardly higher at its lower edge, as matching leaves it.
+      // Only slightly higher at its lower edge, as stereo matching leaves it.
       const bool is_table = std::hypot(x - middle.x_m, y - middle.y_m) < 0.01;
       return is_table ? 0.01 - 0.001 * (y - middle.y_m) : 0.0;
     });

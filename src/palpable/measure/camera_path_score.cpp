@@ -55,7 +55,7 @@ Matrix common_rotation(const std::vector<PosePair>& pairs) {
 }
 
 double angle_deg(const Matrix& rotation) {
-  // By the half angle's sine, since the cosine of small angles is one to all digits.
+  // From the sine of half the angle, since the cosine of a small angle rounds to one.
   const double half_sine = (rotation - Matrix::Identity()).norm() / (2 * std::numbers::sqrt2);
   return 2 * std::asin(std::clamp(half_sine, 0.0, 1.0)) * 180 / std::numbers::pi;
 }

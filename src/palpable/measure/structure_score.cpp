@@ -41,7 +41,7 @@ Region region_of(const std::vector<Vec3>& places, double tail) {
   return out;
 }
 
-// Places as triangles without area, so that one tree answers for both.
+// Points as triangles without area, so that one tree serves both.
 TriangleTree tree_of(const std::vector<Vec3>& places) {
   Mesh mesh;
   mesh.vertices_m = places;
@@ -55,13 +55,13 @@ TriangleTree tree_of(const TrueSurface& truth) {
   return tree_of(std::get<PointCloud>(truth).places_m);
 }
 
-// A place of the true surface and the area that it represents.
+// A sample point of the true surface and the area that it represents.
 struct SurfacePiece {
   Vec3 place;
   double area = 1.0;
 };
 
-// Halves the triangle's longest edge until it is short; pieces outside the region are left out.
+// Bisects the longest edge of the triangle until it is short enough; pieces outside the region are omitted.
 void add_pieces(const std::array<Vec3, 3>& triangle, const Region& region, double longest,
                 std::vector<SurfacePiece>& to) {
   if (!region.meets(triangle)) return;
@@ -118,8 +118,8 @@ std::vector<View> evenly_chosen(std::span<const TrueCamera> cameras, int most) {
   return out;
 }
 
-// Whether a camera has the place in its picture and no triangle lies between. `step`: where the ray begins
-// before the surface, so that it does not meet the triangle on which the place lies.
+// Whether a camera sees the point: it is within the picture and no triangle hides it. `step`: the ray starts
+// this far in front of the surface, so that it does not meet the triangle that contains the point.
 bool is_visible(Vec3 place, const std::vector<View>& views, const TriangleTree* triangles, double step) {
   return std::any_of(views.begin(), views.end(), [&](const View& view) {
     if (!view.holds(place)) return false;

@@ -27,7 +27,7 @@ Mesh square() {
   return mesh;
 }
 
-// A lattice on the unit square from `least_x`, alternately above and below it.
+// A lattice of points on the unit square from `least_x` on, alternately above and below it.
 PointCloud lattice(double least_x, double height) {
   PointCloud out;
   for (int i = 0; i <= 100; ++i)
@@ -64,8 +64,8 @@ TEST(StructureScore, TruncatesFewLargeDistances) {
 }
 
 TEST(StructureScore, MeasuresCompletenessByArea) {
-  // Points on the right 70 % and one at the left border, so that the region is the whole square; places up
-  // to 1 % of the diagonal beside them count.
+  // Points on the right 70 % and one point at the left border, so that the region is the whole square.
+  // Surface samples within 1 % of the diagonal beside a point count as found.
   PointCloud found = lattice(0.3, 0.0);
   found.places_m.push_back({0, 0, 0});
   const auto score = score_structure(found, {}, square(), {}, whole_box(), {});
@@ -75,7 +75,7 @@ TEST(StructureScore, MeasuresCompletenessByArea) {
 }
 
 TEST(StructureScore, LeavesOutWhatNoCameraSees) {
-  // Two sheets; only the upper one was found, and a few points give the region its height.
+  // Two sheets. Only the upper one was found, and a few points give the region its height.
   Mesh truth = square();
   add_square(truth, 0.2);
   PointCloud found;
@@ -93,7 +93,7 @@ TEST(StructureScore, LeavesOutWhatNoCameraSees) {
 }
 
 TEST(StructureScore, LeavesOutWhatIsInNoPicture) {
-  // The camera, one above the square, has its right 70 % in the picture, where the points are.
+  // The camera, one unit above the square, sees its right 70 %, where the points are.
   PointCloud found = lattice(0.3, 0.0);
   found.places_m.push_back({0, 0, 0});
   TrueCamera camera;

@@ -65,8 +65,8 @@ TEST(PageServer, DisconnectsAPageAfterAnInvalidMessageWithAReason) {
   EXPECT_EQ(binary.read_to_the_end().code, websocket::close_code::unknown_data);
   TestPage big(page, cookie);
   big.send(std::string(100000, ' '));
-  // The server refuses it by its length and closes with the rest unread. If the kernel answers with a reset,
-  // the reason does not arrive, but the end of the connection does.
+  // The server refuses the request by its length and closes the connection with the rest unread. If the
+  // kernel answers with a reset, the reason does not arrive, but the end of the connection does.
   EXPECT_THAT(big.read_to_the_end().code,
               testing::AnyOf(websocket::close_code::too_big, websocket::close_code::none));
   TestPage after(page, cookie);
@@ -120,7 +120,7 @@ TEST(PageServer, SurvivesInvalidHttp) {
   EXPECT_EQ(ask(page, http::verb::get, "/").result_int(), 200U);
 }
 
-/// A connection that says nothing.
+/// A connection that sends nothing.
 class SilentConnection {
  public:
   explicit SilentConnection(const ServedPage& page) {
@@ -165,7 +165,7 @@ TEST(PageServer, RefusesTooManyUpgradesInAShortTime) {
   options.upgrade_rate = {.per_s = 1e-6, .burst = 3, .most_drops = 0};
   const ServedPage page(options);
   const std::string cookie = cookie_of(page);
-  // Refusals of strangers do not count.
+  // Refusals of unauthorised clients do not count.
   for (int k = 0; k < 10; ++k) EXPECT_EQ(upgrade_status(page, {}, page.own_origin()), 401U);
   for (int k = 0; k < 3; ++k) EXPECT_EQ(upgrade_status(page, cookie, page.own_origin()), 101U);
   EXPECT_EQ(upgrade_status(page, cookie, page.own_origin()), 429U);

@@ -47,7 +47,7 @@ TEST(PageServer, SendsOneStatePerSecondWhileNothingChanges) {
   TestPage client(page);
   const Json first = client.read_until("state");
   const Json second = client.read_until("state");
-  // The host is called 60 times per second; its clock counts the calls.
+  // The host is called 60 times per second; its clock is the number of calls.
   EXPECT_GT(second["t_s"].get<double>() - first["t_s"].get<double>(), 10.0);
   client.send(R"({"type":"pointer","probe":0,"x_m":0.03,"y_m":0,"press_m":0})");
   EXPECT_EQ(client.read_until("state")["probes"][0]["x_m"], 0.03);
@@ -73,7 +73,7 @@ TEST(PageServer, ReportsWhichPageMovedAProbe) {
   EXPECT_TRUE(comes(second, one));
 }
 
-/// Waits until exactly these probes have been lifted.
+/// Waits until exactly these probes have been removed.
 void wait_until_lifted(const FakeHost& host, int wanted) {
   for (int now = host.lifted; now != wanted; now = host.lifted) host.lifted.wait(now);
 }
@@ -91,12 +91,12 @@ TEST(PageServer, LiftsOnlyTheProbesOfAPageThatDisconnects) {
     leaves.send(R"({"type":"lift","probe":4})");
     wait_until_lifted(page.host, 1 << 4);
   }
-  // Probe 4 was lifted before: it may be another page's by now.
+  // Probe 4 was removed before; it may belong to another page by now.
   wait_until_lifted(page.host, (1 << 4) + (1 << 1));
   EXPECT_EQ(page.host.lifted & ((1 << 0) + (1 << 2)), 0) << "the hand, and the other page's probe";
   stays.send(R"({"type":"lift","probe":2})");
   wait_until_lifted(page.host, (1 << 4) + (1 << 1) + (1 << 2));
-  // A probe that was lifted twice would have been added twice.
+  // A probe that was removed twice would have been added twice.
   EXPECT_EQ(page.host.lifted, (1 << 4) + (1 << 1) + (1 << 2));
 }
 

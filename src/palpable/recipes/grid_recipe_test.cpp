@@ -12,8 +12,8 @@ namespace {
 
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Two posts of equal width in the picture, the left one twice as far away; beside them, above the middle, a
-/// far strip that makes the box wide.
+/// Two posts of equal width in the picture; the left one is twice as far away. Beside them, above the middle,
+/// a distant strip makes the box wide.
 DisparityMap two_posts() {
   const int w = 200, h = 150;
   DisparityMap map{Raster<float>(w, h, kUnknown), StereoRig{Pinhole{200, 200, 99.5, 74.5, w, h}, 0.1, 0.0}};
@@ -46,8 +46,8 @@ TEST(GridFromDisparity, PutsPointsWhereTheCameraSawThemAndFillsAwayFromIt) {
   ASSERT_TRUE(made) << made.error().sentence();
   const auto& grid = std::get<std::shared_ptr<const models::Grid>>(made->scene.model)->occupancy;
   const auto counts = grid.counts();
-  // At the far post's depth the rays through the near one have spread to the same width; at its own front it
-  // is half as wide as the far one.
+  // At the depth of the far post, the rays through the near one have spread to the same width; at its own
+  // front, it is half as wide as the far one.
   const int far = static_cast<int>(std::lround(-grid.origin_m().z / grid.spacing_m()));
   int near = counts[2] - 1;
   while (near > 0 && widths(grid, near).right == 0) --near;
@@ -63,7 +63,7 @@ TEST(GridFromDisparity, IsSeenFromAboveAsItIsFilled) {
   const auto made = grid_from_disparity(two_posts(), {}, {});
   ASSERT_TRUE(made);
   const auto& model = *std::get<std::shared_ptr<const models::Grid>>(made->scene.model);
-  // Where the columns beside it are as high, a column's highest point is the relief's height.
+  // Where the columns beside it are equally high, the highest point of a column is the height of the relief.
   const auto& above = model.from_above->samples_m();
   int seen = 0;
   for (int x = 1; x + 1 < above.width(); ++x) {

@@ -20,7 +20,7 @@ Pose pose(const Rotation& rotation) {
 }
 
 constexpr Rotation kKept{1, 0, 0, 0, 1, 0, 0, 0, 1};
-/// A camera's own axes, a few degrees off, seen from the scene's.
+/// The axes of a camera, rotated by a few degrees relative to the scene.
 constexpr Rotation kTilted{1, 0, 0, 0, 0.98, -0.199, 0, 0.199, 0.98};
 
 TEST(WorldOrientation, TurnsACamerasOwnWorldSoThatItLooksAwayFromTheUser) {

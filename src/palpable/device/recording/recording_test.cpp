@@ -181,7 +181,7 @@ TEST(Replay, GivesEveryPositionOfARecordingThatIsLongerThanItReadsAhead) {
   ASSERT_TRUE(device) << device.error().sentence();
   for (std::uint64_t n = 0; n < kTicks;) {
     const auto reading = (*device)->read();
-    // Asked faster than a servo would: what is not there yet comes later, and in its order.
+    // Readings are requested faster than by a servo: those not available yet arrive later, in order.
     if (!reading.recorded) {
       std::this_thread::yield();
       continue;
@@ -221,7 +221,7 @@ TEST(Recording, IsNotReplacedWhileAnotherIsBeingWrittenIntoIt) {
 TEST(Recording, ReplacesTheOldOneOnlyWithAReadableFile) {
   const auto file = written(10, "old.rec");
   const auto old = *read_file(file);
-  // A reader that has the old file open keeps it: it was not emptied, but replaced.
+  // A reader that has the old file open keeps it, because the file was replaced, not truncated.
   std::FILE* open = std::fopen(file.c_str(), "rb");
   ASSERT_NE(open, nullptr);
   auto writer = RecordingWriter::create(file, "{}");

@@ -11,8 +11,9 @@ namespace {
 
 constexpr double kTick_s = 0.001;
 
-/// How long a massless hand that follows the explorer's goal feels a pillar of `half_m` to each side and half
-/// the workspace's height in its middle, which stands alone above the floor.
+/// The time for which a massless hand that follows the goal of the explorer is in contact with a pillar. The
+/// pillar extends `half_m` to each side, is half as high as the workspace, and stands alone in the middle of
+/// the floor.
 double seconds_on_a_pillar(Explorer& explorer, double half_m, double seconds) {
   constexpr double kStiffness_N_per_m = 500.0;
   Vec3 hand_m, force_N;
@@ -43,7 +44,7 @@ TEST(Explorer, MovesItsGoalNoFasterThanAnArm) {
   Explorer explorer(options);
   Vec3 before = explorer.step({}, {}, 0.0);
   for (int i = 0; i < 20000; ++i) {
-    // Nothing is ever felt: the hand travels again and again.
+    // There is never a contact, so the hand repeats its travels.
     const Vec3 goal = explorer.step(before, {}, kTick_s);
     ASSERT_LE(norm(goal - before), 0.25 * kTick_s) << "tick " << i;
     before = goal;

@@ -72,7 +72,7 @@ TEST(FieldStreams, KeepEveryKindOfLeafBitByBit) {
   const FieldTree tree = tree_of_everything();
   const auto again = tree_from(grid(), streams_of(grid(), tree));
   ASSERT_TRUE(again) << again.error().sentence();
-  // The words are in another order: that of the tree's leaves.
+  // The words have another order: the order of the leaves in the tree.
   const auto same = [&](std::uint32_t a, std::uint32_t b, auto&& recurse) -> bool {
     if (((a ^ b) & FieldTree::kLeaf) != 0) return false;
     if ((a & FieldTree::kLeaf) == 0) {
@@ -97,7 +97,7 @@ TEST(FieldCodec, ReadsFieldsFromBeforeCompactLeaves) {
   nlohmann::json description;
   ZipMembers members;
   ASSERT_TRUE(write_field(*field, description, members));
-  // That layout had another number and two streams fewer.
+  // The earlier layout had another version number and two streams fewer.
   description["layout"] = 2;
   auto& parts = description["parts"];
   Bytes& cells = members.at(description["cells"].get<std::string>());

@@ -14,7 +14,7 @@
 namespace palpable::haptics {
 namespace {
 
-/// A wall 2 mm thick across z, its middle sheet smooth as a field's is.
+/// A wall of 2 mm thickness across z. Its medial surface is smooth, as in a field.
 class Wall {
  public:
   models::FieldSample sample(Vec3 p) const noexcept {
@@ -45,7 +45,8 @@ TEST(FieldProxyLaw, NeverPopsThroughAThinWall) {
   FieldProxyLaw<Wall>::State state;
   LawOutput output;
   for (int i = 0; i <= 1000; ++i) output = law.evaluate(hand_at({0.0, 0.0, 0.005 - i * 2e-5}), state);
-  // The hand is 14 mm beyond the wall's far side, and still pushed back where it came from.
+  // The hand is 14 mm beyond the far side of the wall and is still pushed back to the side from which it
+  // came.
   EXPECT_TRUE(output.contact);
   EXPECT_NEAR(output.proxy.v.z, 0.001, 1e-6);
   EXPECT_NEAR(output.force_N.v.z, 16.0, 0.01);
@@ -62,7 +63,7 @@ TEST(FieldProxyLaw, FeelsTheMaterialUnderTheProxyNotUnderTheHand) {
   FieldProxyLaw<Wall>::State state;
   law.evaluate(hand_at({-0.0005, 0.0, 0.003}), state);
   law.evaluate(hand_at({-0.0005, 0.0, 0.0005}), state);
-  // The left half sticks: the hand slips over the border inside the wall, the proxy stays.
+  // The left half has high friction: the hand crosses the border inside the wall, the proxy stays.
   const LawOutput output = law.evaluate(hand_at({0.0005, 0.0, 0.0005}), state);
   EXPECT_EQ(output.label, 0);
   EXPECT_NEAR(output.proxy.v.x, -0.0005, 1e-6);
@@ -175,7 +176,7 @@ TEST(FieldProxyLaw, FeelsATextureOnAFaceAsAReliefDoes) {
 TEST(FieldProxyLaw, FeelsATextureOnEverySideOfASolid) {
   const FieldProxyLaw<Ball> law(std::make_shared<const Ball>(), material(0.0), 0.0, ridges_all_over());
   for (const Vec3 side : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{-1, 0, 0}, Vec3{0.6, 0.0, 0.8}}) {
-    // Across the ridges of each side: their pattern's x runs along y, z and x on the sides of x, y and z.
+    // Across the ridges on each side: the pattern's x axis is along y, z and x on the sides x, y and z.
     const Vec3 along = unit(Vec3{side.z, side.x, side.y} - dot(Vec3{side.z, side.x, side.y}, side) * side);
     FieldProxyLaw<Ball>::State state{};
     law.evaluate(hand_at(0.021 * side), state);
@@ -188,7 +189,7 @@ TEST(FieldProxyLaw, FeelsATextureOnEverySideOfASolid) {
       least = std::min(least, norm(output.force_N.v));
       most = std::max(most, norm(output.force_N.v));
     }
-    // 0.5 N from the depth, and up to 50 micrometres to both sides of it.
+    // 0.5 N from the penetration depth, and a texture of up to 50 micrometres in both directions.
     EXPECT_GE(most - least, 0.03);
     EXPECT_LE(most, 0.62);
   }

@@ -1,7 +1,8 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Fast hands over cliffs, walls and hills of coarse and fine pixels, and round solids: no force in free air,
-// and a first contact in the tick in which it happens. The truth is taken from the surface itself, densely.
+// Fast hands near cliffs, walls and hills of coarse and fine pixels, and near round solids. There must be no
+// force in free air, and the first contact must be reported in the tick in which it happens. The ground truth
+// is sampled densely from the surface itself.
 #include "palpable/haptics/law/stroke_scenes.hpp"
 #include "palpable/models/scene/test_grid.hpp"
 
@@ -34,7 +35,7 @@ struct Findings {
 template <class HeightOver>
 void follow(const Touchable& touchable, const Stroke& stroke, HeightOver height_over, Findings& findings) {
   constexpr int kBetween = 200;
-  // What the truth's own sampling cannot decide.
+  // Errors of the sampled ground truth.
   constexpr double kMargin_m = 3e-6;
   const double length = norm(stroke.to - stroke.from);
   const int ticks = std::max(2, static_cast<int>(length / (stroke.speed_m_per_s * kT_s)));
@@ -58,7 +59,7 @@ void follow(const Touchable& touchable, const Stroke& stroke, HeightOver height_
       if (height_over(p) < -kMargin_m) {
         ++findings.first_contacts;
         findings.late += output.contact && force_N > 0.0 ? 0 : 1;
-        // Never more than the way under the surface.
+        // Force per length of the path of one tick, since the hand cannot be deeper than that path.
         findings.greatest_first_N = std::max(findings.greatest_first_N, force_N / (norm(p - last) + 1e-6));
       }
       return;
@@ -70,7 +71,7 @@ void follow(const Touchable& touchable, const Stroke& stroke, HeightOver height_
 Stroke random_stroke(std::mt19937& random, double fastest_m_per_s) {
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   const Vec3 from{0.026 * unit(random), 0.016 * unit(random), 0.0105};
-  // Down to somewhere, then, mostly, along: grazing strokes are the hard ones.
+  // First down to a random point, then mostly along the surface: grazing movements are the difficult ones.
   const Vec3 to{0.026 * unit(random), 0.016 * unit(random), 0.004 + 0.004 * unit(random)};
   return {from, to, fastest_m_per_s * std::exp(-1.5 * std::abs(unit(random)))};
 }
@@ -128,7 +129,8 @@ TEST(FreeAir, HasNoForceUnderLawsWithoutMemoryEither) {
       LawParameters p = frictionless();
       p.law = law;
       p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
-      // The neighbours of `averaged` push before the hand is at the surface: that law blunts what it renders.
+      // The law `averaged` starts to push before the hand reaches the surface, because it averages over
+      // neighbours.
       p.neighbour_weight = 0.0;
       const auto touchable = made(scene, p);
       for (int k = 0; k < 250; ++k)
@@ -172,7 +174,8 @@ TEST(FreeAir, ComesAtOnceToAHandThatLeavesASlopeFast) {
     return Vec3{x, 0.0, relief.sample(x, 0.0).z_m + height};
   };
   output_at(*law, state, above(-0.015, 0.001));
-  // Along the slope at 2 m/s, 0.1 mm under it: without friction the push is straight out, with no lag.
+  // Along the slope at 2 m/s, 0.1 mm below it: without friction the force is exactly along the normal,
+  // without delay.
   const Vec3 normal = unit(Vec3{-0.3, 0.0, 1.0});
   for (double x = -0.015; x < 0.0; x += 0.002) {
     const LawOutput output = output_at(*law, state, above(x, -0.0001));

@@ -36,7 +36,7 @@ TEST(GridLaw, PushesOutOfThePlateAsSpringAndDamper) {
   EXPECT_NEAR(pressed.force_N.v.z, 1.0, 0.02);
   EXPECT_NEAR(pressed.force_N.v.x, 0.0, 0.02);
   EXPECT_NEAR(pressed.proxy.v.z, 0.0045, 2e-5);
-  // Entering adds damping, leaving never pulls.
+  // Entering is damped; leaving never pulls.
   EXPECT_NEAR(felt(**touchable, {0.0, 0.0, 0.0035}, {0.0, 0.0, -0.1}).force_N.v.z, 1.2, 0.02);
   EXPECT_EQ(norm(felt(**touchable, {0.0, 0.0, 0.0035}, {0.0, 0.0, 5.0}).force_N), 0.0);
   EXPECT_EQ(norm(felt(**touchable, {0.0, 0.0, 0.0046}).force_N), 0.0);

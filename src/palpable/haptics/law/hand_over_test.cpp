@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A touch that goes on while scene, radius, law or parameters change under it.
+// A touch that continues while the scene, the radius, the law or the parameters change.
 #include "palpable/haptics/law/stroke_scenes.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
@@ -41,7 +41,7 @@ class Touch {
     }
     return *sample_;
   }
-  /// There in steps of 0.1 mm.
+  /// Moves to the target in steps of 0.1 mm.
   const TouchSample& move_to(Vec3 goal) {
     const Vec3 from = device_.reading.position.v;
     const int ticks = 1 + static_cast<int>(norm(goal - from) / 1e-4);
@@ -75,7 +75,7 @@ TEST(HandOver, HoldsAHandAtAThinWallWhenTheRadiusChanges) {
   LawParameters p = frictionless(0.001);
   Touch touch(made(scene, p));
   touch.move_to({-0.006, 0.0, 0.004});
-  // Through the wall's middle: the proxy stays on the side where the hand came in.
+  // Through the middle of the wall: the proxy stays on the side from which the hand came.
   const Vec3 before = touch.move_to({0.0005, 0.0, 0.004}).written_force_N.v;
   EXPECT_LT(before.x, -0.5);
   for (const double radius_m : {0.00101, 0.001, 0.0011, 0.0}) {
@@ -97,11 +97,11 @@ TEST(HandOver, KeepsStaticFrictionWhileTheSurfaceIsUpdated) {
   Touch touch(made(flat_ground(), p));
   touch.move_to({0.0, 0.0, 0.0055});
   touch.move_to({0.0, 0.0, 0.003});
-  // Within the cone, so that the proxy stays where it touched first.
+  // Within the friction cone, so the proxy stays at the first contact point.
   const Vec3 proxy = touch.move_to({0.001, 0.0, 0.003}).proxy.v;
   EXPECT_NEAR(proxy.x, 0.0, 1e-9);
   for (int k = 0; k < 30; ++k) {
-    // Each update moves the ground by a micrometre: another surface.
+    // Each update moves the ground by 1 micrometre, so it is a different surface.
     touch.change(made(flat_ground(0.005F + 1e-6F * static_cast<float>(k % 2 + 1)), p));
     touch.run(160);
   }
@@ -151,7 +151,7 @@ TEST(HandOver, HoldsRandomHandsAtAThinWallOfASolidWhenRadiusAndFrictionChange) {
     Hand hand;
     Law law = law_of(0.002 * unit(random), unit(random));
     Law::State state{};
-    // From the left into and through the wall at x = 0, then held there.
+    // From the left into and through the wall at x = 0; the hand then stays there.
     const double height_m = 0.003 + 0.003 * unit(random);
     const double held_m = -0.0005 + 0.0015 * unit(random);
     for (double x = -0.0035; x < held_m; x += 2e-4) {

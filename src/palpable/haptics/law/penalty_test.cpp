@@ -74,7 +74,7 @@ TEST(PenaltyLaw, PushesOutOfAGrooveAsFarAsItsNearestPlaceIsAndNotAside) {
     const auto law = made(scene, spring());
     TouchState state;
     for (double beside = -0.0005; beside <= 0.0005; beside += 0.00005) {
-      // 3 mm below the bottom, which is the nearest place: 1.5 N towards it.
+      // 3 mm below the bottom, which is the nearest surface point: 1.5 N towards it.
       const Vec3 f = output_at(*law, state, {beside, 0.0, bottom - 0.003}).force_N.v;
       EXPECT_NEAR(norm(f), 1.5, 0.1) << slope << " at " << beside;
       EXPECT_LE(std::abs(f.x), 0.4) << slope << " at " << beside;

@@ -16,7 +16,7 @@ TEST(ProxyLaw, PushesFromFlatGroundWithExactlyTheSpringsForce) {
     TouchState state;
     output_at(*law, state, {0, 0, 0.02});
     const Vec3 pressed{0.001, 0, 0.005 + radius_m - 0.002};
-    // 15 mm in one tick is farther than a tick evaluations: the proxy arrives in the next.
+    // 15 mm exceeds the number of evaluations in one tick: the proxy arrives in the next tick.
     output_at(*law, state, pressed);
     const LawOutput output = output_at(*law, state, pressed);
     EXPECT_TRUE(output.contact);
@@ -88,7 +88,7 @@ TEST(ProxyLaw, KeepsTheForceInTheFrictionConeOnHills) {
 TEST(ProxyLaw, FeelsTheSameWhenSceneAndProbeAreTurnedTogether) {
   const Raster<float> hills = random_hills(120, 120, 7);
   Raster<float> turned(120, 120);
-  // A quarter turn to the left: what was at (x, y) comes to (-y, x).
+  // A rotation by 90 degrees to the left: the point (x, y) moves to (-y, x).
   for (int j = 0; j < 120; ++j)
     for (int i = 0; i < 120; ++i) turned(j, 119 - i) = hills(i, j);
   LawParameters p = frictionless(0.0006);

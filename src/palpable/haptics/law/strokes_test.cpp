@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Hands that wander above, in and under surfaces, up to 2 m/s: none is let through, none is pulled, and the
-// force changes by no more than hand and proxy moved.
+// Hands that move at random above, in and below surfaces, at up to 2 m/s. No hand may pass through a surface,
+// no force may pull, and the force changes by no more than stiffness times the movement of hand and proxy.
 #include "palpable/haptics/law/stroke_scenes.hpp"
 
 #include <algorithm>
@@ -19,20 +19,20 @@ namespace palpable::haptics {
 namespace {
 
 constexpr double kT_s = 0.001;
-/// What the truth cannot decide.
+/// Closer to the surface than this, the ground truth is undecided.
 constexpr double kMargin_m = 1e-6;
 constexpr double kFastest_m_per_s = 2.0;
 constexpr int kTicks = 100;
-/// Places of a tick's way at which the truth is asked.
+/// Points between two ticks at which the ground truth is sampled.
 constexpr int kBetween = 250;
 
-/// Every day 150 of each kind; PALPABLE_TOUCHES=25000 for a measurement.
+/// 150 touches of each kind by default; PALPABLE_TOUCHES=25000 for a measurement.
 int touches() {
   const char* wanted = std::getenv("PALPABLE_TOUCHES");
   return wanted != nullptr ? std::atoi(wanted) : 150;
 }
 
-/// A box in which a hand wanders.
+/// The box in which a hand moves.
 struct Room {
   Vec3 low;
   Vec3 high;
@@ -53,18 +53,18 @@ double bounced(double place, double low, double high, double& speed) {
   return std::clamp(place, low, high);
 }
 
-/// What is stroked, and the truth of it.
+/// A touched model and its ground truth.
 struct Ground {
   std::shared_ptr<const Touchable> touchable;
-  /// Above 0 outside.
+  /// Height above the surface; positive outside.
   std::function<double(Vec3)> height_over;
-  /// No proxy gets from the one place to the other in a tick.
+  /// Whether the surface separates two points: no proxy may move from one to the other within a tick.
   std::function<bool(Vec3, Vec3)> divides;
-  /// So deep may it be.
+  /// Allowed depth of the proxy below the surface.
   double sunk_m = 1e-9;
 };
 
-/// One touch. Of several grounds it goes from one to another every 20 ticks or so.
+/// One touch. If several models are given, the touch changes between them about every 20 ticks.
 void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& random, Findings& findings) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   std::normal_distribution<double> direction;
@@ -76,7 +76,7 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
   Vec3 last = p;
   LawOutput before;
   int left = 0;
-  // In free air since it began, or since the last tick without a force.
+  // Whether the hand has been in free air since the start, or since the last tick without force.
   bool is_free = true;
   const Ground* ground = &grounds.front();
   for (int n = 0; n < kTicks; ++n) {
@@ -111,7 +111,7 @@ void wander(std::span<const Ground> grounds, const Room& room, std::mt19937_64& 
       is_free = ground->height_over(last + (static_cast<double>(k) / kBetween) * (p - last)) > kMargin_m;
     findings.pushed_in_air += is_free && force_N > 0.0 ? 1 : 0;
     is_free = is_free || (!inside && !output.contact);
-    // To let go of a hand in free air at once is no kick.
+    // Releasing a hand into free air at once is not counted as a kick.
     const double moved_m = norm(p - last) + norm(output.proxy - before.proxy);
     const double step_N = norm(output.force_N - before.force_N);
     if (n > 0 && !changes && output.contact && step_N > 1.05 * kStrokeStiffness_N_per_m * moved_m + 1e-6)
@@ -143,7 +143,7 @@ TEST(Strokes, LetNoHandThroughReliefsOfAnyResolution) {
       p.stiffness_N_per_m = kStrokeStiffness_N_per_m;
       p.static_friction = friction;
       const auto law = made(scene, p);
-      // What a proxy may climb over in a tick is the trajectory study's to judge.
+      // Which steps a proxy may climb in a tick is tested by the trajectory study.
       const Ground ground{law, [&](Vec3 at) { return at.z - relief.sample(at.x, at.y).z_m; },
                           [](Vec3, Vec3) { return false; }};
       for (int k = touches(); k > 0; --k)
@@ -211,7 +211,7 @@ TEST(Strokes, KeepAProxyAtTheFootOfAWallOnItsSideWhenTheBallGrows) {
       LawOutput output;
       for (double z = 0.009; z > kDeep_m; z -= 1e-4)
         output = output_at(*small.touchable, state, {kWall_m + 0.002 * side, 0.001, z});
-      // Under the wall and beyond it: the proxy stays at its foot.
+      // Below the wall and beyond it: the proxy stays at the foot of the wall.
       for (double x = 0.002; x > -beyond_m; x -= 1e-4)
         output = output_at(*small.touchable, state, {kWall_m + x * side, 0.001, kDeep_m});
       ASSERT_GT(side * (output.proxy.v.x - kWall_m), 0.0);

@@ -64,7 +64,7 @@ TEST(Texture, FadesBeforeTheHandIsTooFastForTheLoop) {
     }
     return high - low;
   };
-  // 50 micrometres up and down at 500 N/m.
+  // An amplitude of 50 micrometres at 500 N/m.
   EXPECT_NEAR(swing_at(0.05), 0.05, 0.003);
   EXPECT_LT(swing_at(0.75), 0.03);
   EXPECT_LT(swing_at(1.05), 1e-6);

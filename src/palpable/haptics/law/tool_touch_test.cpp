@@ -30,7 +30,7 @@ class Floor {
 
 using Pose = Transform<SceneFrame, ToolFrame>;
 
-/// Turned about an axis (Rodrigues).
+/// Rotation about an axis (Rodrigues).
 Pose turned(Vec3 axis, double angle_rad, Vec3 at_m) {
   const Vec3 n = unit(axis);
   const double c = std::cos(angle_rad), s = std::sin(angle_rad), t = 1.0 - c;
@@ -43,7 +43,7 @@ Pose turned(Vec3 axis, double angle_rad, Vec3 at_m) {
 }
 
 const std::vector<ToolPlace> kPad = cap_places(0.008, 1.0, 24);
-/// A stick of 0.1 m that is held at its middle.
+/// A stick of 0.1 m, held at its middle.
 const std::array<ToolPlace, 2> kStick{{{{{-0.05, 0.0, 0.0}}, 0.5}, {{{0.05, 0.0, 0.0}}, 0.5}}};
 
 TEST(ToolTouch, IsThePointForceForAToolOfOnePlace) {
@@ -133,7 +133,7 @@ TEST(ToolTouch, SpreadsAPadEvenlyOverItsCap) {
     mean += p.share * p.place.v;
   }
   EXPECT_NEAR(share, 1.0, 1e-12);
-  // A cap's centre of area: half of both heights.
+  // The centroid of the area of a spherical cap: half of the height of both.
   EXPECT_NEAR(mean.z, -0.004 * (1.0 + std::cos(1.0)), 1e-5);
   EXPECT_NEAR(std::hypot(mean.x, mean.y), 0.0, 3e-4);
 }

@@ -69,7 +69,8 @@ TEST(Tracing, DoesNothingToAHandThatCrossesAtARightAngle) {
 }
 
 TEST(Tracing, WithoutItsBoundsIsEquation8AsItIsPrinted) {
-  // To and fro along a boundary, and rests at the end: F_m (d·t) |b| t with d of eqs 5 and 6, in every tick.
+  // Back and forth along a boundary, with a rest at the end: F_m (d·t) |b| t with d of eqs 5 and 6, in every
+  // tick.
   TracingParameters printed = undamped();
   printed.is_bounded = false;
   const TracingLaw law(straight_boundary(), printed), ours(straight_boundary(), undamped());
@@ -101,7 +102,8 @@ TEST(Tracing, LetsAHandRest) {
   auto path = straight_path({}, {0.05, 0, 0}, 200);
   const Vec3 stop = path.back();
   std::mt19937 random(3);
-  // A resting hand on a sensor of 20 um: the last digit flickers now and then, the hand creeps by 0.4 mm/s.
+  // A hand at rest on a sensor with a resolution of 20 um: the last digit changes now and then, and the hand
+  // drifts at 0.4 mm/s.
   for (int k = 0; k < 2000; ++k) {
     const double x = stop.x + 0.0004 * k * kTick_s;
     path.push_back({std::round(x / 2e-5) * 2e-5, stop.y, 0});
@@ -118,7 +120,8 @@ TEST(Tracing, HasNoForceAtTheSpeedCap) {
 }
 
 TEST(Tracing, NeverDeliversMoreThanItsTank) {
-  // A hand led along the boundary as fast as the law helps, for long: energy given <= tank + refill.
+  // A hand guided along the boundary for a long time, as fast as the law assists: energy given <= tank +
+  // refill.
   TracingParameters strong = undamped();
   strong.force_N = 5.0;
   const TracingLaw law(straight_boundary(0.0, 0.005), strong);
@@ -143,7 +146,8 @@ TEST(Tracing, NeverDeliversMoreThanItsTank) {
   EXPECT_GT(given_J, 0.1);
 }
 
-/// An arm as a mass on a spring to the boundary's middle, let go at a distance: its speed at the end.
+/// An arm, modelled as a mass on a spring attached to the middle of the boundary, is released at a distance:
+/// its final speed.
 double speed_left(const TracingLaw& law, double mass_kg, double hertz, double damping_ratio, double at_m) {
   const double omega = 2.0 * std::numbers::pi * hertz;
   TracingLaw::State state{};

@@ -40,7 +40,7 @@ TEST_F(GuardianTest, DoesNotChangeTheForceWhileItsProgramRuns) {
 }
 
 TEST_F(GuardianTest, WritesZeroWhenItsProgramIsKilled) {
-  // The guardian of a program that has ended becomes this one's child.
+  // The guardian of a program that has ended becomes a child of this process.
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   const pid_t program = fork();
   ASSERT_GE(program, 0);

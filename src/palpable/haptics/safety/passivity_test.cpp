@@ -15,8 +15,8 @@ namespace {
 constexpr double kT_s = 0.001;
 constexpr double kStiffness = 1000.0;
 
-/// A hand presses 5 mm into a held spring and comes out again, smoothly, in `seconds`; the greatest energy
-/// made.
+/// A hand presses 5 mm into a held spring and leaves it smoothly within `seconds`. Returns the greatest
+/// generated energy.
 double press_once(PassivityObserver& observer, double damping, double seconds) {
   const int ticks = static_cast<int>(seconds / kT_s);
   double x = 0.0;
@@ -38,7 +38,7 @@ double press_once(PassivityObserver& observer, double damping, double seconds) {
 }
 
 TEST(PassivityObserver, DetectsTheEnergyThatAHeldSpringGenerates) {
-  // A held spring makes ½K·dx² a tick on the way in and again on the way out.
+  // A held spring generates ½K·dx² per tick, both on the way in and on the way out.
   PassivityObserver observer;
   const double made_J = press_once(observer, 0.0, 0.1);
   double expected_J = 0.0;
@@ -53,8 +53,8 @@ TEST(PassivityObserver, DetectsTheEnergyThatAHeldSpringGenerates) {
 }
 
 TEST(PassivityObserver, DetectsNothingIfTheDamperDissipatesMoreThanTheSpringGenerates) {
-  // Colgate & Schenkel: b > K·T/2 = 0.5 N·s/m.
-  // At the very begin the damper still knows a smaller speed than the one that the spring lags by.
+  // At the start, the velocity estimate of the damper is smaller than the velocity that causes the delay of
+  // the spring.
   PassivityObserver enough;
   EXPECT_LT(press_once(enough, 0.6, 0.1), 5e-7);
   PassivityObserver too_little;
@@ -109,7 +109,7 @@ TEST(PassivityObserver, CountsTheWorkOfAContactWithoutAPotential) {
   step.stored_J = std::numeric_limits<double>::quiet_NaN();
   observer.update(step);
   step.contact = true;
-  // In against 1 N, out with 2 N.
+  // In against a force of 1 N, out with a force of 2 N.
   step.held_force_N = {{0.0, 0.0, 1.0}};
   step.moved_m = {{0.0, 0.0, -1e-3}};
   observer.update(step);

@@ -38,7 +38,7 @@ TEST(SafeContact, GivesAWallTheDampingThatItNeeds) {
 }
 
 TEST(SafeContact, CountsTheDelayAndTheRate) {
-  // Device and hand damp 1.6 N·s/m, the wall at most 0.55 of that.
+  // Device and hand have a damping of 1.6 N·s/m; the wall may add at most 0.55 of that.
   device::Traits traits = known();
   EXPECT_NEAR(safe_contact(traits, 1000.0, 1.0, 1e6, 0.5).stiffness_N_per_m, 0.65 * 1.1 * 1600.0, 1e-9);
   traits.delay_samples = 2;
@@ -62,8 +62,8 @@ TEST(SafeContact, KeepsTheSensorsStepsBelowWhatFrictionHolds) {
 }
 
 TEST(SafeContact, AccountsForTheScaleOfTheScene) {
-  // Half a metre of scene in a tenth of a metre of device: stiffness and damping are five times as great
-  // there.
+  // A scene of 0.5 m is mapped to a device workspace of 0.1 m: there, stiffness and damping are five times as
+  // large.
   const auto safe = safe_contact(known(), 1000.0, 5.0, 1e6, 0.1);
   EXPECT_NEAR(safe.stiffness_N_per_m, 0.65 * 1.1 * 320.0, 1e-9);
 }

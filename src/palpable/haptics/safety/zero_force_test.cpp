@@ -17,8 +17,8 @@
 namespace palpable::haptics {
 namespace {
 
-/// A hand held 2 mm under a wall. Prints on standard error that it was stopped if it was pushed before and
-/// the last force was zero.
+/// A hand held 2 mm below a surface. Prints to standard error that the servo was stopped, if there was a
+/// force before and the last force was zero.
 class ReportingDevice final : public device::Device {
  public:
   ReportingDevice() {
@@ -63,7 +63,7 @@ struct Wall {
     HapticScene program{std::make_shared<SpringSurface>(flat, 500.0, 0.5), {}, 1};
     loop = *ServoLoop::start(std::move(owned), std::move(program), options);
   }
-  /// The force rises in a quarter of a second.
+  /// The force rises within a quarter of a second.
   bool comes_to_push() const {
     device->pushed.wait(false);
     return device->pushed;
@@ -85,7 +85,7 @@ TEST(ZeroForce, IsWrittenByEveryServoThatIsEndedFromOutside) {
   EXPECT_TRUE(later.comes_to_push()) << "a servo that begins afterwards runs";
 }
 
-// The child of a death test begins anew, so that its threads are its own.
+// The child of a death test starts from the beginning, so its threads are its own.
 class ZeroForceDeathTest : public testing::Test {
  protected:
   void SetUp() override { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
@@ -118,7 +118,7 @@ TEST_F(ZeroForceDeathTest, IsWrittenBeforeEverySignalThatEndsTheProgram) {
         {
           write_zero_force_on_crash();
           const Wall wall;
-          // To the process: any thread may get it, the servo's own too.
+          // The signal is sent to the process: any thread may receive it, also the servo thread.
           if (wall.comes_to_push()) kill(getpid(), number);
           pause();  // Until the signal comes.
         },

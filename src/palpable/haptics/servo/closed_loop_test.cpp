@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The tick and the simulated hand together, on surfaces whose answer is known.
+// Tests the tick together with the simulated hand, on surfaces with known solutions.
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
@@ -26,7 +26,7 @@ struct ClosedLoop {
     for (int i = 0; i < ticks; ++i) sample = &tick->step(kT_s * static_cast<double>(n++), kT_s);
     return *sample;
   }
-  /// The greatest distance between two places of the hand along z or x in the next `ticks`.
+  /// The greatest distance along z or x between two positions of the hand in the next `ticks`.
   double swing(int ticks, double Vec3::*axis) {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -55,7 +55,8 @@ device::HandOptions held() {
 }
 
 TEST(ClosedLoop, ComesToRestWhereTheArmAndTheWallAgree) {
-  // Arm 135 N/m towards 10 mm below, wall 500 N/m: the hand rests 10·135/635 mm deep.
+  // The arm pulls with 135 N/m towards 10 mm below the surface, the wall has 500 N/m: the hand rests at a
+  // depth of 10·135/635 mm.
   ClosedLoop loop(flat, 500.0, 0.5, held());
   loop.hand.place({0.0, 0.0, 0.002});
   loop.hand.set_goal({0.0, 0.0, -0.010});
@@ -89,7 +90,7 @@ TEST(ClosedLoop, GeneratesNoEnergyOnAPlaneBelowTheStabilityLimit) {
   for (const int delay : {0, 1, 2}) {
     auto options = held();
     options.delay_samples = delay;
-    // b > (2d + 1)·K·T/2, with a fifth to spare.
+    // b > (2d + 1)·K·T/2, with a margin of 20 %.
     const double damping = 0.5;
     const double stiffness = 2.0 * damping / ((2.0 * delay + 1.0) * kT_s) / 1.2;
     TickOptions limits;

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What the laws make of energy in hands of every kind, at the stiffness limit and far above it, the limit on
-// growing forces included and the controller off.
+// The energy that the laws generate with different hands, at the stiffness limit and far above it. The limit
+// on growing forces is active, the passivity controller is off.
 #include "palpable/haptics/law/test_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/safety/test_hands.hpp"
@@ -15,7 +15,7 @@
 namespace palpable::haptics {
 namespace {
 
-/// The greatest energy made without the controller while a hand explores for five seconds.
+/// The greatest energy generated without the controller while a hand explores for five seconds.
 double made_by(Law law, const device::HandOptions& options, double times_the_limit, double* contact_share) {
   device::SimulatedHand hand(options);
   models::Scene scene = scene_of(random_hills(200, 160, 5));
@@ -72,7 +72,7 @@ TEST(EnergyOfRolling, IsNotGeneratedAtBendsForAnyDelay) {
     double contact = 0.0;
     most_J = std::max(most_J, made_by(Law::rolling, hand, 1.0, &contact));
   }
-  // With the slope below the hand: 560 uJ at a delay of two ticks.
+  // An earlier version used the slope directly below the hand and generated 560 uJ at a delay of two ticks.
   EXPECT_LE(most_J, 2e-6);
 }
 

@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Faults at random instants of a press, each kind by itself and for each law with contact: whatever happens
+// Faults at random instants of a press, each kind separately and for each law with contact. Whatever happens
 // to readings, ticks and scenes, the force never grows faster than the rise limit, never pulls and never
-// pushes to a side; a glitch is not felt, and after a lasting jump, a silence or a stall the force begins
-// from zero.
+// pushes sideways. A single wrong reading is not felt; after a lasting jump, missing readings or a stall, the
+// force restarts from zero.
 #include "palpable/haptics/law/field_proxy.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
@@ -28,7 +28,7 @@
 
 namespace palpable::haptics {
 
-/// Level ground as a solid; not in a namespace without name, so that its read_pages() is found.
+/// Level ground as a solid. It is not in an unnamed namespace, so that its read_pages() is found.
 class LevelSolid {
  public:
   explicit LevelSolid(double ground_m = 0.005) : ground_m_(ground_m) {}
@@ -45,7 +45,7 @@ namespace {
 
 constexpr double kT_s = 0.001;
 
-/// Every day 60 of each fault and law; PALPABLE_FAULTS=1000 for a measurement.
+/// 60 of each fault and law by default; PALPABLE_FAULTS=1000 for a measurement.
 int instants() {
   const char* wanted = std::getenv("PALPABLE_FAULTS");
   return wanted != nullptr ? std::atoi(wanted) : 60;
@@ -121,12 +121,13 @@ std::vector<HapticScene> solid_scenes(Make law) {
   return scenes;
 }
 
-/// What is touched while something fails.
+/// The model that is touched during a fault.
 struct TouchedLaw {
   const char* name;
   std::vector<HapticScene> (*scenes)();
-  /// Of a push to a side, where the ground is level; infinite where it is not. The proxy of a first contact
-  /// is where the hand came in, a tick's way behind: less than can be felt.
+  /// Limit of the sideways force on level ground; infinite if the ground is not level. At a first contact the
+  /// proxy is at the previous position of the hand, one tick behind: the resulting force is too small to be
+  /// felt.
   double side_N = 0.02;
 };
 
@@ -135,7 +136,7 @@ const TouchedLaw kTouched[]{
     {"penalty", [] { return relief_scenes(Law::penalty); }},
     {"averaged", [] { return relief_scenes(Law::averaged); }},
     {"groove", groove_scenes},
-    // A plate has a lower side too, where it pushes down a hand that jumped there.
+    // A plate also has a lower side, which pushes down a hand that jumped there.
     {"grid", grid_scenes, std::numeric_limits<double>::infinity()},
     {"proxy_on_a_field",
      [] {
@@ -158,7 +159,7 @@ const TouchedLaw kTouched[]{
     {"changing_laws", scenes_of_all_laws},
     {"laws_on_hills", hill_scenes, std::numeric_limits<double>::infinity()}};
 
-/// A hand that presses to and fro on the ground, 2 mm deep at most, on a device of 20 N.
+/// A hand that repeatedly presses the ground, at most 2 mm deep, with a device of at most 20 N.
 class Press {
  public:
   explicit Press(const TouchedLaw& law) : side_N_(law.side_N) {
@@ -169,7 +170,7 @@ class Press {
     tick_ = std::make_unique<TickPipeline>(device_, *scenes_.front(), options_, events_);
   }
 
-  /// What the next ticks have of the fault.
+  /// The fault in the next ticks.
   double shift_m = 0.0;
   bool is_silent = false;
   bool is_nan = false;
@@ -219,10 +220,11 @@ class Press {
   int pressed_ = 0;
 };
 
-/// The force in the tick `n` of a fault, from 0, and before the fault.
+/// The force in tick `n` of a fault, counted from 0, and the force before the fault.
 using Check = std::function<void(const Press&, int n, double before_N)>;
 
-/// `fault` sets what happens now and gives for how many ticks; `check` judges each of them; `over` ends it.
+/// `fault` starts a fault and returns its number of ticks; `check` tests each of these ticks; `over` ends the
+/// fault.
 void attack(const TouchedLaw& law, const std::function<int(Press&, std::mt19937&)>& fault, const Check& check,
             const std::function<void(Press&)>& over) {
   std::mt19937 random(21);
@@ -242,7 +244,8 @@ void attack(const TouchedLaw& law, const std::function<int(Press&, std::mt19937&
   EXPECT_GT(press.pressed(), 100 * faults / 4);
 }
 
-/// A force that begins from zero is this small in its first tick: a thousandth of the device's, and some.
+/// The first tick of a force that restarts from zero is at most this: a thousandth of the greatest force of
+/// the device, plus a tolerance.
 constexpr double kBegins_N = 0.2;
 
 double from(std::mt19937& random, double low, double high) {
@@ -271,7 +274,7 @@ TEST_P(Faults, OfASensorThatJumpsForGoodMakeNoStepAndNoPull) {
         return 3;
       },
       [](const Press& press, int n, double before_N) {
-        // Two readings may be a glitch; the third one agrees with them.
+        // Two wrong readings may be a glitch; the third one agrees with them.
         if (n < 2) {
           ASSERT_EQ(press.force_N(), before_N);
         }

@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What reliefs have, fields have: friction that does not swing, borders of materials without a kick, textures
-// that stay below the stability limit.
+// Fields behave like reliefs: friction without oscillation, borders of materials without a jump of the force,
+// and textures below the stability limit.
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/haptics/law/stroke_scenes.hpp"
 #include "palpable/haptics/safety/stability.hpp"
@@ -25,7 +25,8 @@ class Plate {
   std::size_t memory_bytes() const noexcept { return sizeof(*this); }
 };
 
-/// How far a hand swings along the ground in the last second of nine, held beside where its proxy sticks.
+/// Amplitude of the oscillation of a hand along the ground in the last second of nine. The hand is held
+/// beside the point where its proxy sticks.
 double swing_m(const device::HandOptions& options, double stiffness_N_per_m, Passivity passivity) {
   device::SimulatedHand hand(options);
   const SafeContact safe = safe_contact(hand.traits(), options.rate_hz, 1.0, stiffness_N_per_m, 0.5);

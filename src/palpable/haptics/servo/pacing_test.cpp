@@ -12,7 +12,7 @@
 namespace palpable::haptics {
 namespace {
 
-// None of these asserts how fast the machine is: only what the clock readings must say of each other.
+// These tests do not depend on the speed of the machine; they compare clock readings with each other.
 
 TEST(Pacer, NeverWakesBeforeItsDeadlineAndCountsEveryPeriodOnce) {
   Pacer pacer(1000.0, 100e-6);
@@ -34,7 +34,7 @@ TEST(Pacer, SkipsMissedDeadlinesWithoutCatchingUpInABurst) {
   std::this_thread::sleep_for(std::chrono::milliseconds(12));
   const auto after = pacer.wait();
   EXPECT_GE(after.periods, 12U);
-  // Asleep is not at work: the thread was off the processor.
+  // A sleeping thread does not work: it does not use the processor.
   EXPECT_EQ(after.cause, MissedDeadline::Cause::held_up_in_tick);
   const auto next = pacer.wait();
   EXPECT_GT(next.now_ns - after.now_ns, 0);
@@ -45,7 +45,7 @@ TEST(Pacer, DetectsATickThatTookTooLongItself) {
   Pacer pacer(1000.0, 100e-6);
   pacer.begin();
   pacer.wait();
-  // Work for 5 ms of processor time, however long that takes on the wall.
+  // Works for 5 ms of processor time, regardless of wall time.
   const auto processor_ns = [] {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -58,7 +58,7 @@ TEST(Pacer, DetectsATickThatTookTooLongItself) {
   const std::int64_t wall = monotonic_ns() - begin_wall;
   const auto wake = pacer.wait();
   EXPECT_GE(wake.periods, 5U);
-  // Where the machine took the thread off for longer than it worked, that is what is reported.
+  // If the thread was preempted for longer than it worked, the preemption is reported.
   if (wall < 9'000'000) {
     EXPECT_EQ(wake.cause, MissedDeadline::Cause::slow_tick);
   }

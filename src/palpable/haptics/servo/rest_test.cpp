@@ -56,7 +56,7 @@ TEST(RestDetector, NoticesASlowDrift) {
   EXPECT_LT(longest_s, 0.02);
 }
 
-/// A loop whose hand is moved through `feed`, and which rests soon.
+/// A loop whose hand is moved through `feed`, and which enters rest mode soon.
 std::unique_ptr<ServoLoop> pointer_loop(const std::shared_ptr<device::PointerFeed>& feed) {
   ServoOptions options;
   options.realtime_priority = 0;
@@ -70,7 +70,7 @@ std::unique_ptr<ServoLoop> pointer_loop(const std::shared_ptr<device::PointerFee
 
 void put(device::PointerFeed& feed, double z_m) { feed.put(Point<DeviceFrame>{{0.0, 0.0, z_m}}); }
 
-/// Puts the place again and again, as the page does, until the condition holds.
+/// Sends the position repeatedly, as the page does, until the condition holds.
 template <class Condition>
 void hold_until(device::PointerFeed& feed, double z_m, Condition holds) {
   while (!holds()) {
@@ -84,7 +84,7 @@ TEST(RestingLoop, TicksRarelyWhileNothingMovesAndFeelsTheNextMotion) {
   const auto loop = pointer_loop(feed);
   hold_until(*feed, 0.001, [&] { return loop->statistics().rested_s > 0.2; });
   const auto resting = loop->statistics();
-  // A tick of the rest stands for 20 ms.
+  // A tick in rest mode covers 20 ms.
   EXPECT_LT(static_cast<double>(resting.rest_ticks), resting.rested_s / 0.019 + 1.0);
   double force_N = 0.0;
   hold_until(*feed, -0.002, [&] {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What limits on growing forces do to the energy of hard impacts.
+// The effect of limits on growing forces on the energy of hard impacts.
 #include "palpable/haptics/servo/test_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kT_s = 0.001;
 
-/// A free mass thrown at a wall, moved in steps of 10 us under the force that is held.
+/// A free mass that hits a wall. Its motion is integrated in steps of 10 us under the held force.
 struct Impact {
   double out_m_per_s = 0.0;
   double withheld_J = 0.0;
@@ -49,7 +49,7 @@ Impact thrown(double mass_kg, double speed_m_per_s, double stiffness, double dam
 }
 
 TEST(RiseLimit, ReturnsNoMoreEnergyThanTheHandDelivered) {
-  // The device's cap is far above, so that the limit of 300 N/s is what acts.
+  // The maximum force of the device is much greater, so the limit of 300 N/s is active.
   for (const double speed : {0.6, 1.0, 1.5}) {
     const Impact impact = thrown(0.3, speed, 960.0, 1.0, 20.0, Passivity::observe);
     EXPECT_LE(impact.out_m_per_s, speed) << speed;
@@ -64,7 +64,7 @@ TEST(RiseLimit, GeneratesNoEnergyInRandomImpacts) {
     const double mass_kg = 0.05 + 0.45 * unit(random);
     const double speed = 0.05 + 1.9 * unit(random);
     const double stiffness = 200.0 + 900.0 * unit(random);
-    // Above what the held spring needs.
+    // More than the held spring needs.
     const double damping = 1.2 * stiffness * kT_s;
     const double cap_N = 2.0 + 18.0 * unit(random);
     const Impact impact = thrown(mass_kg, speed, stiffness, damping, cap_N, Passivity::observe);
@@ -75,17 +75,17 @@ TEST(RiseLimit, GeneratesNoEnergyInRandomImpacts) {
   }
 }
 
-/// A guided hand: in free air, `deep_m` deep from `in_s` to `out_s`, in free air again. Its movements last 20
-/// ms.
+/// A hand on a given path: in free air, at depth `deep_m` from `in_s` to `out_s`, then in free air again.
+/// Each transition takes 20 ms.
 struct Guided {
   double in_s = 0.0;
   double out_s = 0.4;
   double deep_m = 0.005;
-  /// When the touch stops for a tick that comes 20 ms late; never below 0.
+  /// Time at which one tick comes 20 ms late; never if below 0.
   double stall_s = -1.0;
 };
 struct Work {
-  /// What the hand received in all, and what was said of it.
+  /// Total energy that the hand received, and the reported energy.
   double received_J = 0.0;
   double said_J = 0.0;
   double deepest_force_N = 0.0;
@@ -141,7 +141,7 @@ TEST(Ramp, GivesARestingHandTheWholeSpring) {
 }
 
 TEST(PassivityController, NeverLetsASpringReturnAHandFaster) {
-  // Undamped, the held spring makes energy; without controller it shows.
+  // Without damping, the held spring generates energy; this is visible without the controller.
   double without = 0.0;
   for (const double mass_kg : {0.05, 0.15, 0.5}) {
     const double speed = 0.3;

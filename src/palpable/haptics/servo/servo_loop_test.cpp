@@ -26,7 +26,7 @@ ServoOptions quiet() {
   return options;
 }
 
-/// What outlives the loop that owned the device.
+/// State that outlives the loop that owned the device.
 struct Log {
   std::atomic<int> writes{0};
   std::atomic<int> stops{0};
@@ -43,7 +43,7 @@ class LoggingDevice final : public device::Device {
     log_.last_was_zero = force_N.v == Vec3{};
   }
   void stop() noexcept override { ++log_.stops; }
-  // The watchdog of a machine that holds the loop up.
+  // The watchdog acts if the machine delays the loop.
   void cut_force() noexcept override {}
 
  private:
@@ -51,7 +51,7 @@ class LoggingDevice final : public device::Device {
   device::Traits traits_;
 };
 
-/// Counts how many of it are alive, so that a test sees old programs freed.
+/// Counts its living instances, so a test can see that old scenes are freed.
 class CountedTouchable final : public Touchable {
  public:
   CountedTouchable(std::atomic<int>& alive, double force_N) : alive_(alive), force_N_(force_N) { ++alive_; }
@@ -133,12 +133,12 @@ TEST(ServoLoop, AllocatesNothingInItsTicksAndCountsThem) {
   const auto statistics = (*loop)->statistics();
   EXPECT_EQ(statistics.allocations_in_ticks, 0U);
   EXPECT_EQ(static_cast<std::uint64_t>(log.writes), statistics.touch.ticks + 1);
-  // A machine that held the loop up for long made the force begin anew.
+  // If the machine delayed the loop for long, the force restarts from zero.
   if (statistics.touch.stalls == 0) {
     EXPECT_NEAR(statistics.touch.max_force_N, 1.0, 1e-9);
   }
   EXPECT_GT(statistics.touch.first_force_t_s, 0.0);
-  // Every period since the begin was served or is counted as missed.
+  // Every period since the start was either served or counted as missed.
   EXPECT_GT(statistics.rate_hz, 0.0);
   EXPECT_LE(statistics.rate_hz, 1001.0);
 }
@@ -165,7 +165,7 @@ TEST(ServoLoop, RecordsEveryTickInOrderAndCountsWhatItLoses) {
     ++taken;
   }
   EXPECT_TRUE(in_order);
-  // Nobody empties it now: the ring fills, and the loop goes on without it.
+  // Nobody reads the ring any more: it becomes full, and the loop continues.
   wait_for_ticks(**loop, before + 200);
   EXPECT_GT((*loop)->recording_lost(), 0U);
 }
@@ -179,7 +179,8 @@ TEST(ServoLoop, SwapsScenesLiveAndFreesTheOldOnesOnAnotherThread) {
   int faded = 0;
   for (std::uint32_t id = 1; id <= kChanges; ++id) {
     (*loop)->change(counted(alive, 1.0 + 0.01 * id, id));
-    // Each is waited for until the servo has really taken it in: swaps that happened, not swaps asked for.
+    // The test waits until the servo has taken each scene: it counts scenes that were taken, not scenes that
+    // were sent.
     for (bool arrived = false; !arrived;) {
       while (const auto event = (*loop)->take_event())
         arrived = arrived || (event->kind == TouchEvent::Kind::scene_changed && event->value == id);
@@ -188,7 +189,7 @@ TEST(ServoLoop, SwapsScenesLiveAndFreesTheOldOnesOnAnotherThread) {
     ++faded;
   }
   EXPECT_EQ(faded, kChanges);
-  // The maintenance frees within its rhythm; the loop's end frees the rest.
+  // The maintenance thread frees scenes periodically; the end of the loop frees the rest.
   while (alive > 2) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   (*loop)->stop();
   EXPECT_EQ((*loop)->statistics().allocations_in_ticks, 0U);
@@ -245,12 +246,13 @@ TEST(ServoLoop, PausesToZeroAndResumes) {
   while (log.last_was_zero) std::this_thread::yield();
 }
 
-/// A further probe, which a test moves and takes away while the loop runs.
+/// An additional probe, which a test moves and removes while the loop runs.
 std::unique_ptr<device::Device> probe_of(const std::shared_ptr<device::PointerFeed>& feed) {
   return std::make_unique<device::PointerDevice>(feed, 1000.0);
 }
 
-/// The first sample of a probe that fits; sends its place again and again meanwhile, as the page does.
+/// The first sample of a probe that satisfies the condition. Sends the position of the probe repeatedly
+/// meanwhile, as the page does.
 std::optional<TouchSample> wait_for(ServoLoop& loop, std::size_t probe, device::PointerFeed& feed,
                                     const std::optional<Point<DeviceFrame>>& place,
                                     const std::function<bool(const TouchSample&)>& fits) {
@@ -290,7 +292,7 @@ TEST(ServoLoop, FurtherProbesTouchTheSameSceneIndependently) {
   EXPECT_EQ(gone->written_force_N.v.z, 0.0);
   EXPECT_FALSE((*loop)->take_latest(3));
   (*loop)->stop();
-  // The hand was touched, and its device written to, as if it were alone.
+  // The hand was served, and its device was written to, as if there were no other probe.
   const auto statistics = (*loop)->statistics();
   EXPECT_EQ(statistics.allocations_in_ticks, 0U);
   EXPECT_NEAR(statistics.touch.max_force_N, 1.0, 1e-9);
@@ -321,7 +323,7 @@ TEST(ServoLoop, ChangesTheSceneOfAbsentProbesToo) {
     });
     ASSERT_TRUE(there) << id;
   }
-  // The first programs are gone, and no probe was at them any more.
+  // The first scenes are freed, and no probe used them any more.
   (*loop)->stop();
   EXPECT_LE(alive, 1);
 }

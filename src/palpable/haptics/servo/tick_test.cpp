@@ -118,7 +118,7 @@ TEST(Tick, RefusesAJumpThatNoHandMakes) {
   const auto& sample = loop.run(1);
   EXPECT_TRUE(sample.has(flag::kImplausible));
   EXPECT_EQ(loop.written(), Vec3{});
-  // If it lasts it is a new touch, whose force comes up from zero.
+  // If the new position lasts, it is a new touch, whose force rises from zero.
   EXPECT_TRUE(loop.run(1).has(flag::kImplausible));
   const auto& there = loop.run(1);
   EXPECT_FALSE(there.has(flag::kImplausible));
@@ -165,7 +165,7 @@ TEST(Tick, StartsFromZeroForceAfterAStall) {
   loop.device.reading.position.v = {0.0, 0.0, -0.001};
   loop.run(500);
   ASSERT_GT(loop.written().z, 4.0);
-  // 50 ms later the hand is deep inside: the watchdog has long written zero.
+  // 50 ms later the hand is deep inside; the watchdog has already written a force of zero.
   loop.device.reading.position.v = {0.0, 0.0, -0.004};
   const auto& sample = loop.tick->step(0.55, 0.05);
   EXPECT_TRUE(sample.has(flag::kStalled));
@@ -247,7 +247,7 @@ TEST(Tick, DoesNotCountTheWorkOfAChangeOfSceneForTheLaw) {
   }
   const auto& counts = loop.tick->counts();
   EXPECT_GT(counts.scene_change_J, 1e-4);
-  // What a held spring of 1500 N/m makes on the way out, ½K·dx² a tick, and no more.
+  // The energy that a held spring of 1500 N/m generates on the way out, ½K·dx² per tick, and no more.
   EXPECT_LT(counts.made_max_without_controller_J, 300 * 0.5 * 1500.0 * 25e-12 + 1e-12);
 }
 
@@ -268,7 +268,7 @@ TEST(Tick, ContinuesAStateWithinAFamilyAndBeginsAnewOutside) {
 
 TEST(Tick, RotatesForcesIntoTheDeviceFrameAndKeepsTheirMagnitude) {
   Loop loop(plane());
-  // The scene's z is the device's y, shown at twice the size.
+  // The z axis of the scene is the y axis of the device, at twice the size.
   loop.program.scene_from_device.rotation = {1, 0, 0, 0, 0, -1, 0, 1, 0};
   loop.program.scene_from_device.scale = 2.0;
   loop.tick = std::make_unique<TickPipeline>(loop.device, loop.program, TickOptions{}, loop.events);

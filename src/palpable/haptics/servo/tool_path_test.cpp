@@ -67,7 +67,8 @@ TEST(ToolPath, GivesTheWrenchOfThePenaltyLaw) {
 }
 
 TEST(ToolPath, TurnsATiltedStickBackToTheFloor) {
-  // Held at its middle, its right end under the floor: what pushes it up turns it about -y.
+  // The tool is held at its middle, its right end below the floor: the upward force at that end rotates the
+  // tool about -y.
   const std::array<ToolPlace, 2> stick{{{{{-0.01, 0.0, 0.0}}, 0.5}, {{{0.01, 0.0, 0.0}}, 0.5}}};
   std::vector<ToolPose> poses{pose_at(0.0, {0.0, 0.0, 0.001})};
   for (int i = 1; i < 20; ++i) poses.push_back(pose_at(0.001 * i, {}, 0, 0.2));
@@ -81,7 +82,7 @@ TEST(ToolPath, TurnsATiltedStickBackToTheFloor) {
 }
 
 TEST(ToolPath, KeepsEachProbesTouchApart) {
-  // Two fingers in turn feel what each feels alone, proxy and all.
+  // Two fingers evaluated alternately: each has the forces and the proxy that it has alone.
   const auto touchable = floor_with(Law::proxy);
   const std::array<ToolPlace, 1> point{};
   const auto place = [](int i, int finger) {

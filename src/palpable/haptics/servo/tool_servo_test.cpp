@@ -16,7 +16,7 @@
 
 namespace palpable::haptics {
 
-/// The solid below z = 0; not in a namespace without name, so that its read_pages() is found.
+/// The solid below z = 0. It is not in an unnamed namespace, so that its read_pages() is found.
 class FloorOfTools {
  public:
   models::FieldSample sample(Vec3 p) const noexcept { return {p.z, {0.0, 0.0, 1.0}}; }
@@ -65,7 +65,7 @@ TEST(TurnBetween, IsTheRotationVectorThatWasApplied) {
 
 TEST(ToolInTheServo, IsFeltWithForceAndTorqueWithinTheDevicesLimitsAndMakesNoEnergy) {
   ASSERT_TRUE(allocations_are_counted());
-  // Random hands with a pad or a cane whose stiffness is what a place at its end stands.
+  // Random hands with a pad or a cane, whose stiffness is the greatest that a sample point at its end allows.
   std::mt19937 random(11);
   std::uniform_real_distribution<double> any(0.0, 1.0);
   for (int round = 0; round < 40; ++round) {
@@ -100,15 +100,15 @@ TEST(ToolInTheServo, IsFeltWithForceAndTorqueWithinTheDevicesLimitsAndMakesNoEne
     }
     EXPECT_EQ(scope.count(), 0U);
     EXPECT_GT(pipeline.counts().contact_ticks, 500U) << round;
-    // A round pad on a level floor is hardly turned.
+    // A round pad on a level floor is hardly rotated.
     EXPECT_GT(torque_Nm, cane ? 1e-4 : 1e-5) << round;
     EXPECT_LT(pipeline.counts().made_max_J, 5e-6) << round;
   }
 }
 
 TEST(ToolInTheServo, CountsTheWorkOfATorque) {
-  // A torque that gives the hand energy in a turn, with no potential: the observer sees it, the controller
-  // takes it out.
+  // A torque without potential that gives energy to the hand in a rotation: the observer measures it, the
+  // controller dissipates it.
   PassivityObserver observer;
   PassivityObserver::Step air;
   air.stored_J = std::nan("");

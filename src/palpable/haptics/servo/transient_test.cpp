@@ -77,7 +77,7 @@ TEST(TransientPlayer, IsOffForDevicesThatCannot) {
   EXPECT_FALSE(can_render(transient_of(TransientKind::rubber), device, 1000.0));
 }
 
-/// A hand that taps level ground four times a second, 5 s long.
+/// A hand that taps on level ground four times per second, for 5 s.
 struct Taps {
   explicit Taps(const ContactTransient& transient, Passivity passivity = Passivity::control) {
     device::HandOptions options;
@@ -132,7 +132,7 @@ TEST(ContactTransients, VibrateOnceForEachTapWithinAllLimits) {
 }
 
 TEST(ContactTransients, CountTheirEnergyWhichTheControllerDissipates) {
-  // Of soft ground that rings for long: what comes back from a spring cannot hide it.
+  // Soft ground with a long transient: energy returned by a spring cannot hide it.
   const ContactTransient ringing{20.0, 20.0, 2.0};
   const Taps observed(ringing, Passivity::observe);
   EXPECT_GT(observed.counts.made_max_J, 1e-6) << "the observer sees it";

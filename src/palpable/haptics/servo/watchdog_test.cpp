@@ -14,7 +14,7 @@
 namespace palpable::haptics {
 namespace {
 
-/// What a hanging device and its test share.
+/// State shared by a blocked device and its test.
 struct Hang {
   std::mutex mutex;
   std::condition_variable changed;
@@ -25,7 +25,7 @@ struct Hang {
   Vec3 force_when_cut_N;
 };
 
-/// Hangs in read() when asked to, as a driver does whose cable is pulled.
+/// Blocks in read() on request, as a driver does when its cable is unplugged.
 class HangingDevice final : public device::Device {
  public:
   explicit HangingDevice(std::shared_ptr<Hang> hang) : hang_(std::move(hang)) {}
@@ -74,14 +74,14 @@ TEST(Watchdog, CutsTheForceOfALoopThatHangsInItsDriver) {
   {
     std::unique_lock lock(hang->mutex);
     hang->wanted = true;
-    // The loop's thread hangs all the while; only another one can have cut the force.
+    // The thread of the loop is blocked all the time, so only another thread can have set the force to zero.
     hang->changed.wait(lock, [&] { return hang->was_cut; });
     EXPECT_TRUE(hang->hangs);
     EXPECT_GT(hang->force_when_cut_N.z, 0.5);
     hang->freed = true;
     hang->changed.notify_all();
   }
-  // The touch goes on from zero force, and says so.
+  // The touch continues from zero force, and this is reported.
   bool stalled = false;
   while (!stalled)
     if (const auto sample = (*loop)->take_latest()) {
@@ -106,7 +106,7 @@ TEST(OverdueWrite, CutsOnceAfterAPeriodAndThePatience) {
 }
 
 TEST(OverdueWrite, CutsWithinFiveMillisecondsOfTheWriteThatWasDueAtEveryInstantOfAHang) {
-  // The watchdog's thread looks every kPoll_s, at any phase of the loop's.
+  // The thread of the watchdog checks every kPoll_s, at any phase of the loop.
   constexpr auto kPoll = static_cast<std::int64_t>(1e9 * Watchdog::kPoll_s);
   for (const std::int64_t period : {kMillisecond / 4, kMillisecond, 10 * kMillisecond})
     for (std::int64_t phase = 0; phase < 1000; ++phase) {

@@ -19,7 +19,7 @@ Relief relief_of_heights(int width, int height, double (*z)(double x_m)) {
   return *Relief::from_samples(std::move(values), kPixel_m);
 }
 
-/// How far the ball's centre is from where it belongs, along the normal, over the middle of the relief.
+/// Error of the position of the centre of the ball along the normal, over the middle of the relief.
 struct Errors {
   double least_m = 0.0;
   double most_m = 0.0;

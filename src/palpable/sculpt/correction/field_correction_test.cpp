@@ -80,7 +80,7 @@ TEST_P(FieldCorrection, ReachesTheMeasuredSurfaceSmoothlyAndKeepsTheRestBitByBit
         EXPECT_NEAR(radius.back() / kRadius_m, 1.0, 0.005) << angle;
       }
     }
-    // Facets of 1.2 mm turn by 0.06 from one to the next.
+    // The angle between neighbouring facets of 1.2 mm is 0.06.
     const double steepest = 1.5 * std::abs(GetParam()) * kRadius_m / kTransition_m;
     const double most =
         (6.0 * std::abs(GetParam()) * kRadius_m / (kTransition_m * kTransition_m) * kRadius_m * kStep + 0.03 +
@@ -134,7 +134,7 @@ Mesh cap(double out_m) {
   return mesh;
 }
 
-/// The solid that a field was corrected to.
+/// The solid described by a corrected field.
 const DistanceSource& solid_of(const CorrectedField& field) { return *field.solid; }
 
 TEST(FieldCorrection, GivesTheCorrectedDistanceNearTheSurfaceAndBlendsSmoothlyIntoTheOldOne) {

@@ -14,7 +14,7 @@
 namespace palpable::sculpt {
 namespace {
 
-/// Two boxes, the right one of another height.
+/// Two boxes; the right one can have another height.
 Mesh boxes(double height_m) {
   return together(box_mesh({-0.03, -0.01, 0.0}, {-0.01, 0.01, 0.02}),
                   box_mesh({0.01, -0.01, 0.0}, {0.03, 0.01, height_m}));
@@ -28,7 +28,7 @@ TEST(UpdatedField, FollowsTheChangeAndKeepsTheRestBitByBit) {
   ASSERT_TRUE(before_solid && after_solid);
   const auto before = field_from_source(*before_solid->distance, options, {});
   ASSERT_TRUE(before);
-  // All of the right box but its floor.
+  // All faces of the right box except the floor.
   Mesh changed = together(low, high);
   std::erase_if(changed.triangles, [&](const auto& t) {
     return std::all_of(t.begin(), t.end(), [&](std::uint32_t i) { return changed.vertices_m[i].x < 0.0; }) ||
@@ -53,7 +53,7 @@ TEST(UpdatedField, FollowsTheChangeAndKeepsTheRestBitByBit) {
       ASSERT_NEAR(is.distance_m, truth, 0.4 * cell_m);
       ++near;
     }
-    // Cells nearer to the left box, all of them.
+    // All cells that are nearer to the left box.
     const auto cell = [&](double at, double origin, std::size_t axis) {
       return std::min(static_cast<int>((at - origin) / cell_m), before->grid().cells(axis) - 1);
     };

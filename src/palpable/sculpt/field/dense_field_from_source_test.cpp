@@ -31,8 +31,8 @@ TEST(DenseFieldFromSource, HoldsTheExactDistanceAtEveryPlace) {
       for (int x = 0; x < lattice.counts[0]; ++x)
         ASSERT_FLOAT_EQ(field.values()[lattice.index(x, y, z)],
                         static_cast<float>(norm(lattice.place_m(x, y, z)) - 0.03));
-  // Between places a ball of 12 cells is off by its sagitta: h^2 / 8 / r and three times that in a cell's
-  // middle.
+  // Between samples, the field of a ball with a radius of 12 cells has an error equal to the sagitta: h^2 / 8
+  // / r, and three times that in the middle of a cell.
   EXPECT_GT(field.errors().max_m, 0.0);
   EXPECT_LT(field.errors().max_m, 3.5 * 0.0025 * 0.0025 / 8.0 / 0.027);
 }
@@ -54,10 +54,11 @@ TEST(DenseFieldFromSource, MarchesWithinAFractionOfACellOfTheTruthAndKeepsSignsA
         const Vec3 force{static_cast<double>(here[1]), static_cast<double>(here[2]),
                          static_cast<double>(here[3])};
         ASSERT_NEAR(norm(force), 1.0, 1e-5);
-        // Near the middle every direction is right.
+        // Near the middle, every direction is correct.
         if (norm(p) > 0.01) worst_turn = std::max(worst_turn, norm(force - unit(p)));
       }
-  // First order: the error grows with the way that the front has gone, and most in the ball's middle.
+  // First order: the error grows with the distance from the surface and is greatest in the middle of the
+  // ball.
   EXPECT_GT(worst_near_m, 0.0);
   EXPECT_LT(worst_near_m, 0.25 * lattice.spacing_m);
   EXPECT_LT(worst_m, 2.0 * lattice.spacing_m);
@@ -104,7 +105,7 @@ TEST(DenseFieldFromSource, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(DenseFieldFromSource, RefusesWhatWouldNotFitBeforeAnythingIsAskedAndSaysWhatFits) {
-  /// A solid that must not be asked.
+  /// A solid that must not be queried.
   class Untouched final : public DistanceSource {
    public:
     models::FieldSample at(Vec3 /*p*/, Hint& /*hint*/) const override {

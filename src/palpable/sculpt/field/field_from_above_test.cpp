@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 
-// models::field_of() over fields of meshes of many sizes: the heights seen from above are the solid's own.
+// models::field_of() on fields of meshes of many sizes: the heights seen from above equal those of the solid.
 
 #include "palpable/core/mesh.hpp"
 #include "palpable/models/field/field.hpp"
@@ -61,7 +61,7 @@ struct Shape {
   Mesh mesh;
 };
 
-/// As tall as they are wide, so that they fill a cube in depth.
+/// As high as they are wide, so that they fill a cube.
 std::vector<Shape> shapes_of(double size_m) {
   const double half_m = 0.5 * size_m;
   return {{"box", box_mesh({-half_m, -half_m, 0.0}, {half_m, half_m, size_m})},
@@ -72,7 +72,7 @@ std::vector<Shape> shapes_of(double size_m) {
            })}};
 }
 
-/// The heights of `shape` seen from above, by the way of keeping it that `sample` stands for.
+/// The heights of `shape` seen from above, with the representation of `sample`.
 template <class Sample>
 void expect_top_at(const Shape& shape, double size_m, Sample sample) {
   const auto solid = solid_from_mesh(shape.mesh, size_m / kResolution, {});

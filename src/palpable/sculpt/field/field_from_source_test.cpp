@@ -39,7 +39,7 @@ TEST(FieldFromSource, FollowsABall) {
   }
 }
 
-/// Around z, its tube 12 mm thick.
+/// A torus around z with a tube thickness of 12 mm.
 class Ring final : public DistanceSource {
  public:
   static constexpr double kRing_m = 0.03, kTube_m = 0.012;
@@ -80,7 +80,7 @@ TEST(FieldFromSource, KeepsTheGradientsLengthNearOneWhereTheDistanceIsSmooth) {
   }
   EXPECT_LE(near.over, near.count / 1000);
   EXPECT_LT(near.greatest, 1.1);
-  // The bound of the distance itself grows there.
+  // There the error bound of the distance itself is greater.
   EXPECT_LE(outside.over, outside.count / 50);
   EXPECT_LT(outside.greatest, 1.5);
 }
@@ -106,7 +106,7 @@ TEST(FieldFromSource, HoldsABoxInFewExactLeaves) {
   EXPECT_LT(worst, 0.4 * field->cell_m());
 }
 
-/// Beside an opening as wide as a hair, the nearest faces stand back to back.
+/// Next to a very narrow gap, the nearest faces face away from each other.
 class Ridge final : public DistanceSource {
  public:
   models::FieldSample at(Vec3 p, Hint&) const override {
@@ -168,7 +168,7 @@ TEST(FieldFromSource, RefusesWhatWouldTakeTooMuchMemoryAndSaysWhatFits) {
   EXPECT_NE(refused.error().message.find("cells would fit"), std::string::npos) << refused.error().message;
 }
 
-/// Counts what it is asked.
+/// Counts its queries.
 class Asked final : public DistanceSource {
  public:
   models::FieldSample at(Vec3 p, Hint& hint) const override {
@@ -213,7 +213,7 @@ TEST(FieldFromSource, FollowsAScanOnlyAsCloselyAsItsFacetsAgree) {
   const auto followed = field_of(noisy, closely), field = field_of(noisy, as_chosen);
   ASSERT_TRUE(followed && field);
   EXPECT_LT(2 * field->memory_bytes(), followed->memory_bytes());
-  // It stays near the facets.
+  // It stays close to the facets.
   const auto facets = solid_from_mesh(noisy, 1e-4, {});
   DistanceSource::Hint hint;
   double squares = 0.0;
@@ -227,7 +227,7 @@ TEST(FieldFromSource, FollowsAScanOnlyAsCloselyAsItsFacetsAgree) {
     ++count;
   }
   EXPECT_LT(std::sqrt(squares / count), 8e-6);
-  // A smooth surface's facets agree: hardly anything is left out.
+  // The facets of a smooth surface are consistent, so almost nothing is omitted.
   const Mesh fine = models::mesh_of(ball, 0.5 * kSide_m);
   const auto smooth = field_of(fine, as_chosen), smooth_closely = field_of(fine, closely);
   ASSERT_TRUE(smooth && smooth_closely);

@@ -24,7 +24,7 @@ const FieldSample& farther(const FieldSample& a, const FieldSample& b) {
   return a.distance_m < b.distance_m ? b : a;
 }
 
-/// Two walls' edge beside a corner of three: five faces in one cell.
+/// The edge of two walls beside a corner of three: five faces in one cell.
 CellSamples where_five_faces_meet(std::mt19937_64& random, double cell_m) {
   std::normal_distribution<double> normal;
   std::array<FieldSample, 5> faces;

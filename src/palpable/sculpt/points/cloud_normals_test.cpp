@@ -15,7 +15,7 @@
 namespace palpable::sculpt {
 namespace {
 
-/// Evenly on a ball (Fibonacci's spiral), with noise along its radius.
+/// Points evenly distributed on a ball (Fibonacci spiral), with noise along the radius.
 void add_ball(PointCloud& cloud, Vec3 middle_m, double radius_m, int count, double noise_m, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, noise_m > 0.0 ? noise_m : 1.0);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRadius_m = 0.05;
 
-/// What a camera sees of a ball round the origin, with noise; nothing else is there.
+/// The noisy depth map of a ball around the origin. There is nothing else in the scene.
 DepthMap ball_seen(const Transform<SceneFrame, CameraFrame>& scene_from_camera, double noise_m,
                    unsigned seed) {
   DepthMap map;
@@ -38,7 +38,7 @@ DepthMap ball_seen(const Transform<SceneFrame, CameraFrame>& scene_from_camera, 
   return map;
 }
 
-/// A camera 0.2 m from the middle, looking at it, turned about y.
+/// A camera 0.2 m from the middle, directed at it, rotated about y.
 Transform<SceneFrame, CameraFrame> camera_at(double angle_rad) {
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   Transform<SceneFrame, CameraFrame> t;
@@ -114,7 +114,7 @@ TEST(FusedDepth, FillsBehindWhatOneViewSawAndLeavesTheRestEmpty) {
   const auto solid = solid_from_contour(*mesh);
   ASSERT_TRUE(solid);
   DistanceSource::Hint hint;
-  // The camera looks along +z: its box ends where it saw no farther, before the ball's middle.
+  // The camera looks along +z: its box ends at the greatest visible depth, before the middle of the ball.
   EXPECT_LT((*solid)->at({0.0, 0.0, -0.03}, hint).distance_m, 0.0);
   EXPECT_GT((*solid)->at({0.0, 0.0, -0.06}, hint).distance_m, 0.0);
   EXPECT_GT((*solid)->at({0.0, 0.06, -0.03}, hint).distance_m, 0.0);

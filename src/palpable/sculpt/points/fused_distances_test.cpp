@@ -57,7 +57,7 @@ TEST(FusedDistances, LoseNoiseWithoutShrinking) {
     smooth(n, kTruncation, {}, Work{});
     EXPECT_LT(error(n, solid), 0.35 * before);
   }
-  // The given noise replaces the voxels' own.
+  // The given noise replaces the estimate from the voxels.
   FusedDistances n = fused_from(ball, 0.3);
   n.variance_m2.assign(n.variance_m2.size(), -1.0F);
   const double before = error(n, ball);

@@ -13,7 +13,7 @@
 namespace palpable::sculpt {
 namespace {
 
-/// A far wall with fine waves, a near box with finer ones: 1 : 50 of the range.
+/// A distant wall with fine waves and a near box with finer waves, 1 : 50 of the range.
 Raster<float> box_before_wall(int width = 160, int height = 120) {
   Raster<float> n(width, height);
   for (int y = 0; y < height; ++y)
@@ -93,7 +93,7 @@ TEST(MapDetail, ReliefKeepsTheOrderOfAdjacentSteps) {
       turned += given * ((*relief)(x + 1, y) - (*relief)(x, y)) <= 0.0F ? 1 : 0;
     }
   EXPECT_GT(edges, 30);
-  // A low step beside high ones becomes very low, and the rounds end before the last of these converge.
+  // A low step beside high ones becomes very low, and the iterations end before the last of these converges.
   EXPECT_LE(turned, edges / 30);
 }
 

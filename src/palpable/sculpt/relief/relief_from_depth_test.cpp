@@ -199,7 +199,8 @@ TEST(ReliefFromDisparity, UsesMetricDepthWithACamera) {
   options.detail = DetailOperator::linear;
   const auto relief = relief_from_disparity(map, options, {});
   ASSERT_TRUE(relief);
-  // Depth rises evenly from left to right, so the relief is a plane, which disparity itself would not give.
+  // Depth increases linearly from left to right, so the relief is a plane. Disparity itself would not give a
+  // plane.
   EXPECT_NEAR(relief->sample(0, 0).z_m, 0.5 * relief->highest_m(), 1e-5);
 }
 

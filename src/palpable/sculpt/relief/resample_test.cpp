@@ -24,7 +24,7 @@ TEST(Resample, KeepsAPlaneExactlyInsideTheBorder) {
   for (const auto kind : {Resampling::bilinear, Resampling::bicubic}) {
     const auto large = resampled(small, 48, 36, kind);
     const auto wanted = sampled(48, 36, plane);
-    // Beyond the border the surface is level, so the outermost samples' cells bend there.
+    // Beyond the border the surface is level, so the outermost cells are curved there.
     for (int y = 8; y < 28; ++y)
       for (int x = 8; x < 40; ++x) ASSERT_NEAR(large(x, y), wanted(x, y), 1e-6);
   }

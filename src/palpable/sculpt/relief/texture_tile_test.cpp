@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Grey of 128 x 128, values of a function over the unit square, x right, y down.
+/// A grey picture of 128 x 128 with the values of a function on the unit square, x right, y down.
 Image grey_of(const std::function<double(double, double)>& value) {
   Image image{128, 128, 1, 16, {}};
   for (int y = 0; y < 128; ++y)
@@ -65,7 +65,7 @@ TEST(TextureTile, OfANormalMapIsThatOfItsHeights) {
 }
 
 TEST(TextureTile, IsHighWhereThePictureIsWhiteWithItsUpUpwards) {
-  // One bright blot in the upper right quarter.
+  // One bright spot in the upper right quarter.
   auto tile = texture_tile(grey_of(
       [](double x, double y) { return std::exp(-50.0 * (std::pow(x - 0.75, 2) + std::pow(y - 0.25, 2))); }));
   ASSERT_TRUE(tile);
@@ -82,7 +82,7 @@ TEST(TextureTile, IsHighWhereThePictureIsWhiteWithItsUpUpwards) {
 }
 
 TEST(TextureTile, HasNoHigherFrequencyOrCurvatureThanItsPitchAllows) {
-  // Stripes of a pixel and noise-like squares: all too fine, or sharp.
+  // Stripes of one pixel and random squares: all of it too fine, or with sharp edges.
   const auto tile = texture_tile(grey_of([](double x, double y) {
     const int i = static_cast<int>(x * 128), j = static_cast<int>(y * 128);
     return (i % 2 == 0 ? 0.3 : 0.0) + ((i / 24 + j / 24) % 2 == 0 ? 0.5 : 0.0);

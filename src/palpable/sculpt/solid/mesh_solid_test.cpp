@@ -90,7 +90,7 @@ TEST(MeshSolid, JoinsBodiesThatOverlap) {
   ASSERT_TRUE(solid);
   EXPECT_GT(solid->repair.inner, 0U);
   DistanceSource::Hint hint;
-  // On the hidden top face of the slab the nearest surface is the foot of the tower's side.
+  // On the covered top face of the slab, the nearest surface point is at the foot of the tower.
   EXPECT_NEAR(solid->distance->at({0, 0, -0.01}, hint).distance_m, -std::hypot(0.4, 0.01), 1e-6);
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> uniform(-1.5, 1.5);
@@ -99,7 +99,8 @@ TEST(MeshSolid, JoinsBodiesThatOverlap) {
     const double to_slab = box_distance(p, slab_low, slab_high),
                  to_tower = box_distance(p, tower_low, tower_high);
     const double distance = solid->distance->at(p, hint).distance_m;
-    // Outside the nearer of both; the side is told everywhere, at cuts and seams too.
+    // Outside: the smaller of both distances. The sign is correct everywhere, also at intersections and
+    // seams.
     if (std::min(to_slab, to_tower) > 0.0)
       ASSERT_NEAR(distance, std::min(to_slab, to_tower), 1e-3) << p.x << " " << p.y << " " << p.z;
     else
@@ -115,7 +116,7 @@ TEST(MeshSolid, CutsCrossedTrianglesIntoFewPieces) {
   }
   const TriangleTree tree(city);
   const SolidSurface surface = surface_of(city, tree, 0.004, {});
-  // Down to pieces of 4 mm, the slab's top alone would be a hundred thousand triangles.
+  // Divided into pieces of 4 mm, the top of the slab alone would be a hundred thousand triangles.
   EXPECT_LT(surface.mesh.triangles.size(), 2500U);
   double area_m2 = 0.0;
   for (const auto& t : surface.mesh.triangles) {
@@ -127,7 +128,7 @@ TEST(MeshSolid, CutsCrossedTrianglesIntoFewPieces) {
 }
 
 TEST(MeshSolid, GainsNoSolidWhereItClosesAWindingRim) {
-  // A U whose lower ends stand at different heights, without a floor. Its notch is outside of it; a fan
+  // A U without a floor, with its lower ends at different heights. Its notch is outside; a triangle fan
   // around the middle of its rim would fill a part of the notch.
   const std::array<Vec3, 8> outline{{{0, 0, 0},
                                      {3, 0, 0.3},
@@ -187,7 +188,7 @@ TEST(MeshSolid, FillsNoSpaceOutsideAScannedBunny) {
   EXPECT_EQ(solid->repair.closed_holes, 5U);
   EXPECT_EQ(solid->repair.inner, 0U);
   DistanceSource::Hint hint;
-  // 1 mm below its lowest place.
+  // 1 mm below its lowest point.
   EXPECT_NEAR(solid->distance->at({0.008217, -0.050654, 0.025594}, hint).distance_m, 0.0027, 2e-4);
 }
 

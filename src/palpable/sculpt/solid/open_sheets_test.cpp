@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Sheets without a thickness near closed bodies: only they and the bodies are solid.
+// Sheets without thickness near closed bodies: only the sheets and the bodies are solid.
 #include "palpable/sculpt/field/field_from_source.hpp"
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 #include "palpable/sculpt/solid/test_solids.hpp"
@@ -22,7 +22,7 @@ namespace {
 constexpr double kFinestCell_m = 0.0002;
 constexpr WallOptions kTwoCells{2.0};
 
-/// A closed box and open sheets, all before they are turned by `turn`.
+/// A closed box and open sheets, before the rotation `turn` is applied.
 struct BodyWithSheets {
   Vec3 low, high;
   Mesh sheets;
@@ -84,12 +84,12 @@ BodyWithSheets random_scene(std::mt19937_64& random) {
   return scene;
 }
 
-/// How far the solid reaches into what should be air, and the air into what should be solid, on a grid of
-/// whole and half millimetres, metres.
+/// The greatest error of the solid, outwards into air and inwards into material, on a grid of whole and half
+/// millimetres; metres.
 double worst_wrong_side_m(const BodyWithSheets& scene, const MeshSolid& solid, double angle) {
   double worst_m = 0.0;
   DistanceSource::Hint hint;
-  // Whole numbers of millimetres exactly as the sheets have them.
+  // Whole millimetres, exactly as in the sheets.
   const auto at_m = [](int half_mm) { return half_mm % 2 == 0 ? 1e-3 * (half_mm / 2) : 0.5e-3 * half_mm; };
   for (int k = -12; k <= 90; k += 3)
     for (int j = -84; j <= 84; j += 3)
@@ -110,7 +110,7 @@ TEST(OpenSheets, BesideOnAndThroughABodyTurnNoAirIntoSolid) {
     const BodyWithSheets scene = random_scene(random);
     const double angle = scene_number % 3 == 2 ? 0.7 : 0.0;
     Mesh mesh = together(box_mesh(scene.low, scene.high), scene.sheets);
-    // Files keep single precision, so that the corners of a turned sheet are not in one plane.
+    // Files store single precision, so the corners of a rotated sheet are not in one plane.
     for (Vec3& v : mesh.vertices_m) {
       v = turned(v, angle);
       if (angle != 0.0) v = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -148,7 +148,7 @@ TEST(OpenSheets, OfOneFaceOnAPlateAreWallsInTheField) {
           const double truth_m = std::min(scene.body_distance(p), scene.sheet_distance(p) - kFinest);
           if (field->sample(p).distance_m < 0.0) worst_m = std::max(worst_m, truth_m);
         }
-    // The field rounds edges within a finest cell.
+    // The field rounds edges within one finest cell.
     EXPECT_LT(worst_m, kFinest) << reversed;
   }
 }

@@ -22,7 +22,7 @@ Mesh sphere() {
   return models::mesh_of(s, kSpacing_m);
 }
 
-/// Places from 4 mm inside to 4 mm outside the ball.
+/// Points from 4 mm inside to 4 mm outside the ball.
 Vec3 place_near(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> depth(-0.004, 0.004);
@@ -45,7 +45,7 @@ TEST(SmoothSurface, IsTheBallThatItsFacetsApproximate) {
     worst_facet_m =
         std::max(worst_facet_m, std::abs(facets->at(p, other).distance_m - (norm(p) - kRadius_m)));
   }
-  // A chord of 1 mm lies 6 um below the ball.
+  // A chord of 1 mm is 6 um below the surface of the ball.
   EXPECT_GT(worst_facet_m, 2e-6);
 }
 
@@ -62,7 +62,8 @@ TEST(SmoothSurface, KeepsEdgesSharp) {
   }
 }
 
-/// As a scanner would leave it: vertices displaced along their normals by up to `share` of the facets' side.
+/// Like the result of a scanner: vertices displaced along their normals by up to `share` of the side length
+/// of the facets.
 Mesh noisy_sphere(double share) {
   Mesh mesh = sphere();
   std::mt19937_64 random(9);
@@ -71,7 +72,8 @@ Mesh noisy_sphere(double share) {
   return mesh;
 }
 
-/// The mean over places of how far a field need not follow the surface in direction, radians.
+/// The mean over the points of the tolerated angle between the directions of a field and of the surface,
+/// radians.
 double mean_coarse_turn(const Mesh& mesh, const SmoothSurface::Rounding& rounding) {
   const SmoothSurface smooth(mesh, rounding);
   std::mt19937_64 random(10);
@@ -88,12 +90,12 @@ TEST(SmoothSurface, DistinguishesAScansNoiseFromCurvature) {
   SmoothSurface::Rounding noise_only;
   noise_only.coarse_share = 0.0;
   noise_only.noise_turn_share = 1.0;
-  // The facets of the ball turn by 3 degrees from one to the next, all alike.
+  // The angle between neighbouring facets of the ball is 3 degrees everywhere.
   const double smooth = mean_coarse_turn(sphere(), noise_only);
   const double noisy = mean_coarse_turn(noisy_sphere(0.05), noise_only);
   EXPECT_GT(noisy, 0.02);
   EXPECT_LT(smooth, 0.3 * noisy);
-  // Noise twice as high turns the normals nearly twice as far.
+  // Noise of twice the amplitude rotates the normals by nearly twice the angle.
   EXPECT_NEAR(mean_coarse_turn(noisy_sphere(0.1), noise_only), 2.0 * noisy, 0.4 * noisy);
   noise_only.noise_turn_share = 0.0;
   EXPECT_EQ(mean_coarse_turn(noisy_sphere(0.05), noise_only), 0.0);

@@ -39,7 +39,7 @@ TEST(CloudSurface, FollowsABallThroughItsPoints) {
   const auto mesh = surface_of_cloud(cloud_of_a_ball(0.03, 4000, 0.0), {}, {});
   ASSERT_TRUE(mesh) << mesh.error().sentence();
   EXPECT_TRUE(is_watertight(*mesh));
-  // The points stand 1.7 mm apart.
+  // The points are 1.7 mm apart.
   EXPECT_LT(worst_radius_error(*mesh, 0.03), 3e-4);
 }
 
@@ -58,7 +58,7 @@ TEST(CloudSurface, ClosesWhatTheCameraDidNotSee) {
   ASSERT_TRUE(mesh) << mesh.error().sentence();
   const auto solid = solid_from_mesh(*mesh, 1e-4, {});
   ASSERT_TRUE(solid) << solid.error().sentence();
-  // Sheets may pinch at the border of what was seen, but nothing is open.
+  // Sheets may touch each other at the border of the visible part, but nothing is open.
   EXPECT_EQ(solid->repair.closed_holes, 0U);
   DistanceSource::Hint hint;
   EXPECT_LT(solid->distance->at({0, 0, -0.015}, hint).distance_m, 0.0);

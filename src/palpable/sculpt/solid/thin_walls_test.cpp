@@ -22,7 +22,7 @@ Mesh plate_with_wall(double thickness_m) {
                   box_mesh({-0.02, -0.5 * thickness_m, 0.002}, {0.02, 0.5 * thickness_m, 0.03}));
 }
 
-/// The same with a sheet of two faces for a wall.
+/// The same with a sheet of two faces as the wall.
 Mesh plate_with_sheet() {
   Mesh sheet;
   sheet.vertices_m = {{-0.02, 0.0, 0.004}, {0.02, 0.0, 0.004}, {0.02, 0.0, 0.03}, {-0.02, 0.0, 0.03}};
@@ -111,7 +111,8 @@ TEST(ThinWalls, AreNotTheGroundThatReachesBeyondTheSolid) {
 TEST(ThinWalls, KeepTheDepthUnderAThickWallBesideThem) {
   const auto solid = solid_from_mesh(plate_with_wall(0.0001), kFinest_m, {}, {}, kWalls);
   ASSERT_TRUE(solid);
-  // Beside the wall the plate's top is nearest, under the wall only its thickened sides are farther away.
+  // Beside the wall, the top of the plate is nearest; below the wall, only the thickened sides are farther
+  // away.
   EXPECT_NEAR(distance_at(*solid, {0.0, 0.002, 0.004}), -0.001, 1e-7);
   EXPECT_NEAR(distance_at(*solid, {0.03, 0.002, 0.0045}), -0.0005, 1e-7);
 }
@@ -132,7 +133,7 @@ TEST(ThinWalls, LeaveNoStepInTheDistance) {
   const auto solid = solid_from_mesh(plate_with_wall(0.0001), kFinest_m, {}, {}, kWalls);
   ASSERT_TRUE(solid);
   constexpr double kStep_m = 2e-6;
-  // Through wall and plate, across the place where they meet.
+  // Through the wall and the plate, across their junction.
   double before_m = distance_at(*solid, {0.001, -0.003, 0.009});
   for (Vec3 p{0.001, -0.003, 0.009}; p.y < 0.003; p += Vec3{0.0, kStep_m, -1.2 * kStep_m}) {
     const double now_m = distance_at(*solid, p);

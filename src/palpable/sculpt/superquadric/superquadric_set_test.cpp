@@ -31,8 +31,8 @@ Superquadric box(Vec3 at, Vec3 half_m) {
   return s;
 }
 
-/// Points of several shapes with noise, those inside another shape left out; with an eye only those that face
-/// it.
+/// Noisy points of several shapes, without those inside another shape. If an eye is given, only points that
+/// face it.
 std::vector<Vec3> points_of(const std::vector<Superquadric>& shapes, double spacing_m, double noise_m,
                             const std::optional<Vec3>& eye = std::nullopt) {
   std::vector<models::SuperquadricDistance> distances;
@@ -50,7 +50,7 @@ std::vector<Vec3> points_of(const std::vector<Superquadric>& shapes, double spac
   return points;
 }
 
-/// Mean distance of noiseless points of the truth to the fitted union's surface.
+/// Mean distance from noiseless points of the true shapes to the surface of the fitted union.
 double error_m(const ShapeSet& set, const std::vector<Superquadric>& truth) {
   std::vector<models::SuperquadricDistance> shapes;
   for (const auto& s : set.shapes) shapes.push_back(*models::SuperquadricDistance::from(s.shape));

@@ -20,7 +20,7 @@ namespace {
 
 struct Lid {
   double area_m2 = 0.0;
-  /// The sum of the triangles' areas as vectors.
+  /// The vector sum of the areas of the triangles.
   Vec3 area_vector_m2;
 };
 Lid lid_of(const Mesh& mesh, std::size_t first) {
@@ -49,7 +49,7 @@ Mesh walls_over(std::span<const Vec3> outline) {
   return mesh;
 }
 
-/// A U whose middle of corners lies in the notch.
+/// A U; the mean of its corners lies in the notch.
 constexpr std::array<Vec3, 8> kU{
     {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2.8, 3, 0}, {2.8, 0.2, 0}, {0.2, 0.2, 0}, {0.2, 3, 0}, {0, 3, 0}}};
 constexpr double kAreaOfU = 3.0 * 3.0 - 2.6 * 2.8;
@@ -61,19 +61,20 @@ TEST(HoleClosing, ClosesAFlatRimThatIsNotConvexByAFlatLidWithoutAFold) {
   EXPECT_TRUE(is_watertight(mesh));
   const Lid lid = lid_of(mesh, before);
   EXPECT_NEAR(lid.area_m2, 2.0 * kAreaOfU, 1e-9);
-  // Floor and roof face apart.
+  // Floor and roof face in opposite directions.
   EXPECT_NEAR(norm(lid.area_vector_m2), 0.0, 1e-9);
 }
 
 TEST(HoleClosing, BendsNoMoreThanTheSurfaceAround) {
-  // Half of a ball's cap is missing: the lid's triangles meet each other and the rim in small turns.
+  // Half of the cap of a ball is missing: the triangles of the lid meet each other and the rim at small
+  // angles.
   constexpr int kPlaces = 40;
   std::vector<Vec3> rim, normals;
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPlaces;
     const double polar = 0.5 + (i % 2 == 0 ? 0.06 : 0.0);
     rim.push_back({std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
-    // The surface runs along its rim with the hole on its right.
+    // The surface is traversed along its rim with the hole on the right.
     normals.push_back(rim.back());
   }
   std::reverse(rim.begin(), rim.end());
@@ -104,7 +105,7 @@ TEST(HoleClosing, DividesARimOfManyVertices) {
 }
 
 TEST(HoleClosing, DoesNotCountASlitWithoutAnAreaAsAHole) {
-  // A box, one of whose triangles is divided in the middle of an edge; its neighbour is not.
+  // A box; one of its triangles is divided at the middle of an edge, the neighbouring triangle is not.
   Mesh mesh = box_mesh({0, 0, 0}, {1, 1, 1});
   const auto divided = mesh.triangles.back();
   const auto middle = static_cast<std::uint32_t>(mesh.vertices_m.size());

@@ -15,7 +15,7 @@ TEST(KeyMap, HoldsTheSameAsAnUnorderedMap) {
   std::unordered_map<std::uint64_t, int> ordinary;
   std::mt19937_64 random(1);
   for (int i = 0; i < 20000; ++i) {
-    // Neighbours, as cubes have them, and each key about twice.
+    // Neighbouring keys, as for cubes, each about twice.
     const std::uint64_t key = (random() % 100) << 40U | random() % 100;
     const auto [value, fresh] = map.put(key, i);
     const auto [at, new_there] = ordinary.try_emplace(key, i);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kSide_m = 0.01;
 
-/// A house from x = `at` on, as city models have them: walls and roof, no floor.
+/// A house that begins at x = `at`, as in city models: walls and roof, no floor.
 Mesh open_house(double at_m) {
   Mesh house = box_mesh({at_m, 0.0, 0.0}, {at_m + kSide_m, kSide_m, kSide_m});
   std::erase_if(house.triangles, [&](const auto& t) {
@@ -29,7 +29,7 @@ TEST(MeshOrientation, OrientsWallsSharedByHousesByTheirEdges) {
   constexpr int kHouses = 5;
   Mesh row = open_house(0.0);
   for (int k = 1; k < kHouses; ++k) row = together(row, open_house(kSide_m * k));
-  // Of a shared wall rays tell nothing, so chance would leave some of them turned.
+  // Rays give no information about a shared wall, so the random choice would leave some of them reversed.
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     std::size_t removed = 0;
     Mesh mesh = welded(row, removed);
@@ -49,7 +49,7 @@ TEST(MeshOrientation, TurnsPartsThatAreInsideOutOnceTheyAreClosed) {
   Mesh turned = box_mesh({0.02, 0.0, 0.0}, {0.03, 0.01, 0.01});
   for (auto& t : turned.triangles) std::swap(t[1], t[2]);
   Mesh mesh = together(box_mesh({0.0, 0.0, 0.0}, {0.01, 0.01, 0.01}), turned);
-  // A hollow faces inwards rightly.
+  // The faces of a cavity correctly point inwards.
   Mesh hollow = box_mesh({0.004, 0.004, 0.004}, {0.006, 0.006, 0.006});
   for (auto& t : hollow.triangles) std::swap(t[1], t[2]);
   mesh = together(mesh, hollow);

@@ -12,7 +12,7 @@ namespace {
 
 using InputPoint = Point<models::InputFrame>;
 
-/// As files' solids are placed.
+/// Placement as for solids from files.
 PlacementOptions with_up(AxisDirection up) {
   PlacementOptions options;
   options.default_size = DefaultSize::for_a_hand;

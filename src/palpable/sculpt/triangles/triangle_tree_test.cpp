@@ -48,7 +48,7 @@ TEST(TriangleTree, FindsTheSameNearestTriangleAsAnExhaustiveSearch) {
   std::uniform_real_distribution<double> uniform(-0.06, 0.06);
   for (int i = 0; i < 500; ++i) {
     const double x = uniform(random), y = uniform(random), z = uniform(random);
-    // In the ball's middle everything is nearly as far.
+    // In the middle of the ball, nearly all triangles have the same distance.
     const Vec3 p = (i % 5 == 0 ? 0.1 : 1.0) * Vec3{x, y, z};
     const double truth_m = by_trying_all_m(mesh, p);
     const double found_m = std::sqrt(tree.nearest(p, 0).squared_distance_m2);

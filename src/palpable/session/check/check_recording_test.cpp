@@ -27,7 +27,7 @@ std::shared_ptr<const models::Scene> waves(double height_m) {
   return std::make_shared<const models::Scene>(std::move(scene));
 }
 
-/// Tests run beside each other, each in a process of its own.
+/// Tests run in parallel, each in its own process.
 std::filesystem::path in_temp(std::string_view name) {
   return std::filesystem::path(testing::TempDir()) / (std::to_string(getpid()) + "-" + std::string(name));
 }
@@ -59,8 +59,7 @@ std::string said(const CheckReport& report) {
   return text;
 }
 
-/// The same recording with its ticks changed by `change` and new checksums, as somebody would who wants to
-/// deceive.
+/// The same recording with its ticks modified by `change` and new checksums: a deliberate forgery.
 std::filesystem::path altered(const std::filesystem::path& file, std::string_view name,
                               const std::function<void(device::Recording&)>& change) {
   auto recording = *device::read_recording(file);
@@ -229,7 +228,7 @@ TEST(CheckRecording, RefusesAHeaderWithAnInvalidRate) {
 }
 
 TEST(CheckRecording, FindsEnergyThatARecordingShows) {
-  // A hand that is pushed as it leaves, harder than it pressed.
+  // A hand that is pushed out with more force than it pressed with.
   const auto file = altered(one_touch(), "energy.rec", [](device::Recording& recording) {
     auto& ticks = recording.ticks;
     for (std::size_t n = 1; n < ticks.size(); ++n) {
@@ -243,7 +242,7 @@ TEST(CheckRecording, FindsEnergyThatARecordingShows) {
 }
 
 TEST(CheckRecording, ReadsWhatAnOlderProgramRecorded) {
-  // Format 1: no traits, no options, no shape's hash.
+  // Format 1: no traits, no options, no hash of the shape.
   const auto file = in_temp("format-1.rec");
   const auto recording = *device::read_recording(one_touch());
   auto writer = *device::RecordingWriter::create(

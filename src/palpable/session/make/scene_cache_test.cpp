@@ -62,7 +62,7 @@ TEST_F(SceneCacheTest, GivesTheSameSceneTheSecondTime) {
   EXPECT_FALSE(was_cached(first));
   EXPECT_TRUE(was_cached(second));
   EXPECT_EQ(*formats::encode_scene(first.scene), *formats::encode_scene(second.scene));
-  // The notes of its making, and the one on the cache.
+  // The notes from making the scene, and the note about the cache.
   ASSERT_EQ(second.notes.size(), first.notes.size() + 1);
   EXPECT_EQ(second.notes.front(), first.notes.front());
   EXPECT_EQ(entries().size(), 1U);
@@ -101,7 +101,7 @@ TEST_F(SceneCacheTest, ReplacesADamagedEntry) {
   std::ofstream(entry) << "no scene";
   EXPECT_FALSE(was_cached(made()));
   EXPECT_TRUE(was_cached(made()));
-  // A whole scene of another key is no answer either.
+  // A complete scene with another key is not accepted either.
   ASSERT_TRUE(formats::write_scene(entry, made().scene));
   EXPECT_FALSE(was_cached(made()));
 }
@@ -130,7 +130,7 @@ TEST_F(SceneCacheTest, RemovesWhatWasUsedLeastRecently) {
   const auto all = entries();
   const fs::path second = all.at(0) == first ? all.at(1) : all.at(0);
   fs::last_write_time(second, fs::file_time_type::clock::now() - std::chrono::hours(1));
-  // The first one is used again: it is not the one that has to go.
+  // The first one is used again, so it is not the one that is removed.
   EXPECT_TRUE(made_at(32));
   options_.cache.most_bytes = fs::file_size(first) + fs::file_size(second) + 100;
   EXPECT_FALSE(made_at(20));
@@ -168,7 +168,7 @@ TEST_F(SceneCacheTest, GivesATouchTheFineFieldAtOnce) {
 TEST_F(SceneCacheTest, LiesInTheFolderThatTheDesktopStandardNames) {
   ASSERT_EQ(setenv("XDG_CACHE_HOME", "/somewhere", 1), 0);
   EXPECT_EQ(user_cache_folder(), "/somewhere/palpable/scenes");
-  // A path that is not absolute is to be ignored.
+  // A relative path must be ignored.
   ASSERT_EQ(setenv("XDG_CACHE_HOME", "somewhere", 1), 0);
   ASSERT_EQ(setenv("HOME", "/home/anna", 1), 0);
   EXPECT_EQ(user_cache_folder(), "/home/anna/.cache/palpable/scenes");

@@ -157,7 +157,7 @@ TEST_F(PreparingAScene, HasATransientWhereItIsAskedForAndTheDeviceCan) {
   const auto wood = prepare(settings, kept);
   EXPECT_EQ(wood.scene.transient.frequency_hz, haptics::transient_of(settings.transient).frequency_hz);
   EXPECT_TRUE(wood.notices.empty());
-  // 300 Hz has fewer than five ticks to a period.
+  // At 300 Hz there are fewer than five ticks per period.
   settings.transient = haptics::TransientKind::metal;
   const auto metal = prepare(settings, kept);
   EXPECT_EQ(metal.scene.transient.frequency_hz, 0.0);

@@ -12,7 +12,7 @@ namespace palpable::session {
 namespace {
 
 TEST(Walk, TurnsAheadWithTheExplorer) {
-  // Facing left, a hand 30 mm ahead and 10 mm to the right stands left of the explorer and above.
+  // The explorer faces left: a hand 30 mm ahead and 10 mm to the right is left of the explorer and above.
   const auto scene_from = scene_from_explorer({0.1, 0.2, 0.5 * std::numbers::pi});
   const Vec3 p = (scene_from * Point<ExplorerFrame>{{0.01, 0.03, 0.005}}).v;
   EXPECT_NEAR(p.x, 0.07, 1e-12);

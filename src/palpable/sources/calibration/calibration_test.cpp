@@ -112,7 +112,7 @@ TEST(Calibration, OfAnotherSizeIsScaledWhereTheShapeAgrees) {
   EXPECT_DOUBLE_EQ(twice->rig->left.fx, 2 * 994.978);
   EXPECT_DOUBLE_EQ(twice->rig->left.cx, 2 * 311.693 - 0.5);
   EXPECT_DOUBLE_EQ(twice->rig->doffs_px, 2 * 31.086);
-  // The same point has the same depth: disparity doubles with the picture.
+  // The same point has the same depth: disparity doubles with the size of the picture.
   const double z = c->rig->baseline_m * c->rig->left.fx / (40.0 + c->rig->doffs_px);
   EXPECT_NEAR(twice->rig->baseline_m * twice->rig->left.fx / (80.0 + twice->rig->doffs_px), z, 1e-12);
 }

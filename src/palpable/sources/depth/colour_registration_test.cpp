@@ -10,7 +10,7 @@
 namespace palpable::sources {
 namespace {
 
-/// A picture whose red says its column and whose green says its row, smoothly.
+/// A smooth picture whose red gives the column and whose green gives the row.
 Image coordinates(int width, int height) {
   Image image{width, height, 3, 8, {}};
   for (int y = 0; y < height; ++y)
@@ -27,7 +27,7 @@ DepthMap plane(double z) {
 TEST(ColourAtDepth, FollowsTheTwoPinholesAndTheirTransform) {
   ColourCamera colour;
   colour.camera = {130.0, 128.0, 70.0, 52.0, 160, 120};
-  // Turned by the Pythagorean angle asin(7/25) about y, and moved.
+  // Rotated by the Pythagorean angle asin(7/25) about y, and translated.
   colour.rotation = {0.96, 0, 0.28, 0, 1, 0, -0.28, 0, 0.96};
   colour.translation_m = {-0.30, 0.01, 0.05};
   const DepthMap depth = plane(1.2);
@@ -55,8 +55,8 @@ TEST(ColourAtDepth, FollowsTheTwoPinholesAndTheirTransform) {
 
 TEST(ColourAtDepth, LeavesOutWhatIsHiddenUnknownOrOutside) {
   DepthMap depth = plane(2.0);
-  // A post before the wall; the colour camera stands to the right and sees it cover the wall to the post's
-  // left.
+  // A post in front of a wall. The colour camera is to the right, so for it the post hides a part of the wall
+  // to the left of the post.
   for (int y = 0; y < 48; ++y)
     for (int x = 28; x < 36; ++x) depth.depth_m(x, y) = 1.0F;
   depth.depth_m(5, 5) = std::numeric_limits<float>::quiet_NaN();

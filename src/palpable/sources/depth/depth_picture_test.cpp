@@ -234,7 +234,7 @@ TEST_F(ADepthPicture, MayBeOpenExr) {
   }
 }
 
-// Photographs with depth inside, made as their specifications say.
+// Photographs with embedded depth, built according to their specifications.
 
 std::string as_string(const std::vector<std::byte>& bytes) { return std::string(as_text(bytes)); }
 

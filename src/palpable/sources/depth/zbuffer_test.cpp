@@ -13,8 +13,8 @@ namespace {
 constexpr double kNear = 0.1;
 constexpr double kFar = 40.0;
 
-/// What a renderer writes for depth Z, from the projection matrices themselves: clip coordinates, then
-/// division.
+/// The value that a renderer writes for depth Z, computed from the projection matrices: clip coordinates,
+/// then division.
 double opengl_ndc(double z) {
   const double a = -(kFar + kNear) / (kFar - kNear);
   const double b = -2.0 * kFar * kNear / (kFar - kNear);
@@ -32,7 +32,7 @@ TEST(ZBuffer, IsLinearisedAsTheProjectionsWroteIt) {
       return static_cast<double>(
           (*linearise_zbuffer(Raster<float>(1, 1, static_cast<float>(value)), b))(0, 0));
     };
-    // Floats near the far plane resolve little: the error allowed follows from dZ/dz.
+    // The resolution of floats near the far plane is low: the tolerance follows from dZ/dz.
     const double tolerance = 2e-7 * z * z * (kFar - kNear) / (kNear * kFar) + 1e-6;
     EXPECT_NEAR(one(direct3d(z), buffer), z, tolerance);
     EXPECT_NEAR(one(0.5 * opengl_ndc(z) + 0.5, buffer), z, tolerance) << "OpenGL's window depth";

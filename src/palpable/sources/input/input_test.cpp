@@ -43,7 +43,7 @@ class AnInput : public testing::Test {
   fs::path folder_;
 };
 
-/// A slope of depths in millimetres, every value its own.
+/// A slope of depths in millimetres, all values different.
 Raster<std::uint16_t> slope() {
   Raster<std::uint16_t> out(8, 8);
   for (std::size_t i = 0; i < out.count(); ++i) out.values()[i] = static_cast<std::uint16_t>(700 + 3 * i);

@@ -32,7 +32,7 @@ using testing::HasSubstr;
 
 const std::string kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
 
-/// While it lives, this program takes the decoder's place.
+/// During its lifetime, this program replaces the decoder.
 class WithDecoder {
  public:
   explicit WithDecoder(const std::string& script) {
@@ -132,7 +132,7 @@ TEST(Isolated, OpensNoFileNamedInAMesh) {
   const fs::path pipe = fs::path(testing::TempDir()) / "palpable-isolated.mtl";
   fs::remove(pipe);
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  // Opening a pipe that nobody writes to would wait for ever.
+  // Opening a pipe without a writer would block for ever.
   const auto mesh = decode_mesh(as_bytes("mtllib " + pipe.string() + "\nusemtl a\n" + kTetrahedron), "obj");
   fs::remove(pipe);
   EXPECT_TRUE(mesh) << message_of(mesh);

@@ -24,7 +24,7 @@ constexpr int kHeight = 48;
 
 int ramp(int x) { return 20 + 3 * x; }
 
-/// A HEIC picture, reddish, whose alpha plane is a ramp: 20, 23, 26 …
+/// A reddish HEIC picture whose alpha plane is a ramp: 20, 23, 26 …
 std::string with_alpha() {
   heif::Image image;
   image.create(kWidth, kHeight, heif_colorspace_RGB, heif_chroma_interleaved_RGBA);
@@ -53,8 +53,8 @@ std::string with_alpha() {
   return writer.file;
 }
 
-/// libheif writes no depth, but an alpha plane is kept the same way: an auxiliary picture whose kind is a
-/// name.
+/// libheif cannot write depth, but an alpha plane is stored in the same way: as an auxiliary picture whose
+/// type is a name.
 std::string with_depth() {
   std::string file = with_alpha();
   for (const auto& [alpha, depth] :

@@ -38,7 +38,7 @@ std::vector<std::byte> encoded(const std::string& extension, const cv::Mat& m,
   return {view.begin(), view.end()};
 }
 
-/// OpenCV keeps blue first.
+/// OpenCV stores blue first.
 double value_of(const cv::Mat& m, int y, int x, int channel) {
   const int c = m.channels() >= 3 && channel < 3 ? 2 - channel : channel;
   const int i = x * m.channels() + c;
@@ -114,7 +114,7 @@ TEST(Picture, OfLossyKindsAgreesWithAnotherReader) {
               noise(CV_8UC1), 3.0 / 255);
 }
 
-/// A JPEG with an EXIF block that states an orientation, put right behind its first marker.
+/// A JPEG with an EXIF block that states an orientation, inserted directly after the first marker.
 std::vector<std::byte> with_orientation(const std::vector<std::byte>& jpeg, char orientation) {
   std::string block(
       "\xFF\xE1\x00\x22"
@@ -244,7 +244,8 @@ TEST(Tga, KeepsAlphaAndPalettes) {
   EXPECT_EQ(std::lround(255 * indexed->pixel(0, 0)[0]), 6);
 }
 
-/// Writes the values 0, 1, 2 … as a TIFF of floats or 16-bit numbers, in tiles or rows, planes apart or not.
+/// Writes the values 0, 1, 2 … as a TIFF of floats or 16-bit numbers, in tiles or rows, with interleaved or
+/// separate planes.
 std::filesystem::path written_tiff(bool floats, bool tiles, bool apart, int channels) {
   const auto path = std::filesystem::path(testing::TempDir()) / "palpable-layout.tiff";
   constexpr int kWidth = 21;

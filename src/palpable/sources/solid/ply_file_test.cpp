@@ -92,7 +92,7 @@ TEST(PlyFile, SplitsStripsWithTheirOrientation) {
 TEST(PlyFile, RefusesEveryTruncation) {
   for (const std::string& whole : {binary_pyramid(std::endian::little), kTriangle}) {
     ASSERT_TRUE(mesh(whole));
-    // The last line's end may be missing.
+    // The newline after the last line may be missing.
     for (std::size_t bytes = 0; bytes + 1 < whole.size(); ++bytes) {
       const auto cut = mesh(whole.substr(0, bytes));
       ASSERT_FALSE(cut) << bytes << " of " << whole.size() << " bytes were taken for a whole file";

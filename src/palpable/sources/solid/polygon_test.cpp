@@ -21,7 +21,7 @@ Triangles cut(const std::vector<Vec3>& vertices) {
   return triangles;
 }
 
-/// Signed, in the plane z = 0; the sum of its parts where none is turned over.
+/// Signed area in the plane z = 0. It equals the sum of the areas of the parts if no part is reversed.
 double area(const std::vector<Vec3>& vertices, const Triangles& triangles) {
   double sum = 0.0;
   for (const auto& t : triangles) {

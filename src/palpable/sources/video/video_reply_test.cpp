@@ -41,7 +41,7 @@ TEST(VideoReply, IsRefusedIfTruncatedTooLongOrWithInvalidNumbers) {
   EXPECT_FALSE(video_in(reply_of(twice)));
 }
 
-// YUV4MPEG2: a film that can be written by hand.
+// YUV4MPEG2: a video format that is simple to write.
 std::string film(int width, int height, int frames) {
   std::string out =
       "YUV4MPEG2 W" + std::to_string(width) + " H" + std::to_string(height) + " F30:1 Ip A1:1 C420jpeg\n";

@@ -20,7 +20,7 @@ std::shared_ptr<const LineByLength> outline_of(const TracingFigure& figure) {
   return std::make_shared<const LineByLength>(figure.nominal, figure.ends);
 }
 
-/// The time of a hand that follows the aim exactly.
+/// The time of a hand that follows the target exactly.
 double seconds_of(SimulatedTracer& tracer, Vec3 begin) {
   Vec3 hand = begin;
   double t = 0.0;

@@ -11,7 +11,7 @@
 namespace palpable::vision {
 namespace {
 
-/// A texture moved by 9 px to the left and 4 px down.
+/// A texture shifted by 9 px to the left and 4 px down.
 StereoPair moved_pair() {
   SyntheticScene scene;
   scene.width = 320;

@@ -77,7 +77,7 @@ TEST(RectifyPlane, RefusesLinesThatDetermineNoPlane) {
   PlaneLines lines = table_lines();
   lines.across = lines.along;
   EXPECT_FALSE(rectify_plane(grey_picture(), lines));
-  // The same right angle twice.
+  // The same right angle, given twice.
   lines = table_lines();
   lines.orthogonal = {{line(0, 0, 0.3, 0), line(0, 0, 0, 0.3)},
                       {line(0, 0.1, 0.3, 0.1), line(0.1, 0, 0.1, 0.3)}};

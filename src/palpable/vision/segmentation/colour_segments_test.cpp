@@ -7,7 +7,7 @@
 namespace palpable::vision {
 namespace {
 
-/// Four fields of one colour each, and a speck of 4 pixels in the first.
+/// Four areas of one colour each, and a spot of 4 pixels in the first.
 Raster<Rgb8> fields() {
   Raster<Rgb8> picture(80, 60);
   for (int y = 0; y < 60; ++y)

@@ -36,7 +36,7 @@ TEST(LevelCurve, ClipsLevelsThatTheOtherPictureLost) {
   Image clipped = ramp(0.1F, 1.3F);
   for (float& v : clipped.samples) v = std::min(v, 1.0F);
   const LevelCurve curve(luma_quantiles(clipped), luma_quantiles(ramp(0.05F, 0.65F)));
-  // A quarter of the pixels is at the brightest level, so the darker picture's levels there have no match.
+  // A quarter of the pixels has the brightest level, so the levels of the darker picture there have no match.
   EXPECT_NEAR(curve.clip(0.64F), 0.5F, 5e-3F);
   EXPECT_EQ(curve.clip(0.3F), 0.3F);
 }

@@ -9,7 +9,7 @@
 namespace palpable::vision {
 namespace {
 
-/// A picture of these two levels, in halves.
+/// A picture with one half of each of these two levels.
 Image halves(float left, float right, int bits) {
   Image image{20, 20, 1, bits, std::vector<float>(400)};
   for (std::size_t i = 0; i < 400; ++i) image.samples[i] = i % 20 < 10 ? left : right;
