@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/reconstruction.hpp"
 
-#include "palpable/core/quantile.hpp"
+#include "palpable/vision/motion/motion_result.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -162,45 +162,7 @@ void Reconstruction::add_all_frames(int frame_count, const Work& work) {
 }
 
 CameraMotion Reconstruction::result() const {
-  CameraMotion out;
-  out.camera = camera_;
-  const auto first =
-      std::find_if(poses_.begin(), poses_.end(), [](const auto& pose) { return pose.has_value(); });
-  const Transform<WorldFrame, WorldFrame> turned = [&] {
-    // The old world frame in the first camera's frame.
-    const auto camera_from_world = camera_pose(**first).inverse();
-    Transform<WorldFrame, WorldFrame> t;
-    t.rotation = camera_from_world.rotation;
-    t.translation_m = camera_from_world.translation_m;
-    return t;
-  }();
-  std::vector<double> depths;
-  for (const auto& point : points_)
-    if (point) depths.push_back((turned * Point<WorldFrame>{{(*point)[0], (*point)[1], (*point)[2]}}).v.z);
-  const double scale = depths.empty() ? 1.0 : 1.0 / quantile_of(depths, 0.5);
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    if (!points_[i]) continue;
-    const Point<WorldFrame> placed =
-        turned * Point<WorldFrame>{{(*points_[i])[0], (*points_[i])[1], (*points_[i])[2]}};
-    out.points.push_back({{scale * placed.v}, i});
-    for (const PosedSighting& s : sightings_of(i)) {
-      const double error = projection_error_px(camera_, s.pose, *points_[i], s.place);
-      sum += error * error, ++count;
-    }
-  }
-  out.reprojection_rms_px = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
-  for (const auto& pose : poses_) {
-    if (!pose) {
-      out.poses.emplace_back();
-      continue;
-    }
-    CameraPose moved = turned * camera_pose(*pose);
-    moved.translation_m *= scale;
-    out.poses.emplace_back(moved);
-  }
-  return out;
+  return motion_result({camera_, frames_, poses_, points_}, tracks_);
 }
 
 }  // namespace palpable::vision
