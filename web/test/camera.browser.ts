@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The picture is turned, shifted and zoomed, by drag, wheel, pinch and keys, and put back; the probe stays out of it.
+// Rotation, shift, zoom and reset of the picture by drag, wheel, pinch and keys; the probe does not move.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { keepPicture, launch, openPage, startProgram, type Opened, type Running } from './harness';
@@ -22,7 +22,7 @@ beforeEach(() => opened.page.getByRole('button', { name: 'Reset view' }).click()
 const box = async (page: Page) => (await page.locator('#stage').boundingBox())!;
 const position = (page: Page) => page.locator('#read-position').textContent().then((text) => (text ?? '').split(',').map(Number.parseFloat) as [number, number]);
 
-/** Points at a part of the stage and reads where the probe comes to rest. */
+/** Moves the pointer to a relative position on the stage and returns the final position of the probe. */
 async function probeUnder(page: Page, across: number, down: number): Promise<[number, number]> {
   const { x, y, width, height } = await box(page);
   await page.mouse.move(x + width * across, y + height * down);
@@ -35,7 +35,7 @@ async function probeUnder(page: Page, across: number, down: number): Promise<[nu
   }
   return before;
 }
-/** Drags with a button of the mouse, over parts of the stage's size. */
+/** Drags with a mouse button; distances are relative to the size of the stage. */
 async function drag(page: Page, button: 'left' | 'middle' | 'right', across: number, down: number): Promise<void> {
   const { x, y, width, height } = await box(page);
   await page.mouse.move(x + width / 2, y + height / 2);
@@ -45,7 +45,7 @@ async function drag(page: Page, button: 'left' | 'middle' | 'right', across: num
 }
 
 describe('the picture from above', () => {
-  it('is zoomed by the wheel about the pointer, and put back', async () => {
+  it('is zoomed by the wheel about the pointer, and reset', async () => {
     const { page } = opened;
     const before = await probeUnder(page, 0.5, 0.3);
     expect(before[1]).toBeGreaterThan(5);
@@ -59,7 +59,7 @@ describe('the picture from above', () => {
     expect((await probeUnder(page, 0.5, 0.3))[1]).toBeCloseTo(before[1], 0);
   });
 
-  it('is shifted by the middle button, with the probe where it was', async () => {
+  it('is shifted by the middle button, without moving the probe', async () => {
     const { page } = opened;
     const before = await probeUnder(page, 0.5, 0.5);
     await drag(page, 'middle', 0, 0.2);

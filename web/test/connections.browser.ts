@@ -1,7 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What a page says of its connection is true: too many pages, a wrong address put right, two pages on one probe, a program that
-// is killed.
+// The page reports its connection correctly: too many pages, a corrected address, two pages on one probe, a killed program.
 import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
@@ -28,12 +27,12 @@ async function another(context: BrowserContext): Promise<Page> {
 const xIs = (page: Page, x: number) =>
   page.waitForFunction((wanted) => Math.abs(Number.parseFloat(document.getElementById('read-position')?.textContent ?? '') - wanted) < 0.15, x);
 
-it('a page without the token works once the right address is there', async () => {
+it('a page without the token works after the correct address is entered', async () => {
   const context = await browser.newContext();
   const page = await context.newPage();
   await page.goto(home());
   await page.getByRole('alert').filter({ hasText: 'has no access to the session' }).waitFor();
-  // The same document: only what is behind the # differs.
+  // The same document: only the part after # differs.
   await page.evaluate((hash) => (location.hash = hash), new URL(running.address).hash);
   await isRunning(page);
   expect(await page.locator('#banner').isVisible()).toBe(false);
@@ -41,7 +40,7 @@ it('a page without the token works once the right address is there', async () =>
   opened = { page, context, complaints: [] };
 });
 
-it('a second page takes the probe where it is, and the first one says so', async () => {
+it('a second page takes over the probe at its position, and the first page reports it', async () => {
   const { page, context } = opened;
   await page.locator('#stage').focus();
   await page.keyboard.press('Home');
@@ -58,7 +57,7 @@ it('a second page takes the probe where it is, and the first one says so', async
   await second.close();
 });
 
-it('a fifth page is told that four are the limit, and comes in when one is closed', async () => {
+it('a fifth page is told that the limit is four, and is admitted when one is closed', async () => {
   const { context } = opened;
   const more = [await another(context), await another(context), await another(context)];
   for (const page of more) await isRunning(page);
@@ -71,7 +70,7 @@ it('a fifth page is told that four are the limit, and comes in when one is close
   await Promise.all([...more, fifth].map((page) => page.close()));
 });
 
-it('after the program was killed nothing is felt or spoken any more', async () => {
+it('after the program was killed, no force is shown and nothing is spoken', async () => {
   const own = await startProgram();
   const { page, context } = await openPage(browser, own.address);
   await page.locator('#stage').focus();
@@ -84,7 +83,7 @@ it('after the program was killed nothing is felt or spoken any more', async () =
   await says(page, 'Palpable is not connected');
   expect(await page.locator('#spoken').textContent()).not.toMatch(/millimetre/);
   await keepPicture(page, 'killed');
-  // The arrow of the force is gone: nothing in its colour is left on the picture.
+  // The arrow of the force has disappeared: no pixel of the picture has its colour.
   const arrow = await page.locator('#stage canvas').evaluate((canvas) => {
     const { width, height } = canvas as HTMLCanvasElement;
     const pixels = (canvas as HTMLCanvasElement).getContext('2d')!.getImageData(0, 0, width, height).data;

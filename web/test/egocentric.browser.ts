@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The egocentric view in a real browser: by keys alone, heard and seen.
+// The egocentric view in a real browser: by keys alone, with speech and picture.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { keepPicture, launch, openPage, says, startProgram, violations, type Opened, type Running } from './harness';
@@ -27,18 +27,18 @@ const probeIsAt = (page: Page, x: number, y: number) =>
     [x, y],
   );
 
-it('the hand stands and turns with the explorer, who hears where they stand', async () => {
+it('the hand moves and rotates with the explorer, whose position is spoken', async () => {
   const { page } = opened;
   await page.locator('#stage').focus();
   await page.keyboard.press('Home');
   await probeIsAt(page, 0, 0);
-  // 5 mm ahead of the feet, which then walk 5 mm ahead themselves.
+  // The hand is 5 mm ahead of the feet; then the feet walk 5 mm ahead.
   await page.keyboard.press('Shift+ArrowUp');
   await probeIsAt(page, 0, 5);
   await page.keyboard.press('w');
   await probeIsAt(page, 0, 10);
   await says(page, 'You stand 5 millimetres above the middle, facing up.');
-  // Six turns to the left: what was ahead is ahead still, and that is to the left of the scene.
+  // After six turns to the left, what was ahead is still ahead: to the left of the scene.
   for (let k = 0; k < 6; ++k) await page.keyboard.press('a');
   await probeIsAt(page, -5, 5);
   await says(page, 'You stand 5 millimetres above the middle, facing left.');
@@ -48,7 +48,7 @@ it('the hand stands and turns with the explorer, who hears where they stand', as
   await keepPicture(page, 'egocentric', true);
 });
 
-it('walks by buttons too, and every one of them has a name', async () => {
+it('walks by buttons too, and every button has a name', async () => {
   const { page } = opened;
   await page.getByRole('button', { name: 'Re-centre' }).click();
   await page.getByRole('button', { name: 'Turn right' }).click();

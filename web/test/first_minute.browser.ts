@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The first minute of a newcomer, sighted or blind: focus, sound, help, sliders, and sizes.
+// The first minute of a new user, sighted or blind: focus, sound, help, sliders and sizes.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -67,7 +67,7 @@ it('on a touch screen the line of hints names gestures, not keys', async () => {
   await context.close();
 });
 
-it('a simple panel comes first, and the rest is found under more', async () => {
+it('a simple panel is shown first, and the rest is under "more"', async () => {
   const { page } = opened;
   for (const name of ['Volume', 'Depth']) expect(await page.getByRole('slider', { name, exact: true }).isVisible()).toBe(true);
   expect(await page.getByLabel('Force law').isVisible()).toBe(false);
@@ -77,7 +77,7 @@ it('a simple panel comes first, and the rest is found under more', async () => {
   expect(await violations(page)).toEqual([]);
 });
 
-/** Every slider's value is the number that it says. */
+/** The value of every slider equals the displayed number. */
 async function slidersSayWhatTheyHold(page: Page): Promise<void> {
   const sliders = await page.locator('input[type=range]:enabled').evaluateAll((all) =>
     all.map((input) => ({ id: input.id, value: (input as HTMLInputElement).valueAsNumber, words: input.getAttribute('aria-valuetext') ?? '' })),
@@ -86,7 +86,7 @@ async function slidersSayWhatTheyHold(page: Page): Promise<void> {
   expect(sliders.length).toBeGreaterThan(5);
 }
 
-it('every slider holds the value that it says, whatever moves it', async () => {
+it('every slider has the value that it displays, whatever moves it', async () => {
   const { page } = opened;
   await openMore(page);
   await slidersSayWhatTheyHold(page);
@@ -101,7 +101,7 @@ it('every slider holds the value that it says, whatever moves it', async () => {
   await page.waitForFunction(() => document.getElementById('parameter-stiffness_N_per_m')?.getAttribute('aria-valuetext')?.startsWith('500 N/m'));
 });
 
-it('with Speak aloud, each setting that is changed is spoken with its value', async () => {
+it('with "Speak aloud", each changed setting is spoken with its value', async () => {
   const { page } = opened;
   await page.evaluate(() => {
     const kept = window as unknown as { spoken: string[] };
@@ -143,7 +143,7 @@ describe('the page in every size', () => {
     expect(boxes).toMatchObject({ aboveFooter: true, scrolls: false });
     expect(boxes.footer).toBeLessThanOrEqual(size.height + 0.5);
     expect(boxes.stage[1]! / size.height).toBeGreaterThan(0.4);
-    // The relief reaches over the stage's height or its width, but for a rim.
+    // The relief fills the height or the width of the stage except for a margin.
     const drawn = await page.locator('#stage canvas').evaluate((canvas) => {
       const { width, height } = canvas as HTMLCanvasElement;
       const pixels = (canvas as HTMLCanvasElement).getContext('2d')!.getImageData(0, 0, width, height).data;
@@ -156,7 +156,7 @@ describe('the page in every size', () => {
 });
 
 describe('a scene of contours', () => {
-  it('opens with the law that it is touched by, and the parameters of that law', async () => {
+  it('opens with its law and the parameters of that law', async () => {
     const folder = mkdtempSync(join(tmpdir(), 'palpable-contours-'));
     const side = 64;
     const rows = Array.from({ length: side }, (_, y) => Array.from({ length: side }, (_, x) => (Math.hypot(x - 32, y - 32) < 20 ? '200' : '30')).join(' '));

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// What the browser tests stand on: the real program, and Debian's Chromium.
+// The basis of the browser tests: the real program and Debian's Chromium.
 import { spawn, type ChildProcess } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -15,9 +15,9 @@ const quiet = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-ba
 const softwareGl = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const noGl = ['--disable-gpu', '--disable-3d-apis'];
 
-/** The program that is tested: PALPABLE names it, else the development build's. */
+/** The tested program: the one named by PALPABLE, else that of the development build. */
 const program = resolve(process.env.PALPABLE ?? join(dirname(fileURLToPath(import.meta.url)), '..', '..', 'build', 'dev', 'bin', 'palpable'));
-// One method, so that no better scene takes the place of the one that is looked at.
+// One method only, so that the scene is not replaced by a better one during a test.
 const programArguments = (process.env.PALPABLE_ARGUMENTS ?? 'touch --method scanline').split(' ').filter((word) => word !== '');
 
 export interface Running {
@@ -31,7 +31,7 @@ export interface Running {
 export async function startProgram(...more: (string | { instead: string[] })[]): Promise<Running> {
   const instead = more.flatMap((one) => (typeof one === 'string' ? [] : [one.instead]))[0];
   const words = instead ?? [...programArguments, ...more.filter((one) => typeof one === 'string')];
-  // What it saves, it saves where it runs.
+  // It saves files in its working directory.
   const folder = mkdtempSync(join(tmpdir(), 'palpable-page-'));
   const child = spawn(program, words, { stdio: ['ignore', 'pipe', 'pipe'], env: { ...process.env, BROWSER: 'true' }, cwd: folder });
   let said = '';
@@ -69,11 +69,11 @@ export function launch(options: { webgl?: boolean; more?: string[] } = {}): Prom
 export interface Opened {
   page: Page;
   context: BrowserContext;
-  /** What the page complained about on its console. */
+  /** Errors and warnings on the page's console. */
   complaints: string[];
 }
 
-/** Opens the page and waits until the scene is there. `cookies` of an earlier context let a further one in. */
+/** Opens the page and waits for the scene. With `cookies` of an earlier context, a further context is admitted. */
 export async function openPage(
   browser: Browser,
   address: string,
@@ -82,7 +82,7 @@ export async function openPage(
 ): Promise<Opened> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
-  // A machine that is busy with other things draws a frame a second: slow is not wrong.
+  // A busy machine may draw only one frame per second; that is not an error.
   page.setDefaultTimeout(60_000);
   const complaints: string[] = [];
   page.on('console', (message) => {
@@ -100,14 +100,14 @@ export async function openPage(
   return { page, context, complaints };
 }
 
-/** Opens the part of the settings that is closed at first. */
+/** Opens the part of the settings that is closed initially. */
 export const openMore = (page: Page) => page.locator('#more').evaluate((more) => ((more as HTMLDetailsElement).open = true));
 
 /** Waits until the page has said these words. */
 export const says = (page: Page, words: string) =>
   page.waitForFunction((wanted) => (document.getElementById('spoken')?.textContent ?? '').includes(wanted), words);
 
-/** A picture of the whole page, kept in web/test-results for a person to look at. */
+/** Saves a picture of the whole page in web/test-results, for inspection by eye. */
 export async function keepPicture(page: Page, name: string, fullPage = false): Promise<void> {
   mkdirSync(results, { recursive: true });
   await page.screenshot({ path: join(results, `${name}.png`), fullPage });
@@ -119,7 +119,7 @@ export interface Violation {
   nodes: string[];
 }
 
-/** axe-core's verdict on the page as it stands; empty if it finds nothing. */
+/** The problems that axe-core finds in the current page. */
 export async function violations(page: Page): Promise<Violation[]> {
   await page.evaluate(axeSource);
   return page.evaluate(async () => {

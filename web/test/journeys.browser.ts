@@ -1,7 +1,7 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// The whole way through a touch by keyboard and hearing alone, for each kind of scene: opening, sound, exploring, descriptions,
-// another law, help, several probes, and the end.
+// A complete touch by keyboard and hearing alone, for each kind of scene: opening, sound, exploring, descriptions, another
+// law, help, several probes, and the end.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -33,7 +33,7 @@ interface Journey {
   kind: string;
   words: string[];
   label: RegExp;
-  /** Each press of D; the last one comes after there is nothing more. */
+  /** The sentence after each press of D; the last one reports that there is no more. */
   descriptions: RegExp[];
   step: RegExp;
   /** The law that cannot be chosen with the page's pointer, if the scene has one. */
@@ -87,7 +87,7 @@ describe.each(journeys)('by keyboard and hearing, $kind', ({ words, label, descr
     expect((await listener.focused()).name).toMatch(label);
   });
 
-  it('has sound from the first key on, and offers it no longer', async () => {
+  it('has sound from the first key on, and then no longer offers it', async () => {
     await page.keyboard.press('ArrowRight');
     await page.getByRole('button', { name: 'Turn on sound' }).waitFor({ state: 'hidden' });
   });
@@ -117,7 +117,7 @@ describe.each(journeys)('by keyboard and hearing, $kind', ({ words, label, descr
     expect(await listener.focused()).toMatchObject({ role: 'application' });
   });
 
-  it('adds, tells apart and removes a second probe', async () => {
+  it('adds, distinguishes and removes a second probe', async () => {
     await listener.ask('2', /Probe 2 added/);
     await listener.ask('n', /2 probes, the keys move probe 2\. Probe 1: .* Probe 2: /);
     await listener.ask('Delete', /Probe 2 removed\. The keys move probe 1\./);

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A person who uses the page by keyboard and hearing alone.
+// Simulates a user who works by keyboard and hearing alone.
 import type { CDPSession, Page } from 'playwright-core';
 
 export interface Node {
@@ -9,7 +9,7 @@ export interface Node {
   focused: boolean;
 }
 
-/** A person who hears: the accessibility tree is all that this class reads, keys are all that it presses. */
+/** A user of a screen reader: this class reads only the accessibility tree and presses only keys. */
 export class Listener {
   private constructor(
     private readonly page: Page,
@@ -39,7 +39,7 @@ export class Listener {
     };
   }
 
-  /** What has the focus. */
+  /** The focused element. */
   async focused(): Promise<Node> {
     const focused = (await this.tree()).nodes.filter((node) => node.focused && node.role !== 'RootWebArea');
     return focused[focused.length - 1] ?? { role: '', name: '', focused: false };
@@ -57,7 +57,7 @@ export class Listener {
     throw new Error(`${key} never came to ${role} ${name}; it came to ${met.join(', ')}`);
   }
 
-  /** Waits until something is said that fits. */
+  /** Waits until a matching sentence is said. */
   async hears(about: RegExp): Promise<RegExpExecArray> {
     let said = '';
     for (let k = 0; k < 150; ++k) {

@@ -28,10 +28,10 @@ beforeEach(async () => {
   await probeFeels(opened.page, 1, 0, 0);
 });
 
-/** So many probes does the program tell of. */
+/** Waits until the program reports this number of probes. */
 const countIs = (page: Page, count: number) =>
   page.waitForFunction((wanted) => (document.getElementById('probe-rows') as HTMLTableSectionElement).rows.length === wanted, count);
-/** The program has come to hold a probe there, and it presses. */
+/** Waits until the program has a probe there that presses. */
 const probeFeels = (page: Page, number: number, x: number, y: number) =>
   page.waitForFunction(
     ([wanted, wantedX, wantedY]) => {
@@ -58,13 +58,13 @@ it('each finger is a probe with its own force, until it is lifted', async () => 
   await page.waitForFunction(() =>
     [...(document.getElementById('probe-rows') as HTMLTableSectionElement).rows].every((row) => Number(row.cells[3]?.textContent) > 0.05),
   );
-  // The probes glide to their fingers, which stand about the middle alike.
+  // The probes move to their fingers, which are symmetric about the middle.
   await page.waitForFunction(() => {
     const [first, second, third] = [...(document.getElementById('probe-rows') as HTMLTableSectionElement).rows].map((row) => Number.parseFloat(row.cells[1]?.textContent ?? ''));
     return first! < -5 && Math.abs(second!) < 0.3 && Math.abs(first! + third!) < 0.3;
   });
   await keepPicture(page, 'three-fingers');
-  // The middle finger goes up the scene alone.
+  // Only the middle finger moves up the scene.
   const before = await x(0);
   await fingers('touchMove', [at(0.4, 0), { ...at(0.5, 1), y: box.y + box.height * 0.4 }, at(0.6, 2)]);
   await page.waitForFunction(() => {
@@ -118,7 +118,7 @@ it('by the panel: every control has a name, and the choice is heard', async () =
   expect(await page.getByRole('table', { name: 'What each probe feels' }).count()).toBe(0);
 });
 
-it('a page that is closed takes its probes with it, and another one sees so', async () => {
+it('closing a page removes its probes, also from other pages', async () => {
   const { page, context } = opened;
   const other = await context.newPage();
   await other.goto(running.address.replace(/#.*/, ''));

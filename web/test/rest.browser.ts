@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// A page that nobody moves rests: no animation frames, no layouts, no messages but one state a second, no running audio.
+// A page without input is at rest: no animation frames, no layouts, one state message per second, no running audio.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, expect, it } from 'vitest';
 import { launch, openPage, startProgram, type Opened, type Running } from './harness';
@@ -48,7 +48,7 @@ const audioIs = (page: Page, wanted: AudioContextState) =>
     return contexts.length > 0 && contexts.every((context) => context.state === state);
   }, wanted);
 
-it('rests with audio suspended, and wakes for the next step', async () => {
+it('suspends audio at rest, and resumes it for the next step', async () => {
   const { page } = opened;
   await watch(page);
   await page.getByRole('button', { name: 'Turn on sound' }).click();
@@ -61,7 +61,7 @@ it('rests with audio suspended, and wakes for the next step', async () => {
   await audioIs(page, 'suspended');
 });
 
-it('at rest receives one state a second, and draws and lays out nothing', async () => {
+it('at rest receives one state per second, without drawing or layout', async () => {
   const { page, context } = opened;
   const session = await context.newCDPSession(page);
   await session.send('Performance.enable');
@@ -80,7 +80,7 @@ it('at rest receives one state a second, and draws and lays out nothing', async 
     const wanted = received.length + count;
     while (received.length < wanted) await page.waitForTimeout(50);
   };
-  // The plot is level at the latest after the ten seconds that it shows.
+  // The plot is level after at most the ten seconds that it shows.
   let before = await work();
   for (let k = 0; k < 30; ++k) {
     await next(1);
@@ -93,7 +93,7 @@ it('at rest receives one state a second, and draws and lays out nothing', async 
   await next(4);
   const states = received.map((text) => JSON.parse(text) as { type: string; t_s: number });
   expect(states.map(({ type }) => type)).toEqual(['state', 'state', 'state', 'state']);
-  // By the program's clock.
+  // Measured with the program's clock.
   for (let k = 1; k < states.length; ++k) expect(states[k]!.t_s - states[k - 1]!.t_s).toBeGreaterThan(0.9);
   expect(sent).toEqual([]);
   expect(await work()).toEqual(before);

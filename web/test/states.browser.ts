@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Every state that a person may meet: looked at by axe-core here, and by people in web/test-results.
+// Every state that a user may meet: checked by axe-core here, and inspected by eye in web/test-results.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -15,7 +15,7 @@ let key: Awaited<ReturnType<Opened['context']['storageState']>>;
 
 beforeAll(async () => {
   [browser, flatBrowser, running] = await Promise.all([launch(), launch({ webgl: false }), startProgram()]);
-  // The address lets one browser in, once; further windows of these tests show the cookie that it got.
+  // The address admits one browser once; further windows of these tests send the cookie that it received.
   const first = await openPage(browser, running.address);
   key = await first.context.storageState();
   await first.context.close();
@@ -28,8 +28,8 @@ afterAll(async () => {
 const home = () => new URL('/', running.address).href;
 
 describe('the page in every state', () => {
-  // One window goes through them all: opening it anew each time would take most of the time. From above, which a machine without
-  // a graphics processor draws quickly; the 3D view is looked at below.
+  // One window is used for all of them, because opening a new one each time would take most of the time. It uses the view
+  // from above, which is fast without a graphics processor; the 3D view is tested below.
   let opened: Opened;
   beforeAll(async () => {
     opened = await openPage(flatBrowser, home(), { storageState: key });
@@ -63,7 +63,7 @@ describe('the page in every state', () => {
     ],
     ['help', (page) => page.getByRole('button', { name: 'Help and keys' }).click(), (page) => page.keyboard.press('Escape')],
   ];
-  it.each(states)('%s has nothing that axe-core objects to, and no scroll bar sideways', async (name, enter, leave) => {
+  it.each(states)('%s passes axe-core and has no horizontal scroll bar', async (name, enter, leave) => {
     const { page, complaints } = opened;
     await enter(page);
     try {
@@ -71,7 +71,7 @@ describe('the page in every state', () => {
       await keepPicture(page, name, ['phone', '200-percent'].includes(name));
       expect(await violations(page)).toEqual([]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth)).toBeLessThanOrEqual(0);
-      // A browser without WebGL complains of just that.
+      // A browser without WebGL reports exactly that.
       expect(complaints.filter((complaint) => !complaint.includes('WebGL'))).toEqual([]);
     } finally {
       await leave(page);
@@ -86,7 +86,7 @@ describe('the page in 3D', () => {
   });
   afterAll(() => opened?.context.close());
 
-  it('has nothing that axe-core objects to, and feels another force where the pointer goes', async () => {
+  it('passes axe-core, and the force changes with the position of the pointer', async () => {
     const { page, complaints } = opened;
     await keepPicture(page, 'in-3d');
     expect(await violations(page)).toEqual([]);
@@ -101,7 +101,7 @@ describe('the page in 3D', () => {
     expect(complaints).toEqual([]);
   });
 
-  it('turns by a drag of the right button, and no arrow that is seen end-on hides the marble', async () => {
+  it('is rotated by dragging with the right button, and an arrow that points at the viewer does not hide the marble', async () => {
     const { page } = opened;
     await page.locator('#stage').focus();
     await page.keyboard.press('Home');
@@ -110,19 +110,19 @@ describe('the page in 3D', () => {
     await page.waitForFunction(() => Number(document.getElementById('read-force')?.textContent) > 0.2);
     const stage = (await page.locator('#stage').boundingBox())!;
     const [middleX, middleY] = [stage.x + stage.width / 2, stage.y + stage.height / 2];
-    // Straight from above the marble is in the middle of the picture, and the force points at the person.
+    // Seen from directly above, the marble is in the middle of the picture and the force points at the viewer.
     const clip = { x: Math.round(middleX) - 1, y: Math.round(middleY) - 1, width: 3, height: 3 };
     const middleColour = async () => {
       const middle = await page.screenshot({ clip });
       return page.evaluate(async (bytes) => {
-        // An image element would have to load an address, which the page may not.
+        // An image element would need to load an address, which the page is not allowed to do.
         const image = await createImageBitmap(new Blob([new Uint8Array(bytes)], { type: 'image/png' }));
         const pen = new OffscreenCanvas(3, 3).getContext('2d')!;
         pen.drawImage(image, 0, 0);
         return [...pen.getImageData(1, 1, 1, 1).data];
       }, [...middle]);
     };
-    // The camera has turned when a busy machine has drawn it.
+    // The camera has rotated as soon as a busy machine has drawn it.
     let [red, green, blue] = await middleColour();
     for (let k = 0; k < 40 && red! - blue! <= 60; ++k) {
       await page.waitForTimeout(250);
@@ -137,7 +137,7 @@ describe('the page in 3D', () => {
     await page.mouse.up({ button: 'right' });
     expect(await page.getByRole('slider', { name: 'Tilt' }).getAttribute('aria-valuetext')).toBe('30°');
     await keepPicture(page, 'turned');
-    // A quarter turn: what was up in the picture is to its left, or right, now.
+    // After a rotation by 90 degrees, what was at the top of the picture is at its left or right.
     await page.mouse.move(middleX + 80, middleY, { steps: 3 });
     await page.waitForFunction(() => {
       const [x, y] = (document.getElementById('read-position')?.textContent ?? '').split(',').map(Number.parseFloat);
@@ -147,7 +147,7 @@ describe('the page in 3D', () => {
     expect(await page.getByRole('slider', { name: 'Tilt' }).getAttribute('aria-valuetext')).toBe('25°');
   });
 
-  it('offers the view from above where drawing is slow', async () => {
+  it('offers the view from above if drawing is slow', async () => {
     const { page } = opened;
     // A machine on which every frame waits a fifth of a second.
     await page.evaluate(() => {
@@ -167,16 +167,16 @@ describe('the page in 3D', () => {
   });
 });
 
-describe('the page where something is amiss', () => {
+describe('the page with a fault', () => {
   it('without WebGL is shown from above, says so, and can still be touched', async () => {
     const opened = await openPage(flatBrowser, home(), { storageState: key });
     const { page } = opened;
-    // The opening words come first; a step pressed before them is not said.
+    // The opening sentences come first; the sentence for a step before them is dropped.
     await page.waitForFunction(() => document.getElementById('spoken')?.textContent !== '');
     await page.locator('#stage').focus();
     await page.keyboard.press('Home'); // other tests have left the probe elsewhere
     expect(await page.locator('#view-note').textContent()).toMatch(/WebGL.*Touch, sound and speech work/);
-    // On a busy machine the words of one step may be out of date before their turn comes.
+    // On a busy machine, the sentence for one step may expire before it is spoken.
     const spoken = page.locator('#spoken').filter({ hasText: 'millimetre' });
     for (let k = 0; k < 20 && !(await spoken.isVisible()); ++k) {
       await page.keyboard.press(k % 2 === 0 ? 'ArrowRight' : 'ArrowLeft');
@@ -203,7 +203,7 @@ describe('the page where something is amiss', () => {
     await context.close();
   });
 
-  it('a field shows its cells, and says what they are', async () => {
+  it('a field shows its cells and describes them', async () => {
     const folder = mkdtempSync(join(tmpdir(), 'palpable-cells-'));
     const corners = [0, 1].flatMap((z) => [0, 1].flatMap((y) => [0, 1].map((x) => `v ${x} ${y} ${z}`)));
     const faces = ['1 3 4 2', '5 6 8 7', '1 2 6 5', '3 7 8 4', '1 5 7 3', '2 4 8 6'].map((face) => `f ${face}`);
@@ -222,7 +222,7 @@ describe('the page where something is amiss', () => {
     }
   });
 
-  it('the end of the session is said', async () => {
+  it('the end of the session is reported', async () => {
     const own = await startProgram();
     const opened = await openPage(flatBrowser, own.address).finally(() => own.stop());
     await opened.page.getByRole('alert').filter({ hasText: 'The session has ended' }).waitFor();

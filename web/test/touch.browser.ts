@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-// Touching in a real browser: by pointer, and by keyboard alone with nothing but what a screen reader gets.
+// Touching in a real browser: by pointer, and by keyboard with only the information that a screen reader receives.
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readRaster, type HeightsFrame } from '../src/codec';
@@ -13,8 +13,8 @@ let opened: Opened;
 let heights: HeightsFrame;
 
 beforeAll(async () => {
-  // Seen from above: a machine without a graphics processor draws that sixty times a second even when it is busy. The 3D
-  // view is touched in states.browser.ts.
+  // The view from above: a machine without a graphics processor draws it 60 times per second even when busy. The 3D view is
+  // tested in states.browser.ts.
   [browser, running] = await Promise.all([launch({ webgl: false }), startProgram()]);
   opened = await openPage(browser, running.address, {}, (payload) => {
     const raster = readRaster(payload);
@@ -31,8 +31,8 @@ beforeEach(async () => {
 
 const number = (page: Page, id: string) => page.locator(`#${id}`).textContent().then((text) => Number.parseFloat(text ?? ''));
 
-/** A reading once it rests: within 2 % of its mean over ten looks in a row. A hand that has just been re-centred, or under which
- * the scene has just changed, swings first. */
+/** A reading once it is stable: within 2 % of its mean for ten samples in a row. A hand oscillates first after it was re-centred or
+ * the scene was changed. */
 async function settled(page: Page, id: string): Promise<number> {
   let looks: number[] = [];
   for (let k = 0; k < 600; ++k) {
@@ -62,7 +62,7 @@ describe('by pointer', () => {
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
   });
 
-  it('a pause takes the force to zero, and going on brings it back', async () => {
+  it('a pause sets the force to zero, and resuming restores it', async () => {
     const { page } = opened;
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
     await page.getByRole('button', { name: 'Pause' }).click();
@@ -71,7 +71,7 @@ describe('by pointer', () => {
     await page.waitForFunction(() => Number.parseFloat(document.getElementById('read-force')?.textContent ?? '') > 0.05);
   });
 
-  it('a setting that is changed holds in the program, and is undone and made again by keys', async () => {
+  it('a changed setting reaches the program, and is undone and redone by keys', async () => {
     const { page } = opened;
     const slider = page.getByRole('slider', { name: 'Depth' });
     const height = await settled(page, 'read-height');
@@ -138,7 +138,7 @@ describe('by keyboard, hearing only', () => {
     const millimetres = (direction: string) => Number(new RegExp(`(\\d+) millimetres? ${direction}`).exec(way!)?.[1] ?? 0);
     await listener.walk(millimetres('right') - millimetres('left'), 'ArrowRight', 'ArrowLeft');
     await listener.walk(millimetres('up') - millimetres('down'), 'ArrowUp', 'ArrowDown');
-    // The last millimetre by trying: a step that leads down is taken back.
+    // The last millimetre by trial: a step that leads down is reversed.
     const opposite = { ArrowRight: 'ArrowLeft', ArrowLeft: 'ArrowRight', ArrowUp: 'ArrowDown', ArrowDown: 'ArrowUp' };
     let best = Number((await listener.ask('p', /Height (-?[\d.]+) millimetres?/))[1]);
     for (const [key, back] of Object.entries(opposite)) {
@@ -151,7 +151,7 @@ describe('by keyboard, hearing only', () => {
     const highest = 1000 * heights.heights.reduce((most, z) => Math.max(most, z), -Infinity);
     const lowest = 1000 * heights.heights.reduce((least, z) => Math.min(least, z), Infinity);
     expect(Number(heard)).toBeGreaterThan(highest - Math.max(0.5, 0.03 * (highest - lowest)));
-    // What was heard is what the servo feels, not only what the page believes.
+    // The sentences agree with what the servo computes, not only with the state of the page.
     expect(Math.abs((await settled(page, 'read-height')) - Number(heard))).toBeLessThan(0.3);
     await keepPicture(page, 'highest-point');
   });
