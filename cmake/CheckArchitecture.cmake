@@ -1,4 +1,4 @@
-# Fails if the tables of docs/architecture.md, of modules and of rooms, are not those of Layers.cmake.
+# Fails if the tables of modules and rooms in docs/architecture.md differ from those in Layers.cmake.
 # Run: cmake -DDOCUMENT=<docs/architecture.md> -P cmake/CheckArchitecture.cmake
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)

@@ -1,15 +1,15 @@
 # Fails if a file under src/palpable includes a module or a room that Layers.cmake does not allow it, or a vision library
-# where there must be none; if a folder there is no module or no room; if a permission of the table is used by no file; or
-# if the table itself runs upwards.
+# where none is allowed; if a folder there is neither a module nor a room; if no file uses a permission of the table; or
+# if the table itself contains an upward dependency.
 # Run: cmake -DSOURCE=<project> [-DTABLE=<another Layers.cmake>] [-DFORGIVE_UNUSED=ON] -P cmake/CheckLayers.cmake
-# FORGIVE_UNUSED is for the tests of this script, whose trees hold one file.
+# FORGIVE_UNUSED accepts unused permissions, for the tests of this script, whose trees contain one file.
 cmake_minimum_required(VERSION 3.25)
 if(NOT TABLE)
   set(TABLE ${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 endif()
 include(${TABLE})
 
-# Each name of the list may use only names that stand before it.
+# Each name may use only names that precede it in the list.
 function(check_order prefix)
   set(below "")
   foreach(name ${ARGN})

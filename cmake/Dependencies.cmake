@@ -1,4 +1,4 @@
-# Every outside library, found once. Nothing is downloaded at build time; packages/*.txt name the Debian packages.
+# Finds every external library. Nothing is downloaded at build time; packages/*.txt list the Debian packages.
 include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
 find_package(PkgConfig REQUIRED)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d features2d video)
@@ -30,6 +30,6 @@ if(PALPABLE_TESTS)
 endif()
 if(PALPABLE_BENCH)
   find_package(benchmark REQUIRED)
-  # The peer that stereo_bench runs beside ours.
+  # The OpenCV part with which stereo_bench compares our methods.
   find_package(OpenCV REQUIRED COMPONENTS ximgproc)
 endif()

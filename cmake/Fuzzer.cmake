@@ -1,6 +1,6 @@
 # palpable_fuzzer(NAME x SOURCES x_fuzz.cpp USES modules… LINKS libraries…): one libFuzzer program, build/fuzz/bin/fuzz_x.
-# Small inputs that it starts from stand in fuzz/corpus/x/: whatever once broke the parser, and one valid file.
-# The target palpable_fuzzers makes them all.
+# Its initial inputs are in fuzz/corpus/x/: small files that once caused a fault, and one valid file.
+# The target palpable_fuzzers builds all of them.
 add_custom_target(palpable_fuzzers)
 function(palpable_fuzzer)
   cmake_parse_arguments(F "" "NAME" "SOURCES;USES;LINKS" ${ARGN})

@@ -1,5 +1,5 @@
-# What `cmake --install` puts where: the modules that programs of others use, as static libraries with their headers, a CMake
-# package and pkg-config files. A module is an install component, so that one can install the servo's side alone:
+# `cmake --install`: installs the modules for use by other programs, as static libraries with their headers, a CMake package
+# and pkg-config files. Each module is an install component, so that the modules of the servo can be installed alone:
 #   for c in core models device haptics; do cmake --install build --component $c; done
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -30,7 +30,7 @@ function(palpable_install name uses links)
       list(APPEND libs ${palpable_libs_${key}})
     endif()
   endforeach()
-  # Not private ones: a program that links our archives links what they use.
+  # Not private: a program that links our static libraries must also link their dependencies.
   list(APPEND requires ${private})
   list(JOIN requires ", " palpable_requires)
   list(JOIN libs " " palpable_libs)
@@ -46,7 +46,7 @@ endfunction()
 function(palpable_install_package)
   get_property(tables GLOBAL PROPERTY palpable_tables)
   file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/package/PalpableComponents.cmake
-       CONTENT "# Which of our modules each uses, and which outside libraries.\n${tables}" @ONLY)
+       CONTENT "# The modules and the external libraries that each module uses.\n${tables}" @ONLY)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/PalpableConfig.cmake.in ${CMAKE_BINARY_DIR}/package/PalpableConfig.cmake
                                 INSTALL_DESTINATION ${palpable_package_dir})
   write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/PalpableConfigVersion.cmake COMPATIBILITY SameMinorVersion)

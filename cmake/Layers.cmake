@@ -1,6 +1,6 @@
-# The one table of who may use whom (docs/architecture.md explains it; tests/layers enforces it): modules, and the rooms
-# inside the large ones. palpable_module() refuses a link that is not in it; cmake/CheckLayers.cmake refuses an #include
-# that is not in it, and a permission that nobody uses.
+# The table of allowed dependencies between modules, and between the rooms (folders) of large modules. docs/architecture.md
+# explains it. palpable_module() refuses a link that is not in the table; the test tests/layers runs cmake/CheckLayers.cmake,
+# which refuses an #include that is not in the table, and a permission that no file uses.
 set(PALPABLE_MODULES core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study cli)
 
 set(PALPABLE_MAY_USE_core "")
@@ -21,8 +21,8 @@ set(PALPABLE_MAY_USE_page core models formats device haptics describe session)
 set(PALPABLE_MAY_USE_study core models vision sculpt device haptics)
 set(PALPABLE_MAY_USE_cli core models formats sources vision sculpt recipes measure draw device haptics voice describe session page study)
 
-# Rooms, from the bottom up. Files at a module's own level are its interface: every room may use them, and they use no room.
-# A room's tests may use every room of their module.
+# Rooms, bottom-up. Files directly in a module's folder are its interface: every room may use them, and they use no room.
+# Tests in a room may use every room of their module.
 set(PALPABLE_ROOMS_models relief material field grid contours scene)
 set(PALPABLE_MAY_USE_models/material relief)
 set(PALPABLE_MAY_USE_models/field relief)
@@ -75,6 +75,6 @@ set(PALPABLE_MAY_USE_session/check touch)
 
 set(PALPABLE_ROOMS_study simulated)
 
-# Headers that a module's files must never include, as regular expressions: the servo's side stays small and free.
+# Regular expressions of headers that a module must never include: the modules of the servo need no vision library.
 set(PALPABLE_FREE_OF_VISION core models haptics device)
 set(PALPABLE_VISION_HEADERS "opencv2/|ceres/|tesseract/|libheif/|osmium/")

@@ -1,7 +1,7 @@
 # palpable_module(NAME x SOURCES … TESTS … USES modules… LINKS libraries… HEADERS libraries…): one static library
 # palpable_x, and its tests in one program palpable_x_test. USES is checked against the table in Layers.cmake. HEADERS are
-# libraries of headers only that its sources include: who uses the installed module does not need them. NOT_HOT: none of its
-# sources decides how fast the program is, so optimised builds compile it with -O1, which takes about a quarter less time.
+# header-only libraries that its sources include; users of the installed module do not need them. NOT_HOT: its sources do not
+# affect the speed of the program, so optimised builds compile them with -O1, which takes about a quarter less time.
 include(${CMAKE_CURRENT_LIST_DIR}/Layers.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/PalpableDependencies.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/Install.cmake)

@@ -1,28 +1,28 @@
-# Compiler options for every target of ours, as the interface library palpable_options.
+# Compiler options for all targets of the project, as the interface library palpable_options.
 add_library(palpable_options INTERFACE)
 target_compile_features(palpable_options INTERFACE cxx_std_20)
 target_compile_options(palpable_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-# The same arithmetic everywhere: a result must not depend on which products the compiler fuses.
+# The same arithmetic on every machine: no fused multiply-add, since a result must not depend on the compiler's choice.
 target_compile_options(palpable_options INTERFACE -ffp-contract=off)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  # At -O3 this compiler takes "text" + std::string for an overlapping copy: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651
+  # At -O3 this compiler wrongly reports an overlapping copy for "text" + std::string: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105651
   target_compile_options(palpable_options INTERFACE -Wno-restrict)
 endif()
 if(PALPABLE_WERROR)
   target_compile_options(palpable_options INTERFACE -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Warnings that depend on what the optimiser sees are shown but stop no build: g++ 12 is often wrong about them, and
-    # differently at each level of optimisation.
+    # Warnings that depend on the optimiser are shown but do not stop a build: those of g++ 12 are often wrong, and differ
+    # between levels of optimisation.
     target_compile_options(palpable_options INTERFACE -Wno-error=maybe-uninitialized -Wno-error=array-bounds
                            -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=free-nonheap-object)
   endif()
 endif()
-# Recordings name the build that made them.
+# Recordings contain the identifier of the build that wrote them.
 add_link_options(-Wl,--build-id)
 find_package(Threads REQUIRED)
 target_link_libraries(palpable_options INTERFACE Threads::Threads)
 
-# A fault that is met all the same ends the program instead of serving somebody. Sanitizers do more and do not go with it.
+# Hardening: memory errors end the program instead of being exploitable. Not with sanitizers, which detect more.
 if(PALPABLE_HARDEN AND NOT PALPABLE_SANITIZE AND NOT PALPABLE_COVERAGE)
   add_compile_options(-fstack-protector-strong -fPIE)
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
@@ -34,7 +34,7 @@ endif()
 
 if(PALPABLE_SANITIZE)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # g++ 12 finds std::variant maybe uninitialized where a sanitizer has changed the code; other builds keep the warning.
+    # With a sanitizer, g++ 12 wrongly reports std::variant as maybe uninitialized; other builds keep the warning.
     target_compile_options(palpable_options INTERFACE -Wno-maybe-uninitialized)
   endif()
   add_compile_options(-fsanitize=${PALPABLE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

@@ -1,6 +1,6 @@
 # palpable_snippets(FILE x.md…): every C++ block (```cpp) of the documents is compiled as a program against all modules and
-# run; every shell block (```sh) is run in a copy of the samples, with ./run standing for the program built here. Blocks
-# that only show something are fenced as ```text or ```console.
+# run; every shell block (```sh) is run in a copy of the samples, where ./run is the program built here. Blocks
+# that are not executed are fenced as ```text or ```console.
 function(palpable_snippets)
   set(count 0)
   foreach(document ${ARGN})

@@ -1,7 +1,7 @@
-# The page's web side: npm ci, the messages' definitions in C++, Vite's build, and its files as a C++ source.
+# Builds the web page: npm ci, the message definitions in C++, the build with Vite, and the result as a C++ source.
 #   palpable_web(DEFINITIONS header-variable ASSETS source-variable)
-# No package runs a script of its own while it is installed: none needs one.
-# Nothing runs again unless what it is made of has changed. npm needs the network (or a filled cache) the first time only.
+# Installation scripts of npm packages are disabled; no package needs one.
+# A step is repeated only if its inputs have changed. npm needs the network (or a filled cache) the first time only.
 function(palpable_web)
   cmake_parse_arguments(W "" "DEFINITIONS;ASSETS" "" ${ARGN})
   set(web ${PROJECT_SOURCE_DIR}/web)
@@ -12,8 +12,8 @@ function(palpable_web)
     message(FATAL_ERROR "Palpable's page is built with Node.js 18 or newer and npm: install them (Debian: apt install nodejs npm)")
   endif()
 
-  # One folder of packages serves all build folders; its stamp lies in it, so that deleting one deletes both. ./run and
-  # ./test keep the same stamp.
+  # All build folders share one folder of packages; its stamp file is inside it, so that both are deleted together. ./run
+  # and ./test use the same stamp.
   set(packages ${web}/node_modules/.palpable-lock)
   add_custom_command(
     OUTPUT ${packages}
@@ -32,8 +32,8 @@ function(palpable_web)
     COMMENT "Making the page's messages for C++"
     VERBATIM)
 
-  # A new file changes its folder, and a changed folder configures anew: unlike CONFIGURE_DEPENDS, this costs nothing when
-  # nothing has changed.
+  # A new file changes its folder, and a changed folder triggers a new configuration. Unlike CONFIGURE_DEPENDS, this takes
+  # no time if nothing has changed.
   file(GLOB_RECURSE sources LIST_DIRECTORIES true ${web}/src/* ${web}/public/*)
   list(FILTER sources EXCLUDE REGEX "/generated|\\.test\\.ts$")
   set(folders ${web}/src ${web}/public)

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Damaged files of every kind through the real program: fuzz/mutated_files.py PROGRAM [--count N] [--seed S] [--keep FOLDER].
+"""Passes damaged files of every kind to the real program: fuzz/mutated_files.py PROGRAM [--count N] [--seed S] [--keep FOLDER].
 
-Whole files of every kind are made first, by the program where it writes them and from fuzz/corpus else. Then N copies, each with
-some bytes changed, a part cut off, doubled or swapped, are given to a command that reads them. A run withstands where no signal
-ends it, it takes less than 10 s of processor time and 2 GB, its code is 0 to 4, its error is one short line of plain text, and it is refused
-where its own counts, sizes or checksums contradict it (whole.py). Prints what was not withstood, with the seed of each; --keep keeps those
-files. The file of number k is a function of seed and k alone: --first K --count 1 repeats one."""
+First, valid files of every kind are made by the program, or taken from fuzz/corpus if the program does not write the kind. Then N
+copies, each with some bytes changed or a part removed, repeated or exchanged, are read by a command. A run passes if no signal ends
+it, it takes less than 10 s of processor time and 2 GB, its exit code is 0 to 4, its error is one short line of plain text, and a file
+that contradicts its own counts, sizes or checksums (whole.py) is refused. Prints the failures with their seeds; --keep keeps those
+files. File number k depends only on the seed and on k: --first K --count 1 repeats one file."""
 import argparse
 import os
 import pathlib
@@ -24,7 +24,7 @@ from whole import contradiction
 
 MEMORY_BYTES = 2 << 30
 SECONDS = 10
-# Another program may have the processor.
+# Wall time is limited less strictly, since other programs may use the processor.
 PATIENCE_S = 600
 CORPUS = pathlib.Path(__file__).resolve().parent / "corpus"
 
@@ -63,7 +63,7 @@ def exr():
 
 
 def whole_files(program, folder):
-    """One file of each kind at least, with the command that reads it."""
+    """At least one file of each kind, with the command that reads it."""
     files = []
     make = lambda f: [program, "make", str(f), "-o", str(folder / "out.palp"), "--no-cache", "--resolution", "32", "--quiet"]
     read = lambda f: [program, "info", str(f)]
@@ -138,7 +138,7 @@ def fault_of(command, damaged):
         return f"ended by signal {-run.returncode}"
     if run.returncode not in (0, 1, 2, 3, 4):
         return f"code {run.returncode}"
-    # A check that finds a fault ends with 1 and a report (docs/recording.md).
+    # `check` ends with 1 and a report if it finds a fault (docs/recording.md).
     if run.returncode == 1:
         return "" if command[1] == "check" and ("Not clean." in output or "Not judged" in output) else "code 1: " + error.strip()[:200]
     if run.returncode and (len(error.splitlines()) != 1 or len(error) > 1500 or any(ord(c) < 32 and c != "\n" for c in error)):
@@ -149,7 +149,7 @@ def fault_of(command, damaged):
 
 
 def says_damage(text):
-    """What precedes the damage of a recording is read, and the program says so."""
+    """Whether the program reports the damage of a recording; it still reads the part before the damage."""
     return "damage" in text or "interrupted" in text
 
 

@@ -1,7 +1,7 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Whether a file's own counts, sizes and checksums agree with its bytes, as its format's specification has them; written without a look
-at the readers of this project, so that these can be held against it."""
+"""Tests whether the counts, sizes and checksums in a file agree with its bytes, according to the specification of its format. Written
+independently of the readers of this project, which are compared with it."""
 import io
 import re
 import struct
@@ -10,7 +10,7 @@ import zlib
 
 
 def contradiction(path):
-    """Why the file cannot be what it states, or nothing where it can or its kind states nothing."""
+    """The contradiction in the file; empty if there is none, or if its format states no counts, sizes or checksums."""
     judge = JUDGES.get(path.suffix)
     data = path.read_bytes()
     try:
@@ -26,7 +26,7 @@ def png(data):
         body = data[at + 4:at + 8 + size]
         if len(body) < 4 + size:
             return "a chunk is cut off"
-        # Chunks of small letters may be left out by a reader (PNG, 5.4).
+        # A reader may ignore chunks whose name begins with a small letter (PNG, 5.4).
         if kind[0] < 97 and zlib.crc32(body) != struct.unpack_from(">I", data, at + 8 + size)[0]:
             return "a checksum is wrong"
         if kind == b"IEND":
@@ -50,7 +50,7 @@ def recording(data):
 def archive(data):
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as members:
-            # Members packed by a method that this reader lacks keep their own checksums.
+            # Members compressed by a method that is not implemented here have checksums of their own.
             for member in members.infolist():
                 if member.compress_type in (0, 8):
                     members.open(member).read()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-# tools/coverage.sh: lines run by the tests of the preset `coverage`, as a table a module.
+# tools/coverage.sh: prints the share of lines run by the tests of the preset `coverage`, by module.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 report=build/coverage/gcov

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-# tools/fuzz.sh SECONDS: runs every fuzzer of the preset `fuzz` for that long, from its corpus; new inputs stay in build/.
+# tools/fuzz.sh SECONDS: runs every fuzzer of the preset `fuzz` for this time, starting from its corpus; new inputs are kept in build/.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/.."
 failed=0 ran=0

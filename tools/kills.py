@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""The program killed (SIGKILL) at random instants while it writes: tools/kills.py PROGRAM [--count N] [--seed S].
+"""Kills the program (SIGKILL) at random instants while it writes: tools/kills.py PROGRAM [--count N] [--seed S].
 
-N times, in turn: `make`, `export`, `correct`, a recording, and a save on the page, each over an old file, are killed at an instant chosen
-evenly over the time that a whole run takes. Afterwards the file must be the old one or a new one, never neither: a scene or an export
-equal to the old bytes or the new ones, a recording that `palpable check` reads. Then the run is repeated whole, after which no other
-file may be in the folder. Prints what was not so, and the counts; --minutes ends it
-earlier."""
+N runs alternate between `make`, `export`, `correct`, a recording, and saving on the page; each replaces an existing file. A run is
+killed at a random instant, uniformly distributed over the duration of a complete run. Afterwards the file must be complete: a scene
+or an export equals the old or the new bytes, and `palpable check` can read a recording. Then the run is repeated without a kill; after
+it, the folder must contain no other file. Prints the violations and the counts; --minutes limits the time."""
 import argparse
 import collections
 import os
@@ -32,7 +31,7 @@ def write_mesh(path, size_m):
 
 
 class Case:
-    """A command that writes `output` in a folder of its own, over the bytes of `old`."""
+    """A command that writes `output` in its own folder, where it replaces a file with the content of `old`."""
 
     def __init__(self, name, folder, output, command, old):
         self.name, self.folder, self.command, self.old = name, folder, command, old
@@ -53,18 +52,18 @@ class Case:
         return self.kept()
 
     def kept(self):
-        """What the file is now: old, new, or why it is neither."""
+        """The state of the file: old, new, or the reason why it is neither."""
         found = self.output.read_bytes() if self.output.exists() else None
         return "old" if found == self.old else "new" if found == self.new else "neither"
 
     def left_over(self):
-        """After a whole run: what else is in the folder."""
+        """Other files in the folder after a complete run."""
         subprocess.run(self.command, check=True, **QUIET)
         return [entry.name for entry in self.folder.iterdir() if entry != self.output]
 
 
 class Recording(Case):
-    """A recording in progress is its own new file: what was written must be readable."""
+    """A recording in progress is a new file; its written part must be readable."""
 
     def __init__(self, program, name, folder, output, command, old):
         self.program = program
@@ -78,7 +77,7 @@ class Recording(Case):
 
 
 class PageSave(Case):
-    """The page saves a scene, changed before, into its own file, again and again until the program is killed."""
+    """The page repeatedly changes a scene and saves it to its own file until the program is killed."""
 
     def __init__(self, program, name, folder, scene):
         self.name, self.folder, self.old = name, folder, scene
@@ -160,7 +159,7 @@ def main():
             done += 1
             case = cases[k % len(cases)]
             kept = case.kill(rng.random() * 1.05)
-            # Every tenth, because a whole run takes as long again.
+            # Only every tenth, because a complete run doubles the time.
             left = case.left_over() if k // len(cases) % 10 == 9 else []
             counts[case.name][kept] += 1
             if kept.startswith("neither") or left:

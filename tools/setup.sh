@@ -1,11 +1,11 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-# What ./run and ./test share: installing what is missing, and building. Sourced by them, in the project's root, with
-# `set -euo pipefail`. Everything said here goes to standard error: standard output belongs to the program started.
+# Shared by ./run and ./test: installs missing packages and builds. They source this file in the root folder, with
+# `set -euo pipefail`. All messages go to standard error: standard output belongs to the started program.
 
 say() { printf 'palpable: %s\n' "$*" >&2; }
 
-# Not empty: sudo is used without asking (./run -y, ./test -y); in continuous integration (CI is set) too.
+# If not empty, sudo is used without asking (./run -y, ./test -y); in continuous integration (CI is set) too.
 assume_yes=
 
 give_up() {
@@ -13,8 +13,8 @@ give_up() {
   exit 1
 }
 
-# The names in the lists of the given groups (packages/GROUP.txt). Debian's nodejs is left out where a newer node stands
-# in its place: the two packages cannot be installed together.
+# The packages of the given groups (packages/GROUP.txt). Debian's nodejs is omitted if a newer package replaces it, because
+# both cannot be installed together.
 packages_of() {
   local group names
   names=$(for group; do sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "packages/$group.txt"; done | sort -u)
@@ -54,7 +54,7 @@ apt_install() {
   fi
   root+=(env DEBIAN_FRONTEND=noninteractive)
   say "installing with apt: $*"
-  # The package lists are fetched only where they are missing, or too old to find every file.
+  # The package lists are fetched only if they are missing or too old to find every file.
   if compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null &&
     "${root[@]}" "${apt[@]}" install -y --no-install-recommends "$@" >&2; then
     return
@@ -66,8 +66,8 @@ apt_install() {
     give_up "apt cannot install the packages (see above); without a network install these first: $*"
 }
 
-# install_packages GROUP…: installs what is missing of the groups' packages. A stamp of the lists and of dpkg's own
-# database makes the second call cheap.
+# install_packages GROUP…: installs the missing packages of the groups. A stamp of the lists and of dpkg's database makes
+# later calls fast.
 install_packages() {
   local stamp now missing
   command -v apt-get >/dev/null || give_up "this script installs with apt (Debian, Ubuntu); the packages are listed in packages/"
@@ -79,7 +79,7 @@ install_packages() {
   stat -c '%n %s %Y' packages/*.txt /var/lib/dpkg/status >"$stamp"
 }
 
-# build PRESET [TARGET…]: configures where that was never done, then builds what changed; silent where nothing did.
+# build PRESET [TARGET…]: configures if necessary, then builds the changed targets; prints nothing if nothing changed.
 build() {
   local preset=$1 folder=build/$1
   shift
@@ -96,7 +96,7 @@ build() {
   ninja -C "$folder" "$@" >&2 || give_up "the build failed (see above)"
 }
 
-# Only one script at a time installs and builds; a second one waits.
+# Only one script installs and builds at a time; another one waits.
 take_turns() {
   if ! mkdir -p build/.setup 2>/dev/null || ! { : >>build/.setup/lock; } 2>/dev/null; then
     give_up "$PWD/build cannot be written by $(id -un) (the clone belongs to $(stat -c %U .)): build a clone of your own, git clone '$PWD'"

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Signals during contact: tools/signals.py PROGRAM [--count N] [--signals INT,TERM,...] [--seed S].
+"""Sends signals to the program during contact: tools/signals.py PROGRAM [--count N] [--signals INT,TERM,...] [--seed S].
 
-A touch of the simulated device, whose motors' force can be read from a file (sim:?motors=FILE), is sent each signal N times, at a random
-instant at which a force is held. Measures the time from the signal until the motors hold no force: for SIGKILL it is the guardian
-that takes it away. Prints a table; the exit code is 1 where a force stayed, where one signal but KILL took more than 5 ms, or where
-the program ended in another way than docs/real-time.md says."""
+Each signal is sent N times, at a random instant during contact, to a touch with the simulated device; the force of its motors can be
+read from a file (sim:?motors=FILE). Measures the time from the signal until the force of the motors is zero; after SIGKILL the guardian
+sets it to zero. Prints a table. The exit code is 1 if a force remained, if a signal other than KILL took more than 5 ms, or if the
+program did not end as docs/real-time.md states."""
 import argparse
 import os
 import pathlib
@@ -21,7 +21,7 @@ import time
 CONTENT = struct.Struct("<Qqddd")
 LIMIT_MS = 5.0
 PATIENCE_S = 20
-# Those that are errors of a write, and end nothing.
+# Signals that report a failed write and do not end the program.
 HARMLESS = {"PIPE", "XFSZ"}
 BY_ITSELF = {"INT", "TERM", "HUP"}
 INTERRUPTED = 130
@@ -34,7 +34,7 @@ def write_box(path):
 
 
 def motors(path):
-    """The time of the newest write (ns) and its force (N); no write: nothing."""
+    """The time (ns) and the force (N) of the newest write; None if there was none."""
     data = path.read_bytes() if path.exists() else b""
     if len(data) < CONTENT.size:
         return None
@@ -53,7 +53,7 @@ def wait_for_contact(path, process):
 
 
 def send(program, scene, path, number, wait_s):
-    """Milliseconds until no force was held, and the exit status; the time is missing where the force stayed or there was none."""
+    """Milliseconds until the force was zero, and the exit status; no time if the force remained or there was none."""
     path.unlink(missing_ok=True)
     process = subprocess.Popen([program, "touch", str(scene), "--headless", "--seconds", "30", "--quiet", "--device",
                                 f"sim:?motors={path}&speed-mm=150&press=2"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
@@ -69,7 +69,7 @@ def send(program, scene, path, number, wait_s):
         while time.monotonic() < end:
             time_ns, force_N = motors(path)
             if force_N == 0.0:
-                # The guardian writes no time.
+                # The guardian does not write the time.
                 took_ms = ((time_ns or time.monotonic_ns()) - begin_ns) / 1e6
                 break
     return took_ms, process
@@ -99,7 +99,7 @@ def main():
     arguments.add_argument("--seed", type=int, default=1)
     given = arguments.parse_args()
     rng = random.Random(given.seed)
-    # A shell starts what runs in the background with these two ignored, and so would be what is started here.
+    # A shell starts background processes with these two signals ignored, and child processes would inherit that.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGQUIT, signal.SIG_DFL)
     faults = 0

@@ -1,7 +1,7 @@
-# Installs components of a build into an empty folder, and builds and runs the examples against it as a project of their own.
+# Installs components of a build into an empty folder; then builds and runs the examples as a separate project that uses it.
 # Run: cmake -DBUILD=<build> -DEXAMPLES=<examples> -DWORK=<empty folder> -DCOMPONENTS=core,models,… -DWITH_VISION=OFF
 #            -DCOMPILER=<c++> [-DSAMPLES=<folder of the sample pair>] -P CheckPackage.cmake
-# Without vision no vision library may be looked for: the project is configured with every outside package disabled.
+# Without vision, the project must not search for a vision library: it is configured with all external packages disabled.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 string(REPLACE "," ";" components "${COMPONENTS}")
@@ -19,7 +19,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${EXAMPLES} -B ${WORK}/buil
                         -DCMAKE_CXX_COMPILER=${COMPILER} -DWITH_VISION=${WITH_VISION} ${disabled}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
-# The same by pkg-config and the compiler alone.
+# The same with only pkg-config and the compiler.
 file(GLOB_RECURSE pc ${WORK}/prefix/palpable-core.pc)
 get_filename_component(pc_folder "${pc}" DIRECTORY)
 if(WITH_VISION)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Fails, and names them, if docs/dependencies.md and packages/*.txt do not list the same Debian packages, if CMake looks
-for a library that no source includes, or if other modules include a library than the document says. Run in the project's root."""
+"""Fails and lists the differences if docs/dependencies.md and packages/*.txt do not list the same Debian packages, if CMake
+searches for a library that no source includes, or if the modules that include a library differ from the document. Run in the root folder."""
 import re
 import subprocess
 import sys

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Fails, and names them, if docs/dependencies.md does not list exactly the shared libraries that the programs load, as ldd shows
-them: linked_libraries.py PROGRAM...; with --write in front the lists are written. On Debian 12 only, whose libraries they are of."""
+"""Fails and lists the differences if docs/dependencies.md does not list exactly the shared libraries that the programs load, as
+shown by ldd: linked_libraries.py PROGRAM...; --write as the first argument writes the lists. Only on Debian 12, to which they apply."""
 import re
 import subprocess
 import sys
@@ -11,7 +11,7 @@ from pathlib import Path
 DOCUMENT = Path("docs/dependencies.md")
 END = "\n<!-- end of the list -->"
 SKIPPED = 77
-# Which of several packages provides BLAS and LAPACK, and what those load, is the machine's choice.
+# The package that provides BLAS and LAPACK, and the libraries that it loads, differ between machines.
 BLAS = {"libatlas", "libblas", "libcblas", "libf77blas", "libgfortran", "liblapack", "libopenblas", "libquadmath"}
 
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-# Fails, and names them, if a document links to a file of the project that is not there. Run in the project's root.
+# Fails and lists the links if a document links to a file of the project that does not exist. Run in the root folder.
 set -eu
 missing=$(git ls-files -co --exclude-standard '*.md' | while read -r document; do
   grep -oE '\]\([^)#]+' "$document" | sed 's/^](//' | grep -vE '^(https?|mailto):' | while read -r target; do

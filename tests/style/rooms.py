@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Fails, and names them, if the README of a room names an entry header that does not exist, or a user (by "Used by:") that
-does not include the room. Run in the project's root."""
+"""Fails and lists the errors if the README of a room names an entry header that does not exist, or a user (after "Used by:") that
+does not include the room. Run in the root folder."""
 import re
 import sys
 from pathlib import Path

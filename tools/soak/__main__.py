@@ -1,13 +1,13 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""A long touch under traffic: python3 tools/soak PROGRAM -o FOLDER [--minutes M] [--pages N] [--messages-per-s R] [--seed S].
+"""Runs a long touch under load: python3 tools/soak PROGRAM -o FOLDER [--minutes M] [--pages N] [--messages-per-s R] [--seed S].
 
-Starts `palpable touch` on the simulated device with its page and a recording. N people move probes, change laws and materials, save,
-leave and come back; a hostile neighbour sends damaged requests and messages, and stops the process for moments. Every five seconds
-memory, descriptors, threads, ticks, force and energy are written to FOLDER/soak.csv; at the end FOLDER/soak.svg draws them, the touch
-is ended by SIGINT, and `palpable check` recomputes the recording. Prints the figures as JSON; the exit code is 1 where memory or
-descriptors changed by more than 2 % between the first and the last fifth after the warm-up, a visitor met a fault, or the touch
-ended in another way than by the signal. A page's person sends at most 60 messages a second and probe: R / 60 is the acceleration."""
+Starts `palpable touch` with the simulated device, its page and a recording. N simulated users move probes, change laws and materials,
+save, disconnect and return; a hostile client sends damaged requests and messages, and stops the process for moments. Every five
+seconds, memory, descriptors, threads, ticks, force and energy are written to FOLDER/soak.csv; at the end they are drawn in
+FOLDER/soak.svg, the touch is ended by SIGINT, and `palpable check` recomputes the recording. Prints the figures as JSON. The exit code
+is 1 if memory or descriptors changed by more than 2 % between the first and the last fifth after the warm-up, if a client met a
+fault, or if the touch did not end by the signal. A real user sends at most 60 messages per second and probe: R / 60 is the speed-up."""
 import argparse
 import csv
 import json
@@ -62,7 +62,7 @@ def write_box(path):
 
 
 def watch(process, people, folder, minutes):
-    """One row every PERIOD_S seconds until the time is over or the touch has ended."""
+    """Writes one row every PERIOD_S seconds until the time is over or the touch has ended."""
     rows, begin, recording = [], time.monotonic(), GrowingRecording(folder / "soak.rec")
     before = {"t_s": 0.0, "ticks": 0, "messages": 0}
     with open(folder / "soak.csv", "w", newline="") as file:

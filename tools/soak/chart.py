@@ -1,6 +1,6 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Values over time as an SVG: one panel a group of columns, each from zero."""
+"""Draws values over time as an SVG: one panel per group of columns, each axis starting at zero."""
 import math
 
 WIDTH, PANEL, LEFT, TOP = 900, 150, 70, 34
@@ -35,7 +35,7 @@ def panel(y, columns, rows, end_s):
 
 
 def write_chart(path, heading, panels, rows):
-    """`panels`: what each shows, names to columns; `rows`: dicts with t_s and the columns."""
+    """`panels`: the columns of each panel by name; `rows`: dicts with t_s and the columns."""
     end_s = max(rows[-1]["t_s"], 1e-9)
     height = TOP + len(panels) * PANEL + 40
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" font-family="sans-serif" font-size="13">'

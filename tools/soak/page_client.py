@@ -1,6 +1,6 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""A page's side of the connection to `palpable touch`: the exchange of the token, and a WebSocket (RFC 6455) with text out."""
+"""The page's side of the connection to `palpable touch`: exchange of the token, and a WebSocket (RFC 6455) that sends text."""
 import base64
 import http.client
 import json
@@ -10,7 +10,7 @@ import struct
 
 
 def let_in(host, port, token):
-    """Exchanges the token of the printed address for the cookie, which any number of pages may use."""
+    """Exchanges the token of the printed address for the cookie, which several pages may use."""
     connection = http.client.HTTPConnection(host, port, timeout=10)
     connection.request("POST", "/session", token, {"Origin": f"http://{host}:{port}"})
     answer = connection.getresponse()
@@ -22,7 +22,7 @@ def let_in(host, port, token):
 
 
 class PagesAreFull(ConnectionError):
-    """The session is open in as many pages as it allows."""
+    """The session already has the maximum number of pages."""
 
 
 class PageClient:
@@ -63,7 +63,7 @@ class PageClient:
         self._socket.sendall(head + mask + masked)
 
     def frames(self, wait_s):
-        """The frames that come within so many seconds (opcode, payload); pings are answered."""
+        """The frames (opcode, payload) that arrive within this many seconds; pings are answered."""
         self._socket.settimeout(wait_s)
         try:
             self._receive()
@@ -92,7 +92,7 @@ class PageClient:
         return frame
 
     def close(self, reset=False):
-        """With `reset` as by a program that was killed: without a word."""
+        """With `reset`, closes without a closing handshake, like a killed program."""
         if reset:
             self._socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
         self._socket.close()

@@ -1,6 +1,6 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""Those who visit the page during a soak: people, who move probes and change the scene, and one hostile neighbour."""
+"""Simulated clients of the page: users, who move probes and change the scene, and one hostile program on the same machine."""
 import math
 import os
 import random
@@ -15,7 +15,7 @@ LAWS = ("proxy", "penalty", "proxy")
 
 
 class Visitor(threading.Thread):
-    """Repeats visit() until `stop`; what failed is counted and named once."""
+    """Repeats visit() until `stop`; failures are counted, and each kind is printed once."""
 
     def __init__(self, touch, stop, seed):
         super().__init__(daemon=True)
@@ -29,7 +29,7 @@ class Visitor(threading.Thread):
                 self.visit()
                 self.visits += 1
             except PagesAreFull:
-                # The neighbour holds the fourth, or the program has not seen yet that one was left.
+                # The hostile client has the fourth page, or the program has not yet noticed that a page was closed.
                 self.stop.wait(0.5)
             except (OSError, ValueError) as fault:
                 self.faults[str(fault)] = self.faults.get(str(fault), 0) + 1
@@ -37,7 +37,7 @@ class Visitor(threading.Thread):
 
 
 class Person(Visitor):
-    """Moves one probe, asks, and now and then changes law, depth and material; leaves after some minutes and comes back."""
+    """Moves one probe, requests descriptions, and sometimes changes law, depth and material; disconnects after some minutes and returns."""
 
     def __init__(self, touch, stop, seed, probe, messages_per_s):
         super().__init__(touch, stop, seed)
@@ -85,7 +85,7 @@ class Person(Visitor):
 
 
 class Neighbour(Visitor):
-    """Connections without the secret, half requests, damaged and too long messages; and the touch is stopped for a moment."""
+    """Sends requests without the secret, incomplete requests, damaged and too long messages; also stops the process for moments."""
 
     def visit(self):
         what = self.random.randrange(6)

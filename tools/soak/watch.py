@@ -1,6 +1,6 @@
 # Copyright 2026 The Palpable authors
 # SPDX-License-Identifier: Apache-2.0
-"""What a running touch uses, and what its recording says while it grows."""
+"""Measures the resources of a running touch, and reads its growing recording."""
 import os
 import struct
 
@@ -10,7 +10,7 @@ CONTACT, PASSIVITY_ACTED, STALLED = 1, 16, 2048
 
 
 class GrowingRecording:
-    """Reads the chunks that are whole, and goes on where it stopped."""
+    """Reads the complete chunks; the next call continues after them."""
 
     def __init__(self, path):
         self._file = open(path, "rb")
@@ -19,7 +19,7 @@ class GrowingRecording:
         self.missed = self.stalls = self.contact = 0
 
     def news(self):
-        """Energy (least, most) and the greatest force of the ticks since the last call; the counts go on."""
+        """Least and greatest energy, and greatest force, of the ticks since the last call; the counts accumulate."""
         least_J = most_J = most_N = 0.0
         while head := self._chunk_head():
             kind, size = head
@@ -50,7 +50,7 @@ class GrowingRecording:
 
 
 def used_by(process):
-    """Memory in MiB (resident, of its own), descriptors, threads, and processor seconds."""
+    """Memory in MiB (resident, private), descriptors, threads, and processor seconds."""
     status = dict(line.split(":", 1) for line in open(f"/proc/{process}/status"))
     fields = open(f"/proc/{process}/stat").read().rsplit(")", 1)[1].split()
     mebibytes = lambda name: int(status[name].split()[0]) / 1024
