@@ -1,0 +1,148 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "film.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace palpable::bench {
+namespace {
+
+using Pose = Transform<WorldFrame, CameraFrame>;
+constexpr double kDegree = std::numbers::pi / 180;
+
+// A camera at `from` that looks at `to`, its x axis horizontal, then turned by small angles about its own
+// axes.
+Pose looking(Vec3 from, Vec3 to, Vec3 turned) {
+  const Vec3 z = unit(to - from), x = unit(cross(z, Vec3{0, 0, 1})), y = cross(z, x);
+  const std::array<Vec3, 3> axes{x, y, z};
+  // To first order; made orthonormal again.
+  const Vec3 z2 = unit(z + turned.y * axes[0] - turned.x * axes[1]);
+  const Vec3 x2 = unit(x - dot(x, z2) * z2 + turned.z * y), x3 = unit(x2 - dot(x2, z2) * z2),
+             y3 = cross(z2, x3);
+  Pose out;
+  out.rotation = {x3.x, y3.x, z2.x, x3.y, y3.y, z2.y, x3.z, y3.z, z2.z};
+  out.translation_m = from;
+  return out;
+}
+
+FilmConditions conditions_of(Random& random) {
+  FilmConditions out;
+  out.path = static_cast<FilmConditions::Path>(random.count(0, 2));
+  out.arc_deg = random.between(30, 60);
+  out.elevation_deg = random.between(35, 60);
+  out.distance_m = random.between(0.5, 0.8);
+  out.shake_m = random.between(0.0003, 0.002);
+  out.shake_rad = random.between(0.001, 0.004);
+  out.exposure = random.between(0.05, 0.5);
+  out.readout = random.unit() < 0.4 ? random.between(0.2, 0.6) : 0.0;
+  out.noise = random.between(1, 5);
+  out.exposure_drift = random.between(0, 0.15);
+  return out;
+}
+
+double texture_of(std::uint32_t seed) { return seed % 3 == 0 ? 0.35 : 0.9; }
+
+}  // namespace
+
+Film::Film(std::uint32_t seed, int frames) : seed_(seed), frames_(frames) {
+  Random random(seed * 7919ULL + 17);
+  conditions_ = conditions_of(random);
+  model_ = film_model(random, texture_of(seed));
+}
+
+std::string Film::description() const {
+  constexpr std::array kPaths{"arc", "sweep", "spiral"};
+  return fmt::format(
+      "seed {}: {} of {:.0f} deg, {} bodies, {}, exposure {:.2f}{}", seed_,
+      kPaths[static_cast<std::size_t>(conditions_.path)], conditions_.arc_deg, model_.bodies.size() - 2,
+      texture_of(seed_) < 0.5 ? "poor texture" : "rich texture", conditions_.exposure,
+      conditions_.readout > 0 ? fmt::format(", rolling shutter {:.2f}", conditions_.readout) : "");
+}
+
+// Smooth random numbers of standard deviation about one: sums of three sines.
+Vec3 Film::shake_at(double frame, int axis) const {
+  Vec3 out;
+  std::array<double*, 3> parts{&out.x, &out.y, &out.z};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Random random(seed_ * 31ULL + static_cast<std::uint64_t>(axis) * 7 + i);
+    for (int k = 0; k < 3; ++k)
+      *parts[i] +=
+          0.8 * std::sin(frame * random.between(0.05, 0.9) + random.between(0, 2 * std::numbers::pi));
+  }
+  return out;
+}
+
+Transform<WorldFrame, CameraFrame> Film::pose_at(double frame) const {
+  const double s = frame / (frames_ - 1) - 0.5, round = conditions_.arc_deg * kDegree * s;
+  double elevation = conditions_.elevation_deg * kDegree, distance = conditions_.distance_m;
+  Vec3 target{0, 0, 0.02};
+  double azimuth = round;
+  if (conditions_.path == FilmConditions::Path::sweep) {
+    azimuth = 0.3 * round;
+    target.x = 0.25 * s, elevation += 15 * kDegree;
+  } else if (conditions_.path == FilmConditions::Path::spiral) {
+    elevation += 20 * kDegree * s, distance *= 1 - 0.15 * s;
+  }
+  const Vec3 from = target + distance * Vec3{std::sin(azimuth) * std::cos(elevation),
+                                             -std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
+  return looking(from + conditions_.shake_m * shake_at(frame, 0), target,
+                 conditions_.shake_rad * shake_at(frame, 1));
+}
+
+Raster<Rgb8> Film::picture(int frame, const Work& work) const {
+  constexpr int kOpenings = 3;
+  Raster<Rgb8> out(camera_.width, camera_.height);
+  const double gain = 1 + conditions_.exposure_drift * std::sin(0.05 * frame + seed_);
+  parallel_for(work, camera_.height, 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y) {
+      const double row = frame + conditions_.readout * ((y + 0.5) / camera_.height - 0.5);
+      std::array<Pose, kOpenings> poses;
+      for (int k = 0; k < kOpenings; ++k)
+        poses[static_cast<std::size_t>(k)] =
+            pose_at(row + conditions_.exposure * ((k + 0.5) / kOpenings - 0.5));
+      Random random((static_cast<std::uint64_t>(frame) << 32U) + static_cast<std::uint64_t>(y) * 2 +
+                    seed_ * 977ULL);
+      for (int x = 0; x < camera_.width; ++x) {
+        Colour sum{};
+        for (int k = 0; k < kOpenings; ++k) {
+          // Each opening looks at another place of the pixel, so that edges are smooth.
+          const double u = x + (k - 1) / 3.0, v = y + (k % 2 == 0 ? -0.25 : 0.25);
+          const Pose& pose = poses[static_cast<std::size_t>(k)];
+          const Vec3 direction =
+              unit(pose.rotate({(u - camera_.cx) / camera_.fx, (v - camera_.cy) / camera_.fy, 1.0}));
+          const auto hit = model_.first_hit(pose.translation_m, direction);
+          const Colour colour = hit ? model_.colour_at(*hit, pose.translation_m + hit->distance_m * direction)
+                                    : Colour{0.5, 0.5, 0.5};
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += colour[c] / kOpenings;
+        }
+        const auto level = [&](double value) {
+          return static_cast<std::uint8_t>(
+              std::clamp(std::lround(255 * gain * value + conditions_.noise * random.normal()), 0L, 255L));
+        };
+        out(x, y) = {level(sum[0]), level(sum[1]), level(sum[2])};
+      }
+    }
+  });
+  return out;
+}
+
+Raster<float> Film::depth(int frame, const Work& work) const {
+  Raster<float> out(camera_.width, camera_.height);
+  const Pose pose = pose_at(frame);
+  parallel_for(work, camera_.height, 8, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < camera_.width; ++x) {
+        const Vec3 ray{(x - camera_.cx) / camera_.fx, (y - camera_.cy) / camera_.fy, 1.0};
+        const auto hit = model_.first_hit(pose.translation_m, unit(pose.rotate(ray)));
+        out(x, y) = hit ? static_cast<float>(hit->distance_m / norm(ray)) : 0.0F;
+      }
+  });
+  return out;
+}
+
+}  // namespace palpable::bench

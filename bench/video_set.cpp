@@ -1,0 +1,257 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/quantile.hpp"
+#include "palpable/formats/picture/picture.hpp"
+#include "palpable/vision/image/luma.hpp"
+#include "palpable/vision/motion/video_depth.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "film.hpp"
+#include <Eigen/Dense>
+#include <Eigen/SVD>
+#include <fmt/format.h>
+
+// Structure, motion and depth of rendered films (film.hpp) with their exact truth:
+//
+//   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
+//                      [--write FOLDER]
+//
+// Names are those of `palpable make --set video.…`: tracks.…, motion.…, depth.… --write writes the frames,
+// the truth of some depth maps in millimetres, and nothing else.
+namespace palpable::bench {
+namespace {
+
+using vision::CameraMotion;
+using vision::CameraPose;
+using vision::FrameDepth;
+
+constexpr double kDegrees = 57.29577951308232;
+
+struct Arguments {
+  int seeds = 12, first = 1, frames = 60;
+  unsigned threads = 2;
+  bool depth = true;
+  std::string folder;
+  vision::TrackOptions tracks;
+  vision::BatchMotionOptions motion;
+  vision::VideoDepthOptions video_depth;
+};
+
+struct Figures {
+  int posed = 0;
+  double position_percent = 0, rotation_deg = 0, reprojection_px = 0, focal_px = 0;
+  double known = 0, good_of_known = 0, good_of_all = 0;
+  double seconds = 0;
+};
+
+Eigen::Matrix3d matrix(const CameraPose& pose) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.rotation.data());
+}
+Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
+
+// The similarity that takes found cameras to true ones: rotation from rotations, scale and shift from
+// positions.
+struct Alignment {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  double scale = 1;
+};
+
+Figures path_errors(const CameraMotion& motion, const Film& film, Alignment& alignment) {
+  Figures out;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  std::vector<int> frames;
+  for (int i = 0; i < film.frames(); ++i)
+    if (const auto& pose = motion.poses[static_cast<std::size_t>(i)])
+      frames.push_back(i), sum += matrix(film.pose(i)) * matrix(*pose).transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  alignment.rotation = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  Eigen::Vector3d mean_found = Eigen::Vector3d::Zero(), mean_true = Eigen::Vector3d::Zero();
+  const auto found = [&](int i) {
+    return Eigen::Vector3d(alignment.rotation *
+                           vector(motion.poses[static_cast<std::size_t>(i)]->translation_m));
+  };
+  for (const int i : frames) mean_found += found(i), mean_true += vector(film.pose(i).translation_m);
+  mean_found /= static_cast<double>(frames.size()), mean_true /= static_cast<double>(frames.size());
+  double across = 0, own = 0, path = 0, error = 0;
+  for (const int i : frames) {
+    const Eigen::Vector3d a = found(i) - mean_found, b = vector(film.pose(i).translation_m) - mean_true;
+    across += a.dot(b), own += a.squaredNorm();
+  }
+  alignment.scale = across / own;
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const int i = frames[k];
+    error += (alignment.scale * (found(i) - mean_found) - (vector(film.pose(i).translation_m) - mean_true))
+                 .squaredNorm();
+    if (k > 0) path += norm(film.pose(i).translation_m - film.pose(frames[k - 1]).translation_m);
+    const Eigen::Matrix3d turn =
+        (alignment.rotation * matrix(*motion.poses[static_cast<std::size_t>(i)])).transpose() *
+        matrix(film.pose(i));
+    out.rotation_deg += Eigen::AngleAxisd(turn).angle() * kDegrees / static_cast<double>(frames.size());
+  }
+  out.posed = static_cast<int>(frames.size());
+  out.position_percent = 100 * std::sqrt(error / static_cast<double>(frames.size())) / path;
+  out.reprojection_px = motion.reprojection_rms_px;
+  out.focal_px = motion.camera.fx;
+  return out;
+}
+
+void depth_errors(const std::vector<FrameDepth>& maps, const Film& film, double scale, const Work& work,
+                  Figures& out) {
+  double all = 0, known = 0, good = 0;
+  for (const FrameDepth& map : maps) {
+    const Raster<float> truth = film.depth(map.frame, work);
+    for (std::size_t i = 0; i < truth.count(); ++i) {
+      if (!(truth.values()[i] > 0)) continue;
+      ++all;
+      const float found = map.map.depth.depth_m.values()[i];
+      if (!(found > 0)) continue;
+      ++known;
+      good += std::abs(scale * static_cast<double>(found) / static_cast<double>(truth.values()[i]) - 1) < 0.01
+                  ? 1
+                  : 0;
+    }
+  }
+  out.known = 100 * known / all, out.good_of_known = 100 * good / known, out.good_of_all = 100 * good / all;
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Result<Figures> run(const Film& film, const Arguments& arguments, const Work& work) {
+  std::vector<Raster<Rgb8>> pictures;
+  std::vector<Raster<std::uint8_t>> greys;
+  for (int i = 0; i < film.frames(); ++i) {
+    pictures.push_back(film.picture(i, work));
+    greys.push_back(vision::luma8(pictures.back()));
+  }
+  const double begin = processor_seconds();
+  const auto tracks = vision::track_points(greys, arguments.tracks, work);
+  if (!tracks) return tracks.error();
+  const auto motion =
+      vision::motion_from_tracks(*tracks, film.frames(), {film.camera(), true}, arguments.motion, work);
+  if (!motion) return motion.error();
+  Alignment alignment;
+  Figures out = path_errors(*motion, film, alignment);
+  if (arguments.depth) {
+    std::vector<const Raster<Rgb8>*> views;
+    for (const auto& picture : pictures) views.push_back(&picture);
+    const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.video_depth, work);
+    if (!maps) return maps.error();
+    depth_errors(*maps, film, alignment.scale, work, out);
+  }
+  out.seconds = processor_seconds() - begin;
+  return out;
+}
+
+void write_film(const Film& film, const std::string& folder, int seed, const Work& work) {
+  const std::filesystem::path own = std::filesystem::path(folder) / fmt::format("seed_{:02}", seed);
+  std::filesystem::create_directories(own);
+  for (int i = 0; i < film.frames(); ++i) {
+    if (!formats::write_png(own / fmt::format("{:04}.png", i), film.picture(i, work))) return;
+  }
+}
+
+bool set_one(Arguments& arguments, const std::string& name, double value) {
+  std::vector<Parameter> all;
+  append_parameters(all, "tracks", vision::parameters_of(arguments.tracks));
+  append_parameters(all, "motion", vision::parameters_of(arguments.motion));
+  append_parameters(all, "depth", vision::parameters_of(arguments.video_depth));
+  for (const Parameter& p : all)
+    if (p.name == name) return set_parameter(p, value).has_value();
+  return false;
+}
+
+bool read(int count, char** words, Arguments& out) {
+  for (int i = 1; i < count; ++i) {
+    const std::string_view word = words[i];
+    if (word == "--no-depth") {
+      out.depth = false;
+      continue;
+    }
+    if (i + 1 >= count) return false;
+    const std::string value = words[++i];
+    if (word == "--write") {
+      out.folder = value;
+    } else if (word == "--set") {
+      const auto sign = value.find('=');
+      if (sign == std::string::npos ||
+          !set_one(out, value.substr(0, sign), std::strtod(value.c_str() + sign + 1, nullptr)))
+        return false;
+    } else {
+      const int number = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
+      if (word == "--seeds")
+        out.seeds = number;
+      else if (word == "--first")
+        out.first = number;
+      else if (word == "--frames")
+        out.frames = number;
+      else if (word == "--threads")
+        out.threads = static_cast<unsigned>(number);
+      else
+        return false;
+    }
+  }
+  return true;
+}
+
+void print_row(const std::string& name, const Figures& f, int frames) {
+  fmt::print("| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.0f} |\n", name,
+             f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known, f.good_of_known,
+             f.good_of_all, f.seconds);
+  std::fflush(stdout);
+}
+
+int run_all(const Arguments& arguments) {
+  Work work;
+  work.threads = arguments.threads;
+  fmt::print(
+      "| film | frames | position, % of path | rotation, deg | reprojection, px | depth known, % | within 1 "
+      "%, % of known "
+      "| of all | processor s |\n|---|---|---|---|---|---|---|---|---|\n");
+  std::vector<double> position, rotation, good;
+  for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
+    const Film film(static_cast<std::uint32_t>(seed), arguments.frames);
+    if (!arguments.folder.empty()) {
+      write_film(film, arguments.folder, seed, work);
+      continue;
+    }
+    const auto figures = run(film, arguments, work);
+    if (!figures) {
+      fmt::print("| {} | {} |\n", film.description(), figures.error().message);
+      continue;
+    }
+    print_row(film.description(), *figures, film.frames());
+    position.push_back(figures->position_percent), rotation.push_back(figures->rotation_deg);
+    good.push_back(figures->good_of_known);
+  }
+  if (!position.empty())
+    fmt::print(
+        "median position {:.3f} %, rotation {:.3f} deg, depth within 1 % {:.1f} % of known; worst {:.3f} %, "
+        "{:.3f} deg, "
+        "{:.1f} %\n",
+        quantile_of(position, 0.5), quantile_of(rotation, 0.5), quantile_of(good, 0.5),
+        quantile_of(position, 1.0), quantile_of(rotation, 1.0), quantile_of(good, 0.0));
+  return 0;
+}
+
+}  // namespace
+}  // namespace palpable::bench
+
+int main(int count, char** words) {
+  palpable::bench::Arguments arguments;
+  if (!palpable::bench::read(count, words, arguments)) {
+    fmt::print(stderr,
+               "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
+               "[--set NAME=VALUE]... [--write FOLDER]\n");
+    return 2;
+  }
+  return palpable::bench::run_all(arguments);
+}
