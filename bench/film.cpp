@@ -13,6 +13,8 @@ namespace palpable::bench {
 namespace {
 
 using Pose = Transform<WorldFrame, CameraFrame>;
+// The board and the table around it; what lies farther is not judged.
+constexpr double kModelRadius_m = 0.35;
 constexpr double kDegree = std::numbers::pi / 180;
 
 // A camera at `from` that looks at `to`, its x axis horizontal, then turned by small angles about its own
@@ -139,7 +141,9 @@ Raster<float> Film::depth(int frame, const Work& work) const {
       for (int x = 0; x < camera_.width; ++x) {
         const Vec3 ray{(x - camera_.cx) / camera_.fx, (y - camera_.cy) / camera_.fy, 1.0};
         const auto hit = model_.first_hit(pose.translation_m, unit(pose.rotate(ray)));
-        out(x, y) = hit ? static_cast<float>(hit->distance_m / norm(ray)) : 0.0F;
+        const Vec3 place = hit ? pose.translation_m + hit->distance_m * unit(pose.rotate(ray)) : Vec3{};
+        const bool near = hit && std::hypot(place.x, place.y) < kModelRadius_m;
+        out(x, y) = near ? static_cast<float>(hit->distance_m / norm(ray)) : 0.0F;
       }
   });
   return out;

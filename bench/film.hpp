@@ -45,7 +45,7 @@ class Film {
   /// The camera when the middle row of a frame is exposed.
   Transform<WorldFrame, CameraFrame> pose(int frame) const { return pose_at(frame); }
   Raster<Rgb8> picture(int frame, const Work& work) const;
-  /// Exact, along the optical axis, as seen from pose(frame); metres.
+  /// Exact, along the optical axis, as seen from pose(frame); metres; 0 for what is not the model or near it.
   Raster<float> depth(int frame, const Work& work) const;
 
  private:

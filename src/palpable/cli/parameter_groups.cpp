@@ -40,13 +40,7 @@ constexpr std::array kGroups{
                    "a ball that simulated cameras see, with noise",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.fusion); }},
     ParameterGroup{"video", "From a video to its depth", "nothing yet: first guesses",
-                   [](SettableOptions& o) {
-                     auto parameters = std::vector<Parameter>();
-                     append_parameters(parameters, "tracks", vision::parameters_of(o.recipes.video.tracks));
-                     append_parameters(parameters, "motion", vision::parameters_of(o.recipes.video.motion));
-                     append_parameters(parameters, "depth", vision::parameters_of(o.recipes.video.depth));
-                     return parameters;
-                   }},
+                   [](SettableOptions& o) { return recipes::parameters_of(o.recipes.video); }},
     ParameterGroup{"sheet", "The relief of an open mesh", "a printed map",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.sheet); }},
     ParameterGroup{"shapes", "Superquadrics fitted to points (fit-shapes)",

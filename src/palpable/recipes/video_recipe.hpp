@@ -3,31 +3,34 @@
 #pragma once
 
 #include "palpable/core/camera.hpp"
-#include "palpable/core/image.hpp"
 #include "palpable/core/point_cloud.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/video_frame.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/field_recipe.hpp"
+#include "palpable/recipes/filmed_model.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
+#include "palpable/vision/motion/frame_choice.hpp"
+#include "palpable/vision/motion/photo_tracks.hpp"
 #include "palpable/vision/motion/video_depth.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace palpable::recipes {
 
-/// A frame of a video.
-struct FilmedFrame {
-  /// Its number in the video, counted from 0.
-  int number = 0;
-  Raster<Rgb8> picture;
-};
-
-/// Options for making a field from a video of a model.
+/// How a video of a model becomes a field.
 struct VideoRecipe {
+  /// Frames after the one of this number are not used; not given: all are.
+  std::optional<int> until;
+  vision::FrameChoiceOptions frames;
   vision::TrackOptions tracks;
+  /// Of pictures that were taken too far apart to be followed.
+  vision::PhotoMatchOptions photos;
   vision::BatchMotionOptions motion;
   vision::VideoDepthOptions depth;
+  FilmedModelOptions model;
   sculpt::FusionOptions fusion;
   FieldRecipe field;
 };
@@ -50,12 +53,16 @@ struct VideoReconstruction {
   double reprojection_rms_px = 0.0;
 };
 
-/// Makes a field from a video: points are tracked, the camera's poses are estimated
-/// (vision::motion_from_tracks()), and the depth of frames is computed and fused. The plane on which most of
-/// the scene stands becomes the base; its upward direction points to the user. Frames in order, all of the
+/// All parameters of a video, those of the field apart.
+std::vector<Parameter> parameters_of(VideoRecipe& recipe);
+
+/// The field of what a video shows: blurred frames and copies are left out, points are followed, or matched
+/// where the pictures were taken too far apart, the camera's path is found
+/// (vision::motion_from_tracks()), the depth of frames along it is computed and fused. The plane on which
+/// most of it stands becomes the base, its upward direction points to the person. Frames in order, all of the
 /// camera's size. Long work. Errors: as vision::motion_from_tracks(), vision::depth_of_video(),
 /// sculpt::fused_depth() and field_from_level_set().
-Result<MadeScene> field_from_video(const std::vector<FilmedFrame>& frames, const vision::VideoCamera& camera,
+Result<MadeScene> field_from_video(const std::vector<VideoFrame>& frames, const vision::VideoCamera& camera,
                                    const VideoRecipe& recipe, const Work& work);
 
 }  // namespace palpable::recipes

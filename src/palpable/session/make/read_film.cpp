@@ -48,10 +48,7 @@ Result<ReadInput> read_film(const sources::Input& input, const InputOptions& opt
   std::vector<Note> notes = input.notes;
   const auto camera = camera_of(*video, options.calibration, notes);
   if (!camera) return camera.error();
-  ReadInput out{Film{{}, *camera}, std::move(notes)};
-  auto& frames = std::get<Film>(out.values).frames;
-  for (sources::VideoFrame& frame : video->frames) frames.push_back({frame.number, std::move(frame.picture)});
-  return out;
+  return ReadInput{Film{std::move(video->frames), *camera}, std::move(notes)};
 }
 
 }  // namespace palpable::session

@@ -7,6 +7,7 @@
 #include "palpable/core/note.hpp"
 #include "palpable/core/point_cloud.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/video_frame.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/models/scene/scene.hpp"
@@ -49,7 +50,7 @@ struct InputOptions {
 
 /// The frames of a video, and its camera.
 struct Film {
-  std::vector<recipes::FilmedFrame> frames;
+  std::vector<VideoFrame> frames;
   vision::VideoCamera camera;
 };
 

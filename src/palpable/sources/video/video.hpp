@@ -2,18 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
-#include "palpable/core/raster.hpp"
+#include "palpable/core/video_frame.hpp"
 
 #include <vector>
 
 namespace palpable::sources {
-
-struct VideoFrame {
-  /// Number in the file, counted from 0; frames may be omitted.
-  int number = 0;
-  Raster<Rgb8> picture;
-};
 
 /// Frames of a video or a folder of pictures, upright, all of one size.
 struct Video {

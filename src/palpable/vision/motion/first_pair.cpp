@@ -97,7 +97,7 @@ Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::spa
       if (work.cancelled()) return Work::interrupted();
       const CommonPlaces places = common_places(tracks, keyframes[static_cast<std::size_t>(a)],
                                                 keyframes[static_cast<std::size_t>(b)]);
-      if (static_cast<int>(places.first.size()) < 2 * options.least_points) break;
+      if (static_cast<int>(places.first.size()) < 2 * options.least_points) continue;
       auto pair = relative_pose(places, camera, options);
       if (!pair || pair->points <= best.points) continue;
       pair->first = a, pair->second = b;

@@ -7,7 +7,9 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,14 +21,21 @@ struct ImagePoint {
   bool operator==(const ImagePoint&) const = default;
 };
 
-/// A scene point that is tracked through consecutive frames.
+/// The place of a point in a frame that does not show it.
+inline constexpr ImagePoint kNotSeen{std::numeric_limits<double>::quiet_NaN(),
+                                     std::numeric_limits<double>::quiet_NaN()};
+
+/// A point of the scene and where frames show it.
 struct PointTrack {
   int first_frame = 0;
-  /// Its positions in first_frame, first_frame + 1, …
+  /// Its place in first_frame, first_frame + 1, …; kNotSeen in frames between that do not show it.
   std::vector<ImagePoint> places;
 
   int end_frame() const { return first_frame + static_cast<int>(places.size()); }
-  bool in_frame(int frame) const { return frame >= first_frame && frame < end_frame(); }
+  bool in_frame(int frame) const {
+    return frame >= first_frame && frame < end_frame() && !std::isnan(in(frame).x);
+  }
+  /// `frame` from first_frame to before end_frame().
   ImagePoint in(int frame) const { return places[static_cast<std::size_t>(frame - first_frame)]; }
 };
 

@@ -18,6 +18,9 @@ auto& at(T& values, int index) {
   return values[static_cast<std::size_t>(index)];
 }
 
+// So often a keyframe is added again after its pose lost its points.
+constexpr int kMostAttempts = 8;
+
 }  // namespace
 
 Reconstruction::Reconstruction(std::span<const PointTrack> tracks, std::vector<int> frames,
@@ -28,6 +31,7 @@ Reconstruction::Reconstruction(std::span<const PointTrack> tracks, std::vector<i
       focal_length_known_(camera.focal_length_known),
       options_(options),
       poses_(frames_.size()),
+      attempts_(frames_.size(), 0),
       points_(tracks.size()) {}
 
 void Reconstruction::begin(const FirstPair& pair, const Work& work) {
@@ -47,7 +51,7 @@ std::vector<std::size_t> Reconstruction::seen_points(int frame) const {
 int Reconstruction::next_keyframe() const {
   int best = -1, most = options_.least_points - 1;
   for (int k = 0; k < static_cast<int>(frames_.size()); ++k) {
-    if (at(poses_, k) || refused_.contains(k)) continue;
+    if (at(poses_, k) || refused_.contains(k) || at(attempts_, k) >= kMostAttempts) continue;
     const int seen = static_cast<int>(seen_points(at(frames_, k)).size());
     if (seen > most) most = seen, best = k;
   }
@@ -63,6 +67,7 @@ const BundlePose* Reconstruction::nearest_pose(int index) const {
 }
 
 bool Reconstruction::add_keyframe(int index) {
+  ++at(attempts_, index);
   const auto pose = pose_from_points(at(frames_, index), nearest_pose(index));
   if (!pose) {
     refused_.insert(index);
@@ -82,19 +87,36 @@ std::optional<BundlePose> Reconstruction::pose_from_points(int frame, const Bund
   }
   if (static_cast<int>(points.size()) < options_.least_points) return std::nullopt;
   const cv::Matx33d k(camera_.fx, 0, camera_.cx, 0, camera_.fy, camera_.cy, 0, 0, 1);
-  cv::Mat rotation, translation, inliers;
-  if (guess != nullptr) {
-    rotation = (cv::Mat_<double>(3, 1) << (*guess)[0], (*guess)[1], (*guess)[2]);
-    translation = (cv::Mat_<double>(3, 1) << (*guess)[3], (*guess)[4], (*guess)[5]);
+  const auto posed = [&](bool by_guess) -> std::optional<BundlePose> {
+    cv::Mat rotation, translation, inliers;
+    if (by_guess) {
+      rotation = (cv::Mat_<double>(3, 1) << (*guess)[0], (*guess)[1], (*guess)[2]);
+      translation = (cv::Mat_<double>(3, 1) << (*guess)[3], (*guess)[4], (*guess)[5]);
+    }
+    const bool found = cv::solvePnPRansac(points, places, k, cv::noArray(), rotation, translation, by_guess,
+                                          200, static_cast<float>(2 * options_.outlier_px), 0.999, inliers);
+    if (!found || inliers.rows < options_.least_points || 2 * inliers.rows < static_cast<int>(points.size()))
+      return std::nullopt;
+    BundlePose out{};
+    for (int i = 0; i < 3; ++i)
+      at(out, i) = rotation.at<double>(i), at(out, 3 + i) = translation.at<double>(i);
+    return out;
+  };
+  // A neighbour's pose is no guess where pictures were taken far apart.
+  auto out = guess != nullptr ? posed(true) : std::nullopt;
+  return out ? out : posed(false);
+}
+
+void Reconstruction::drop_unsupported_poses() {
+  for (std::size_t k = 0; k < frames_.size(); ++k) {
+    if (!poses_[k]) continue;
+    const std::vector<std::size_t> seen = seen_points(frames_[k]);
+    const auto good = std::count_if(seen.begin(), seen.end(), [&](std::size_t i) {
+      return projection_error_px(camera_, *poses_[k], *points_[i], tracks_[i].in(frames_[k])) <=
+             options_.outlier_px;
+    });
+    if (good < options_.least_points) poses_[k] = std::nullopt;
   }
-  const bool found =
-      cv::solvePnPRansac(points, places, k, cv::noArray(), rotation, translation, guess != nullptr, 200,
-                         static_cast<float>(2 * options_.outlier_px), 0.999, inliers);
-  if (!found || inliers.rows < options_.least_points || 2 * inliers.rows < static_cast<int>(points.size()))
-    return std::nullopt;
-  BundlePose out{};
-  for (int i = 0; i < 3; ++i) at(out, i) = rotation.at<double>(i), at(out, 3 + i) = translation.at<double>(i);
-  return out;
 }
 
 std::vector<PosedSighting> Reconstruction::sightings_of(std::size_t track) const {
@@ -146,6 +168,7 @@ void Reconstruction::refine(int iterations, const Work& work) {
     auto& point = points_[point_tracks[p]];
     point = worst[p] <= options_.outlier_px ? std::optional(bundle.points[p]) : std::nullopt;
   }
+  drop_unsupported_poses();
 }
 
 void Reconstruction::add_all_frames(int frame_count, const Work& work) {
@@ -159,6 +182,7 @@ void Reconstruction::add_all_frames(int frame_count, const Work& work) {
   }
   frames_ = std::move(all);
   poses_ = std::move(poses);
+  attempts_.assign(frames_.size(), 0);
 }
 
 CameraMotion Reconstruction::result() const {

@@ -29,7 +29,7 @@ class Reconstruction {
   bool add_keyframe(int index);
   /// Triangulates the tracks that enough frames with poses observe.
   void triangulate_all();
-  /// Refines everything and removes points with large errors.
+  /// Refines everything, removes points with large errors, and poses that too few points are left for.
   void refine(int iterations, const Work& work);
   /// Computes the pose of every frame, not only of keyframes, from the points that it observes.
   void add_all_frames(int frame_count, const Work& work);
@@ -37,6 +37,7 @@ class Reconstruction {
   CameraMotion result() const;
 
  private:
+  void drop_unsupported_poses();
   std::vector<std::size_t> seen_points(int frame) const;
   const BundlePose* nearest_pose(int index) const;
   std::optional<BundlePose> pose_from_points(int frame, const BundlePose* guess) const;
@@ -48,6 +49,8 @@ class Reconstruction {
   bool focal_length_known_ = true;
   BatchMotionOptions options_;
   std::vector<std::optional<BundlePose>> poses_;
+  /// How often each keyframe was tried.
+  std::vector<int> attempts_;
   std::vector<std::optional<std::array<double, 3>>> points_;
   std::set<int> refused_;
 };

@@ -1,0 +1,124 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/recipes/filmed_model.hpp"
+
+#include "palpable/core/quantile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace palpable::recipes {
+namespace {
+
+using vision::FrameDepth;
+
+Point<WorldFrame> seen_at(const FrameDepth& depth, int x, int y) {
+  const Pinhole& camera = *depth.map.depth.camera;
+  const double z = static_cast<double>(depth.map.depth.depth_m(x, y));
+  return depth.map.pose *
+         Point<CameraFrame>{{(x - camera.cx) / camera.fx * z, (y - camera.cy) / camera.fy * z, z}};
+}
+
+PointCloud structure_of(std::span<const FrameDepth> maps, int step) {
+  PointCloud out;
+  for (const FrameDepth& map : maps)
+    for (int y = 0; y < map.map.depth.depth_m.height(); y += step)
+      for (int x = 0; x < map.map.depth.depth_m.width(); x += step)
+        if (map.map.depth.depth_m(x, y) > 0) out.places_m.push_back(seen_at(map, x, y).v);
+  return out;
+}
+
+// The middle of the narrowest interval with that share of the heights.
+double table_height(std::vector<double> heights, double share) {
+  std::sort(heights.begin(), heights.end());
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(heights.size()));
+  std::size_t best = 0;
+  for (std::size_t i = 0; i + count < heights.size(); ++i)
+    if (heights[i + count] - heights[i] < heights[best + count] - heights[best]) best = i;
+  return heights[best + count / 2];
+}
+
+std::vector<Vec3> raised_of(const std::vector<Vec3>& places, double table,
+                            const FilmedModelOptions& options) {
+  constexpr double kHardlyAny = 0.01;
+  std::vector<double> across;
+  for (const Vec3& p : places) across.push_back(p.x);
+  const double extent = quantile_of(across, 0.95) - quantile_of(across, 0.05);
+  std::vector<Vec3> out;
+  std::copy_if(places.begin(), places.end(), std::back_inserter(out),
+               [&](const Vec3& p) { return p.z > table + options.least_rise * extent; });
+  return static_cast<double>(out.size()) < kHardlyAny * static_cast<double>(places.size()) ? places : out;
+}
+
+bool inside(const Vec3& p, const FilmedModel& model) {
+  return p.x >= model.least.x && p.x <= model.most.x && p.y >= model.least.y && p.y <= model.most.y &&
+         p.z >= model.least.z && p.z <= model.most.z;
+}
+
+struct Interval {
+  double least = 0.0, most = 0.0;
+};
+Interval with_margin(std::vector<double> values, double below, double above, double margin) {
+  const double least = quantile_of(values, below), most = quantile_of(values, 1 - above);
+  return {least - margin * (most - least), most + margin * (most - least)};
+}
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(FilmedModelOptions& o) {
+  return {{"structure_step_px",
+           &o.structure_step_px,
+           {1, 64},
+           "px",
+           "Spacing of structure points in each depth map"},
+          {"outliers", &o.outliers, {0, 0.2}, "", "Share of points at each end that count as outliers"},
+          {"margin", &o.margin, {0, 2}, "", "Margin around the model, share of its extent"},
+          {"least_rise",
+           &o.least_rise,
+           {0.001, 0.5},
+           "",
+           "Height of the model above the table, share of the extent"},
+          {"table_share", &o.table_share, {0.05, 0.9}, "", "Share of the points that lie on the table"}};
+}
+
+FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOptions& options,
+                         std::uint64_t seed) {
+  FilmedModel out;
+  out.structure = structure_of(maps, options.structure_step_px);
+  if (out.structure.places_m.empty()) return out;
+  std::vector<vision::CameraPose> poses;
+  for (const FrameDepth& map : maps) poses.push_back(map.map.pose);
+  out.axes = table_axes(out.structure, poses, seed);
+  std::vector<Vec3> places;
+  std::vector<double> heights;
+  for (const Vec3& place : out.structure.places_m) {
+    places.push_back(out.axes.rotate({place}).v);
+    heights.push_back(places.back().z);
+  }
+  out.table_height = table_height(std::move(heights), options.table_share);
+  out.raised = raised_of(places, out.table_height, options);
+  std::array<std::vector<double>, 2> across;
+  for (const Vec3& p : out.raised) across[0].push_back(p.x), across[1].push_back(p.y);
+  const Interval x = with_margin(std::move(across[0]), options.outliers, options.outliers, options.margin),
+                 y = with_margin(std::move(across[1]), options.outliers, options.outliers, options.margin);
+  std::vector<double> up;
+  for (const Vec3& p : places)
+    if (p.x >= x.least && p.x <= x.most && p.y >= y.least && p.y <= y.most) up.push_back(p.z);
+  // Fewer outliers lie above the model than below the table.
+  const Interval z = with_margin(std::move(up), options.outliers / 2, options.outliers / 10, options.margin);
+  out.least = {x.least, y.least, z.least}, out.most = {x.most, y.most, z.most};
+  std::erase_if(out.raised, [&](const Vec3& p) { return !inside(p, out); });
+  return out;
+}
+
+void crop(std::span<FrameDepth> maps, const FilmedModel& model) {
+  for (FrameDepth& map : maps)
+    for (int y = 0; y < map.map.depth.depth_m.height(); ++y)
+      for (int x = 0; x < map.map.depth.depth_m.width(); ++x) {
+        float& depth = map.map.depth.depth_m(x, y);
+        if (depth > 0 && !inside(model.axes.rotate(seen_at(map, x, y)).v, model)) depth = kUnknownDepth;
+      }
+}
+
+}  // namespace palpable::recipes

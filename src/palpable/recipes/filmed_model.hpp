@@ -1,0 +1,50 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/point_cloud.hpp"
+#include "palpable/recipes/table_axes.hpp"
+#include "palpable/vision/motion/video_depth.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace palpable::recipes {
+
+/// Which part of what a film shows is the model.
+struct FilmedModelOptions {
+  /// Structure points are taken from each depth map at this spacing, px, 1 … 64.
+  int structure_step_px = 4;
+  /// Share of the points at each end of the model's extent that count as outliers, 0 … 0.2.
+  double outliers = 0.01;
+  /// Margin around the model, share of its extent, 0 … 2.
+  double margin = 0.15;
+  /// Points so far above the table, as a share of its extent, belong to the model, 0.001 … 0.5.
+  double least_rise = 0.02;
+  /// The table is the narrowest interval of heights with this share of the points, 0.05 … 0.9.
+  double table_share = 0.3;
+};
+std::vector<Parameter> parameters_of(FilmedModelOptions& options);
+
+/// A model on a table, in the table's axes (table_axes.hpp), in the unit of the poses.
+struct FilmedModel {
+  TableAxes axes;
+  /// Points on all surfaces that were seen, in the poses' world.
+  PointCloud structure;
+  double table_height = 0.0;
+  /// The box of the model and of the table around it.
+  Vec3 least, most;
+  /// Points of the model inside the box, above the table; all points where hardly anything rises above it.
+  std::vector<Vec3> raised;
+};
+
+/// Finds the table and the model on it. Empty structure where the maps know nothing.
+FilmedModel filmed_model(std::span<const vision::FrameDepth> maps, const FilmedModelOptions& options,
+                         std::uint64_t seed);
+
+/// Depths outside the model's box become unknown.
+void crop(std::span<vision::FrameDepth> maps, const FilmedModel& model);
+
+}  // namespace palpable::recipes
