@@ -56,6 +56,8 @@ struct MakeArguments {
   bool dense = false;
   bool no_cache = false;
   std::string poses;
+  /// The last frame of a video that is used.
+  std::optional<int> until;
   bool paper = false;
   std::string background = "keep";
   std::string texture = "left";

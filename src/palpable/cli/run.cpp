@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <glog/logging.h>
 #include <unistd.h>
 
 namespace palpable::cli {
@@ -264,6 +265,8 @@ static void keep_standard_streams() {
 
 int run(int argc, char** argv) {
   keep_standard_streams();
+  // Ceres logs warnings that nobody can act on to the terminal.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   try {
     return parse_and_run(argc, argv);
   } catch (const std::bad_alloc&) {

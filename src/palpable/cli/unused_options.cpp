@@ -53,6 +53,7 @@ const std::vector<Effect>& effects() {
                                          {"--calibration", seen_or_filmed, all},
                                          {"--structure", film, all},
                                          {"--depth-dir", film, all},
+                                         {"--until", film, all},
                                          {"--method", pair, all},
                                          {"--max-disparity", pair, all},
                                          {"--rectify", pair, all},

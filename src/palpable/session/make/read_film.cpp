@@ -5,6 +5,7 @@
 #include "palpable/session/make/places.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
 #include "palpable/sources/video/read_video.hpp"
+#include "palpable/vision/rectification/undistortion.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,30 +14,39 @@
 namespace palpable::session {
 namespace {
 
-// A field of view of 62 degrees along the longer side, as in most phones.
-vision::VideoCamera usual_camera(int width, int height) {
-  constexpr double kOfLongerSide = 0.83;
-  const double focal_length = kOfLongerSide * std::max(width, height);
+// The focal length is refined from the video. It begins with the one that the pictures state, or a field of
+// view of 62 degrees across the longer side, as most phones have it.
+vision::VideoCamera unknown_camera(const sources::Video& video, std::vector<Note>& notes) {
+  constexpr double kUsual = 0.83, kFilmWidth_mm = 36.0;
+  const int width = video.frames.front().picture.width(), height = video.frames.front().picture.height();
+  const bool stated = video.focal_length_35mm.has_value();
+  const double of_longer_side = stated ? *video.focal_length_35mm / kFilmWidth_mm : kUsual;
+  notes.emplace_back(stated ? "The camera's focal length was taken from the pictures and refined."
+                            : "The camera's focal length is not given: it was estimated from the video.",
+                     Reason::needs_calibration);
+  const double focal_length = of_longer_side * std::max(width, height);
   return {{focal_length, focal_length, (width - 1) / 2.0, (height - 1) / 2.0, width, height}, false};
 }
 
-Result<vision::VideoCamera> camera_of(const sources::Video& video, const std::filesystem::path& calibration,
-                                      std::vector<Note>& notes) {
-  const int width = video.frames.front().picture.width(), height = video.frames.front().picture.height();
-  if (calibration.empty()) {
-    notes.emplace_back("The camera's focal length is not given: it was estimated from the video.",
-                       Reason::needs_calibration);
-    return usual_camera(width, height);
-  }
+// Removes the distortion that the calibration states.
+Result<void> straighten(sources::Video& video, const sources::CameraModel& camera, const Work& work) {
+  const auto& bend = camera.distortion;
+  if (std::all_of(bend.begin(), bend.end(), [](double k) { return k == 0.0; })) return {};
+  std::vector<Raster<Rgb8>*> pictures;
+  for (VideoFrame& frame : video.frames) pictures.push_back(&frame.picture);
+  return vision::undistort(pictures, {camera.matrix, bend}, work);
+}
+
+Result<vision::VideoCamera> camera_of(sources::Video& video, const std::filesystem::path& calibration,
+                                      std::vector<Note>& notes, const Work& work) {
+  if (calibration.empty()) return unknown_camera(video, notes);
   const auto read = sources::read_calibration(calibration);
   if (!read) return read.error();
-  // The frames may have been reduced.
-  const auto fitting = sources::calibration_for(*read, width, height);
+  // The frames may be smaller than those in the file.
+  const auto& first = video.frames.front().picture;
+  const auto fitting = sources::calibration_for(*read, first.width(), first.height());
   if (!fitting) return at_place(fitting.error(), calibration.string());
-  const auto& bend = fitting->left.distortion;
-  if (std::any_of(bend.begin(), bend.end(), [](double k) { return k != 0.0; }))
-    notes.emplace_back(
-        "The lens's distortion, which the calibration states, is not corrected in videos yet.");
+  if (auto straight = straighten(video, fitting->left, work); !straight) return straight.error();
   return vision::VideoCamera{sources::pinhole_of(fitting->left), true};
 }
 
@@ -46,7 +56,7 @@ Result<ReadInput> read_film(const sources::Input& input, const InputOptions& opt
   auto video = sources::read_video(input.files, work);
   if (!video) return video.error();
   std::vector<Note> notes = input.notes;
-  const auto camera = camera_of(*video, options.calibration, notes);
+  const auto camera = camera_of(*video, options.calibration, notes, work);
   if (!camera) return camera.error();
   return ReadInput{Film{std::move(video->frames), *camera}, std::move(notes)};
 }

@@ -11,6 +11,8 @@ namespace palpable::sources {
 namespace {
 
 constexpr std::uint16_t kOrientationTag = 0x0112;
+constexpr std::uint16_t kExifTag = 0x8769;
+constexpr std::uint16_t kFocalLength35Tag = 0xA405;
 constexpr std::uint16_t kShort = 3;
 
 std::optional<std::endian> tiff_order(std::span<const std::byte> tiff) {
@@ -59,6 +61,13 @@ std::span<const std::byte> exif_of_webp(std::span<const std::byte> webp) {
   return {};
 }
 
+std::span<const std::byte> exif_of(std::span<const std::byte> file) {
+  if (has_magic(file, "\xFF\xD8")) return exif_of_jpeg(file);
+  if (has_magic(file, "\x89PNG")) return exif_of_png(file);
+  if (has_magic(file, "RIFF")) return exif_of_webp(file);
+  return file;
+}
+
 }  // namespace
 
 std::uint32_t visit_first_ifd(std::span<const std::byte> tiff,
@@ -67,7 +76,16 @@ std::uint32_t visit_first_ifd(std::span<const std::byte> tiff,
   if (!order) return 0;
   ByteReader reader(tiff, *order);
   reader.skip(4);
-  reader.seek(reader.u32());
+  const std::uint32_t first = reader.u32();
+  return reader.ok() ? visit_ifd(tiff, first, visit) : 0;
+}
+
+std::uint32_t visit_ifd(std::span<const std::byte> tiff, std::uint32_t at,
+                        const std::function<void(const IfdEntry&)>& visit) {
+  const auto order = tiff_order(tiff);
+  if (!order) return 0;
+  ByteReader reader(tiff, *order);
+  reader.seek(at);
   const std::uint16_t count = reader.u16();
   for (std::uint16_t i = 0; i < count && reader.ok(); ++i) {
     IfdEntry entry;
@@ -103,21 +121,25 @@ void visit_jpeg_segments(std::span<const std::byte> jpeg,
 }
 
 int orientation_of(std::span<const std::byte> file) {
-  std::span<const std::byte> tiff;
-  if (has_magic(file, "\xFF\xD8"))
-    tiff = exif_of_jpeg(file);
-  else if (has_magic(file, "\x89PNG"))
-    tiff = exif_of_png(file);
-  else if (has_magic(file, "RIFF"))
-    tiff = exif_of_webp(file);
-  else
-    tiff = file;
   int orientation = 1;
-  visit_first_ifd(tiff, [&orientation](const IfdEntry& entry) {
+  visit_first_ifd(exif_of(file), [&orientation](const IfdEntry& entry) {
     if (entry.tag == kOrientationTag && entry.value >= 1 && entry.value <= 8)
       orientation = static_cast<int>(entry.value);
   });
   return orientation;
+}
+
+std::optional<double> focal_length_35mm(std::span<const std::byte> file) {
+  const auto tiff = exif_of(file);
+  std::uint32_t more = 0, focal_length = 0;
+  visit_first_ifd(tiff, [&more](const IfdEntry& entry) {
+    if (entry.tag == kExifTag) more = entry.value;
+  });
+  if (more != 0)
+    visit_ifd(tiff, more, [&focal_length](const IfdEntry& entry) {
+      if (entry.tag == kFocalLength35Tag && entry.type == kShort) focal_length = entry.value;
+    });
+  return focal_length > 0 ? std::optional<double>(focal_length) : std::nullopt;
 }
 
 Image upright(Image image, int orientation) {

@@ -26,6 +26,10 @@ struct IfdEntry {
 std::uint32_t visit_first_ifd(std::span<const std::byte> tiff,
                               const std::function<void(const IfdEntry&)>& visit);
 
+/// The same for the directory that begins at `at` bytes of the block.
+std::uint32_t visit_ifd(std::span<const std::byte> tiff, std::uint32_t at,
+                        const std::function<void(const IfdEntry&)>& visit);
+
 /// Calls `visit` for each APPn segment before the picture data of a JPEG: the marker (0xE0 … 0xEF) and its
 /// content.
 void visit_jpeg_segments(std::span<const std::byte> jpeg,
@@ -34,7 +38,10 @@ void visit_jpeg_segments(std::span<const std::byte> jpeg,
 /// The EXIF orientation, 1 … 8, of a JPEG, PNG, WebP or TIFF file; 1 if it states none.
 int orientation_of(std::span<const std::byte> file);
 
-/// Rotates and mirrors a picture so that it is upright. `orientation` as EXIF defines it: 1 … 8.
+/// The focal length that the file states for a film of 36 x 24 mm, mm; nullopt where it states none.
+std::optional<double> focal_length_35mm(std::span<const std::byte> file);
+
+/// Turns and mirrors a picture so that it stands upright. `orientation` as EXIF defines it: 1 … 8.
 Image upright(Image image, int orientation);
 
 }  // namespace palpable::sources

@@ -3,6 +3,7 @@
 #include "palpable/sources/video/read_video.hpp"
 
 #include "palpable/core/read_file.hpp"
+#include "palpable/sources/picture/exif.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/video/video_reply.hpp"
 
@@ -33,7 +34,10 @@ Result<Video> read_pictures(std::span<const std::filesystem::path> files, const 
     work.report(static_cast<double>(i) / static_cast<double>(files.size()), "reading the pictures");
     const auto image = read_picture(files[i]);
     if (!image) return image.error();
-    if (i == 0) video.full_width = image->width, video.full_height = image->height;
+    if (i == 0) {
+      video.full_width = image->width, video.full_height = image->height;
+      if (const auto bytes = read_file(files[i])) video.focal_length_35mm = focal_length_35mm(*bytes);
+    }
     if (image->width != video.full_width || image->height != video.full_height)
       return invalid_input(
           "has another size than the pictures before it; one camera takes pictures of one size",

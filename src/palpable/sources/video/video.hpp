@@ -4,6 +4,7 @@
 
 #include "palpable/core/video_frame.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace palpable::sources {
@@ -14,6 +15,8 @@ struct Video {
   /// Size of a frame in the file, upright; the frames here may be smaller.
   int full_width = 0;
   int full_height = 0;
+  /// As the first picture of a folder states it, for a film of 36 x 24 mm.
+  std::optional<double> focal_length_35mm = std::nullopt;
 };
 
 /// Longest side of a frame, px; larger frames are reduced.
