@@ -127,6 +127,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.text("--poses", arguments.poses,
                "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz; a video: "
                "written there");
+  options.choice(
+      "--surface", arguments.surface, {"fused", "superquadrics", "corrected"},
+      "A video: the depth maps fused, superquadrics alone, or superquadrics corrected by the maps");
   options.integer("--until", arguments.until, {1, 1e9}, "A video: frames after this one are not used");
   options.flag("--no-cache", arguments.no_cache,
                "Do not take a mesh's field from the cache, where it is kept after it was made "
@@ -312,6 +315,9 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.recipes.grid.occupancy.resolution = arguments.grid_points;
   if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
   options.recipes.video.until = arguments.until;
+  if (arguments.surface == "superquadrics")
+    options.recipes.video.surface = recipes::VideoSurface::superquadrics;
+  if (arguments.surface == "corrected") options.recipes.video.surface = recipes::VideoSurface::corrected;
   options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
   options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);

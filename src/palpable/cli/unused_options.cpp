@@ -54,6 +54,7 @@ const std::vector<Effect>& effects() {
                                          {"--structure", film, all},
                                          {"--depth-dir", film, all},
                                          {"--until", film, all},
+                                         {"--surface", film, all},
                                          {"--method", pair, all},
                                          {"--max-disparity", pair, all},
                                          {"--rectify", pair, all},

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/video_recipe.hpp"
 
+#include "palpable/core/quantile.hpp"
+#include "palpable/recipes/correct_scene.hpp"
 #include "palpable/recipes/fused_depth_recipe.hpp"
 #include "palpable/vision/image/luma.hpp"
 
@@ -84,6 +86,62 @@ VideoReconstruction reconstruction_of(const Frames& frames, const CameraMotion& 
   return out;
 }
 
+FieldRecipe placed_for_a_hand(const VideoRecipe& recipe) {
+  FieldRecipe field = recipe.field;
+  field.placement.default_size = sculpt::DefaultSize::for_a_hand;
+  field.placement.convention = {AxisDirection::plus_z, LengthUnit::unknown};
+  if (field.placement.lay == sculpt::Lay::automatic) field.placement.lay = sculpt::Lay::flat;
+  return field;
+}
+
+Result<MadeScene> fused_field(const FilmedModel& model, const std::vector<FrameDepth>& maps,
+                              const VideoRecipe& recipe, const Work& work) {
+  std::vector<sculpt::DepthView> views;
+  for (const FrameDepth& map : maps) views.push_back({&map.map.depth, model.axes.scene_from(map.map.pose)});
+  return field_from_views(views, {recipe.fusion, placed_for_a_hand(recipe)}, "video", work);
+}
+
+// The median distance of the model's points from the field's surface, metres of the scene.
+double distance_from(const models::Scene& scene, const FilmedModel& model) {
+  const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
+  if (field == nullptr || model.raised.empty()) return 0.0;
+  std::vector<double> distances;
+  for (const Vec3& p : model.raised)
+    distances.push_back(std::abs(
+        (*field)->distance.sample((scene.scene_from_input * Point<models::InputFrame>{p}).v).distance_m));
+  return quantile_of(distances, 0.5);
+}
+
+Result<MadeScene> field_of_shapes(const FilmedModel& model, const std::vector<FrameDepth>& maps,
+                                  const VideoRecipe& recipe, const Work& work) {
+  work.report(0.0, "fitting superquadrics");
+  auto shapes = shapes_of_model(model, recipe.shapes, work);
+  if (!shapes) return shapes.error();
+  const std::size_t count = shapes->shapes.size() - 1;
+  auto made = field_from_superquadrics(std::move(shapes->shapes), placed_for_a_hand(recipe), work);
+  if (!made) return made;
+  const double before = distance_from(made->scene, model);
+  made->notes.insert(
+      made->notes.begin(),
+      Note(fmt::format(
+          "{} objects on the table became {} superquadrics, {:.2f} mm from the measured points (median).",
+          shapes->objects, count, 1000 * before)));
+  if (recipe.surface == VideoSurface::superquadrics) return made;
+  constexpr int kStep_px = 3;
+  constexpr double kGreatestStep = 0.015;
+  std::vector<Mesh> measured;
+  for (const FrameDepth& map : maps)
+    if (Mesh mesh = measured_surface(map, model.axes, kStep_px, kGreatestStep); !mesh.triangles.empty())
+      measured.push_back(std::move(mesh));
+  auto corrected = correct_scene(made->scene, std::move(measured), recipe.correction, work);
+  if (!corrected) return corrected.error();
+  corrected->made.notes.insert(corrected->made.notes.begin(), made->notes.begin(), made->notes.end());
+  corrected->made.notes.emplace_back(fmt::format(
+      "Corrected by {} depth maps, the field's surface is {:.2f} mm from the measured points (median).",
+      maps.size(), 1000 * distance_from(corrected->made.scene, model)));
+  return std::move(corrected->made);
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
@@ -94,6 +152,8 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
   append_parameters(out, "motion", vision::parameters_of(recipe.motion));
   append_parameters(out, "depth", vision::parameters_of(recipe.depth));
   append_parameters(out, "model", parameters_of(recipe.model));
+  append_parameters(out, "shapes", parameters_of(recipe.shapes));
+  append_parameters(out, "correction", sculpt::parameters_of(recipe.correction));
   return out;
 }
 
@@ -118,13 +178,8 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
                  Reason::unspecified};
   VideoReconstruction reconstruction = reconstruction_of(*frames, *motion, *maps, model.structure);
   crop(*maps, model);
-  std::vector<sculpt::DepthView> views;
-  for (const FrameDepth& map : *maps) views.push_back({&map.map.depth, model.axes.scene_from(map.map.pose)});
-  FieldRecipe field = recipe.field;
-  field.placement.default_size = sculpt::DefaultSize::for_a_hand;
-  field.placement.convention = {AxisDirection::plus_z, LengthUnit::unknown};
-  if (field.placement.lay == sculpt::Lay::automatic) field.placement.lay = sculpt::Lay::flat;
-  auto made = field_from_views(views, {recipe.fusion, field}, "video", work);
+  auto made = recipe.surface == VideoSurface::fused ? fused_field(model, *maps, recipe, work)
+                                                    : field_of_shapes(model, *maps, recipe, work);
   if (!made) return made.error();
   made->notes.insert(made->notes.begin(), frames->notes.begin(), frames->notes.end());
   made->notes.insert(

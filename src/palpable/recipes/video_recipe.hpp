@@ -10,6 +10,8 @@
 #include "palpable/recipes/field_recipe.hpp"
 #include "palpable/recipes/filmed_model.hpp"
 #include "palpable/recipes/made_scene.hpp"
+#include "palpable/recipes/model_shapes.hpp"
+#include "palpable/sculpt/correction/surface_correction.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
 #include "palpable/vision/motion/frame_choice.hpp"
 #include "palpable/vision/motion/photo_tracks.hpp"
@@ -20,8 +22,19 @@
 
 namespace palpable::recipes {
 
+/// What a video's field is made of.
+enum class VideoSurface {
+  /// The depth maps, fused.
+  fused,
+  /// Superquadrics that were fitted to the points (shapes_of_model()).
+  superquadrics,
+  /// Superquadrics, corrected by each depth map in turn (Moustakas et al. 2007).
+  corrected
+};
+
 /// How a video of a model becomes a field.
 struct VideoRecipe {
+  VideoSurface surface = VideoSurface::fused;
   /// Frames after the one of this number are not used; not given: all are.
   std::optional<int> until;
   vision::FrameChoiceOptions frames;
@@ -31,6 +44,9 @@ struct VideoRecipe {
   vision::BatchMotionOptions motion;
   vision::VideoDepthOptions depth;
   FilmedModelOptions model;
+  ModelShapesOptions shapes;
+  /// Lengths are those of the scene.
+  sculpt::CorrectionOptions correction;
   sculpt::FusionOptions fusion;
   FieldRecipe field;
 };

@@ -41,7 +41,7 @@ int orientation_of(std::span<const std::byte> file);
 /// The focal length that the file states for a film of 36 x 24 mm, mm; nullopt where it states none.
 std::optional<double> focal_length_35mm(std::span<const std::byte> file);
 
-/// Turns and mirrors a picture so that it stands upright. `orientation` as EXIF defines it: 1 … 8.
+/// Rotates and mirrors a picture so that it is upright. `orientation` as EXIF defines it: 1 … 8.
 Image upright(Image image, int orientation);
 
 }  // namespace palpable::sources
