@@ -72,7 +72,11 @@ struct LabelledPoints {
 
 // Points of the objects with their feet on the table; the largest objects first, at most 255.
 LabelledPoints objects_of(const FilmedModel& model, double extent, const ModelShapesOptions& options) {
-  Ground ground(model, options.cell_share * extent);
+  // Not so small that cells of an object stay empty.
+  constexpr double kSpacings = 2.5;
+  const double area = (model.most.x - model.least.x) * (model.most.y - model.least.y);
+  const double spacing = std::sqrt(area / std::max(1.0, static_cast<double>(model.raised.size())));
+  Ground ground(model, std::max(options.cell_share * extent, kSpacings * spacing));
   for (const Vec3& p : model.raised) ground.add(p);
   constexpr std::size_t kLeastInCell = 2;
   const std::vector<std::size_t> counts = ground.find_objects(kLeastInCell);

@@ -20,7 +20,7 @@ FilmedModel model_of(const std::vector<Block>& blocks) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0, 1);
   FilmedModel model;
-  model.least = {-1, -1, -0.1}, model.most = {1, 1, 1};
+  model.least = {-0.8, -0.5, -0.1}, model.most = {0.8, 0.5, 1};
   for (const Block& block : blocks)
     for (int i = 0; i < 4000; ++i) {
       const Vec3 size = block.most - block.least;
