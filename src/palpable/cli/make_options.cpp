@@ -315,6 +315,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.recipes.grid.occupancy.resolution = arguments.grid_points;
   if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
   options.recipes.video.until = arguments.until;
+  if (arguments.motion == "filter") options.recipes.video.motion_method = recipes::VideoMotion::filter;
   if (arguments.surface == "superquadrics")
     options.recipes.video.surface = recipes::VideoSurface::superquadrics;
   if (arguments.surface == "corrected") options.recipes.video.surface = recipes::VideoSurface::corrected;

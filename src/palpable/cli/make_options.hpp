@@ -58,6 +58,8 @@ struct MakeArguments {
   std::string poses;
   /// The last frame of a video that is used.
   std::optional<int> until;
+  /// "batch", "filter".
+  std::string motion = "batch";
   /// "fused", "superquadrics", "corrected".
   std::string surface = "fused";
   bool paper = false;

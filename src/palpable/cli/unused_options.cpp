@@ -55,6 +55,7 @@ const std::vector<Effect>& effects() {
                                          {"--depth-dir", film, all},
                                          {"--until", film, all},
                                          {"--surface", film, all},
+                                         {"--motion", film, all},
                                          {"--method", pair, all},
                                          {"--max-disparity", pair, all},
                                          {"--rectify", pair, all},

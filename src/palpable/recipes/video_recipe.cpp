@@ -150,6 +150,7 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
   append_parameters(out, "tracks", vision::parameters_of(recipe.tracks));
   append_parameters(out, "photos", vision::parameters_of(recipe.photos));
   append_parameters(out, "motion", vision::parameters_of(recipe.motion));
+  append_parameters(out, "filter", vision::parameters_of(recipe.filter));
   append_parameters(out, "depth", vision::parameters_of(recipe.depth));
   append_parameters(out, "model", parameters_of(recipe.model));
   append_parameters(out, "shapes", parameters_of(recipe.shapes));
@@ -163,8 +164,10 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   if (!frames) return frames.error();
   const auto tracks = tracks_of(*frames, recipe, work);
   if (!tracks) return tracks.error();
-  const auto motion = vision::motion_from_tracks(*tracks, static_cast<int>(frames->greys.size()), camera,
-                                                 recipe.motion, work);
+  const int frame_count = static_cast<int>(frames->greys.size());
+  const auto motion = recipe.motion_method == VideoMotion::filter
+                          ? vision::motion_by_filter(*tracks, frame_count, camera, recipe.filter, work)
+                          : vision::motion_from_tracks(*tracks, frame_count, camera, recipe.motion, work);
   if (!motion) return motion.error();
   std::vector<const Raster<Rgb8>*> pictures;
   for (const VideoFrame* frame : frames->frames) pictures.push_back(&frame->picture);

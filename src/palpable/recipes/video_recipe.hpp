@@ -15,12 +15,21 @@
 #include "palpable/sculpt/points/depth_fusion.hpp"
 #include "palpable/vision/motion/frame_choice.hpp"
 #include "palpable/vision/motion/photo_tracks.hpp"
+#include "palpable/vision/motion/recursive_motion.hpp"
 #include "palpable/vision/motion/video_depth.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace palpable::recipes {
+
+/// How a video's camera path is computed.
+enum class VideoMotion {
+  /// All frames together (vision::motion_from_tracks()).
+  batch,
+  /// Frame by frame, by an extended Kalman filter (vision::motion_by_filter()), as Moustakas et al. 2007.
+  filter
+};
 
 /// What a video's field is made of.
 enum class VideoSurface {
@@ -34,6 +43,7 @@ enum class VideoSurface {
 
 /// How a video of a model becomes a field.
 struct VideoRecipe {
+  VideoMotion motion_method = VideoMotion::batch;
   VideoSurface surface = VideoSurface::fused;
   /// Frames after the one of this number are not used; not given: all are.
   std::optional<int> until;
@@ -42,6 +52,7 @@ struct VideoRecipe {
   /// Of pictures that were taken too far apart to be followed.
   vision::PhotoMatchOptions photos;
   vision::BatchMotionOptions motion;
+  vision::FilterMotionOptions filter;
   vision::VideoDepthOptions depth;
   FilmedModelOptions model;
   ModelShapesOptions shapes;
