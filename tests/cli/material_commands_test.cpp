@@ -56,6 +56,13 @@ TEST_F(Materials, AStiffnessOutOfRangeIsRefusedWithItsRange) {
   }
 }
 
+TEST_F(Materials, APropertyGivenTwiceOrANameThatActsOnATerminalIsRefused) {
+  expect_refused(make({"--material", "0:friction=0.2", "--material", "0:friction=0.4"}), 2,
+                 "friction of label 0 is given more than once");
+  expect_refused(make({"--material", "0:friction=0.2,friction=0.4"}), 2, "more than once");
+  expect_refused(make({"--material", "0:name=a\x1B[31mb"}), 2, "control characters");
+}
+
 TEST_F(Materials, ALabelPictureMustHaveTheAspectRatioButMayHaveAnotherSize) {
   ASSERT_TRUE(formats::write_png(path("wrong.png"), Raster<std::uint8_t>(80, 40, 0)));
   expect_refused(make({"--labels", path("wrong.png")}), 3, "80x40");

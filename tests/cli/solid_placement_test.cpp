@@ -93,6 +93,23 @@ TEST_F(SolidPlacement, AnOpenSheetBecomesAReliefWithAMessage) {
   EXPECT_EQ(make(path("m.obj"), {"--as", "field"}).exit_code, 3);
 }
 
+TEST_F(SolidPlacement, ADeepMeshFillsTheFaceOfAReliefAndIsFlattened) {
+  write_text(path("m.obj"), box_obj(1.0, 2.0, 2.0));
+  const Outcome outcome = make(path("m.obj"), {"--as", "relief"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("its heights were divided by 7.1"));
+  expect_size_mm(50.0, 100.0, 15.0);
+}
+
+TEST_F(SolidPlacement, TheExtentTowardsThePersonIsCalledAsTheSolidLies) {
+  write_text(path("m.obj"), box_obj(1.0, 1.0, 0.5));
+  for (const auto& [lay, word] : {std::pair("upright", "mm deep"), std::pair("flat", "mm high")}) {
+    ASSERT_EQ(make(path("m.obj"), {"--lay", lay}).exit_code, 0);
+    ASSERT_EQ(palpable({"show", path("out.palp"), "-o", path("p.svg")}).exit_code, 0);
+    EXPECT_THAT(read_text(path("p.svg")), HasSubstr(word)) << lay;
+  }
+}
+
 TEST_F(SolidPlacement, ABoxThatFillsItsBoundingBoxIsDrawnFromAllSides) {
   write_text(path("m.obj"), box_obj(1.0, 1.0, 1.0));
   for (const char* size : {"100x100x100", "100x100x50", "30x30x30"}) {

@@ -15,6 +15,8 @@ export class Surface {
     readonly heights: Float32Array,
     readonly width: number,
     readonly depth: number,
+    /** Whether it is a solid that stands upright, y up: the camera is then above its front, not below it. */
+    readonly isUpright = false,
   ) {}
 
   /**

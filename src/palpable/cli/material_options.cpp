@@ -3,6 +3,7 @@
 #include "palpable/cli/material_options.hpp"
 
 #include "palpable/core/number_text.hpp"
+#include "palpable/core/plain_text.hpp"
 #include "palpable/sculpt/relief/texture_tile.hpp"
 #include "palpable/sources/picture/picture.hpp"
 
@@ -10,7 +11,11 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -71,6 +76,7 @@ Result<void> apply_pair(std::string_view pair, models::Material& material) {
   const std::string_view key = pair.substr(0, equals);
   const std::string_view value = pair.substr(equals + 1);
   if (key == "name") {
+    if (has_control_characters(value)) return usage("a material's name holds control characters");
     material.name = value;
     return {};
   }
@@ -86,7 +92,10 @@ Result<void> apply_pair(std::string_view pair, models::Material& material) {
   return {};
 }
 
-Result<void> apply_material(std::string_view text, models::Scene& scene) {
+/// What was set of which label.
+using KeysOfLabels = std::set<std::pair<std::size_t, std::string>>;
+
+Result<void> apply_material(std::string_view text, models::Scene& scene, KeysOfLabels& set_before) {
   const auto colon = text.find(':');
   const auto label = finite_number(text.substr(0, colon));
   if (colon == std::string_view::npos || !label || *label < 0 || *label > 255 || *label != std::floor(*label))
@@ -100,7 +109,10 @@ Result<void> apply_material(std::string_view text, models::Scene& scene) {
   while (!rest.empty()) {
     const auto comma = rest.find(',');
     const std::string_view pair = rest.substr(0, comma);
+    const std::string key(pair.substr(0, pair.find('=')));
     if (auto applied = apply_pair(pair, material); !applied) return applied;
+    if (!set_before.emplace(index, key).second)
+      return usage(fmt::format("{} of label {} is given more than once", key, index));
     sets_static = sets_static || pair.starts_with("friction=");
     sets_dynamic = sets_dynamic || pair.starts_with("sliding=");
     rest = comma == std::string_view::npos ? std::string_view{} : rest.substr(comma + 1);
@@ -108,6 +120,13 @@ Result<void> apply_material(std::string_view text, models::Scene& scene) {
   if (sets_static && !sets_dynamic)
     material.dynamic_friction = models::kDynamicOfStatic * material.static_friction;
   material.dynamic_friction = std::min(material.dynamic_friction, material.static_friction);
+  return {};
+}
+
+Result<void> apply_all(const std::vector<std::string>& materials, models::Scene& scene) {
+  KeysOfLabels set_before;
+  for (const std::string& text : materials)
+    if (auto applied = apply_material(text, scene, set_before); !applied) return applied;
   return {};
 }
 
@@ -155,16 +174,14 @@ void add_material_options(Options& options, MaterialArguments& arguments) {
 Result<void> check_materials(const MaterialArguments& arguments) {
   models::Scene any;
   any.materials.resize(1);
-  for (const std::string& text : arguments.materials)
-    if (auto applied = apply_material(text, any); !applied) return applied;
+  if (auto applied = apply_all(arguments.materials, any); !applied) return applied;
   if (arguments.labels.empty()) return {};
   if (const auto picture = label_picture(arguments.labels); !picture) return picture.error();
   return {};
 }
 
 Result<void> apply_materials(const MaterialArguments& arguments, models::Scene& scene) {
-  for (const std::string& text : arguments.materials)
-    if (auto applied = apply_material(text, scene); !applied) return applied;
+  if (auto applied = apply_all(arguments.materials, scene); !applied) return applied;
   const bool is_grid = std::holds_alternative<std::shared_ptr<const models::Grid>>(scene.model);
   for (const models::Material& m : scene.materials)
     if (m.texture.kind != models::TouchTexture::Kind::none && is_grid)

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -67,6 +69,7 @@ std::vector<Parameter> parameters_of(const ParameterGroup& group, SettableOption
 
 Result<void> set_parameters(std::span<const std::string> given, std::span<const Parameter> known,
                             std::string_view owner) {
+  std::set<std::string> set_before;
   for (const std::string& assignment : given) {
     const auto refused = [&](std::string why) {
       return Error{ErrorCode::usage, std::move(why), "--set " + assignment};
@@ -85,6 +88,7 @@ Result<void> set_parameters(std::span<const std::string> given, std::span<const 
       return refused(fmt::format("there is no parameter {}{}; palpable methods {} lists them", name,
                                  meant ? ", did you mean " + *meant + "?" : "", owner));
     }
+    if (!set_before.insert(name).second) return refused(name + " is given more than once");
     if (const auto set = set_parameter(*parameter, *value); !set)
       return refused(fmt::format("{} {}", name, set.error().message));
   }

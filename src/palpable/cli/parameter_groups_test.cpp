@@ -46,6 +46,10 @@ TEST(ParameterGroups, AreSetByNameWithinTheirRanges) {
   EXPECT_THAT(refusal("field.resolution=many"), HasSubstr("not a number"));
   EXPECT_THAT(refusal("field.resolution"), HasSubstr("NAME=VALUE"));
   EXPECT_EQ(find_group("bogus"), nullptr);
+  const auto twice =
+      set_parameters(std::vector<std::string>{"field.resolution=64", "field.resolution=128"}, known, "field");
+  ASSERT_FALSE(twice);
+  EXPECT_THAT(twice.error().sentence(), HasSubstr("field.resolution is given more than once"));
 }
 
 }  // namespace

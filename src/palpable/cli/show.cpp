@@ -48,8 +48,9 @@ draw::Heading heading_of(const ShowArguments& arguments, const models::Scene& sc
                          const std::string& what) {
   const Vec3 size = models::size_m(scene);
   // Contours lie in a plane.
-  const std::string height =
-      size.z > 0.0 ? fmt::format(", {} high", describe::length(size.z)) : std::string();
+  const std::string height = size.z > 0.0 ? fmt::format(", {} {}", describe::length(size.z),
+                                                        models::is_upright_solid(scene) ? "deep" : "high")
+                                          : std::string();
   const std::string name =
       scene.title.empty() ? std::filesystem::path(arguments.scene).stem().string() : scene.title;
   return {fmt::format("{}: {}", name, what),

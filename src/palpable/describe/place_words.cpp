@@ -38,6 +38,11 @@ std::string surface_at(const models::Scene& scene, double depth, Place place) {
   return fmt::format("{}, {}", spoken_length(depth * at.z_m), slope_words(depth * at.dzdx, depth * at.dzdy));
 }
 
+/// How the coordinate towards the person is called.
+const char* height_name(const models::Scene& scene) {
+  return models::is_upright_solid(scene) ? "towards you" : "height";
+}
+
 std::string where(const models::Scene& scene, Place place) {
   const Vec3 size = models::size_m(scene);
   return fmt::format("{}, {}", region_words(place, size.x, size.y), from_middle_words(place));
@@ -105,8 +110,9 @@ std::string name_at(const models::Scene& scene, Place place) {
 
 std::string position_words(const models::Scene& scene, double depth, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
-  const std::string what =
-      map != nullptr ? capitalised(line_at(*map, place)) : "Height " + surface_at(scene, depth, place);
+  const std::string what = map != nullptr
+                               ? capitalised(line_at(*map, place))
+                               : capitalised(height_name(scene)) + " " + surface_at(scene, depth, place);
   const std::string name = name_at(scene, place);
   return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,
                      name.empty() ? "" : fmt::format(" {}.", capitalised(name)));
@@ -127,8 +133,8 @@ std::string press_words(double press_m) {
 std::string felt_words(const models::Scene& scene, double depth, Place place, double force_N) {
   const double height_m = depth * models::relief_of(scene)->sample(place.x_m, place.y_m).z_m;
   const std::string name = name_at(scene, place);
-  return fmt::format("{}, height {}, force {}{}", where(scene, place), spoken_length(height_m),
-                     spoken_force(force_N), name.empty() ? "" : ", " + name);
+  return fmt::format("{}, {} {}, force {}{}", where(scene, place), height_name(scene),
+                     spoken_length(height_m), spoken_force(force_N), name.empty() ? "" : ", " + name);
 }
 
 }  // namespace palpable::describe

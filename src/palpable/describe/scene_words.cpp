@@ -121,6 +121,31 @@ std::string at_region(const Object& object, const models::Scene& scene) {
   return object.name.empty() ? region : fmt::format("{}, {}", object.name, region);
 }
 
+/// How many prominent peaks are too small to be objects, as the houses of a large map, and where most of them
+/// are: " 23 smaller ones, most of them upper right."; empty without any.
+std::string smaller_words(const models::Scene& scene, double depth) {
+  const models::Relief& surface = *models::relief_of(scene);
+  PeakOptions options;
+  options.turned_over = depth < 0.0;
+  const double least_m2 = options.least_area * surface.width_m() * surface.depth_m();
+  options.least_area = 0.0;
+  std::map<std::string, std::size_t> regions;
+  std::size_t count = 0;
+  for (const Peak& peak : find_peaks(surface, options)) {
+    if (peak.area_m2 >= least_m2) continue;
+    ++count;
+    ++regions[region_words(peak.place, surface.width_m(), surface.depth_m())];
+  }
+  if (count == 0) return {};
+  const auto most = std::max_element(regions.begin(), regions.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  const char* const share = most->second == count      ? ""
+                            : 2 * most->second > count ? "most of them "
+                                                       : "often ";
+  return fmt::format(" {}, {}{}.", capitalised(counted(count, "smaller one", "smaller ones")), share,
+                     most->first);
+}
+
 std::string brief_of_surface(const models::Scene& scene, double depth, const std::vector<Object>& objects) {
   const models::Relief& surface = *models::relief_of(scene);
   const double ends_m[]{depth * surface.lowest_m(), depth * surface.highest_m()};
@@ -133,9 +158,10 @@ std::string brief_of_surface(const models::Scene& scene, double depth, const std
   const bool one = objects.size() == 1;
   words += fmt::format("{} {} above the {}", capitalised(counted(objects.size(), "object", "objects")),
                        one ? "rises" : "rise", ground_name(scene));
-  if (objects.empty()) return words + ".";
+  const std::string smaller = smaller_words(scene, depth);
+  if (objects.empty()) return words + "." + smaller;
   const char* const most = objects.size() > kMostListed ? "; the most prominent" : "";
-  return words + fmt::format("{}: {}.", most, fmt::join(places, "; "));
+  return words + fmt::format("{}: {}.{}", most, fmt::join(places, "; "), smaller);
 }
 
 std::string objects_part(const std::vector<Object>& objects, double depth, Place probe,
@@ -171,7 +197,8 @@ double mean_height_m(const models::Relief& surface, int column, int row) {
 std::string nine_parts(const models::Scene& scene, double depth) {
   const models::Relief& surface = *models::relief_of(scene);
   constexpr std::array kRows{"Upper", "Middle", "Lower"};
-  std::string words = "Average heights in millimetres.";
+  std::string words = models::is_upright_solid(scene) ? "Average distances towards you in millimetres."
+                                                      : "Average heights in millimetres.";
   for (int row = 0; row < 3; ++row) {
     std::array<std::string, 3> heights;
     for (int column = 0; column < 3; ++column)
@@ -190,7 +217,7 @@ std::vector<std::string> parts_of(const models::Scene& scene, double depth, Plac
   if (models::is_field(scene.model)) {
     const Vec3 size = models::size_m(scene);
     const double base_m = models::centre_m(scene).z - 0.5 * size.z;
-    auto parts = solid_parts(surface, base_m, size, sentence(name_of(scene)), probe);
+    auto parts = solid_parts({&surface, base_m, size, scene.pose}, sentence(name_of(scene)), probe);
     parts.push_back(nine_parts(scene, depth));
     return parts;
   }

@@ -42,6 +42,19 @@ TEST(SceneWords, CountObjectsFirstAndGiveDetailsOnRequest) {
   EXPECT_THAT(parts[2], StartsWith("Average heights in millimetres. Upper third, left to right:"));
 }
 
+TEST(SceneWords, SayHowManyPeaksAreTooSmallToBeObjects) {
+  // A lake and a village of twelve houses of 1 x 1 mm.
+  const auto scene = surface_scene([](double x, double y) {
+    if (std::hypot(x + 0.02, y) < 0.02) return 0.002;
+    const double u = x - 0.03, v = y - 0.02;
+    const bool in_village = u > 0.0 && u < 0.016 && v > 0.0 && v < 0.012;
+    return in_village && std::fmod(u, 0.004) < 0.001 && std::fmod(v, 0.004) < 0.001 ? 0.002 : 0.001;
+  });
+  const auto parts = scene_parts(scene, 1.0, {});
+  EXPECT_THAT(parts[0],
+              HasSubstr("1 object rises above the ground: middle left. 12 smaller ones, upper right."));
+}
+
 TEST(SceneWords, GiveTheMakersDescriptionSecond) {
   models::Scene scene = two_hills();
   scene.description = "Seen from the south";

@@ -55,38 +55,63 @@ const Peak& highest_of(const std::vector<Peak>& parts) {
                            [](const Peak& a, const Peak& b) { return a.height_m < b.height_m; });
 }
 
-std::string brief_of(const SolidShape& shape, Vec3 size_m, const std::string& heading) {
-  std::string words = fmt::format("{} A solid, {}, {} high. ", heading,
-                                  spoken_lengths(size_m.x, "by", size_m.y), spoken_length(size_m.z));
+/// How the extent towards the person is called.
+struct PoseWords {
+  const char* flat_surface;
+  const char* rise;
+  const char* foremost;
+  const char* top;
+  const char* above;
+};
+
+const PoseWords& words_for(models::SolidPose pose) {
+  static constexpr PoseWords kFlat{"Flat on top", "rise", "highest", "top at", "above what is around it"},
+      kUpright{"Flat in front", "stand out", "nearest", "front at", "in front of what is around it"};
+  return pose == models::SolidPose::flat ? kFlat : kUpright;
+}
+
+std::string extents(const SolidView& solid) {
+  const Vec3 size = solid.size_m;
+  const bool flat = solid.pose == models::SolidPose::flat;
+  return fmt::format("{} wide, {} {} and {} {}", spoken_length(size.x), spoken_length(size.y),
+                     flat ? "deep" : "high", spoken_length(size.z), flat ? "high" : "deep");
+}
+
+std::string brief_of(const SolidShape& shape, const SolidView& solid, const std::string& heading) {
+  const Vec3 size_m = solid.size_m;
+  const PoseWords& pose = words_for(solid.pose);
+  std::string words = fmt::format("{} A solid, {}. ", heading, extents(solid));
   if (shape.pieces > 1) words += fmt::format("{}. ", capitalised(counted(shape.pieces, "piece", "pieces")));
   words += fmt::format("{} ", outline_words(shape));
-  if (shape.parts.empty()) return words + fmt::format("Flat on top. {}", openings_words(shape));
+  if (shape.parts.empty()) return words + fmt::format("{}. {}", pose.flat_surface, openings_words(shape));
   std::vector<std::string> places;
   for (std::size_t k = 0; k < std::min(shape.parts.size(), kMostParts); ++k)
     places.push_back(region_words(shape.parts[k].place, size_m.x, size_m.y));
   const char* const most = shape.parts.size() > kMostParts ? "; the most prominent" : "";
   if (shape.parts.size() > 1)
-    words += fmt::format("{} rise{}: {}. ", capitalised(counted(shape.parts.size(), "part", "parts")), most,
-                         fmt::join(places, "; "));
+    words += fmt::format("{} {}{}: {}. ", capitalised(counted(shape.parts.size(), "part", "parts")),
+                         pose.rise, most, fmt::join(places, "; "));
   const Peak& highest = highest_of(shape.parts);
-  return words + fmt::format("{} Highest place: {}, {}.", openings_words(shape),
+  return words + fmt::format("{} {} place: {}, {}.", openings_words(shape), capitalised(pose.foremost),
                              region_words(highest.place, size_m.x, size_m.y),
                              spoken_length(highest.height_m));
 }
 
-std::string details_of(const SolidShape& shape, Vec3 size_m, Place probe) {
+std::string details_of(const SolidShape& shape, const SolidView& solid, Place probe) {
+  const Vec3 size_m = solid.size_m;
+  const PoseWords& pose = words_for(solid.pose);
   std::string words;
   if (!shape.parts.empty()) {
     const Place at = highest_of(shape.parts).place;
-    words = fmt::format("From the probe to the highest place: {}.",
+    words = fmt::format("From the probe to the {} place: {}.", pose.foremost,
                         offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
   }
   for (std::size_t k = 0; k < std::min(shape.parts.size(), kMostParts); ++k) {
     const Peak& part = shape.parts[k];
     const std::string rises =
-        k == 0 ? "" : fmt::format(", {} above what is around it", spoken_length(part.prominence_m));
-    words += fmt::format(" {}: top at {}{}, {}.", capitalised(region_words(part.place, size_m.x, size_m.y)),
-                         spoken_length(part.height_m), rises, from_middle_words(part.place));
+        k == 0 ? "" : fmt::format(", {} {}", spoken_length(part.prominence_m), pose.above);
+    words += fmt::format(" {}: {} {}{}, {}.", capitalised(region_words(part.place, size_m.x, size_m.y)),
+                         pose.top, spoken_length(part.height_m), rises, from_middle_words(part.place));
   }
   for (std::size_t k = 0; k < std::min(shape.openings.size(), kMostParts); ++k)
     words += fmt::format(" {}.", capitalised(opening_words(shape.openings[k], size_m)));
@@ -95,10 +120,9 @@ std::string details_of(const SolidShape& shape, Vec3 size_m, Place probe) {
 
 }  // namespace
 
-std::vector<std::string> solid_parts(const models::Relief& from_above, double base_m, Vec3 size_m,
-                                     const std::string& heading, Place probe) {
-  const SolidShape shape = solid_shape(from_above, base_m);
-  return {brief_of(shape, size_m, heading), details_of(shape, size_m, probe)};
+std::vector<std::string> solid_parts(const SolidView& solid, const std::string& heading, Place probe) {
+  const SolidShape shape = solid_shape(*solid.surface, solid.base_m);
+  return {brief_of(shape, solid, heading), details_of(shape, solid, probe)};
 }
 
 }  // namespace palpable::describe

@@ -3,17 +3,26 @@
 #pragma once
 
 #include "palpable/describe/peaks.hpp"
-#include "palpable/models/relief/relief.hpp"
+#include "palpable/models/scene/scene.hpp"
 
 #include <string>
 #include <vector>
 
 namespace palpable::describe {
 
-/// Describes a solid seen from above, in two parts. First: `heading` (the name with a full stop), size,
-/// outline, parts, openings and highest point. Second: the offset from `probe` to the highest point, and each
-/// part and opening. `base_m` and `size_m`: base height and size of the solid's box.
-std::vector<std::string> solid_parts(const models::Relief& from_above, double base_m, Vec3 size_m,
-                                     const std::string& heading, Place probe);
+/// A solid as the person meets it.
+struct SolidView {
+  /// Its surface towards the person.
+  const models::Relief* surface = nullptr;
+  /// Where its box begins along z, metres, and the size of that box.
+  double base_m = 0.0;
+  Vec3 size_m;
+  models::SolidPose pose = models::SolidPose::upright;
+};
+
+/// Describes a solid in two parts. First: `heading` (the name with a full stop), size, outline, parts,
+/// openings and the place nearest to the person, which is the highest one of a flat solid. Second: the offset
+/// from `probe` to that place, and each part and opening.
+std::vector<std::string> solid_parts(const SolidView& solid, const std::string& heading, Place probe);
 
 }  // namespace palpable::describe

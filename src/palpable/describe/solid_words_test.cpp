@@ -28,16 +28,21 @@ models::Scene block() {
 
 constexpr Vec3 kBlock_m{0.08, 0.06, 0.03};
 
+std::vector<std::string> parts_of(const models::Scene& scene, Vec3 size_m, models::SolidPose pose,
+                                  const std::string& heading, Place probe = {}) {
+  return solid_parts({models::relief_of(scene).get(), 0.0, size_m, pose}, heading, probe);
+}
+
 TEST(SolidWords, GiveSizeOutlineOpeningsAndTheHighestPoint) {
-  const auto parts = solid_parts(*models::relief_of(block()), 0.0, kBlock_m, "Block.", {});
+  const auto parts = parts_of(block(), kBlock_m, models::SolidPose::flat, "Block.");
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0],
-            "Block. A solid, 80 by 60 millimetres, 30 millimetres high. Outline: rectangular. 1 hole "
-            "through it and 1 hollow. Highest place: upper left, 30 millimetres.");
+            "Block. A solid, 80 millimetres wide, 60 millimetres deep and 30 millimetres high. Outline: "
+            "rectangular. 1 hole through it and 1 hollow. Highest place: upper left, 30 millimetres.");
 }
 
 TEST(SolidWords, ListEachPartAndOpening) {
-  const auto parts = solid_parts(*models::relief_of(block()), 0.0, kBlock_m, "Block.", {0.005, 0.0});
+  const auto parts = parts_of(block(), kBlock_m, models::SolidPose::flat, "Block.", {0.005, 0.0});
   EXPECT_THAT(parts[1], HasSubstr(" Upper left: top at 30 millimetres, "));
   EXPECT_THAT(parts[1],
               HasSubstr("Hollow 6 millimetres deep, lower middle, 12 by 8 millimetres, 18 millimetres "
@@ -47,13 +52,22 @@ TEST(SolidWords, ListEachPartAndOpening) {
                         "millimetres up from the middle."));
 }
 
+TEST(SolidWords, CallTheExtentTowardsThePersonDepthWhereTheSolidStandsUpright) {
+  const auto parts = parts_of(block(), kBlock_m, models::SolidPose::upright, "Block.");
+  EXPECT_EQ(parts[0],
+            "Block. A solid, 80 millimetres wide, 60 millimetres high and 30 millimetres deep. Outline: "
+            "rectangular. 1 hole through it and 1 hollow. Nearest place: upper left, 30 millimetres.");
+  EXPECT_THAT(parts[1], HasSubstr("From the probe to the nearest place: "));
+  EXPECT_THAT(parts[1], HasSubstr(" Upper left: front at 30 millimetres, "));
+}
+
 TEST(SolidWords, ListPartsByTheirProminence) {
   const auto scene = surface_scene([](double x, double y) {
     if (in_box(x, y, -0.03, 0.0, 0.006, 0.006)) return 0.020;
     if (in_box(x, y, 0.03, 0.0, 0.006, 0.006)) return 0.026;
     return in_box(x, y, 0.0, 0.0, 0.045, 0.02) ? 0.010 : 0.0;
   });
-  const auto parts = solid_parts(*models::relief_of(scene), 0.0, {0.09, 0.04, 0.026}, "Towers.", {});
+  const auto parts = parts_of(scene, {0.09, 0.04, 0.026}, models::SolidPose::flat, "Towers.");
   EXPECT_THAT(parts[0], HasSubstr("2 parts rise: middle right; middle left."));
   EXPECT_THAT(parts[0], HasSubstr("No openings."));
   EXPECT_THAT(parts[1],

@@ -50,6 +50,7 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   about.name = name.empty() ? describe::name_of(scene) : name;
   if (!scene.description.empty()) about.description = scene.description;
   about.kind = models::kind_of(scene.model);
+  about.upright = models::is_upright_solid(scene);
   about.width_m = size.x;
   about.depth_m = size.y;
   about.lowest_m = static_cast<double>(*lowest);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/recipes/sheet_recipe.hpp"
 
+#include "palpable/core/figure.hpp"
 #include "palpable/recipes/placement_notes.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -56,19 +58,31 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
   const AxisDirection towards = towards_person(mesh, *placement, recipe.placement);
   placement->lay = dot(unit_vector(towards), unit_vector(placement->up)) != 0.0 ? Lay::flat : Lay::upright;
   const auto rotation = sculpt::turn_towards_person(towards, placement->up);
-  const Vec3 room{fit.size_m->x, fit.size_m->y, fit.size_m->z - recipe.sheet.thickness_m};
-  if (!(room.z > 0.0))
+  const double room_m = fit.size_m->z - recipe.sheet.thickness_m;
+  if (!(room_m > 0.0))
     return Error{ErrorCode::usage, "the size's depth must be more than the sheet's thickness", {}};
   const Vec3 seen = sculpt::turned(box, rotation).size_m();
   const bool own_size = !recipe.placement.size_m && sculpt::suits_a_hand({seen.x, seen.y, 0.0});
-  placement->scene_from_input = sculpt::fitted(box, rotation, own_size ? seen : room);
+  // What the person sees of it fills the size; a mesh that is then too deep is flattened, as depth maps are.
+  constexpr double kAnyDepth_m = std::numeric_limits<double>::infinity();
+  const Vec3 face_m{fit.size_m->x, fit.size_m->y, kAnyDepth_m};
+  placement->scene_from_input = sculpt::fitted(box, rotation, own_size ? seen : face_m);
   SceneFromInput& scene_from_input = placement->scene_from_input;
-  for (Vec3& v : mesh.vertices_m) v = (scene_from_input * Point<models::InputFrame>{v}).v;
+  const double depth_m = scene_from_input.scale * seen.z;
+  const double flattening = own_size ? 1.0 : std::max(1.0, depth_m / room_m);
+  for (Vec3& v : mesh.vertices_m) {
+    v = (scene_from_input * Point<models::InputFrame>{v}).v;
+    v.z /= flattening;
+  }
   auto relief = sculpt::relief_from_sheet(mesh, recipe.sheet, work);
   if (!relief) return relief.error();
   scene_from_input.translation_m.z += recipe.sheet.thickness_m;
   MadeScene made;
   made.notes = placement_notes(*placement, box, recipe.placement);
+  if (flattening > 1.0)
+    made.notes.emplace_back(
+        fmt::format("The mesh is deeper than the relief may be high: its heights were divided by {}.",
+                    figure(flattening, 2)));
   if (unplaced > 0)
     made.notes.emplace_back(
         fmt::format("{} of the mesh's triangles, with a vertex that is not a finite number, {} left out.",

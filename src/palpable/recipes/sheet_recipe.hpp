@@ -13,7 +13,8 @@ namespace palpable::recipes {
 
 /// How a mesh becomes a relief of one of its sides.
 struct SheetRecipe {
-  /// Default size: 100 x 100 mm and 15 mm high, or its own if the visible side suits a hand. `lay` flat:
+  /// Default size: 100 x 100 mm and 15 mm high, or its own if the visible side suits a hand. The visible side
+  /// fills it; heights are divided where they are more. `lay` flat:
   /// seen from above; upright: from the front; automatic: the side that an open sheet faces, and other
   /// meshes as sculpt::placement_of() lays them.
   sculpt::PlacementOptions placement;

@@ -33,8 +33,13 @@ Result<sculpt::Box> box_of(const Mesh& mesh) {
 
 struct Placed {
   SceneFromInput scene_from_input;
+  models::SolidPose pose = models::SolidPose::upright;
   std::vector<Note> notes;
 };
+
+models::SolidPose pose_of(const sculpt::Placement& placement) {
+  return placement.lay == sculpt::Lay::flat ? models::SolidPose::flat : models::SolidPose::upright;
+}
 
 /// Transforms a mesh into the scene.
 Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
@@ -45,7 +50,7 @@ Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   const SceneFromInput& transform = placement->scene_from_input;
   if (placement->fitted)
     for (Vec3& v : mesh.vertices_m) v = (transform * Point<models::InputFrame>{v}).v;
-  return Placed{transform, placement_notes(*placement, *box, options)};
+  return Placed{transform, pose_of(*placement), placement_notes(*placement, *box, options)};
 }
 
 /// Refuses a field that is too large by its extent alone, before any other work.
@@ -110,6 +115,7 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   if (!place) return place.error();
   Solid solid;
   solid.scene_from_input = place->scene_from_input;
+  solid.pose = place->pose;
   solid.notes = std::move(place->notes);
   const auto box = box_of(mesh);
   if (!box) return box.error();
@@ -140,6 +146,7 @@ Result<Solid> solid_of(std::vector<models::Superquadric> shapes, const FieldReci
   const auto placement = sculpt::placement_of(box, recipe.placement);
   if (!placement) return placement.error();
   solid.notes = placement_notes(*placement, box, recipe.placement);
+  solid.pose = pose_of(*placement);
   if (placement->fitted) {
     solid.scene_from_input = placement->scene_from_input;
     for (models::Superquadric& shape : shapes) shape = placed(shape, solid.scene_from_input);
@@ -163,6 +170,7 @@ Result<Solid> solid_of_contour(Mesh surface, double exact_to_m, const FieldRecip
   solid.distance = std::move(*distance);
   solid.exact_to_m = place->scene_from_input.scale * exact_to_m;
   solid.scene_from_input = place->scene_from_input;
+  solid.pose = place->pose;
   solid.notes = std::move(place->notes);
   return solid;
 }
@@ -193,6 +201,7 @@ Result<MadeScene> field_scene(Solid solid, const std::string& input, const Field
   if (!field) return field.error();
   models::Scene scene;
   scene.scene_from_input = solid.scene_from_input;
+  scene.pose = solid.pose;
   scene.source.method = fmt::format("field of {}, {}", input, field->method);
   scene.model = std::move(field->model);
   std::vector<Note> notes = std::move(solid.notes);

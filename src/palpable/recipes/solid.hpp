@@ -25,6 +25,7 @@ struct Solid {
   std::unique_ptr<sculpt::DistanceSource> distance;
   std::vector<Note> notes;
   SceneFromInput scene_from_input;
+  models::SolidPose pose = models::SolidPose::upright;
   /// Accuracy of the input's own surface, metres; 0 = exact.
   double exact_to_m = 0.0;
   /// The superquadrics that the solid consists of, in the scene's frame; may be empty.

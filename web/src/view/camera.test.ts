@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Surface } from '../surface';
-import { Camera, frontPose, leastZoom, mostZoom } from './camera';
+import { Camera, cameraTilt, frontPose, leastZoom, mostZoom } from './camera';
 
 const surface = new Surface(2, 2, new Float32Array(4), 0.1, 0.08);
 let camera: Camera;
@@ -44,5 +44,11 @@ describe('the camera', () => {
     camera.zoomBy(3, null, surface);
     camera.reset();
     expect(camera.pose).toEqual(frontPose);
+  });
+
+  it('begins above the front of an upright solid, and below the middle of what lies flat', () => {
+    const solid = new Surface(2, 2, new Float32Array(4), 0.1, 0.08, true);
+    expect(cameraTilt(25, solid)).toBe(-25);
+    expect(cameraTilt(25, surface)).toBe(25);
   });
 });

@@ -16,6 +16,9 @@ export interface CameraPose {
 
 export const frontPose: CameraPose = { turn: 0, zoom: 1, centre: { x: 0, y: 0 } };
 
+/** The camera's rotation from straight before the scene, degrees: positive below it, as over a table; above an upright solid. */
+export const cameraTilt = (tilt: number, surface: Surface): number => (surface.isUpright ? -tilt : tilt);
+
 export class Camera {
   private now = frontPose;
 

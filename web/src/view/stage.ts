@@ -5,7 +5,7 @@ import type { PictureFrame } from '../codec';
 import { element } from '../dom';
 import { defaults, type Preferences } from '../settings/preferences';
 import type { Place, Surface } from '../surface';
-import { Camera } from './camera';
+import { Camera, cameraTilt } from './camera';
 import { bindGestures } from './gestures';
 import type { ProbeView, View } from './view';
 import { View3d } from './view3d';
@@ -136,7 +136,8 @@ export class Stage {
   private turn(degrees: number, tilt: number): void {
     if (this.kind === 'flat') return;
     this.camera.turnBy(degrees);
-    const tilted = Math.min(tilts.most, Math.max(tilts.least, this.look.tilt + tilt));
+    const more = this.surface ? cameraTilt(tilt, this.surface) : tilt;
+    const tilted = Math.min(tilts.most, Math.max(tilts.least, this.look.tilt + more));
     if (tilted !== this.look.tilt) this.target.tilted(tilted);
     this.aim();
   }
@@ -164,7 +165,7 @@ export class Stage {
         this.view = new View3d(this.element);
         this.view.canvas.addEventListener('webglcontextlost', () => this.giveUp3d('The 3D view was lost'));
       } catch {
-        return this.giveUp3d('This browser cannot show the relief in 3D');
+        return this.giveUp3d('This browser cannot show the surface in 3D');
       }
     } else {
       this.view = new FlatView();

@@ -25,7 +25,7 @@ import {
   WebGLRenderer,
 } from 'three';
 import type { PictureFrame } from '../codec';
-import { frontPose, type CameraPose } from './camera';
+import { cameraTilt, frontPose, type CameraPose } from './camera';
 import { Marble3d } from './marble3d';
 import { Pace, type Speed } from './pace';
 import type { Preferences } from '../settings/preferences';
@@ -179,7 +179,7 @@ export class View3d implements View {
   /** Places the camera at the tilt angle so that the whole block is visible, then applies the pose. */
   private place(): void {
     if (this.surface === null) return;
-    const tilt = (this.look.tilt * Math.PI) / 180;
+    const tilt = (cameraTilt(this.look.tilt, this.surface) * Math.PI) / 180;
     const turn = (this.pose.turn * Math.PI) / 180;
     const size = sizeOf(this.surface);
     const upright = new Vector3(0, 0, 1);

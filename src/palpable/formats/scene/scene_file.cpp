@@ -136,8 +136,10 @@ void read_source(const json& description, models::Provenance& source) {
   source.made_by = j.at("made_by").get<std::string>();
 }
 
-/// The maker's title and description; absent in older files.
-void read_words(const json& description, models::Scene& scene) {
+/// How a solid lies, and the maker's title and description; absent in older files.
+void read_pose_and_words(const json& description, models::Scene& scene) {
+  const bool flat = description.value("pose", std::string()) == "flat";
+  scene.pose = flat ? models::SolidPose::flat : models::SolidPose::upright;
   scene.title = description.value("title", std::string());
   scene.description = description.value("description", std::string());
 }
@@ -154,7 +156,7 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   auto model = reader->read(description.at("model"), members);
   if (!model) return std::move(model).error();
   out.scene.model = *std::move(model);
-  read_words(description, out.scene);
+  read_pose_and_words(description, out.scene);
   const json& materials = description.at("materials");
   if (materials.size() > kMaxMaterials) return invalid_input("states more than 256 materials");
   out.scene.materials.clear();
@@ -219,6 +221,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
        {{"inputs", scene.source.inputs},
         {"method", scene.source.method},
         {"made_by", scene.source.made_by}}}};
+  if (models::is_field(scene.model) && scene.pose == models::SolidPose::flat) description["pose"] = "flat";
   if (!scene.title.empty()) description["title"] = scene.title;
   if (!scene.description.empty()) description["description"] = scene.description;
   for (std::size_t k = 0; k < scene.materials.size(); ++k) {

@@ -168,6 +168,13 @@ models::Scene dense_scene(models::DenseContent content) {
   return scene;
 }
 
+TEST(SceneFile, KeepsHowASolidLies) {
+  models::Scene scene = field_scene();
+  EXPECT_EQ(decode_scene(*encode_scene(scene))->scene.pose, models::SolidPose::upright);
+  scene.pose = models::SolidPose::flat;
+  EXPECT_EQ(decode_scene(*encode_scene(scene))->scene.pose, models::SolidPose::flat);
+}
+
 TEST(SceneFile, KeepsADenseFieldBitByBit) {
   for (const auto content : {models::DenseContent::distance, models::DenseContent::distance_and_force}) {
     const models::Scene scene = dense_scene(content);

@@ -73,6 +73,10 @@ Vec3 size_m(const Scene& scene) {
       scene.model);
 }
 
+bool is_upright_solid(const Scene& scene) noexcept {
+  return is_field(scene.model) && scene.pose == SolidPose::upright;
+}
+
 Vec3 centre_m(const Scene& scene) {
   if (const auto* field = std::get_if<std::shared_ptr<const Field>>(&scene.model))
     return 0.5 * ((*field)->least_m + (*field)->most_m);

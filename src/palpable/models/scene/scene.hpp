@@ -10,6 +10,7 @@
 #include "palpable/models/material/material.hpp"
 #include "palpable/models/relief/relief.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
@@ -44,6 +45,10 @@ struct Provenance {
 inline constexpr std::size_t kMaxTitleBytes = 200;
 inline constexpr std::size_t kMaxDescriptionBytes = 4000;
 
+/// How the solid of a field lies. Upright: y is up and z towards the person, who is before it. Flat: z is up,
+/// seen from above. Other models are surfaces that rise towards the person.
+enum class SolidPose : std::uint8_t { upright, flat };
+
 /// A touchable scene as it is saved: a model, its picture, materials and origin. A value type; models are
 /// shared and immutable.
 struct Scene {
@@ -55,6 +60,7 @@ struct Scene {
   /// Material index per sample, over the same rectangle as the texture; empty = all 0.
   Raster<std::uint8_t> labels;
   Transform<SceneFrame, InputFrame> scene_from_input;
+  SolidPose pose = SolidPose::upright;
   Provenance source;
   /// The maker's title (one line) and description, which are spoken and shown before the scene is touched.
   /// UTF-8; both may be empty.
@@ -72,6 +78,9 @@ const std::shared_ptr<const Relief>& relief_of(const Scene& scene);
 
 /// Width, height and depth in metres of the scene's bounding box.
 Vec3 size_m(const Scene& scene);
+
+/// Whether its solid stands upright: its extents are then wide, high and deep along x, y and z.
+bool is_upright_solid(const Scene& scene) noexcept;
 
 /// The middle of that box.
 Vec3 centre_m(const Scene& scene);

@@ -94,6 +94,9 @@ Result<Placement> placement_of(const Box& box, const PlacementOptions& options) 
     if (const auto valid = check_size_m(*options.size_m); !valid) return valid.error();
   Placement placement;
   placement.up = options.up.value_or(options.convention.up);
+  // Where the axes stay as they are.
+  const bool towards_person = along_one_axis(placement.up, AxisDirection::plus_z);
+  placement.lay = towards_person ? Lay::flat : Lay::upright;
   const bool nothing_asked = !options.size_m && !options.up && options.lay == Lay::automatic;
   if (nothing_asked && options.default_size == DefaultSize::own) return placement;
   if (nothing_asked && suits_a_hand(extent)) {
