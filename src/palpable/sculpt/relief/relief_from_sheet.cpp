@@ -99,7 +99,8 @@ std::vector<Parameter> parameters_of(SheetOptions& o) {
   return {
       {"samples_on_a_side", &o.samples_on_a_side, {2, 4096}, "", "samples along the longer side"},
       {"thickness_m", &o.thickness_m, {0.0, 0.01}, "m", "height of the sheet's lowest point above the base"},
-      {"steepest_slope", &o.steepest_slope, {0.1, 100.0}, "", "the steepest slope, rise over run"}};
+      {"steepest_slope", &o.steepest_slope, {0.1, 100.0}, "", "the steepest slope, rise over run"},
+      {"least_facing", &o.least_facing, {0.5, 1.0}, "", "mean facing beyond which a mesh is an open sheet"}};
 }
 
 Vec3 mean_facing(const Mesh& mesh) {
@@ -114,15 +115,14 @@ Vec3 mean_facing(const Mesh& mesh) {
   return area > 0.0 ? sum / area : Vec3{};
 }
 
-bool is_open_sheet(const Mesh& mesh) {
-  // Between a plane (1) and a half ball (0.5); a surface with slopes of up to about 45 degrees is above it.
-  constexpr double kFacesOneWay = 0.75;
+bool is_open_sheet(const Mesh& mesh, const SheetOptions& options) {
   constexpr double kFlat = 1e-6;
   const auto extent = extent_of(mesh);
   if (!extent) return false;
   const Vec3 size = extent->most_m - extent->least_m;
   const double longest = std::max({size.x, size.y, size.z});
-  return std::min({size.x, size.y, size.z}) <= kFlat * longest || norm(mean_facing(mesh)) > kFacesOneWay;
+  return std::min({size.x, size.y, size.z}) <= kFlat * longest ||
+         norm(mean_facing(mesh)) > options.least_facing;
 }
 
 Result<Raster<float>> heights_from_above(const Mesh& mesh, double left_m, double top_m, double pixel_m,

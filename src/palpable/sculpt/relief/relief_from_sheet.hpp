@@ -21,6 +21,9 @@ struct SheetOptions {
   double thickness_m = 0.001;
   /// No place of the relief becomes steeper than this (rise over run), 0.1 ... 100.
   double steepest_slope = 3.0;
+  /// Length of the mean facing (mean_facing()) beyond which a mesh is an open sheet, 0.5 ... 1: a plane has
+  /// 1, a half ball 0.5, slopes of up to about 45 degrees more than the default.
+  double least_facing = 0.75;
 };
 std::vector<Parameter> parameters_of(SheetOptions& options);
 
@@ -29,9 +32,9 @@ std::vector<Parameter> parameters_of(SheetOptions& options);
 /// vertex that is missing or not finite are omitted.
 Vec3 mean_facing(const Mesh& mesh);
 
-/// Whether a mesh is an open sheet, which encloses no solid: flat, or with a mean facing longer than 0.75 (a
-/// half ball without its base has 0.5).
-bool is_open_sheet(const Mesh& mesh);
+/// Whether a mesh is an open sheet, which encloses no solid: flat, or with a mean facing longer than
+/// options.least_facing.
+bool is_open_sheet(const Mesh& mesh, const SheetOptions& options = {});
 
 /// The height of the highest point of a mesh on the vertical lines through the centres of `width` x `height`
 /// pixels, row 0 at the greatest y, the outer corner of pixel (0, 0) at (left_m, top_m). Exact: the lines

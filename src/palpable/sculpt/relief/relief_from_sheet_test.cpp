@@ -83,6 +83,12 @@ TEST(OpenSheet, FacesMostlyOneWay) {
   for (std::size_t i = 0; i < both.vertices_m.size(); ++i) both.vertices_m[i].z += i % 2 == 0 ? 0.01 : 0.0;
   EXPECT_FALSE(is_open_sheet(both));
   EXPECT_FALSE(is_open_sheet({}));
+  // Sides of 53 degrees: a mean facing of 0.6.
+  const Mesh valley = sheet(1.0, 20, [](double x, double) { return 4.0 / 3.0 * std::abs(x); });
+  SheetOptions steep_too;
+  steep_too.least_facing = 0.55;
+  EXPECT_FALSE(is_open_sheet(valley));
+  EXPECT_TRUE(is_open_sheet(valley, steep_too));
 }
 
 TEST(ReliefFromSheet, RaisesASheetOverItsBase) {

@@ -214,9 +214,8 @@ struct SheetPatch {
   }
   /// Whether it is the ground of a solid such as a city: it faces one direction, is below or above the whole
   /// solid, and extends beyond it.
-  bool is_ground(const Box& solid) const {
-    constexpr double kFacingShare = 0.75, kBeyondShare = 0.05;
-    if (norm(area_m2) < kFacingShare * size_m2) return false;
+  bool is_ground(const Box& solid, const WallOptions& options) const {
+    if (norm(area_m2) < options.ground_facing * size_m2) return false;
     const auto along = [](Vec3 v) { return std::array{v.x, v.y, v.z}; };
     const auto facing = along(area_m2), least = along(solid.least_m - box.least_m),
                most = along(box.most_m - solid.most_m), size = along(solid.size_m());
@@ -229,7 +228,7 @@ struct SheetPatch {
       if (least[axis] < 0.0 || most[axis] < 0.0) return false;
       beyond_m = std::max({beyond_m, least[axis], most[axis]});
     }
-    return beyond_m > kBeyondShare * *std::max_element(size.begin(), size.end());
+    return beyond_m > options.ground_beyond * *std::max_element(size.begin(), size.end());
   }
 };
 
@@ -254,7 +253,8 @@ std::vector<std::uint32_t> connected(const Mesh& mesh, const std::vector<char>& 
 }
 
 /// Which triangles of `wanted` belong to patches that are ground.
-std::vector<char> ground_among(const Mesh& mesh, const std::vector<char>& wanted, const Box& solid) {
+std::vector<char> ground_among(const Mesh& mesh, const std::vector<char>& wanted, const Box& solid,
+                               const WallOptions& options) {
   const std::vector<std::uint32_t> first = connected(mesh, wanted);
   std::map<std::uint32_t, SheetPatch> patches;
   for (std::uint32_t t = 0; t < wanted.size(); ++t) {
@@ -265,13 +265,13 @@ std::vector<char> ground_among(const Mesh& mesh, const std::vector<char>& wanted
   }
   std::vector<char> ground(wanted.size());
   for (std::uint32_t t = 0; t < wanted.size(); ++t)
-    ground[t] = wanted[t] != 0 && patches.at(first[t]).is_ground(solid);
+    ground[t] = wanted[t] != 0 && patches.at(first[t]).is_ground(solid, options);
   return ground;
 }
 
 /// The parts of a mesh's first triangles that lie outside the solid, without the ground.
 Mesh sheets_outside(const DistanceSource& solid, const Mesh& mesh, std::size_t candidates, double finest_m,
-                    const Work& work, ThickenedWalls& walls) {
+                    const WallOptions& options, const Work& work, ThickenedWalls& walls) {
   const SheetFinder finder(solid, finest_m);
   std::vector<std::vector<std::array<Vec3, 3>>> found(candidates);
   constexpr int kGrain = 64;
@@ -283,7 +283,7 @@ Mesh sheets_outside(const DistanceSource& solid, const Mesh& mesh, std::size_t c
   });
   std::vector<char> is_sheet(candidates);
   for (std::size_t t = 0; t < candidates; ++t) is_sheet[t] = !found[t].empty();
-  const std::vector<char> is_ground = ground_among(mesh, is_sheet, solid.bounds());
+  const std::vector<char> is_ground = ground_among(mesh, is_sheet, solid.bounds(), options);
   Mesh sheets;
   for (std::size_t t = 0; t < candidates; ++t) {
     if (is_sheet[t] == 0) continue;
@@ -297,7 +297,17 @@ Mesh sheets_outside(const DistanceSource& solid, const Mesh& mesh, std::size_t c
 }  // namespace
 
 std::vector<Parameter> parameters_of(WallOptions& o) {
-  return {{"least_cells", &o.least_cells, {0.0, 8.0}, "cells", "least thickness of a wall"}};
+  return {{"least_cells", &o.least_cells, {0.0, 8.0}, "cells", "least thickness of a wall"},
+          {"ground_facing",
+           &o.ground_facing,
+           {0.5, 1.0},
+           "",
+           "share of a sheet that faces one way if it is ground"},
+          {"ground_beyond",
+           &o.ground_beyond,
+           {0.0, 1.0},
+           "",
+           "how far ground extends beyond the solid, as a share of its side"}};
 }
 
 ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mesh& surface,
@@ -318,7 +328,7 @@ ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mes
     add_triangle(is_thin ? layers[static_cast<std::size_t>(thin[t])] : rest, corners_at(surface, t));
     walls.thin += is_thin ? 1 : 0;
   }
-  const Mesh sheets = sheets_outside(*solid, sheets_from, sheet_candidates, finest_m, work, walls);
+  const Mesh sheets = sheets_outside(*solid, sheets_from, sheet_candidates, finest_m, options, work, walls);
   std::vector<Layer> made;
   const auto add_layer = [&](const Mesh& mesh, double by_m, bool is_sheets) {
     if (mesh.triangles.empty()) return;

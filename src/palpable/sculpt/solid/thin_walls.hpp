@@ -19,6 +19,11 @@ struct WallOptions {
   /// Thinner walls are thickened to about this, in finest cells: with two, the field's rounding stays inside
   /// the wall. 0 … 8; 0 = walls do not change.
   double least_cells = 2.0;
+  /// A sheet is the ground around the solid if it lies under all of it, at least this share of its area faces
+  /// one direction, 0.5 … 1,
+  double ground_facing = 0.75;
+  /// and it extends beyond the solid by at least this share of the solid's longest side, 0 … 1.
+  double ground_beyond = 0.05;
 };
 std::vector<Parameter> parameters_of(WallOptions& options);
 
