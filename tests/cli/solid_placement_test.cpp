@@ -103,10 +103,13 @@ TEST_F(SolidPlacement, ADeepMeshFillsTheFaceOfAReliefAndIsFlattened) {
 
 TEST_F(SolidPlacement, TheExtentTowardsThePersonIsCalledAsTheSolidLies) {
   write_text(path("m.obj"), box_obj(1.0, 1.0, 0.5));
-  for (const auto& [lay, word] : {std::pair("upright", "mm deep"), std::pair("flat", "mm high")}) {
-    ASSERT_EQ(make(path("m.obj"), {"--lay", lay}).exit_code, 0);
-    ASSERT_EQ(palpable({"show", path("out.palp"), "-o", path("p.svg")}).exit_code, 0);
-    EXPECT_THAT(read_text(path("p.svg")), HasSubstr(word)) << lay;
+  write_text(path("keys"), "dq");
+  for (const auto& [lay, words] : {std::pair("upright", "100 millimetres high and 50 millimetres deep"),
+                                   std::pair("flat", "50 millimetres deep and 100 millimetres high")}) {
+    ASSERT_EQ(make(path("m.obj"), {"--lay", lay, "--size", "100x100x100"}).exit_code, 0);
+    Running touch({"touch", path("out.palp"), "--headless", "--keys", "--seconds", "20"}, path("keys"));
+    const Outcome outcome = touch.wait();
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr(words)) << lay;
   }
 }
 

@@ -81,7 +81,8 @@ Result<MadeScene> filled(Result<MadeScene> made, const MakeOptions& options, con
 
 /// Whether a mesh is made into a relief of one of its sides.
 bool becomes_relief(const Mesh& mesh, const MakeOptions& options) {
-  return options.as == MakeAs::relief || (options.as == MakeAs::by_input && sculpt::is_open_sheet(mesh, options.recipes.sheet));
+  return options.as == MakeAs::relief ||
+         (options.as == MakeAs::by_input && sculpt::is_open_sheet(mesh, options.recipes.sheet));
 }
 
 /// Runs the recipe that fits the values.
