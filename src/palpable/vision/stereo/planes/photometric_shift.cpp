@@ -57,7 +57,7 @@ void compare_row(const Raster<std::uint8_t>& luma, const Raster<std::uint8_t>& o
 }
 
 /// Weighted sums over a window of a residual e and a gradient g: 1, e, g, e g, g g and e e.
-using Sums = RowSums<6>;
+using ShiftSums = RowSums<6>;
 
 /// Adds the pixels at an offset, with their residuals reduced to the centre's plane.
 PALPABLE_VECTORIZE
@@ -84,8 +84,8 @@ void add_to_sums(const SurfaceRow& centre, Offset offset, int count, const float
 }
 
 /// Row y: shifts the disparities by the least-squares solution and sets their new weights, 0…1.
-void shift_row(const Sums& sums, const PhotometricShiftOptions& options, int y, const Raster<float>& seen,
-               PlaneMap& map, Raster<float>& trust) {
+void shift_row(const ShiftSums& sums, const PhotometricShiftOptions& options, int y,
+               const Raster<float>& seen, PlaneMap& map, Raster<float>& trust) {
   const float per_expected2 = 1.0F / (options.expected_px * options.expected_px);
   for (int x = 0; x < map.disparity.width(); ++x) {
     const auto i = static_cast<std::size_t>(x);
@@ -113,7 +113,7 @@ void measure(const ColourPlanes& colour, const Evidence& evidence, const Photome
   const float per_residual2 = 1.0F / (options.half_weight_residual * options.half_weight_residual);
   sum_over_surfaces<6>(
       colour, before, evidence.weight, options.measured, work,
-      [&](Place first, Offset offset, int count, const float* weights, const float* rises, Sums& sums) {
+      [&](Place first, Offset offset, int count, const float* weights, const float* rises, ShiftSums& sums) {
         const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
         const auto there = [&](const Raster<float>& raster) {
           return raster.row(first.y + offset.y).data() + first.x + offset.x;
@@ -122,7 +122,7 @@ void measure(const ColourPlanes& colour, const Evidence& evidence, const Photome
                     rises, there(evidence.residual), there(evidence.gradient), sum(0), sum(1), sum(2), sum(3),
                     sum(4), sum(5), per_residual2);
       },
-      [&](const Sums& sums, int y) { shift_row(sums, options, y, evidence.weight, map, trust); });
+      [&](const ShiftSums& sums, int y) { shift_row(sums, options, y, evidence.weight, map, trust); });
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace palpable::vision {
 namespace {
 
 /// The weighted sums of the normal equations.
-using Sums = RowSums<9>;
+using PlaneSums = RowSums<9>;
 
 PALPABLE_VECTORIZE
 void add_to_sums(const float* __restrict weight, const float* __restrict rise, Offset offset, int count,
@@ -39,7 +39,7 @@ void add_to_sums(const float* __restrict weight, const float* __restrict rise, O
   }
 }
 
-void solve(const Sums& sums, const PlaneMap& map, const PlaneFitOptions& fit, int y, PlaneMap& out) {
+void solve(const PlaneSums& sums, const PlaneMap& map, const PlaneFitOptions& fit, int y, PlaneMap& out) {
   for (int x = 0; x < map.disparity.width(); ++x) {
     const auto i = static_cast<std::size_t>(x);
     const float weight = sums.of[0][i];
@@ -119,12 +119,12 @@ PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raste
   PlaneMap out(colour.width(), colour.height());
   sum_over_surfaces<9>(
       colour, map, weight, window, work,
-      [](Place first, Offset offset, int count, const float* weights, const float* rises, Sums& sums) {
+      [](Place first, Offset offset, int count, const float* weights, const float* rises, PlaneSums& sums) {
         const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
         add_to_sums(weights, rises, offset, count, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6),
                     sum(7), sum(8));
       },
-      [&](const Sums& sums, int y) { solve(sums, map, fit, y, out); });
+      [&](const PlaneSums& sums, int y) { solve(sums, map, fit, y, out); });
   return out;
 }
 
