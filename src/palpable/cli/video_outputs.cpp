@@ -53,8 +53,24 @@ double depth_unit(const VideoReconstruction& video) {
   return static_cast<double>(greatest) / 65535.0;
 }
 
+/// The depth maps of an earlier run, which have another scale: NUMBER.png beside a depth.json.
+std::vector<fs::path> depth_maps_in(const fs::path& folder) {
+  std::vector<fs::path> maps;
+  std::error_code fault;
+  if (!fs::exists(folder / "depth.json", fault)) return maps;
+  for (auto it = fs::directory_iterator(folder, fault); !fault && it != fs::directory_iterator();
+       it.increment(fault)) {
+    const std::string number = it->path().stem().string();
+    const bool is_number = !number.empty() && std::all_of(number.begin(), number.end(),
+                                                          [](char c) { return c >= '0' && c <= '9'; });
+    if (is_number && it->path().extension() == ".png") maps.push_back(it->path());
+  }
+  return maps;
+}
+
 Result<void> add_depth_maps(const fs::path& folder, const VideoReconstruction& video, AtomicFiles& files) {
   if (auto made = files.make_folder(folder); !made) return made;
+  std::vector<fs::path> outdated = depth_maps_in(folder);
   const double unit = depth_unit(video);
   for (const auto& depth : video.depth_maps) {
     Raster<std::uint16_t> values(depth.map.depth_m.width(), depth.map.depth_m.height());
@@ -67,7 +83,9 @@ Result<void> add_depth_maps(const fs::path& folder, const VideoReconstruction& v
     if (!png) return png.error();
     const fs::path file = folder / fmt::format("{:04}.png", depth.frame_number);
     if (auto added = files.add(file, *png); !added) return added;
+    std::erase(outdated, file);
   }
+  for (const fs::path& old : outdated) files.remove_after(old);
   const Pinhole& camera = *video.depth_maps.front().map.camera;
   const nlohmann::json sidecar{{"scale", unit},          {"fx", camera.fx}, {"fy", camera.fy},
                                {"cx", camera.cx},        {"cy", camera.cy}, {"width", camera.width},

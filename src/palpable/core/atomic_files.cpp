@@ -36,6 +36,10 @@ Result<void> AtomicFiles::commit() {
   for (AtomicFile& file : files_)
     if (auto committed = file.commit(); !committed) return committed;
   folders_.clear();
+  for (const std::filesystem::path& path : outdated_) {
+    std::error_code gone;
+    std::filesystem::remove(path, gone);
+  }
   return {};
 }
 

@@ -56,6 +56,22 @@ TEST_F(SomeFiles, LeaveNothingWhenOneHasNoRoom) {
   EXPECT_EQ(*read_text_file(folder_ / "old.txt"), "old");
 }
 
+TEST_F(SomeFiles, RemoveOutdatedOnesOnlyWhenAllOthersAreThere) {
+  ASSERT_TRUE(write_file_atomically(folder_ / "old.txt", as_bytes("old")));
+  {
+    AtomicFiles given_up;
+    given_up.remove_after(folder_ / "old.txt");
+    ASSERT_TRUE(given_up.add(folder_ / "new.txt", as_bytes("new")));
+  }
+  EXPECT_TRUE(fs::exists(folder_ / "old.txt"));
+  AtomicFiles files;
+  files.remove_after(folder_ / "old.txt");
+  ASSERT_TRUE(files.add(folder_ / "new.txt", as_bytes("new")));
+  ASSERT_TRUE(files.commit());
+  EXPECT_FALSE(fs::exists(folder_ / "old.txt"));
+  EXPECT_TRUE(fs::exists(folder_ / "new.txt"));
+}
+
 TEST_F(SomeFiles, KeepAFolderThatWasThere) {
   fs::create_directory(folder_ / "maps");
   {
