@@ -19,6 +19,26 @@ double moved_px(std::span<const PointTrack> tracks, int a, int b, int least_poin
   return static_cast<int>(steps.size()) < least_points ? -1.0 : quantile_of(steps, 0.5);
 }
 
+double kept_share(std::span<const PointTrack> tracks, int a, int b) {
+  int in_a = 0, in_both = 0;
+  for (const PointTrack& track : tracks)
+    if (track.in_frame(a)) ++in_a, in_both += track.in_frame(b) ? 1 : 0;
+  return in_a > 0 ? static_cast<double>(in_both) / in_a : 1.0;
+}
+
+// Appends the keyframes after `a` up to `b`: halfway ones too, until enough points stay from one to the next.
+// A keyframe's pose needs points that two keyframes before it determine.
+void append_keyframes(std::span<const PointTrack> tracks, int a, int b, double least_kept,
+                      std::vector<int>& to) {
+  if (b - a > 1 && kept_share(tracks, a, b) < least_kept) {
+    const int middle = a + (b - a) / 2;
+    append_keyframes(tracks, a, middle, least_kept, to);
+    append_keyframes(tracks, middle, b, least_kept, to);
+    return;
+  }
+  to.push_back(b);
+}
+
 // The first frame, then each frame in which points have moved far enough, or too few are left.
 std::vector<int> choose_keyframes(std::span<const PointTrack> tracks, int frame_count, const Pinhole& camera,
                                   const BatchMotionOptions& options) {
@@ -29,7 +49,10 @@ std::vector<int> choose_keyframes(std::span<const PointTrack> tracks, int frame_
         frame + 1 == frame_count)
       out.push_back(frame);
   }
-  return out;
+  std::vector<int> with_halfway{0};
+  for (std::size_t i = 1; i < out.size(); ++i)
+    append_keyframes(tracks, out[i - 1], out[i], options.keyframe_kept, with_halfway);
+  return with_halfway;
 }
 
 }  // namespace
@@ -40,6 +63,11 @@ std::vector<Parameter> parameters_of(BatchMotionOptions& o) {
            {0.002, 0.5},
            "",
            "Movement of points between keyframes, share of the width"},
+          {"keyframe_kept",
+           &o.keyframe_kept,
+           {0, 1},
+           "",
+           "Share of a keyframe's points that are in the next one"},
           {"least_angle_deg", &o.least_angle_deg, {0.1, 20}, "degrees", "Least angle between lines of sight"},
           {"outlier_px", &o.outlier_px, {0.1, 20}, "px", "Larger errors count as wrong tracks"},
           {"robust_px", &o.robust_px, {0.05, 10}, "px", "Larger errors count linearly"},

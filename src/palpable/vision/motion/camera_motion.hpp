@@ -37,6 +37,9 @@ struct BatchMotionOptions {
   /// The next keyframe is the frame in which points have moved by this share of the picture's width, 0.002 …
   /// 0.5.
   double keyframe_step = 0.03;
+  /// Where fewer of a keyframe's points are in the next one, a frame between becomes a keyframe, share, 0
+  /// … 1.
+  double keyframe_kept = 0.7;
   /// Least triangulation angle of a point between two frames, degrees, 0.1 … 20.
   double least_angle_deg = 1.5;
   /// A larger reprojection error means a wrong track, px, 0.1 … 20.

@@ -154,6 +154,25 @@ TEST(RecursiveMotion, IsNearlyAsAccurateAsTheBatchWherePointsStayInView) {
   EXPECT_LT(batch, filter);
 }
 
+// The batch's keyframes must be near enough for tracks that are shorter than the film.
+TEST(RecursiveMotion, IsLessAccurateThanTheBatchWhileTracksComeAndGo) {
+  double filter = 0, batch = 0;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    const auto film = synthetic_film({.seed = seed, .track_frames = 16, .points = 600});
+    const auto filtered =
+        motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, quick_options(), {});
+    const auto adjusted = motion_from_tracks(film.tracks, kFilmFrames, {kFilmCamera, true}, {}, {});
+    ASSERT_TRUE(filtered && adjusted) << seed;
+    ASSERT_TRUE(has_all_poses(*filtered) && has_all_poses(*adjusted)) << seed;
+    filter += errors_of(*filtered, film).position_percent / kSeeds;
+    batch += errors_of(*adjusted, film).position_percent / kSeeds;
+  }
+  RecordProperty("filter_position_percent", std::to_string(filter));
+  RecordProperty("batch_position_percent", std::to_string(batch));
+  EXPECT_LT(batch, 0.3);
+  EXPECT_LT(batch, filter / 2);
+}
+
 TEST(RecursiveMotion, NeedsOnePassToFollowTheCamera) {
   FilterMotionOptions options = quick_options();
   options.passes = 1;
