@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace palpable::device {
@@ -53,6 +54,13 @@ double DeviceUrl::take_number(const std::string& name, double otherwise, double 
   const auto number = finite_number(text);
   if (number && *number >= least && *number <= most) return *number;
   fail(name + " must be a number from " + shown(least) + " to " + shown(most) + ", not \"" + text + "\"");
+  return otherwise;
+}
+
+int DeviceUrl::take_count(const std::string& name, int otherwise, int least, int most) {
+  const double number = take_number(name, otherwise, least, most);
+  if (number == std::floor(number)) return static_cast<int>(number);
+  fail(name + " must be a whole number");
   return otherwise;
 }
 

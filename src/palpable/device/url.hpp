@@ -24,6 +24,8 @@ class DeviceUrl {
   /// The option as a number in [least, most], or `otherwise` if it is not given. An invalid value is reported
   /// by finish().
   double take_number(const std::string& name, double otherwise, double least, double most);
+  /// The same of a whole number.
+  int take_count(const std::string& name, int otherwise, int least, int most);
   /// The option as one of `allowed`; the first of them if it is not given.
   std::string take_word(const std::string& name, const std::vector<std::string>& allowed);
   /// The option as text; empty if it is not given.

@@ -28,6 +28,7 @@ TEST(OpenDevice, NamesWhatIsWrongWithAnAddress) {
     EXPECT_FALSE(error.message.empty());
   }
   EXPECT_NE(error_of("sim:?mass=99").sentence().find("0.01 to 5"), std::string::npos);
+  EXPECT_NE(error_of("sim:?delay=1.5").sentence().find("whole number"), std::string::npos);
   EXPECT_EQ(error_of("replay:/nowhere/at/all").code, ErrorCode::invalid_input);
 }
 

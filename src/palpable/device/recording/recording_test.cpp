@@ -189,7 +189,20 @@ TEST(Replay, GivesEveryPositionOfARecordingThatIsLongerThanItReadsAhead) {
     ASSERT_EQ(reading.position, tick_number(n).device_position) << n;
     ++n;
   }
-  EXPECT_FALSE((*device)->read().recorded);
+  const auto ended = (*device)->read();
+  EXPECT_EQ(ended.status, Status::stale);
+}
+
+TEST(Replay, ContinuesTheRecordedTimeAfterItsEnd) {
+  auto device = open_device("replay:" + written(50, "time.rec").string(), {});
+  ASSERT_TRUE(device) << device.error().sentence();
+  double before_s = -1.0;
+  for (int n = 0; n < 60; ++n) {
+    const auto reading = (*device)->read();
+    ASSERT_TRUE(reading.recorded) << n;
+    EXPECT_GT(reading.recorded->t_s, before_s) << n;
+    before_s = reading.recorded->t_s;
+  }
 }
 
 TEST(Replay, RefusesARecordingThatIsDamagedAndTakesOneThatWasInterrupted) {

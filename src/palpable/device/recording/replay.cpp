@@ -35,7 +35,7 @@ Result<RecordingEnd> end_of(const std::string& file) {
 }  // namespace
 
 ReplayDevice::ReplayDevice(std::unique_ptr<RecordingReader> reader, const Traits& traits)
-    : traits_(traits), reader_(std::move(reader)), ahead_(kAhead) {
+    : traits_(traits), period_s_(1.0 / traits.rate_hz), reader_(std::move(reader)), ahead_(kAhead) {
   // Filled before the first tick, so that the machine's load does not matter.
   fill();
   thread_ = std::thread([this] { read_ahead(); });
@@ -57,10 +57,10 @@ void ReplayDevice::read_ahead() {
 void ReplayDevice::fill() {
   while (true) {
     while (piece_ == nullptr || next_ == piece_->ticks.size()) {
-      if (reader_->end() != RecordingEnd::not_yet) return;
+      if (reader_->end() != RecordingEnd::not_yet) return all_read_.store(true, std::memory_order_release);
       piece_ = reader_->next();
       next_ = 0;
-      if (piece_ == nullptr) return;
+      if (piece_ == nullptr) return all_read_.store(true, std::memory_order_release);
     }
     if (!ahead_.has_room()) return;
     ahead_.put(recorded_reading(piece_->ticks[next_++]));
@@ -68,11 +68,17 @@ void ReplayDevice::fill() {
 }
 
 Reading ReplayDevice::read() noexcept {
+  const bool all_read = all_read_.load(std::memory_order_acquire);
   if (const auto reading = ahead_.take()) return last_ = *reading;
   Reading ended = last_;
   ended.status = Status::stale;
-  ended.recorded.reset();
-  return ended;
+  if (!all_read || !last_.recorded) {
+    ended.recorded.reset();
+    return ended;
+  }
+  // The recorded time goes on: the clock of whoever replays it is at another time.
+  ended.recorded = RecordedTime{last_.recorded->t_s + period_s_, period_s_, 0};
+  return last_ = ended;
 }
 
 Reading recorded_reading(const TouchSample& tick) noexcept {

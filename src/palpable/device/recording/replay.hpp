@@ -36,9 +36,12 @@ class ReplayDevice final : public Device {
   void fill();
 
   Traits traits_;
+  double period_s_;
   std::unique_ptr<RecordingReader> reader_;
   Ring<Reading> ahead_;
   Reading last_;
+  /// Everything of the recording is in the ring or was taken from it.
+  std::atomic<bool> all_read_{false};
   // Used by the reading thread: the part of the newest chunk that did not fit into the ring.
   const Recording* piece_ = nullptr;
   std::size_t next_ = 0;

@@ -156,7 +156,7 @@ Result<std::unique_ptr<Device>> open_simulated_hand(DeviceUrl& url, const OpenOp
   hand.arm_damping_Ns_per_m = url.take_number("arm-damping", hand.arm_damping_Ns_per_m, 0.0, 200.0);
   hand.arm_stiffness_N_per_m = url.take_number("arm-stiffness", hand.arm_stiffness_N_per_m, 0.0, 5000.0);
   hand.resolution_m = 1e-6 * url.take_number("resolution-um", 1e6 * hand.resolution_m, 0.0, 1000.0);
-  hand.delay_samples = static_cast<int>(url.take_number("delay", 0.0, 0.0, SimulatedHand::kMostDelay));
+  hand.delay_samples = url.take_count("delay", 0, 0, SimulatedHand::kMostDelay);
   hand.max_force_N = url.take_number("max-force", hand.max_force_N, 0.1, 40.0);
   hand.degrees_of_freedom = url.take_word("dof", {"3", "2"}) == "2" ? 2 : 3;
   hand.has_torque = url.take_number("torque", 0.0, 0.0, 1.0) > 0.0;

@@ -9,91 +9,168 @@
 
 namespace palpable::haptics {
 
-/// Limits the growth of a force (cap_rise) and stays passive, also during the ramp at the start of a touch.
-/// While the growth of a spring's force is limited, the hand presses against less than the spring. It
-/// delivers less energy than the spring counts as stored, and would get all of it back. So the energy that
-/// was withheld, H of the stored energy U, is counted until the contact ends. A hand that moves out meets the
-/// share (1 - H/U) of the spring, which returns U - H. The share changes with the movement, outwards and
-/// inwards, over a twentieth of the depth. So a hand at rest meets the whole spring, and the force does not
-/// chatter.
-/// Tick path; no allocation.
+/// Lets a force grow only so fast (cap_rise) and brings it up and down under a ramp, without making energy.
+/// Where a spring stores U but its force was held back (by the limit, a ramp, a dropped force), the hand has
+/// given only P of it: what it gave in this contact, the time before a dropped force included, less what came
+/// back. A hand at rest meets the whole spring nevertheless. One that moves out meets, after a twentieth of
+/// the depth, a spring that begins further in: the potential
+///     V = (sqrt(U) - c)^2 = P, and the share dV/dU = 1 - c/sqrt(U) of the law's force,
+/// which is as stiff as the law's own, gives back P and no more, and is conservative itself. c shrinks as the
+/// hand leaves, so that nothing is left of it outside. Damping and friction, which are not the spring's, stay
+/// whole. A tick is account(), then limit(). Tick path; no allocation.
 class RiseLimit {
  public:
   struct Input {
-    /// The desired force after cap and ramp.
-    Vector<DeviceFrame> force_N;
-    /// The spring's part of force_N, and the energy that the spring stores now. NaN where the law has no
-    /// spring: then nothing is counted.
-    Vector<DeviceFrame> spring_N;
+    /// What the law's spring stores now, and its force, after the cap; NaN where the law has no spring: then
+    /// the force follows the ramp, and nothing is counted.
     double stored_J = 0.0;
-    /// The force that the motors held since the last call, and the movement during that time.
-    Vector<DeviceFrame> held_force_N;
-    Vector<DeviceFrame> moved_m;
-    double max_rise_N = 0.0;
-    /// The ramp reduces the spring's force: the stored energy grows without work of the hand.
-    bool ramping = false;
-    /// Work on the hand since the last call: of the held torque, and of the spring's own torque. 0 for
-    /// devices without torque.
-    double turned_J = 0.0;
-    double spring_turned_J = 0.0;
+    Vector<DeviceFrame> spring_N;
+    /// What a change of scene added to stored_J since the last call.
+    double changed_J = 0.0;
+    /// What the hand received since the last call, of force and torque, J; how far it moved in the sense of
+    /// the spring's force, m; and the ticks until a force acts.
+    double received_J = 0.0;
+    double moved_out_m = 0.0;
+    double delay_ticks = 0.0;
+    /// The ramp, 0 ... 1, and by how much it may rise in this tick.
+    double gain = 1.0;
+    double gain_rise = 1.0;
   };
 
-  Limited<DeviceFrame> limit(const Input& in) noexcept {
-    const bool has_spring = in.stored_J > 0.0 && norm(in.spring_N) > 0.0;
-    if (!has_spring) {
-      share_ = 1.0;
-      withheld_J_ = 0.0;
+  /// The movement since the last call.
+  void account(const Input& in) noexcept {
+    const double given_before_J = given_J();
+    gain_ = in.gain;
+    has_spring_ = in.stored_J > 0.0 && norm(in.spring_N) > 0.0;
+    spring_N_ = in.spring_N;
+    stored_J_ = has_spring_ ? in.stored_J : 0.0;
+    root_ = std::sqrt(stored_J_);
+    if (!has_spring_) {
+      begins_ = false;
+      lent_ = offset_ = rendered_J_ = spare_J_ = given_J_ = 0.0;
+      return;
     }
-    // Energy that the spring counts as stored but the hand did not deliver.
-    const double unpaid_J =
-        has_spring ? dot(in.held_force_N, in.moved_m) + in.turned_J + in.stored_J - stored_J_ : 0.0;
-    const bool counts = in.ramping || was_limited_ || withheld_J_ > 0.0;
-    if (counts) count(unpaid_J);
-    if (has_spring) follow(in);
-    Limited<DeviceFrame> risen = cap_rise(share_ * in.force_N, force_N_, in.max_rise_N);
-    // The tick in which the limit first acts has undelivered energy too: that of the movement into the
-    // surface.
-    if (has_spring && risen.limited && !counts) count(unpaid_J);
-    was_limited_ = risen.limited;
-    risen.limited = risen.limited || share_ < 1.0;
+    given_J_ = std::clamp(given_before_J - in.received_J, 0.0, stored_J_);
+    // What the hand got while the force was on its way to zero is gone, and it gave nothing.
+    if (begins_) lend(std::min(given_before_J, given_J_));
+    begins_ = false;
+    if (lent_ > 0.0) {
+      take_back(in);
+      return;
+    }
+    // The surface of another scene that comes up under a hand begins where the hand is.
+    if (offset_ > 0.0)
+      offset_ = std::max(0.0, offset_ + root_ - std::sqrt(std::max(0.0, stored_J_ - in.changed_J)));
+    begin_at(offset_);
+    follow_ramp(in.gain_rise);
+  }
+
+  /// The force of this tick, of the one that the law wants after the cap; `rest_N` of it is not the spring's.
+  Limited<DeviceFrame> limit(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N,
+                             double max_rise_N) noexcept {
+    const Vector<DeviceFrame> wanted_N = rendered(law_N, rest_N);
+    Limited<DeviceFrame> risen = cap_rise(wanted_N, force_N_, max_rise_N);
+    if (risen.limited) note_limited();
     force_N_ = risen.force_N;
-    stored_J_ = has_spring ? in.stored_J : 0.0;
     return risen;
   }
 
   /// The passivity controller reduced the force that limit() returned.
   void weakened_to(Vector<DeviceFrame> force_N) noexcept { force_N_ = force_N; }
 
-  /// The motors hold no force now.
+  /// The spring was held back: its force by limit(), or another part of it, a torque, after it.
+  void note_limited() noexcept {
+    if (has_spring_) lend(lent_ > 0.0 ? given_J_ : std::min(given_J_, given_J()));
+  }
+
+  /// The motors hold nothing any more, in the same touch; and in a new one, of which nothing is known.
+  void drop() noexcept {
+    lend(given_J());
+    force_N_ = {};
+    begins_ = true;
+  }
   void reset() noexcept { *this = {}; }
 
-  /// Another part of the same spring, a torque, was limited after limit().
-  void note_limited() noexcept { was_limited_ = true; }
-  /// The share of the spring that is rendered now, 0 ... 1.
-  double share() const noexcept { return share_; }
-  double withheld_J() const noexcept { return withheld_J_; }
+  /// The part of the law's spring that is rendered now; the ramp where there is none.
+  double share() const noexcept {
+    if (!has_spring_) return gain_;
+    return offset_ > 0.0 ? 1.0 - offset_ / root_ : 1.0;
+  }
+  /// The spring gives back less than it stores.
+  bool is_weaker() const noexcept { return has_spring_ && (lent_ > 0.0 || offset_ > 0.0); }
+  double withheld_J() const noexcept { return std::max(0.0, stored_J_ - given_J()); }
+  /// What the hand gave and may get back, P.
+  double given_J() const noexcept { return lent_ > 0.0 ? given_J_ : rendered_J_ + spare_J_; }
 
  private:
-  /// The part of the depth over which the share changes.
-  static constexpr double kFollowing = 0.05;
+  /// The part of the depth over which what a hand at rest did not give is taken back.
+  static constexpr double kTakenBack = 0.05;
 
-  void count(double unpaid_J) noexcept { withheld_J_ = std::max(0.0, withheld_J_ + unpaid_J); }
+  void lend(double given_J) noexcept {
+    given_J_ = given_J;
+    lent_ = 1.0;
+  }
 
-  void follow(const Input& in) noexcept {
-    const double spring_N = norm(in.spring_N);
-    const double out_m = (dot(in.spring_N, in.moved_m) + in.spring_turned_J) / spring_N;
-    const double goal = out_m > 0.0 ? std::clamp(1.0 - withheld_J_ / in.stored_J, 0.0, share_) : 1.0;
-    // A spring that stores U at a force f is compressed by 2 U / f.
-    const double over_m = kFollowing * 2.0 * in.stored_J / spring_N;
-    share_ += (goal - share_) * std::min(1.0, std::abs(out_m) / over_m);
-    if (out_m > 0.0 && withheld_J_ >= in.stored_J) share_ = 0.0;
+  void take_back(const Input& in) noexcept {
+    const double goal = root_ * (1.0 - gain_);
+    // A spring that stores U at a force f is 2 U / f deep.
+    const double over_m = kTakenBack * 2.0 * stored_J_ / norm(spring_N_);
+    lent_ = std::max(0.0, lent_ - std::max(0.0, in.moved_out_m) / over_m);
+    // Stronger forces than the next ones are still on their way to the motors.
+    const double coming_J = in.delay_ticks * std::max(0.0, in.received_J);
+    if (in.moved_out_m > 0.0 && given_J_ <= coming_J + std::max(0.0, in.received_J)) lent_ = 0.0;
+    if (gain_ >= 1.0 && given_J_ >= stored_J_) lent_ = 0.0;
+    if (lent_ > 0.0) {
+      const double paid = std::max(goal, root_ - std::sqrt(given_J_));
+      begin_at(goal + (1.0 - lent_) * (paid - goal));
+      return;
+    }
+    given_J_ = std::max(0.0, given_J_ - coming_J);
+    begin_at(std::max(goal, root_ - std::sqrt(given_J_)));
+    spare_J_ = std::max(0.0, given_J_ - rendered_J_);
+  }
+
+  void begin_at(double offset) noexcept {
+    offset_ = std::min(offset, root_);
+    const double over = root_ - offset_;
+    rendered_J_ = offset_ > 0.0 ? over * over : stored_J_;
+  }
+
+  void follow_ramp(double gain_rise) noexcept {
+    const double goal = root_ * (1.0 - gain_);
+    const double before_J = rendered_J_;
+    if (offset_ < goal) {
+      begin_at(goal);
+    } else if (spare_J_ > 0.0 && offset_ > 0.0) {
+      begin_at(std::max({goal, offset_ - gain_rise * root_, root_ - std::sqrt(rendered_J_ + spare_J_)}));
+    }
+    spare_J_ = std::clamp(spare_J_ + before_J - rendered_J_, 0.0, stored_J_ - rendered_J_);
+  }
+
+  Vector<DeviceFrame> rendered(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N) const noexcept {
+    const double part = share();
+    if (!has_spring_ || gain_ <= 0.0) return gain_ * law_N;
+    if (part >= 1.0) return law_N;
+    const Vector<DeviceFrame> force_N = part * spring_N_ + rest_N;
+    // No damper pulls.
+    if (dot(force_N, spring_N_) <= 0.0) return {};
+    return cap_force(force_N, norm(law_N)).force_N;
   }
 
   Vector<DeviceFrame> force_N_;
+  Vector<DeviceFrame> spring_N_;
+  double gain_ = 0.0;
+  bool has_spring_ = false;
+  bool begins_ = true;
+  /// U and its root, c, V, and what the hand gave beyond it, B, while a ramp is below.
   double stored_J_ = 0.0;
-  double withheld_J_ = 0.0;
-  double share_ = 1.0;
-  bool was_limited_ = false;
+  double root_ = 0.0;
+  double offset_ = 0.0;
+  double rendered_J_ = 0.0;
+  double spare_J_ = 0.0;
+  /// P and the part of what the hand did not give that is rendered nevertheless; 0: P = V + B.
+  double given_J_ = 0.0;
+  double lent_ = 0.0;
 };
 
 }  // namespace palpable::haptics

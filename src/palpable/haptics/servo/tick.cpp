@@ -62,9 +62,10 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
   const bool is_glitch = use == ReadingUse::glitch;
   if (fading()) fade(dt_s);
   const bool valid = good && evaluate_laws(dt_s);
+  if (!is_glitch) account_spring(dt_s, valid && !paused_);
   if (fading() && faded_ >= 1.0) end_fade();
   observe(dt_s);
-  if (!is_glitch) make_force(dt_s, valid && !paused_);
+  if (!is_glitch) make_force(dt_s);
   send();
   if (has_torque_) device_.write_torque(written_Nm_);
   device_.write(written_N_);
@@ -108,8 +109,9 @@ void TickPipeline::take(const device::Reading& reading, const JudgedReading& jud
 
 void TickPipeline::drop_force() noexcept {
   ramp_.reset();
-  rise_.reset();
-  uncontrolled_rise_.reset();
+  rise_.drop();
+  uncontrolled_rise_.drop();
+  dropped_ = held();
   written_N_ = {};
   uncontrolled_N_ = {};
   written_Nm_ = {};
@@ -149,22 +151,6 @@ Vector<DeviceFrame> TickPipeline::device_torque_Nm(const Side& side,
   return (1.0 / side.scene->scene_from_device.scale) * rotate_force(side.device_from_scene, torque_Nm);
 }
 
-double TickPipeline::device_stored_J() const noexcept {
-  // If a spring exceeds the force cap, the hand only works against the capped force. A spring that stores U
-  // at a force f then stores U (2r - r^2) up to the cap r f.
-  Vector<DeviceFrame> spring_N = device_force_N(now_, now_.output.spring_N);
-  double stored_J = now_.output.stored_J / now_.scene->scene_from_device.scale;
-  if (const double size_N = norm(spring_N); now_.energy == EnergyModel::spring && size_N > max_force_N_) {
-    const double ratio = max_force_N_ / size_N;
-    stored_J *= ratio * (2.0 - ratio);
-    spring_N = ratio * spring_N;
-  }
-  // The law uses the reading, but within the sensor's step the hand is elsewhere; the spring force is the
-  // gradient in between. (The damper is not corrected: its jumps with the sensor's steps would appear as
-  // energy.)
-  return stored_J - dot(spring_N, fine_.place() - position_);
-}
-
 bool TickPipeline::evaluate_laws(double dt_s) noexcept {
   if (ramp_.value() <= 0.0 && !healthy_) begin_touch();
   if (counts_.ticks == 0) flags_ |= flag::kNewTouch;
@@ -186,6 +172,8 @@ void TickPipeline::begin_touch() noexcept {
   // The force has been zero for some time and the hand may have moved anywhere: the law's state is obsolete.
   now_.state = {};
   coming_.state = {};
+  rise_.reset();
+  uncontrolled_rise_.reset();
   velocity_.begin();
   velocity_m_per_s_ = {};
   turn_.begin();
@@ -194,6 +182,7 @@ void TickPipeline::begin_touch() noexcept {
 
 void TickPipeline::fade(double dt_s) noexcept {
   flags_ |= flag::kFading;
+  faded_before_ = faded_;
   faded_ = std::min(1.0, faded_ + dt_s / options_.fade_s);
 }
 
@@ -217,44 +206,6 @@ void TickPipeline::change(const HapticScene& scene) noexcept {
 }
 
 const HapticScene* TickPipeline::take_retired() noexcept { return std::exchange(retired_, nullptr); }
-
-void TickPipeline::observe(double dt_s) noexcept {
-  const bool contact = now_.output.contact;
-  PassivityObserver::Step step;
-  step.held_force_N = held().written_N;
-  step.moved_m = moved_;
-  step.turned_J = dot(held().written_Nm, turned_);
-  step.dt_s = dt_s;
-  // Withheld energy of a spring is not returned.
-  const double stored_J = device_stored_J();
-  step.contact = contact || (fading() && coming_.output.contact);
-  step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
-  step.shortened = shortened_;
-  step.scene_changes = scene_changes_;
-  step.weakened = held().weakened;
-  // The springs of two scenes cannot be compared: during a change only their work is counted.
-  if ((flags_ & flag::kFading) != 0)
-    counts_.scene_change_J += dot(step.held_force_N, step.moved_m) + step.turned_J;
-  const bool new_account =
-      (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
-  if (new_account) {
-    using Beginning = PassivityObserver::Beginning;
-    // A potential that is defined everywhere may be high where the touch begins.
-    const bool from_no_force =
-        (flags_ & flag::kNewTouch) != 0 && now_.energy != EnergyModel::weight && device_.traits().pushes_back;
-    const Beginning beginning = from_no_force ? Beginning::from_no_force : Beginning::in_contact;
-    observer_.begin(stored_J - rise_.withheld_J(), beginning);
-    without_controller_.begin(stored_J - uncontrolled_rise_.withheld_J(), beginning);
-    return;
-  }
-  step.stored_J = stored_J - rise_.withheld_J();
-  observer_.update(step);
-  step.stored_J = stored_J - uncontrolled_rise_.withheld_J();
-  step.weakened = false;
-  step.held_force_N = held().uncontrolled_N;
-  step.turned_J = dot(held().uncontrolled_Nm, turned_);
-  without_controller_.update(step);
-}
 
 bool TickPipeline::is_free() const noexcept {
   const auto nothing = [](const LawOutput& output) {
@@ -281,70 +232,43 @@ Vector<DeviceFrame> TickPipeline::with_transient(Vector<DeviceFrame> force_N, do
   return force_N + transient_.step(force_N, dt_s);
 }
 
-void TickPipeline::make_force(double dt_s, bool wanted) noexcept {
-  const auto capped = cap_force(with_transient(law_force_N_, dt_s), max_force_N_);
-  // After a stall the ramp starts as usual: it did not rise while no tick was executed.
+void TickPipeline::make_force(double dt_s) noexcept {
+  const Vector<DeviceFrame> wanted_N = with_transient(law_force_N_, dt_s);
+  const auto capped = cap_force(wanted_N, max_force_N_);
   const double risen_s = std::min(dt_s, options_.max_rise_time_s);
-  // A spring that is ramped up under a pressing hand would return energy that the hand did not deliver. So
-  // the ramp is only used for hands that are in contact when their touch begins.
-  if (wanted && is_free()) ramp_.finish();
-  const double gain = ramp_.step(wanted, wanted ? risen_s : dt_s);
-  const bool has_spring = now_.energy == EnergyModel::spring && (!fading() || same_surface_);
-  RiseLimit::Input in;
-  in.force_N = gain * capped.force_N;
-  in.spring_N = gain * cap_force(device_force_N(now_, now_.output.spring_N), max_force_N_).force_N;
-  in.stored_J = has_spring ? gain * device_stored_J() : std::numeric_limits<double>::quiet_NaN();
-  in.moved_m = moved_;
-  in.max_rise_N = options_.max_force_rate_N_per_s * risen_s;
-  // Without motors no energy is returned to a hand.
-  in.ramping = gain < 1.0 && device_.traits().pushes_back;
-  in.held_force_N = held().written_N;
-  if (has_torque_) {
-    in.turned_J = dot(held().written_Nm, turned_);
-    in.spring_turned_J = gain * dot(device_torque_Nm(now_, now_.output.spring_torque_Nm), turned_);
-  }
-  const auto risen = rise_.limit(in);
-  in.held_force_N = held().uncontrolled_N;
-  if (has_torque_) in.turned_J = dot(held().uncontrolled_Nm, turned_);
-  uncontrolled_N_ = uncontrolled_rise_.limit(in).force_N;
+  const double max_rise_N = options_.max_force_rate_N_per_s * risen_s;
+  const double gain = ramp_.value();
+  const Vector<DeviceFrame> rest_N = wanted_N - spring_N_;
+  const auto risen = rise_.limit(capped.force_N, rest_N, max_rise_N);
+  uncontrolled_N_ = uncontrolled_rise_.limit(capped.force_N, rest_N, max_rise_N).force_N;
   written_N_ = risen.force_N;
-  if (has_torque_) make_torque(gain, risen_s);
+  if (has_torque_) make_torque(risen_s);
   if (gain > 0.0) control_energy(dt_s);
-  counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
+  if (rise_.is_weaker()) counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
   if (capped.limited) flags_ |= flag::kForceCapped;
-  if (risen.limited) flags_ |= flag::kRateCapped;
+  if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRateCapped;
   if (gain < 1.0) flags_ |= flag::kRamping;
   if (paused_) flags_ |= flag::kPaused;
   scene_changes_ = fading() && !same_surface_;
-  shortened_ = scene_changes_ || gain < 1.0 || torque_capped_;
+  shortened_ = scene_changes_ || torque_capped_ || (gain < 1.0 && !is_accounted());
 }
 
-void TickPipeline::make_torque(double gain, double risen_s) noexcept {
+void TickPipeline::make_torque(double risen_s) noexcept {
   const auto capped = cap_force(law_torque_Nm_, device_.traits().max_torque_Nm);
   const double max_rise_Nm = options_.max_torque_rate_Nm_per_s * risen_s;
-  const auto risen = cap_rise(rise_.share() * gain * capped.force_N, written_Nm_, max_rise_Nm);
+  const auto limit = [&](RiseLimit& rise, Vector<DeviceFrame> before_Nm) {
+    const Vector<DeviceFrame> wanted_Nm = rise.share() * capped.force_N;
+    const auto risen = cap_rise(wanted_Nm, before_Nm, max_rise_Nm);
+    // What is held back of a torque is held back of the same spring.
+    if (risen.limited) rise.note_limited();
+    return risen;
+  };
+  uncontrolled_Nm_ = limit(uncontrolled_rise_, uncontrolled_Nm_).force_N;
+  const auto risen = limit(rise_, written_Nm_);
   written_Nm_ = risen.force_N;
-  const auto uncontrolled =
-      cap_rise(uncontrolled_rise_.share() * gain * capped.force_N, uncontrolled_Nm_, max_rise_Nm);
-  uncontrolled_Nm_ = uncontrolled.force_N;
-  // A limited torque belongs to the same spring.
-  if (risen.limited) rise_.note_limited();
-  if (uncontrolled.limited) uncontrolled_rise_.note_limited();
   torque_capped_ = capped.limited;
   if (capped.limited) flags_ |= flag::kForceCapped;
   if (risen.limited) flags_ |= flag::kRateCapped;
-}
-
-void TickPipeline::control_energy(double dt_s) noexcept {
-  if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
-  const double gives_W = dot(written_N_, velocity_m_per_s_) + dot(written_Nm_, turn_.velocity_rad_per_s());
-  const double factor = passivity_factor(gives_W, observer_.made_J(), dt_s);
-  if (factor >= 1.0) return;
-  flags_ |= flag::kPassivityActed;
-  written_N_ = factor * written_N_;
-  written_Nm_ = factor * written_Nm_;
-  // From this value it grows within the rise limit.
-  rise_.weakened_to(written_N_);
 }
 
 void TickPipeline::send() noexcept {

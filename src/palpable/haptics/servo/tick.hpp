@@ -76,8 +76,22 @@ class TickPipeline {
   bool evaluate_law(Side& side, double dt_s) noexcept;
   Vector<DeviceFrame> device_force_N(const Side& side, Vector<SceneFrame> force_N) const noexcept;
   Vector<DeviceFrame> device_torque_Nm(const Side& side, Vector<SceneFrame> torque_Nm) const noexcept;
-  double device_stored_J() const noexcept;
-  void make_torque(double gain, double risen_s) noexcept;
+  /// What is stored, in the device's frame, and the spring's part of the force, after the cap.
+  struct Potential {
+    Vector<DeviceFrame> spring_N;
+    double stored_J = 0.0;
+    /// The spring's force before the cap.
+    Vector<DeviceFrame> uncapped_N;
+  };
+  bool has_spring() const noexcept;
+  /// Its energy is counted, and brought up and down by the rise limit.
+  bool is_accounted() const noexcept;
+  /// `faded`: the part of the scene that fades in.
+  Potential potential(double faded) const noexcept;
+  /// What of it the hand gave.
+  double given_J(const RiseLimit& rise) const noexcept;
+  void account_spring(double dt_s, bool wanted) noexcept;
+  void make_torque(double risen_s) noexcept;
   void control_energy(double dt_s) noexcept;
   void send() noexcept;
   bool evaluate_laws(double dt_s) noexcept;
@@ -86,7 +100,7 @@ class TickPipeline {
   void observe(double dt_s) noexcept;
   bool is_free() const noexcept;
   Vector<DeviceFrame> with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept;
-  void make_force(double dt_s, bool wanted) noexcept;
+  void make_force(double dt_s) noexcept;
   void begin_touch() noexcept;
   void describe(const device::Reading& reading) noexcept;
   void report_changes(const TouchSample& before) noexcept;
@@ -104,7 +118,8 @@ class TickPipeline {
   /// Its scene is null if no scene fades in.
   Side coming_;
   double faded_ = 0.0;
-  /// The scene that fades in has the same law on the same surface: springs and energies continue.
+  double faded_before_ = 0.0;
+  /// The scene that fades in is the same law on the same surface: springs and energies continue.
   bool same_surface_ = false;
   const HapticScene* retired_ = nullptr;
 
@@ -128,6 +143,10 @@ class TickPipeline {
   /// For the written force, and for the force as it would be without the controller.
   RiseLimit rise_;
   RiseLimit uncontrolled_rise_;
+  /// What the law stores, as of the last account.
+  double stored_J_ = 0.0;
+  /// And its spring's force.
+  Vector<DeviceFrame> spring_N_;
   /// The law's force (the last finite one), the force after caps and ramp, and the written force.
   Vector<DeviceFrame> law_force_N_;
   Vector<DeviceFrame> uncontrolled_N_;
@@ -147,10 +166,12 @@ class TickPipeline {
   static constexpr int kMaxDelay = 15;
   std::array<Sent, kMaxDelay + 1> sent_{};
   std::size_t newest_ = 0;
+  /// What the motors held when the force was dropped.
+  Sent dropped_;
   std::size_t delay_;
   /// The forces that the motors held since the last reading: written one tick ago, plus the device's delay.
   const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }
-  /// The held force was reduced by a ramp or a fade, or by the cap for a law without a spring.
+  /// The held force was shortened by a fade or a torque cap, or by the ramp of a law without a spring.
   bool shortened_ = true;
   bool scene_changes_ = false;
   bool paused_ = false;

@@ -206,6 +206,18 @@ TEST(CheckRecording, FindsATimeThatWasChanged) {
   EXPECT_NE(said(report).find("contradict"), std::string::npos) << said(report);
 }
 
+TEST(CheckRecording, FindsATimeThatGoesBackInTheRecordingOfAReplayToo) {
+  const auto file = altered(one_touch(), "back.rec", [](device::Recording& recording) {
+    const auto at = recording.header_json.find("\"device_url\":\"");
+    ASSERT_NE(at, std::string::npos);
+    recording.header_json.insert(at + std::string("\"device_url\":\"").size(), "replay:");
+    recording.ticks.back().t_s = recording.ticks[recording.ticks.size() - 2].t_s - 0.002;
+  });
+  const auto report = checked(file, {waves(0.010)});
+  EXPECT_TRUE(found(report, FindingKind::damage)) << said(report);
+  EXPECT_NE(said(report).find("does not rise"), std::string::npos) << said(report);
+}
+
 TEST(CheckRecording, SaysThatAForceIsNotAFiniteNumberInWords) {
   const auto file = altered(one_touch(), "not-finite.rec", [](device::Recording& recording) {
     recording.ticks[first_in_contact(recording)].written_force_N.v.y = std::nan("");

@@ -52,7 +52,8 @@ void RecordedForces::take(const device::TouchSample& tick, const RecordedTouch* 
   const Vector<DeviceFrame> force_N = rotate_force(place.inverse(), tick.written_force_N);
   check_force(tick, force_N);
   newest_ = (newest_ + 1) % kSent;
-  sent_[newest_] = {force_N, tick.has(flag::kPassivityActed)};
+  // After a stall or a pause the hand may get back what it gave before, though there was no force between.
+  sent_[newest_] = {force_N, tick.has(flag::kPassivityActed | flag::kStalled | flag::kRamping)};
   if (touch != nullptr) check_work(tick, *touch);
 }
 
@@ -70,6 +71,8 @@ void RecordedForces::check_time(const device::TouchSample& tick) {
   } else if (ticks_ > 0 && tick.tick > next_tick_) {
     findings_.add(FindingKind::lost_ticks, tick, static_cast<double>(tick.tick - next_tick_));
     knows_before_ = knows_place_ = false;
+  } else if (ticks_ > 0 && tick.t_s <= before_s_) {
+    findings_.add(FindingKind::damage, tick, 0.0, "its time does not rise");
   } else if (ticks_ > 0 && !agree(tick.t_s - before_s_, tick.dt_s)) {
     findings_.add(FindingKind::damage, tick, 0.0, "the times of its ticks contradict their periods");
   }
