@@ -161,7 +161,7 @@ TEST_F(SolidCommands, DepthMapsFromSeveralPosesAreFused) {
   write_text(path("poses.csv"), "frame,qw,qx,qy,qz,tx,ty,tz\n1,1,0,0,0,0,0,0\n");
   expect_refused(fuse("poses.csv"), "f2.png", "has no pose");
   write_text(path("poses.csv"), "frame,qw,qx,qy,qz,tx,ty,tz\n1,2,0,0,0,0,0,0\n");
-  expect_refused(fuse("poses.csv"), "poses.csv", "no unit quaternion");
+  expect_refused(fuse("poses.csv"), "poses.csv", "not a unit quaternion");
 }
 
 TEST_F(SolidCommands, TheEgocentricViewRotatesWithItsExplorer) {

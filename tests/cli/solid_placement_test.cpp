@@ -54,7 +54,7 @@ TEST_F(SolidPlacement, AMeshOfAHandsSizeFarFromItsOriginIsCentred) {
   write_text(path("m.obj"), box_obj(0.08, 0.06, 0.1, 0.3, 0.3));
   const Outcome outcome = make(path("m.obj"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_THAT(outcome.err, HasSubstr("moved to the middle"));
+  EXPECT_THAT(outcome.err, HasSubstr("it was centred"));
   expect_size_mm(80.0, 60.0, 100.0);
   EXPECT_NEAR(info().at("scene_from_input")[0][3].get<double>(), -0.34, 1e-6);
 }

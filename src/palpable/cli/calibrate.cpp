@@ -141,9 +141,8 @@ Result<Answer> calibrate(const CalibrateArguments& arguments, Console& console) 
   constexpr double kPoor_px = 1.0;
   if (found->reprojection_px > kPoor_px)
     console.note(
-        fmt::format("The corners lie {:.2f} pixels (RMS) from where this calibration puts them, which is "
-                    "poor: is the board flat, "
-                    "and --board right?",
+        fmt::format("The reprojection error is {:.2f} pixels (RMS), which is poor: is the board flat, and is "
+                    "--board correct?",
                     found->reprojection_px));
   Answer answer;
   answer.json = {{"output", arguments.output},

@@ -138,7 +138,7 @@ std::string recomputed_sentence(const CheckReport& report) {
 std::string energy_sentence(const CheckReport& report) {
   if (std::isfinite(report.made_max_J)) return fmt::format("Energy made: {:.2g} J.", report.made_max_J);
   if (std::isfinite(report.observed_made_max_J))
-    return fmt::format("Energy made, as the observer counts it: {:.2g} J.", report.observed_made_max_J);
+    return fmt::format("Generated energy, as counted by the observer: {:.2g} J.", report.observed_made_max_J);
   return "Energy: not known without the scene.";
 }
 

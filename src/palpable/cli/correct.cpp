@@ -52,7 +52,7 @@ Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
                  {"notes", sentences_of(corrected->made.notes)},
                  {"seconds", seconds.count()}};
   answer.text =
-      fmt::format("{}: {} samples of the surface went onto the measured one, {} moved, in {:.2f} s\n",
+      fmt::format("{}: {} samples of the surface matched the measured one, {} were moved, in {:.2f} s\n",
                   arguments.output, corrected->measured_samples, corrected->moved_samples, seconds.count());
   return answer;
 }

@@ -66,8 +66,8 @@ Finding servo_rate() {
                                  finding.found.empty() ? "" : ", ", rate_hz, 100.0 * kept.missed_fraction());
     if (haptics::check_kept(kept)) continue;
     finding.state = Finding::State::wanted;
-    finding.advice =
-        fmt::format("end what else the machine is busy with, or touch with a --rate below {:.0f}", rate_hz);
+    finding.advice = fmt::format(
+        "end other programs that use the processor, or touch with a --rate below {:.0f}", rate_hz);
     break;
   }
   return finding;
@@ -83,13 +83,12 @@ Finding watchdog() {
   const double period_ms = 1e3 / rate_hz;
   Finding finding{"watchdog", Finding::State::good, {}, {}};
   finding.found = fmt::format(
-      "a servo that hangs loses its force {:.1f} ms after the write that was due (99 %: {:.1f} ms, longest "
-      "of "
-      "{}: {:.1f} ms)",
+      "if the servo hangs, the watchdog cuts the force {:.1f} ms after the overdue write (99 %: {:.1f} ms, "
+      "longest of {}: {:.1f} ms)",
       latency.p50_ms - period_ms, latency.p99_ms - period_ms, latency.hangs, latency.max_ms - period_ms);
   if (latency.max_ms - period_ms > kPromised_ms) {
     finding.state = Finding::State::wanted;
-    finding.advice = "allow real-time priority, or end what else the machine is busy with";
+    finding.advice = "allow real-time priority, or end other programs that use the processor";
   }
   return finding;
 }
@@ -152,7 +151,9 @@ Finding device_rules() {
   }
   finding.state = Finding::State::wanted;
   finding.found = "no device rules are installed; the pointer and the simulated hand need none";
-  finding.advice = "for a force-feedback device on USB, install the udev rule that docs/devices.md shows";
+  finding.advice =
+      "for a force-feedback device on USB, there is no driver yet; its udev rule will be like the one in "
+      "docs/devices.md";
   return finding;
 }
 
@@ -200,9 +201,9 @@ Result<Answer> examine_hand(const std::string& device_url, Console& console) {
       hand->pulses, name, hand->together.mass_kg, hand->together.stiffness_N_per_m);
   constexpr double kSmallest = 0.1;
   if (hand->least_damping_Ns_per_m > kSmallest)
-    answer.text += fmt::format(
-        "A hand holds a device more loosely at times: touch with --hand-damping {:.1f} at most.\n",
-        hand->least_damping_Ns_per_m);
+    answer.text +=
+        fmt::format("A hand sometimes holds a device more loosely: use --hand-damping {:.1f} or less.\n",
+                    hand->least_damping_Ns_per_m);
   return answer;
 }
 
@@ -238,7 +239,7 @@ void add_doctor(Program& program) {
                   "  palpable doctor --measure-hand sim:?script=hold",
                   [hand_on_device](Console& console) { return examine(*hand_on_device, console); });
   options.text("--measure-hand", *hand_on_device,
-               "Measure instead what the hand that holds this device adds to its damping (8 s)");
+               "Instead, measure the damping that the hand adds to this device (8 s)");
 }
 
 }  // namespace palpable::cli

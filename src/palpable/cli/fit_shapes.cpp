@@ -84,10 +84,8 @@ void add_fit_shapes(Program& program) {
                           "Primitives to write (.json), as make reads them");
   options.text("--labels", arguments->labels,
                "8-bit grey picture of the depth map's shape: 0 is left out, every other value is one object");
-  options.number(
-      "--tolerance", arguments->tolerance_mm, {0.0, 1000.0},
-      "Mean distance of points to their shape that is good enough, mm; 0 = as the scene's size and "
-      "noise say");
+  options.number("--tolerance", arguments->tolerance_mm, {0.0, 1000.0},
+                 "Tolerated mean distance of points to their shape, mm; 0 = from the scene's size and noise");
   options.integer("--max-shapes", arguments->most_shapes, {1, 256},
                   "Greatest number of shapes; the largest are kept");
   add_make_options(options, arguments->make);

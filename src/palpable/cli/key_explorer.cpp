@@ -120,7 +120,7 @@ std::string KeyExplorer::help(const models::Scene& scene) {
          "D: describe the scene; again for more.\n"
          "P: say position and height.\n"
          "Home: back to the middle.\n"
-         "Space: pause, go on.\n"
+         "Space: pause, resume.\n"
          "Q: end.";
 }
 

@@ -31,7 +31,7 @@ constexpr std::array kGroups{
     ParameterGroup{
         "background", "What lies behind the objects (--background)", "generated pairs of tables and rooms",
         [](SettableOptions& o) { return vision::parameters_of(o.recipes.relief.background_options); }},
-    ParameterGroup{"field", "The field of a solid", "made solids and generated scans (docs/fields.md)",
+    ParameterGroup{"field", "The field of a solid", "generated solids and scans (docs/fields.md)",
                    [](SettableOptions& o) {
                      auto parameters = sculpt::parameters_of(o.recipes.field.field);
                      append_parameters(parameters, "walls", sculpt::parameters_of(o.recipes.field.walls));

@@ -118,7 +118,7 @@ Result<Answer> rectify(const RectifyArguments& arguments, Console& console) {
 void add_rectify(Program& program) {
   const auto arguments = std::make_shared<RectifyArguments>();
   Options options = add_command(
-      program, "rectify", "Rectify a photographed map or painting, as seen from straight above",
+      program, "rectify", "Rectify a photographed map or painting, as seen from directly above",
       "  palpable rectify photo.jpg -o map.png\n"
       "  palpable rectify photo.jpg -o map.png --corners '120,80 900,60 980,700 60,720' --aspect 4:3\n"
       "  palpable rectify photo.jpg -o map.png --lines '0,10,600,30 0,400,600,380 10,0,60,400 500,0,480,400'",

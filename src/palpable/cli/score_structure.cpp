@@ -159,7 +159,7 @@ void add_score_structure(Program& program) {
   options.text("--true-poses", arguments->true_poses,
                "The true poses in the truth's coordinates, frame,qw,qx,qy,qz,tx,ty,tz");
   options.text("--calibration", arguments->calibration,
-               "The film's camera: only what is in its pictures counts as visible");
+               "The camera of the video: only what is in its pictures counts as visible");
   options.number("--within", arguments->within_percent, {0.01, 50},
                  "Distance within which a true place counts as found, percent of the diagonal");
 }

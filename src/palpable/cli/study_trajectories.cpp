@@ -79,12 +79,12 @@ Result<Answer> study(const StudyTrajectoriesArguments& arguments, const Work& wo
 
 void add_study_trajectories(Program& program) {
   const auto arguments = std::make_shared<StudyTrajectoriesArguments>();
-  Options options =
-      add_command(program, "study-trajectories",
-                  "Random strokes over walls, grooves and spikes: does a hand ever pass through the surface?",
-                  "  palpable study-trajectories\n"
-                  "  palpable study-trajectories --trajectories 10000 --list steps.csv",
-                  [arguments](Console& console) { return study(*arguments, console.work()); });
+  Options options = add_command(
+      program, "study-trajectories",
+      "Random strokes over walls, grooves and spikes: how often does a hand pass through the surface?",
+      "  palpable study-trajectories\n"
+      "  palpable study-trajectories --trajectories 10000 --list steps.csv",
+      [arguments](Console& console) { return study(*arguments, console.work()); });
   options.number("--trajectories", arguments->trajectories, {1.0, 1e8}, "Number of strokes");
   options.integer("--ticks", arguments->ticks, {2, 100000}, "Length of each stroke in ticks of 1 ms");
   options.number("--fastest", arguments->fastest_m_per_s, {0.001, 10.0}, "Greatest speed of the hand, m/s");

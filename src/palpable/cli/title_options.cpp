@@ -46,7 +46,7 @@ Result<void> check(const std::string& text, std::size_t longest, const char* opt
 void add_title_options(Options& options, TitleArguments& arguments) {
   options.text("--title", arguments.title, "What the scene is called: shown, and spoken when a touch begins");
   options.text("--describe", arguments.description,
-               "A description of the scene for the person who touches it; @FILE reads it from a text file");
+               "A description of the scene for the user; @FILE reads it from a text file");
 }
 
 Result<TitleArguments> read_title(TitleArguments arguments) {

@@ -296,7 +296,7 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
     return Error{ErrorCode::usage, "the keys move the probe themselves: leave out --device and --view",
                  "--keys"};
   if (!arguments.view.walk.empty() && !arguments.headless)
-    return Error{ErrorCode::usage, "on the page the person walks: leave out --walk, or add --headless",
+    return Error{ErrorCode::usage, "on the page the user walks: leave out --walk, or add --headless",
                  "--walk"};
   if (arguments.scene.make.detail == kCompareDetails)
     return Error{ErrorCode::usage, "cannot be touched: compare the operators with palpable make", "--detail"};
@@ -363,10 +363,10 @@ void add_touch(Program& program) {
                "With --as-published: no stiffness limit, rise limit and passivity controller; for simulated "
                "devices and those of at most 4 N");
   options.choice("--transients", arguments->transient, {"none", "rubber", "wood", "metal"},
-                 "What the surface vibrates like when it is struck; for devices with motors");
+                 "Material whose vibration an impact starts; for devices with motors");
   options.number("--hand-damping", arguments->hand_damping_Ns_per_m, {0.1, 40.0},
-                 "What the hand adds to the device's damping at least, in N·s/m; the stiffness limit depends "
-                 "on it (doctor --measure-hand measures it)");
+                 "Least damping that the hand adds to the device, N·s/m; the stiffness limit depends on it "
+                 "(doctor --measure-hand measures it)");
   options.text("--device", arguments->device,
                "Device (palpable devices lists them); default: the page's pointer");
   options.integer("--port", arguments->port, {0, 65535}, "Port of the page on 127.0.0.1; 0 = any free one");

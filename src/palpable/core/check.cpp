@@ -8,7 +8,8 @@
 namespace palpable {
 
 void check_failed(const char* condition, const char* file, int line) {
-  std::fprintf(stderr, "palpable: this is a bug of ours: %s does not hold at %s:%d\n", condition, file, line);
+  std::fprintf(stderr, "palpable: this is a bug in palpable: %s does not hold at %s:%d\n", condition, file,
+               line);
   std::abort();
 }
 

@@ -16,7 +16,7 @@ Result<void> check_picture_size(std::int64_t width, std::int64_t height) {
   if (width < 1 || height < 1) return invalid_input("states a size of " + size);
   if (width > kMaxPixels || height > kMaxPixels || width * height > kMaxPixels)
     return invalid_input(size + " are more than the " + std::to_string(kMaxPixels >> 20) +
-                         " million that can be taken in: make the picture smaller first");
+                         " million that can be read: make the picture smaller first");
   return {};
 }
 

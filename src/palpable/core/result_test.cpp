@@ -55,7 +55,7 @@ TEST(Error, CodesAreTheExitCodesOfTheCommandLine) {
 
 TEST(ResultDeathTest, NamesTheLineThatUsesAnErrorAsAValue) {
   const Result<int> none = parse_digit('x');
-  EXPECT_DEATH(static_cast<void>(none.value()), "bug of ours: has_value\\(\\).*result.hpp");
+  EXPECT_DEATH(static_cast<void>(none.value()), "bug in palpable: has_value\\(\\).*result.hpp");
 }
 
 }  // namespace

@@ -264,7 +264,7 @@ void TouchHost::take_notices() {
     } else if (event.kind == Kind::recovered && device) {
       say("recovered", "The device answers again");
     } else if (event.kind == Kind::not_finite) {
-      say("fault", "The law gave a force that is no number: the force is off");
+      say("fault", "The law gave a force that is not a number: the force is off");
     }
   }
 }

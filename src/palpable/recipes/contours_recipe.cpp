@@ -51,9 +51,9 @@ void mark_junctions(models::Scene& scene, const models::BoundaryMap& map,
 Result<MadeScene> contours_from_picture(Image picture, const ContoursRecipe& recipe, const Work& work) {
   std::vector<Note> notes;
   if (auto smaller = vision::reduced(picture, recipe.most_pixels)) {
-    notes.emplace_back(
-        fmt::format("The picture was reduced from {} x {} to {} x {} pixels, which a finger cannot tell.",
-                    picture.width, picture.height, smaller->width, smaller->height));
+    notes.emplace_back(fmt::format(
+        "The picture was reduced from {} x {} to {} x {} pixels, a difference that a finger cannot feel.",
+        picture.width, picture.height, smaller->width, smaller->height));
     picture = *std::move(smaller);
   }
   auto found = vision::find_contours(picture, recipe.contours, work);

@@ -28,7 +28,7 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
     notes.emplace_back("The input states no unit: its coordinates were taken as metres.");
   if (!placement.fitted) return notes;
   if (placement.moved) {
-    notes.emplace_back("The input lies beside its origin: it was moved to the middle.");
+    notes.emplace_back("The input is far from its origin: it was centred.");
     return notes;
   }
   const Vec3 extent = box.size_m();
@@ -44,10 +44,10 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
   const bool asked = options.up && options.lay != sculpt::Lay::automatic;
   const bool as_it_was = placement.lay == sculpt::Lay::upright && placement.up == AxisDirection::plus_y;
   if (!asked && !as_it_was)
-    notes.emplace_back(fmt::format("Up was taken to be {} in the input, and {}.", name_of(placement.up),
-                                   placement.lay == sculpt::Lay::flat
-                                       ? "it lies flat, seen from above"
-                                       : "it stands upright, seen from the front"));
+    notes.emplace_back(
+        fmt::format("The up axis of the input was assumed to be {}; {}.", name_of(placement.up),
+                    placement.lay == sculpt::Lay::flat ? "it lies flat, seen from above"
+                                                       : "it stands upright, seen from the front"));
   return notes;
 }
 

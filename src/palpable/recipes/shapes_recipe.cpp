@@ -10,7 +10,7 @@ namespace palpable::recipes {
 Result<SeenPoints> points_of_depth(const DepthMap& depth, const std::optional<Raster<float>>& labels) {
   const auto& metres = depth.depth_m;
   if (!depth.camera)
-    return invalid_input("states no camera, without which its depth has no width", {},
+    return invalid_input("states no camera, which is needed to compute sizes from depth", {},
                          Reason::needs_calibration);
   if (labels && (labels->width() != metres.width() || labels->height() != metres.height()))
     return invalid_input("has another size than its labels");

@@ -175,10 +175,11 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   if (!maps) return maps.error();
   const FilmedModel model = filmed_model(*maps, recipe.model, work.seed);
   if (model.structure.places_m.empty())
-    return Error{ErrorCode::invalid_input,
-                 "no surface was seen alike from several sides: film again, more slowly and in more light",
-                 {},
-                 Reason::unspecified};
+    return Error{
+        ErrorCode::invalid_input,
+        "no surface looks the same from several directions: record it again, more slowly and in more light",
+        {},
+        Reason::unspecified};
   VideoReconstruction reconstruction = reconstruction_of(*frames, *motion, *maps, model.structure);
   crop(*maps, model);
   auto made = recipe.surface == VideoSurface::fused ? fused_field(model, *maps, recipe, work)
@@ -187,9 +188,10 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   made->notes.insert(made->notes.begin(), frames->notes.begin(), frames->notes.end());
   made->notes.insert(
       made->notes.begin(),
-      Note(fmt::format("The camera's path was found in {} of {} frames; points are {:.2f} px from where "
-                       "they should be (root mean square).",
-                       reconstruction.poses.size(), frames->frames.size(), motion->reprojection_rms_px)));
+      Note(fmt::format(
+          "The camera's path was found in {} of {} frames; the reprojection error is {:.2f} px (root mean "
+          "square).",
+          reconstruction.poses.size(), frames->frames.size(), motion->reprojection_rms_px)));
   made->video = std::make_shared<const VideoReconstruction>(std::move(reconstruction));
   return made;
 }

@@ -25,8 +25,8 @@ constexpr std::array kDrivers{
     Driver{"pointer", open_pointer, "pointer", "The page's mouse, finger, pen or arrow keys; no motors.",
            true},
     Driver{"sim", open_simulated_hand, "simulated hand",
-           "A hand on a device, computed; it explores by itself.", true},
-    Driver{"replay", open_replay, "replay", "The movements of a recording once more: replay:FILE.", true},
+           "A simulated hand on a simulated device; it explores by itself.", true},
+    Driver{"replay", open_replay, "replay", "Replays the movements of a recording: replay:FILE.", true},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {

@@ -27,7 +27,7 @@ Result<RecordingEnd> end_of(const std::string& file) {
   if ((*reader)->end() == RecordingEnd::damaged)
     return invalid_input("is a recording that is damaged after " + std::to_string(ticks) + " ticks", file);
   if ((*reader)->end() == RecordingEnd::more_after_end)
-    return invalid_input("is a recording with something after the mark of its end", file);
+    return invalid_input("is a recording with data after its end mark", file);
   if (ticks == 0) return invalid_input("is a recording without a tick", file);
   return (*reader)->end();
 }

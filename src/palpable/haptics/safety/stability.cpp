@@ -59,7 +59,7 @@ SafeContact safe_contact(const device::Traits& device, double rate_hz, double sc
 std::string reason(StiffnessBound bound) {
   switch (bound) {
     case StiffnessBound::held_spring:
-      return "a stiffer wall at this loop rate, delay and damping would push back more than it was given";
+      return "a stiffer wall at this loop rate, delay and damping would return more energy than it received";
     case StiffnessBound::passivity:
       return "device and hand together damp too little for a stiffer wall at this loop rate and delay";
     case StiffnessBound::quantisation:

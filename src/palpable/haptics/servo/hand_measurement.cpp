@@ -179,7 +179,8 @@ Result<MeasuredHand> hand_of(std::span<const TouchSample> samples, const device:
     stiffnesses.push_back(fitted->stiffness_N_per_m);
   }
   if (dampings.empty())
-    return Error{ErrorCode::failed, "the hand's answer to the pulses determines no damping", {}};
+    return Error{
+        ErrorCode::failed, "no damping can be determined from the hand's response to the pulses", {}};
   MeasuredHand hand;
   hand.pulses = static_cast<int>(dampings.size());
   hand.together = {quantile_of(masses, 0.5), quantile_of(dampings, 0.5), quantile_of(stiffnesses, 0.5)};

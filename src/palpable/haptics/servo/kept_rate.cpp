@@ -37,7 +37,7 @@ Result<void> check_kept(const KeptRate& kept) {
                    " Hz now: an empty one missed " + rounded(100.0 * kept.missed_fraction()) +
                    " % of its deadlines, which leaves " +
                    rounded(kept.rate_hz * (1.0 - kept.missed_fraction())) +
-                   " Hz; take a lower --rate, or see palpable doctor",
+                   " Hz; choose a lower --rate, or see palpable doctor",
                {}};
 }
 

@@ -12,10 +12,9 @@ TEST(KeptRate, IsRefusedWithItsFigureWhereTooManyDeadlinesWereMissed) {
   const auto refused = check_kept({4000.0, 1000, 400});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::failed);
-  EXPECT_EQ(
-      refused.error().message,
-      "this machine does not keep a loop of 4000 Hz now: an empty one missed 40 % of its deadlines, which "
-      "leaves 2400 Hz; take a lower --rate, or see palpable doctor");
+  EXPECT_EQ(refused.error().message,
+            "this machine does not keep a loop of 4000 Hz now: an empty one missed 40 % of its deadlines, "
+            "which leaves 2400 Hz; choose a lower --rate, or see palpable doctor");
   EXPECT_FALSE(check_kept({}));
 }
 

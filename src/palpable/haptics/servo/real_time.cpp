@@ -23,7 +23,7 @@ namespace palpable::haptics {
 std::string request_priority(int priority) {
   // Otherwise the kernel may wake a thread without real-time priority up to 50 µs late to save power.
   prctl(PR_SET_TIMERSLACK, 1UL);
-  if (priority <= 0) return "ordinary (not asked for)";
+  if (priority <= 0) return "normal (not requested)";
   sched_param wanted{};
   wanted.sched_priority = priority;
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &wanted);

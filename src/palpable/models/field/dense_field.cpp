@@ -32,7 +32,7 @@ std::pair<int, double> cell_of(double cells, int count) noexcept {
 
 Result<DenseField> DenseField::from(const Lattice& lattice, DenseContent content, std::vector<float> values,
                                     const FieldErrors& errors) {
-  if (!is_valid(lattice)) return invalid_input("states a dense field whose lattice makes no sense");
+  if (!is_valid(lattice)) return invalid_input("states a dense field with an invalid lattice");
   if (values.size() != floats_of(content) * lattice.places())
     return invalid_input("holds a dense field of another size than it states");
   const auto finite = [](float v) { return std::abs(v) < 1e6F; };

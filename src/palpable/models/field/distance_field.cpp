@@ -196,7 +196,7 @@ std::array<DistanceField::Leaf, 8> leaves_of(const FieldGrid& grid, const FieldT
 
 Result<DistanceField> DistanceField::from_tree(const FieldGrid& grid, FieldTree tree,
                                                const FieldErrors& errors) {
-  if (!grid_is_valid(grid)) return invalid_input("holds a field whose grid makes no sense");
+  if (!grid_is_valid(grid)) return invalid_input("contains a field with an invalid grid");
   const auto leaves = checked_leaves(grid, tree);
   if (!leaves) return leaves.error();
   DistanceField field;

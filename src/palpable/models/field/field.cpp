@@ -53,7 +53,7 @@ template <DistanceSurface Distance>
 Result<SolidField<Distance>> seen_from_above(Distance distance, Vec3 least_m, Vec3 most_m) {
   const Vec3 size = most_m - least_m;
   if (!is_finite(least_m) || !is_finite(most_m) || !(size.x >= 0.0 && size.y >= 0.0 && size.z >= 0.0))
-    return invalid_input("holds a field whose box makes no sense");
+    return invalid_input("contains a field with an invalid box");
   constexpr double kPixels = 256.0;
   const double half_x = std::max({std::abs(least_m.x), std::abs(most_m.x), distance.cell_m()});
   const double half_y = std::max({std::abs(least_m.y), std::abs(most_m.y), distance.cell_m()});

@@ -33,7 +33,7 @@ Result<void> check(std::span<const DepthView> views, const FusionOptions& option
   if (auto valid = check_ranges(options); !valid) return valid;
   for (const DepthView& view : views) {
     if (view.depth == nullptr || !view.depth->camera)
-      return invalid_input("states no camera, without which its depth has no width", {},
+      return invalid_input("states no camera, which is needed to compute sizes from depth", {},
                            Reason::needs_calibration);
     if (view.depth->depth_m.width() != view.depth->camera->width ||
         view.depth->depth_m.height() != view.depth->camera->height)

@@ -163,9 +163,9 @@ void Check::add_end(const device::RecordingReader& reader) {
   report_.lost = reader.lost();
   if (report_.end == End::cut) findings_.add(FindingKind::interrupted, before_, 0.0);
   if (report_.end == End::damaged)
-    findings_.add(FindingKind::damage, before_, 0.0, "what follows this tick cannot be read");
+    findings_.add(FindingKind::damage, before_, 0.0, "the file cannot be read after this tick");
   if (report_.end == End::more_after_end)
-    findings_.add(FindingKind::damage, before_, 0.0, "more follows the mark of its end");
+    findings_.add(FindingKind::damage, before_, 0.0, "there is data after the end mark");
   if (report_.lost > 0)
     findings_.add(FindingKind::lost_ticks, before_, static_cast<double>(report_.lost),
                   "the disk was too slow when it was recorded");

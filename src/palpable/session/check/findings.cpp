@@ -32,7 +32,7 @@ constexpr std::array<FindingWords, kFindingKinds> kFindingWords{{
     {"energy-made", "J", true, "the hand received {:.3g} J more than it gave"},
     {"damage", "", true, "the file is damaged"},
     {"lost-ticks", "ticks", true, "{:.0f} ticks are missing in the file"},
-    {"missed-ticks", "ticks", false, "up to {:.0f} in a row were missed, as the machine was busy"},
+    {"missed-ticks", "ticks", false, "up to {:.0f} ticks in a row were missed because the machine was busy"},
     {"interrupted", "", false, "the recording was interrupted"},
     {"not-recomputed", "", false, "not recomputed as a whole"},
 }};

@@ -26,9 +26,10 @@ Result<CameraPoses> read_camera_poses(const std::filesystem::path& file) {
     const double length = std::sqrt(row[1] * row[1] + row[2] * row[2] + row[3] * row[3] + row[4] * row[4]);
     constexpr double kRounded = 1e-2, kMostFrames = 1e9;
     if (!(std::abs(length - 1.0) < kRounded))
-      return invalid_input(fmt::format("the rotation of row {} is no unit quaternion", i + 1), file.string());
+      return invalid_input(fmt::format("the rotation of row {} is not a unit quaternion", i + 1),
+                           file.string());
     if (row[0] != std::floor(row[0]) || !(std::abs(row[0]) < kMostFrames))
-      return invalid_input(fmt::format("the frame of row {} is no whole number", i + 1), file.string());
+      return invalid_input(fmt::format("the frame of row {} is not a whole number", i + 1), file.string());
     CameraPoses::mapped_type pose;
     pose.rotation = models::rotation_of({row[1] / length, row[2] / length, row[3] / length, row[4] / length});
     pose.translation_m = {row[5], row[6], row[7]};

@@ -36,13 +36,13 @@ struct SeenIn {
 
   Result<SeenPoints> operator()(const recipes::DepthInput& input) const {
     const auto* metres = std::get_if<DepthMap>(&input.depth);
-    if (metres == nullptr) return invalid_input("holds no metres, only what is nearer and farther");
+    if (metres == nullptr) return invalid_input("has no metric scale, only relative depth");
     return seen_in(*metres, options.labels);
   }
   Result<SeenPoints> operator()(const ReadyPair& ready) const {
     // Checked before matching, which takes seconds.
     if (!ready.pair.rig)
-      return invalid_input("is a pair of unknown cameras, whose depth has no metres",
+      return invalid_input("is a pair from unknown cameras, whose depth has no metric scale",
                            options.input.files.front().string(), Reason::needs_calibration);
     const auto match = vision::match_confirmed(
         ready.pair, options.stereo.method.value_or(recipes::default_method()), options.stereo.options, work);
@@ -51,7 +51,7 @@ struct SeenIn {
   }
   Result<SeenPoints> operator()(PointCloud& cloud) const {
     if (!options.labels.empty())
-      return Error{ErrorCode::usage, "points have no pixels that a label picture could name",
+      return Error{ErrorCode::usage, "points have no pixels, so a label picture cannot be used",
                    options.labels.string(), Reason::labels_without_pixels};
     SeenPoints seen;
     seen.points_m = std::move(cloud.places_m);

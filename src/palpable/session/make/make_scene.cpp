@@ -44,7 +44,7 @@ std::string few_names_of(const std::vector<std::filesystem::path>& files) {
 Error cannot_become(const sources::Input& input) {
   const std::string what = input.kind == InputKind::map ? "street maps are not supported yet"
                            : input.kind == InputKind::video
-                               ? "a video becomes a field and nothing else yet"
+                               ? "a video can only become a field so far"
                                : "a " + std::string(sources::name_of(input.kind)) +
                                      " cannot become the kind of scene that is asked for";
   return {ErrorCode::usage, what, few_names_of(input.files), Reason::unexpected_input_kind};
@@ -55,7 +55,7 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
   const bool field_by_input = options.as == MakeAs::field || options.as == MakeAs::by_input;
   if (holds_depth_maps(options.input)) {
     if (field_by_input) return {};
-    return Error{ErrorCode::usage, "several depth maps become a field and nothing else yet",
+    return Error{ErrorCode::usage, "several depth maps can only become a field so far",
                  names_of(options.input.files)};
   }
   if (is_contours(options, input)) return {};
@@ -174,7 +174,8 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
   out.place = input->kind == InputKind::depth ? input->files.back().string() : few_names_of(input->files);
   if (asks_for_regions(options.recipes.relief) && !has_regions(options, *input))
     out.last_notes.emplace_back(
-        "Ground and background are found in pairs and single depth maps only: this is as without them.",
+        "Ground and background are found in pairs and single depth maps only: these options have no effect "
+        "here.",
         Reason::no_regions_in_input);
   return out;
 }

@@ -36,10 +36,10 @@ std::optional<long> number_of(const fs::path& file) {
 
 Result<Pose> pose_of(const CameraPoses& poses, const fs::path& file, const fs::path& table) {
   const auto number = number_of(file);
-  if (!number) return invalid_input("has no number in its name, which would say its pose", file.string());
+  if (!number) return invalid_input("has no frame number in its name, so its pose is unknown", file.string());
   const auto found = poses.find(*number);
   if (found == poses.end())
-    return invalid_input(fmt::format("has no pose: {} holds none of frame {}", table.string(), *number),
+    return invalid_input(fmt::format("has no pose: {} contains none for frame {}", table.string(), *number),
                          file.string());
   return found->second;
 }
@@ -49,10 +49,9 @@ Result<DepthMap> read_map(const fs::path& file, const sources::DepthSettings& se
   auto read = sources::read_depth_picture(std::span(&file, 1), settings);
   if (!read) return read.error();
   auto* metres = std::get_if<DepthMap>(&read->depth);
-  if (metres == nullptr)
-    return invalid_input("holds no metres, only what is nearer and farther", file.string());
+  if (metres == nullptr) return invalid_input("has no metric scale, only relative depth", file.string());
   if (!metres->camera)
-    return invalid_input("states no camera, without which its depth has no width", file.string(),
+    return invalid_input("states no camera, which is needed to compute sizes from depth", file.string(),
                          Reason::needs_calibration);
   for (Note& note : read->notes)
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));

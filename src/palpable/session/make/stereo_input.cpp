@@ -42,8 +42,8 @@ void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy way) {
 vision::LensCamera moved_camera(const std::optional<sources::Calibration>& calibration, ReadyPair& ready) {
   if (calibration) return lens_of(calibration->left);
   ready.notes.emplace_back(
-      "The camera's focal length is not known; 65 degrees across the picture were assumed, and all depths "
-      "are wrong by the same factor where it is another.",
+      "The camera's focal length is not known; a field of view of 65 degrees was assumed, so all depths may "
+      "be wrong by one common factor.",
       Reason::needs_calibration);
   return vision::usual_camera(ready.pair.left.width, ready.pair.left.height);
 }
@@ -82,8 +82,8 @@ Result<void> rectify_calibrated(const sources::Calibration& calibration, ReadyPa
   }
   if (!calibration.right)
     ready.notes.emplace_back(
-        "The calibration is of one camera: both pictures were taken to be its, and depth has no unit, as it "
-        "is not known how far the camera was moved.",
+        "The calibration describes one camera: both pictures were assumed to come from it, and depth has no "
+        "unit, because the distance between the two positions is unknown.",
         Reason::needs_camera_movement);
   auto straight = vision::undistorted(ready.pair, left, right);
   if (!straight) return straight.error();

@@ -124,7 +124,7 @@ Result<RecordedTouch> parse_touch(const std::string& json) {
   try {
     return touch_from_json(RecordedJson::parse(json));
   } catch (const RecordedJson::exception&) {
-    return invalid_input("says in no known way what was touched");
+    return invalid_input("describes what was touched in an unknown way");
   } catch (const std::invalid_argument& what) {
     return invalid_input(std::string("names a ") + what.what() + " that this program does not know");
   }

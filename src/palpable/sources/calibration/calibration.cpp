@@ -54,7 +54,8 @@ Result<void> check(const Calibration& c) {
   if (auto left = check_camera(c.left, "left"); !left) return left;
   if (c.right)
     if (auto right = check_camera(*c.right, "right"); !right) return right;
-  if (c.rotation && !is_rotation(*c.rotation)) return invalid_input("states a rotation R that is not one");
+  if (c.rotation && !is_rotation(*c.rotation))
+    return invalid_input("states a matrix R that is not a rotation");
   if (c.translation_m && (!is_finite(*c.translation_m) || norm(*c.translation_m) == 0.0))
     return invalid_input("states two cameras at the same place");
   if (c.rig && !(c.rig->baseline_m > 0.0))
@@ -65,7 +66,7 @@ Result<void> check(const Calibration& c) {
     return invalid_input(fmt::format("states a baseline of {:g} m; it must be {:g} to {:.0f} m",
                                      c.rig->baseline_m, kLeastBaseline_m, kMostBaseline_m));
   if (c.rig && !(std::abs(c.rig->doffs_px) <= kMostOffset_px))
-    return invalid_input("states an offset of the disparity that is no number of pixels");
+    return invalid_input("states an offset of the disparity that is not a number of pixels");
   return {};
 }
 

@@ -132,8 +132,7 @@ Result<Calibration> opencv_content(const cv::FileStorage& file) {
     std::copy(rotation.begin(), rotation.end(), out.rotation->begin());
     out.translation_m = metres * Vec3{translation[0], translation[1], translation[2]};
   } else {
-    out.notes.emplace_back(
-        "The calibration knows each camera but not how they stand to each other (R and T).");
+    out.notes.emplace_back("The calibration describes each camera but not their relative pose (R and T).");
   }
   return out;
 }

@@ -182,8 +182,8 @@ Result<std::vector<fs::path>> pictures_in(const fs::path& folder, std::vector<No
   if (files.size() < 2)
     return invalid_input("is a folder with fewer than two pictures, so not a sequence", folder.string());
   if (!left_out.empty()) {
-    const char* const why = left_out.size() == 1 ? "was left out: it is no picture that can be read"
-                                                 : "were left out: they are no pictures that can be read";
+    const char* const why = left_out.size() == 1 ? "was left out: it is not a readable picture"
+                                                 : "were left out: they are not readable pictures";
     notes.emplace_back(fmt::format("{} {}.", some_of(std::move(left_out)), why), Reason::unspecified);
   }
   return files;

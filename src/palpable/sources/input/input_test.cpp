@@ -141,15 +141,14 @@ TEST_F(AnInput, OfAFolderNamesThePicturesThatCannotBeRead) {
   const auto one = recognise_input(std::vector{folder_});
   ASSERT_TRUE(one);
   ASSERT_EQ(one->notes.size(), 1U);
-  EXPECT_EQ(one->notes[0].sentence, "f3.png was left out: it is no picture that can be read.");
+  EXPECT_EQ(one->notes[0].sentence, "f3.png was left out: it is not a readable picture.");
   text("f10.JPG", "");
   text("readme.txt", "not a frame");
   const auto two = recognise_input(std::vector{folder_});
   ASSERT_TRUE(two);
   EXPECT_EQ(two->files.size(), 3U);
   ASSERT_EQ(two->notes.size(), 1U);
-  EXPECT_EQ(two->notes[0].sentence,
-            "f3.png and 1 more were left out: they are no pictures that can be read.");
+  EXPECT_EQ(two->notes[0].sentence, "f3.png and 1 more were left out: they are not readable pictures.");
 }
 
 TEST_F(AnInput, CanBeCalledSomethingElse) {

@@ -100,8 +100,9 @@ class ObjCheck {
       const std::string_view word = next_word(line);
       const bool good = word == "v" ? add_vertex(line) : word != "f" || add_face(line);
       if (!good)
-        return invalid_input(fmt::format("is an OBJ file that is cut off or damaged: line {} is no whole {}",
-                                         line_number_, word == "v" ? "vertex" : "face"));
+        return invalid_input(
+            fmt::format("is an OBJ file that is cut off or damaged: line {} is not a complete {}",
+                        line_number_, word == "v" ? "vertex" : "face"));
     }
     if (highest_ > vertices_)
       return invalid_input(

@@ -54,11 +54,11 @@ TEST(MeshCheck, RefusesAnObjWhoseFacesNameVerticesThatThereAreNot) {
   EXPECT_TRUE(checked(vertices + "f -3//1 -2//1 -1//1 # all\nf 1/1 2/2 \\\n3/3", "obj"));
   EXPECT_TRUE(checked("f 1 2 3\n" + vertices, "obj")) << "vertices may come later";
   EXPECT_THAT(refusal(vertices + "f 1 2 4\n", "obj"), HasSubstr("the face in line 4 names vertex 4 of 3"));
-  EXPECT_THAT(refusal(vertices + "f -1 -2 -4\n", "obj"), HasSubstr("line 4 is no whole face"));
-  EXPECT_THAT(refusal(vertices + "f 1 2", "obj"), HasSubstr("line 4 is no whole face"));
-  EXPECT_THAT(refusal(vertices + "f 0 1 2\n", "obj"), HasSubstr("line 4 is no whole face"));
-  EXPECT_THAT(refusal(vertices + "f 1 two 3\n", "obj"), HasSubstr("line 4 is no whole face"));
-  EXPECT_THAT(refusal(vertices + "v 1 2", "obj"), HasSubstr("line 4 is no whole vertex"));
+  EXPECT_THAT(refusal(vertices + "f -1 -2 -4\n", "obj"), HasSubstr("line 4 is not a complete face"));
+  EXPECT_THAT(refusal(vertices + "f 1 2", "obj"), HasSubstr("line 4 is not a complete face"));
+  EXPECT_THAT(refusal(vertices + "f 0 1 2\n", "obj"), HasSubstr("line 4 is not a complete face"));
+  EXPECT_THAT(refusal(vertices + "f 1 two 3\n", "obj"), HasSubstr("line 4 is not a complete face"));
+  EXPECT_THAT(refusal(vertices + "v 1 2", "obj"), HasSubstr("line 4 is not a complete vertex"));
   EXPECT_TRUE(checked(vertices + "f 1 2 3", "obj")) << "the last line may have no end";
   EXPECT_THAT(refusal(vertices + "v 1 1 1\nf 1 2 3", "obj"),
               HasSubstr("1 of its 4 vertices belong to no face"));

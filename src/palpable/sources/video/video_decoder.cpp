@@ -106,7 +106,7 @@ class Film {
     AVFormatContext* format = avformat_alloc_context();
     format->pb = io_.get();
     if (avformat_open_input(&format, nullptr, nullptr, nullptr) < 0)
-      return damaged("it is no film that can be read");
+      return damaged("it is not a readable video");
     format_.reset(format);
     if (avformat_find_stream_info(format, nullptr) < 0) return damaged("its streams are not described");
     const AVCodec* codec = nullptr;

@@ -106,8 +106,8 @@ Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::spa
   }
   if (best.points < options.least_points)
     return Error{ErrorCode::invalid_input,
-                 "the camera hardly moved sideways, or little of the picture can be followed: film again, "
-                 "moving slowly around the model with all of it in view",
+                 "the camera hardly moved sideways, or little of the picture can be followed: record it "
+                 "again, moving slowly around the model with all of it in view",
                  {},
                  Reason::unspecified};
   return best;

@@ -269,7 +269,7 @@ Result<CameraMotion> motion_by_filter(std::span<const PointTrack> tracks, int fr
   const int first = frames[static_cast<std::size_t>(pair->first)],
             second = frames[static_cast<std::size_t>(pair->second)];
   const Error lost = invalid_input(
-      "the camera's path was lost: film again, moving slowly around the model with all of it in view");
+      "the camera's path was lost: record it again, moving slowly around the model with all of it in view");
   FilterRun run(tracks, frame_count, camera, options);
   if (!run.begin(first, second, pair->second_pose)) return lost;
   // To the beginning with what the pair says, then the passes over all frames.

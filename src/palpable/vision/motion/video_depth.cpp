@@ -103,10 +103,11 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
     maps.push_back({frames[from], {std::move(*depth), reference.pose}});
   }
   if (maps.size() < 2)
-    return Error{ErrorCode::invalid_input,
-                 "the camera moved too little to compute depth: film again, moving farther around the model",
-                 {},
-                 Reason::unspecified};
+    return Error{
+        ErrorCode::invalid_input,
+        "the camera moved too little to compute depth: record it again, moving farther around the model",
+        {},
+        Reason::unspecified};
   std::vector<PosedDepthMap> raw;
   for (const FrameDepth& map : maps) raw.push_back(map.map);
   ConsistencyOptions consistency = options.consistency;
