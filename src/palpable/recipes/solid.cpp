@@ -128,8 +128,9 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   sculpt::FacetOptions facets;
   if (recipe.storage == FieldStorage::adaptive)
     facets.rounding_m = sculpt::facet_rounding_m(*box, recipe.field);
-  const sculpt::WallOptions walls =
+  sculpt::WallOptions walls =
       recipe.storage == FieldStorage::adaptive ? recipe.walls : sculpt::kWallsAsTheyAre;
+  walls.up = place->pose == models::SolidPose::flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
   auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets, walls);
   if (!made) return made.error();
   solid.distance = std::move(made->distance);

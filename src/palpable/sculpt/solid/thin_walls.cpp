@@ -212,23 +212,26 @@ struct SheetPatch {
     size_m2 += 0.5 * norm(doubled);
     for (const Vec3 corner : c) box.grow(corner);
   }
-  /// Whether it is the ground of a solid such as a city: it faces one direction, is below or above the whole
-  /// solid, and extends beyond it.
+  /// Whether it is the ground of a solid such as a city: it faces up, lies at the solid's foot or lower, and
+  /// extends beyond it.
   bool is_ground(const Box& solid, const WallOptions& options) const {
-    if (norm(area_m2) < options.ground_facing * size_m2) return false;
+    constexpr double kFoot = 0.25;
+    if (std::abs(dot(area_m2, options.up)) < options.ground_facing * size_m2) return false;
     const auto along = [](Vec3 v) { return std::array{v.x, v.y, v.z}; };
-    const auto facing = along(area_m2), least = along(solid.least_m - box.least_m),
+    const auto up = along(options.up), least = along(solid.least_m - box.least_m),
                most = along(box.most_m - solid.most_m), size = along(solid.size_m());
-    const auto across = static_cast<std::size_t>(
-        std::max_element(facing.begin(), facing.end(),
-                         [](double a, double b) { return std::abs(a) < std::abs(b); }) -
-        facing.begin());
-    double beyond_m = 0.0;
-    for (const std::size_t axis : {(across + 1) % 3, (across + 2) % 3}) {
+    const Vec3 solid_middle = 0.5 * (solid.least_m + solid.most_m), middle = 0.5 * (box.least_m + box.most_m);
+    double beyond_m = 0.0, height_m = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (up[axis] != 0.0) {
+        height_m = size[axis];
+        continue;
+      }
       if (least[axis] < 0.0 || most[axis] < 0.0) return false;
       beyond_m = std::max({beyond_m, least[axis], most[axis]});
     }
-    return beyond_m > options.ground_beyond * *std::max_element(size.begin(), size.end());
+    return dot(middle - solid_middle, options.up) <= (kFoot - 0.5) * height_m &&
+           beyond_m > options.ground_beyond * *std::max_element(size.begin(), size.end());
   }
 };
 
@@ -302,7 +305,7 @@ std::vector<Parameter> parameters_of(WallOptions& o) {
            &o.ground_facing,
            {0.5, 1.0},
            "",
-           "share of a sheet that faces one way if it is ground"},
+           "share of a sheet that faces up or down if it is ground"},
           {"ground_beyond",
            &o.ground_beyond,
            {0.0, 1.0},

@@ -4,6 +4,7 @@
 
 #include "palpable/core/mesh.hpp"
 #include "palpable/core/parameters.hpp"
+#include "palpable/core/vec3.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/sculpt/solid/distance_source.hpp"
 
@@ -19,11 +20,13 @@ struct WallOptions {
   /// Thinner walls are thickened to about this, in finest cells: with two, the field's rounding stays inside
   /// the wall. 0 … 8; 0 = walls do not change.
   double least_cells = 2.0;
-  /// A sheet is the ground around the solid if it lies under all of it, at least this share of its area faces
-  /// one direction, 0.5 … 1,
+  /// A sheet is the ground around the solid if its middle is in the lowest quarter of the solid's height or
+  /// lower, at least this share of its area faces up or down, 0.5 … 1,
   double ground_facing = 0.75;
   /// and it extends beyond the solid by at least this share of the solid's longest side, 0 … 1.
   double ground_beyond = 0.05;
+  /// The axis of the mesh that points up; of length 1. Follows from how the solid is placed.
+  Vec3 up{0.0, 0.0, 1.0};
 };
 std::vector<Parameter> parameters_of(WallOptions& options);
 
@@ -37,7 +40,7 @@ struct ThickenedWalls {
   std::size_t thin = 0;
   std::size_t sheets = 0;
   /// Number of triangles of sheets that are the ground on which the solid stands, such as the land of a city
-  /// model: they face one direction, are below the whole solid and extend beyond it. They are omitted.
+  /// model (WallOptions::ground_facing). They are omitted.
   std::size_t ground = 0;
   /// Greatest thickness added to a side.
   double added_m = 0.0;

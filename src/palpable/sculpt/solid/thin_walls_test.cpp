@@ -108,6 +108,24 @@ TEST(ThinWalls, AreNotTheGroundThatReachesBeyondTheSolid) {
   EXPECT_EQ(shelf->repair.sheets, 4U);
 }
 
+TEST(ThinWalls, AreWallsBesideAndAboveTheSolidHoweverLarge) {
+  const Mesh house = box_mesh({-0.02, -0.03, 0.0}, {0.02, 0.03, 0.02});
+  // A ceiling, and a level through the middle.
+  for (const double z_m : {0.025, 0.01}) {
+    const auto solid = solid_from_mesh(together(house, level_square(0.05, z_m)), kFinest_m, {}, {}, kWalls);
+    ASSERT_TRUE(solid);
+    EXPECT_EQ(solid->repair.ground, 0U) << z_m;
+    EXPECT_NEAR(distance_at(*solid, {0.04, 0.04, z_m}), -kFinest_m, 1e-5) << z_m;
+  }
+  // A wall behind it: what is up where the x axis is.
+  WallOptions turned = kWalls;
+  turned.up = {1, 0, 0};
+  const auto wall = solid_from_mesh(together(house, level_square(0.05, -0.001)), kFinest_m, {}, {}, turned);
+  ASSERT_TRUE(wall);
+  EXPECT_EQ(wall->repair.ground, 0U);
+  EXPECT_EQ(wall->repair.sheets, 4U);
+}
+
 TEST(ThinWalls, KeepTheDepthUnderAThickWallBesideThem) {
   const auto solid = solid_from_mesh(plate_with_wall(0.0001), kFinest_m, {}, {}, kWalls);
   ASSERT_TRUE(solid);

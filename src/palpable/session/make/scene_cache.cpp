@@ -61,7 +61,8 @@ std::string text_of(const sculpt::FieldOptions& field) {
 std::string text_of(const recipes::FieldRecipe& recipe) {
   // Point clouds are not meshes.
   const auto& [placement, field, storage, walls, cloud] = recipe;
-  const auto& [least_cells, ground_facing, ground_beyond] = walls;
+  // Up follows from the placement.
+  const auto& [least_cells, ground_facing, ground_beyond, up] = walls;
   static_cast<void>(cloud);
   return fmt::format("{}; {}; {}; {:a}; {:a}; {:a}", text_of(placement), text_of(field),
                      static_cast<int>(storage), least_cells, ground_facing, ground_beyond);
