@@ -45,8 +45,7 @@ std::vector<int> choose_keyframes(std::span<const PointTrack> tracks, int frame_
   std::vector<int> out{0};
   for (int frame = 1; frame < frame_count; ++frame) {
     const double moved = moved_px(tracks, out.back(), frame, 4 * options.least_points);
-    if (moved > options.keyframe_step * camera.width || moved < 0 ||
-        frame + 1 == frame_count)
+    if (moved > options.keyframe_step * camera.width || moved < 0 || frame + 1 == frame_count)
       out.push_back(frame);
   }
   std::vector<int> with_halfway{0};

@@ -39,7 +39,7 @@ bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const F
   const std::size_t begin = frame > reach ? frame - reach : 0,
                     end = std::min(sharpness.size(), frame + reach + 1);
   std::vector<double> around(sharpness.begin() + static_cast<std::ptrdiff_t>(begin),
-                                   sharpness.begin() + static_cast<std::ptrdiff_t>(end));
+                             sharpness.begin() + static_cast<std::ptrdiff_t>(end));
   return sharpness[frame] < options.least_sharpness * quantile_of(around, 0.5);
 }
 
