@@ -127,9 +127,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.text("--poses", arguments.poses,
                "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz; a video: "
                "written there");
-  options.choice(
-      "--surface", arguments.surface, {"fused", "superquadrics", "corrected"},
-      "A video: the depth maps fused, superquadrics alone, or superquadrics corrected by the maps");
+  options.choice("--surface", arguments.surface, {"fused", "superquadrics"},
+                 "A video: the depth maps fused, or superquadrics fitted to their points");
   options.integer("--until", arguments.until, {1, 1e9}, "A video: frames after this one are not used");
   options.flag("--no-cache", arguments.no_cache,
                "Do not take a mesh's field from the cache, where it is kept after it was made "
@@ -318,7 +317,6 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (arguments.motion == "filter") options.recipes.video.motion_method = recipes::VideoMotion::filter;
   if (arguments.surface == "superquadrics")
     options.recipes.video.surface = recipes::VideoSurface::superquadrics;
-  if (arguments.surface == "corrected") options.recipes.video.surface = recipes::VideoSurface::corrected;
   options.recipes.sheet.thickness_m = arguments.sheet_mm / 1000.0;
   options.recipes.fusion.near_m = arguments.near.value_or(options.recipes.fusion.near_m);
   options.recipes.fusion.far_m = arguments.far.value_or(options.recipes.fusion.far_m);

@@ -60,7 +60,7 @@ struct MakeArguments {
   std::optional<int> until;
   /// "batch", "filter".
   std::string motion = "batch";
-  /// "fused", "superquadrics", "corrected".
+  /// "fused", "superquadrics".
   std::string surface = "fused";
   bool paper = false;
   std::string background = "keep";

@@ -3,7 +3,6 @@
 #include "palpable/recipes/model_shapes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -141,44 +140,6 @@ Result<ModelShapes> shapes_of_model(const FilmedModel& model, const ModelShapesO
       sculpt::fit_superquadrics(objects.points, objects.labels, std::nullopt, options.shapes, work);
   if (!fitted) return fitted.error();
   for (const auto& one : fitted->shapes) out.shapes.push_back(one.shape);
-  return out;
-}
-
-Mesh measured_surface(const vision::FrameDepth& map, const TableAxes& axes, int step_px,
-                      double greatest_step) {
-  const Raster<float>& depth = map.map.depth.depth_m;
-  const Pinhole& camera = *map.map.depth.camera;
-  const auto scene_from_camera = axes.scene_from(map.map.pose);
-  const int width = (depth.width() - 1) / step_px + 1, height = (depth.height() - 1) / step_px + 1;
-  Mesh out;
-  std::vector<std::int64_t> vertex(static_cast<std::size_t>(width * height), -1);
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u) {
-      const double z = static_cast<double>(depth(u * step_px, v * step_px));
-      if (!(z > 0)) continue;
-      vertex[static_cast<std::size_t>(v * width + u)] = static_cast<std::int64_t>(out.vertices_m.size());
-      const Vec3 seen{(u * step_px - camera.cx) / camera.fx * z, (v * step_px - camera.cy) / camera.fy * z,
-                      z};
-      out.vertices_m.push_back((scene_from_camera * Point<CameraFrame>{seen}).v);
-    }
-  for (int v = 0; v + 1 < height; ++v)
-    for (int u = 0; u + 1 < width; ++u) {
-      std::array<std::int64_t, 4> at{};
-      std::array<float, 4> z{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const int x = u + static_cast<int>(i % 2), y = v + static_cast<int>(i / 2);
-        at[i] = vertex[static_cast<std::size_t>(y * width + x)];
-        z[i] = depth(x * step_px, y * step_px);
-      }
-      const auto [least, most] = std::minmax_element(z.begin(), z.end());
-      if (std::any_of(at.begin(), at.end(), [](std::int64_t i) { return i < 0; }) ||
-          static_cast<double>(*most - *least) > greatest_step * static_cast<double>(*least))
-        continue;
-      const auto index = [&](std::size_t i) { return static_cast<std::uint32_t>(at[i]); };
-      // Seen by the camera, counter-clockwise.
-      out.triangles.push_back({index(0), index(2), index(1)});
-      out.triangles.push_back({index(1), index(2), index(3)});
-    }
   return out;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/mesh.hpp"
 #include "palpable/core/parameters.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
@@ -42,11 +41,5 @@ struct ModelShapes {
 /// Errors: usage for options out of range; as fit_superquadrics().
 Result<ModelShapes> shapes_of_model(const FilmedModel& model, const ModelShapesOptions& options,
                                     const Work& work);
-
-/// The surface that a depth map measured, in the table's axes: two triangles for each square of `step_px`
-/// pixels whose four depths are known and differ by less than `greatest_step` of the depth; other squares are
-/// depth steps and stay open.
-Mesh measured_surface(const vision::FrameDepth& map, const TableAxes& axes, int step_px,
-                      double greatest_step);
 
 }  // namespace palpable::recipes

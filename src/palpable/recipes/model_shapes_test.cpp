@@ -79,21 +79,5 @@ TEST(ModelShapes, IsThePlateWhereNothingIsRaised) {
   EXPECT_NEAR(found->shapes[0].scene_from_shape.translation_m.z + found->shapes[0].size_m.z, 0.0, 1e-12);
 }
 
-TEST(MeasuredSurface, StaysOpenAtDepthSteps) {
-  vision::FrameDepth map;
-  map.map.depth = {Raster<float>(41, 31), Pinhole{40, 40, 20, 15, 41, 31}};
-  for (int y = 0; y < 31; ++y)
-    for (int x = 0; x < 41; ++x) map.map.depth.depth_m(x, y) = x < 20 ? 1.0F : 1.5F;
-  map.map.depth.depth_m(30, 12) = kUnknownDepth;
-  const Mesh mesh = measured_surface(map, {}, 2, 0.02);
-  // 20 x 15 squares; the column with the step and the four squares around the unknown pixel are missing.
-  EXPECT_EQ(mesh.triangles.size(), 2U * (20 * 15 - 15 - 4));
-  for (const auto& t : mesh.triangles) {
-    const double z = mesh.vertices_m[t[0]].z;
-    EXPECT_DOUBLE_EQ(mesh.vertices_m[t[1]].z, z);
-    EXPECT_DOUBLE_EQ(mesh.vertices_m[t[2]].z, z);
-  }
-}
-
 }  // namespace
 }  // namespace palpable::recipes

@@ -3,7 +3,6 @@
 #include "palpable/recipes/video_recipe.hpp"
 
 #include "palpable/core/quantile.hpp"
-#include "palpable/recipes/correct_scene.hpp"
 #include "palpable/recipes/fused_depth_recipe.hpp"
 #include "palpable/vision/image/luma.hpp"
 
@@ -112,8 +111,7 @@ double distance_from(const models::Scene& scene, const FilmedModel& model) {
   return quantile_of(distances, 0.5);
 }
 
-Result<MadeScene> field_of_shapes(const FilmedModel& model, const std::vector<FrameDepth>& maps,
-                                  const VideoRecipe& recipe, const Work& work) {
+Result<MadeScene> field_of_shapes(const FilmedModel& model, const VideoRecipe& recipe, const Work& work) {
   work.report(0.0, "fitting superquadrics");
   auto shapes = shapes_of_model(model, recipe.shapes, work);
   if (!shapes) return shapes.error();
@@ -126,20 +124,7 @@ Result<MadeScene> field_of_shapes(const FilmedModel& model, const std::vector<Fr
       Note(fmt::format(
           "{} objects on the table became {} superquadrics, {:.2f} mm from the measured points (median).",
           shapes->objects, count, 1000 * before)));
-  if (recipe.surface == VideoSurface::superquadrics) return made;
-  constexpr int kStep_px = 3;
-  constexpr double kGreatestStep = 0.015;
-  std::vector<Mesh> measured;
-  for (const FrameDepth& map : maps)
-    if (Mesh mesh = measured_surface(map, model.axes, kStep_px, kGreatestStep); !mesh.triangles.empty())
-      measured.push_back(std::move(mesh));
-  auto corrected = correct_scene(made->scene, std::move(measured), recipe.correction, work);
-  if (!corrected) return corrected.error();
-  corrected->made.notes.insert(corrected->made.notes.begin(), made->notes.begin(), made->notes.end());
-  corrected->made.notes.emplace_back(fmt::format(
-      "Corrected by {} depth maps, the field's surface is {:.2f} mm from the measured points (median).",
-      maps.size(), 1000 * distance_from(corrected->made.scene, model)));
-  return std::move(corrected->made);
+  return made;
 }
 
 }  // namespace
@@ -154,7 +139,6 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe) {
   append_parameters(out, "depth", vision::parameters_of(recipe.depth));
   append_parameters(out, "model", parameters_of(recipe.model));
   append_parameters(out, "shapes", parameters_of(recipe.shapes));
-  append_parameters(out, "correction", sculpt::parameters_of(recipe.correction));
   return out;
 }
 
@@ -183,7 +167,7 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   VideoReconstruction reconstruction = reconstruction_of(*frames, *motion, *maps, model.structure);
   crop(*maps, model);
   auto made = recipe.surface == VideoSurface::fused ? fused_field(model, *maps, recipe, work)
-                                                    : field_of_shapes(model, *maps, recipe, work);
+                                                    : field_of_shapes(model, recipe, work);
   if (!made) return made.error();
   made->notes.insert(made->notes.begin(), frames->notes.begin(), frames->notes.end());
   made->notes.insert(

@@ -11,7 +11,6 @@
 #include "palpable/recipes/filmed_model.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/recipes/model_shapes.hpp"
-#include "palpable/sculpt/correction/surface_correction.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
 #include "palpable/vision/motion/frame_choice.hpp"
 #include "palpable/vision/motion/photo_tracks.hpp"
@@ -36,9 +35,7 @@ enum class VideoSurface {
   /// The depth maps, fused.
   fused,
   /// Superquadrics that were fitted to the points (shapes_of_model()).
-  superquadrics,
-  /// Superquadrics, corrected by each depth map in turn (Moustakas et al. 2007).
-  corrected
+  superquadrics
 };
 
 /// How a video of a model becomes a field.
@@ -56,8 +53,6 @@ struct VideoRecipe {
   vision::VideoDepthOptions depth;
   FilmedModelOptions model;
   ModelShapesOptions shapes;
-  /// Lengths are those of the scene.
-  sculpt::CorrectionOptions correction;
   sculpt::FusionOptions fusion;
   FieldRecipe field;
 };
