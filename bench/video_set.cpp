@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/quantile.hpp"
 #include "palpable/formats/picture/picture.hpp"
+#include "palpable/measure/camera_path_score.hpp"
 #include "palpable/vision/image/luma.hpp"
 #include "palpable/vision/motion/video_depth.hpp"
 
@@ -15,8 +16,6 @@
 #include <vector>
 
 #include "film.hpp"
-#include <Eigen/Dense>
-#include <Eigen/SVD>
 #include <fmt/format.h>
 
 // Structure, motion and depth of rendered films (film.hpp) with their exact truth:
@@ -30,10 +29,7 @@ namespace palpable::bench {
 namespace {
 
 using vision::CameraMotion;
-using vision::CameraPose;
 using vision::FrameDepth;
-
-constexpr double kDegrees = 57.29577951308232;
 
 struct Arguments {
   int seeds = 12, first = 1, frames = 60;
@@ -47,60 +43,33 @@ struct Arguments {
 
 struct Figures {
   int posed = 0;
-  double position_percent = 0, rotation_deg = 0, reprojection_px = 0, focal_px = 0;
+  double position_percent = 0, rotation_deg = 0, reprojection_px = 0;
   double known = 0, good_of_known = 0, good_of_all = 0;
   double seconds = 0;
 };
 
-Eigen::Matrix3d matrix(const CameraPose& pose) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(pose.rotation.data());
-}
-Eigen::Vector3d vector(Vec3 v) { return {v.x, v.y, v.z}; }
-
-// The similarity that takes found cameras to true ones: rotation from rotations, scale and shift from
-// positions.
-struct Alignment {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+struct PathErrors {
+  Figures figures;
+  /// From the unit of the found poses to metres.
   double scale = 1;
 };
 
-Figures path_errors(const CameraMotion& motion, const Film& film, Alignment& alignment) {
-  Figures out;
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  std::vector<int> frames;
-  for (int i = 0; i < film.frames(); ++i)
-    if (const auto& pose = motion.poses[static_cast<std::size_t>(i)])
-      frames.push_back(i), sum += matrix(film.pose(i)) * matrix(*pose).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  alignment.rotation = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-  Eigen::Vector3d mean_found = Eigen::Vector3d::Zero(), mean_true = Eigen::Vector3d::Zero();
-  const auto found = [&](int i) {
-    return Eigen::Vector3d(alignment.rotation *
-                           vector(motion.poses[static_cast<std::size_t>(i)]->translation_m));
-  };
-  for (const int i : frames) mean_found += found(i), mean_true += vector(film.pose(i).translation_m);
-  mean_found /= static_cast<double>(frames.size()), mean_true /= static_cast<double>(frames.size());
-  double across = 0, own = 0, path = 0, error = 0;
-  for (const int i : frames) {
-    const Eigen::Vector3d a = found(i) - mean_found, b = vector(film.pose(i).translation_m) - mean_true;
-    across += a.dot(b), own += a.squaredNorm();
+Result<PathErrors> path_errors(const CameraMotion& motion, const Film& film) {
+  std::vector<measure::FoundPose> found;
+  std::vector<measure::TruePose> truth;
+  for (int i = 0; i < film.frames(); ++i) {
+    if (const auto& pose = motion.poses[static_cast<std::size_t>(i)]) found.push_back({i, *pose});
+    const auto pose = film.pose(i);
+    truth.push_back({i, {pose.rotation, pose.translation_m, pose.scale}});
   }
-  alignment.scale = across / own;
-  for (std::size_t k = 0; k < frames.size(); ++k) {
-    const int i = frames[k];
-    error += (alignment.scale * (found(i) - mean_found) - (vector(film.pose(i).translation_m) - mean_true))
-                 .squaredNorm();
-    if (k > 0) path += norm(film.pose(i).translation_m - film.pose(frames[k - 1]).translation_m);
-    const Eigen::Matrix3d turn =
-        (alignment.rotation * matrix(*motion.poses[static_cast<std::size_t>(i)])).transpose() *
-        matrix(film.pose(i));
-    out.rotation_deg += Eigen::AngleAxisd(turn).angle() * kDegrees / static_cast<double>(frames.size());
-  }
-  out.posed = static_cast<int>(frames.size());
-  out.position_percent = 100 * std::sqrt(error / static_cast<double>(frames.size())) / path;
-  out.reprojection_px = motion.reprojection_rms_px;
-  out.focal_px = motion.camera.fx;
+  const auto score = measure::score_camera_path(found, truth);
+  if (!score) return score.error();
+  PathErrors out;
+  out.figures.posed = score->frames;
+  out.figures.position_percent = score->position_rms_percent;
+  out.figures.rotation_deg = score->mean_rotation_deg;
+  out.figures.reprojection_px = motion.reprojection_rms_px;
+  out.scale = score->true_from_found.scale;
   return out;
 }
 
@@ -138,14 +107,15 @@ Result<Figures> run(const Film& film, const Arguments& arguments, const Work& wo
   const auto motion =
       vision::motion_from_tracks(*tracks, film.frames(), {film.camera(), true}, arguments.motion, work);
   if (!motion) return motion.error();
-  Alignment alignment;
-  Figures out = path_errors(*motion, film, alignment);
+  const auto path = path_errors(*motion, film);
+  if (!path) return path.error();
+  Figures out = path->figures;
   if (arguments.depth) {
     std::vector<const Raster<Rgb8>*> views;
     for (const auto& picture : pictures) views.push_back(&picture);
     const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.video_depth, work);
     if (!maps) return maps.error();
-    depth_errors(*maps, film, alignment.scale, work, out);
+    depth_errors(*maps, film, path->scale, work, out);
   }
   out.seconds = processor_seconds() - begin;
   return out;

@@ -31,8 +31,7 @@ Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
   const sculpt::CorrectionOptions correction{
       0.001 * arguments.reach_mm, 0.001 * arguments.transition_mm,
       arguments.everywhere ? sculpt::CorrectedVolume::everywhere : sculpt::CorrectedVolume::near_measured};
-  auto corrected =
-      recipes::correct_scene(file->scene, {std::move(measured->mesh)}, correction, console.work());
+  auto corrected = recipes::correct_scene(file->scene, std::move(measured->mesh), correction, console.work());
   if (!corrected) {
     const bool by_scene = corrected.error().code == ErrorCode::usage;
     if (corrected.error().place.empty())

@@ -28,15 +28,14 @@ sculpt::FieldOptions options_of(const models::Field& field) {
 
 }  // namespace
 
-Result<CorrectedScene> correct_scene(const models::Scene& scene, std::vector<Mesh> measured,
+Result<CorrectedScene> correct_scene(const models::Scene& scene, Mesh measured,
                                      const sculpt::CorrectionOptions& options, const Work& work) {
   const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
   if (field == nullptr)
     return Error{ErrorCode::usage,
                  "only a field is corrected, and this scene is a " + models::kind_of(scene.model),
                  {}};
-  for (Mesh& surface : measured)
-    for (Vec3& v : surface.vertices_m) v = (scene.scene_from_input * Point<models::InputFrame>{v}).v;
+  for (Vec3& v : measured.vertices_m) v = (scene.scene_from_input * Point<models::InputFrame>{v}).v;
   const models::DistanceField& distance = (*field)->distance;
   constexpr double kSpacingInCells = 4.0;
   work.report(0.0, "finding the field's surface");
@@ -44,14 +43,9 @@ Result<CorrectedScene> correct_scene(const models::Scene& scene, std::vector<Mes
   if (!mesh) return mesh.error();
   auto predicted = sculpt::predicted_surface(*std::move(mesh));
   if (!predicted) return predicted.error();
-  Result<sculpt::CorrectedField> after = sculpt::CorrectedField{distance, *std::move(predicted)};
-  bool rebuilt = false;
-  for (std::size_t i = 0; i < measured.size(); ++i) {
-    work.report(static_cast<double>(i) / static_cast<double>(measured.size()), "correcting the field");
-    after = sculpt::corrected_field(*std::move(after), measured[i], options, options_of(**field), work);
-    if (!after) return after.error();
-    rebuilt = rebuilt || after->rebuilt;
-  }
+  auto after = sculpt::corrected_field({distance, *std::move(predicted)}, measured, options,
+                                       options_of(**field), work);
+  if (!after) return after.error();
   const sculpt::CorrectedSurface& surface = after->surface;
   CorrectedScene corrected;
   corrected.measured_samples =
@@ -62,7 +56,7 @@ Result<CorrectedScene> correct_scene(const models::Scene& scene, std::vector<Mes
                  fmt::format("nothing of the measured surface lies within {:g} mm of the field's surface",
                              1000.0 * options.reach_m),
                  {}};
-  if (rebuilt)
+  if (after->rebuilt)
     corrected.made.notes.emplace_back(
         "The corrected solid leaves the field's box, or earlier corrections have left too large an error "
         "deep "

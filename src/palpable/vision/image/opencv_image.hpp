@@ -16,6 +16,11 @@ inline cv::Mat view_of(const Image& image) {
   return {image.height, image.width, CV_32FC(image.channels), const_cast<float*>(image.samples.data())};
 }
 
+/// A view of grey levels; not to be written through.
+inline cv::Mat view_of(const Raster<std::uint8_t>& grey) {
+  return {grey.height(), grey.width(), CV_8U, const_cast<std::uint8_t*>(grey.data())};
+}
+
 /// The luma as 8 bits.
 inline cv::Mat grey8_of(const Image& image) {
   const Raster<float> luma = grey(image);

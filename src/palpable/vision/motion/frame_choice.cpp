@@ -3,6 +3,7 @@
 #include "palpable/vision/motion/frame_choice.hpp"
 
 #include "palpable/core/quantile.hpp"
+#include "palpable/vision/image/opencv_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,6 @@
 
 namespace palpable::vision {
 namespace {
-
-cv::Mat mat_of(const Raster<std::uint8_t>& frame) {
-  return {frame.height(), frame.width(), CV_8U, const_cast<std::uint8_t*>(frame.data())};
-}
 
 double variance_of(const cv::Mat& values) {
   cv::Scalar mean, deviation;
@@ -25,13 +22,13 @@ double variance_of(const cv::Mat& values) {
 // Of a picture of half the size, in which noise of single pixels counts less.
 double sharpness_of(const Raster<std::uint8_t>& frame) {
   cv::Mat half, laplacian;
-  cv::resize(mat_of(frame), half, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::resize(view_of(frame), half, {}, 0.5, 0.5, cv::INTER_AREA);
   cv::Laplacian(half, laplacian, CV_32F);
   return variance_of(laplacian) / std::max(1.0, variance_of(half));
 }
 
 double change_between(const Raster<std::uint8_t>& a, const Raster<std::uint8_t>& b) {
-  return cv::norm(mat_of(a), mat_of(b), cv::NORM_L1) / static_cast<double>(a.count());
+  return cv::norm(view_of(a), view_of(b), cv::NORM_L1) / static_cast<double>(a.count());
 }
 
 bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const FrameChoiceOptions& options) {

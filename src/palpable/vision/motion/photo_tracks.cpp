@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/photo_tracks.hpp"
 
+#include "palpable/vision/image/opencv_image.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -30,10 +32,9 @@ using Match = std::pair<int, int>;
 // Square roots of the normalised histograms: their product is the Hellinger kernel (Arandjelović & Zisserman
 // 2012).
 Features features_of(const Raster<std::uint8_t>& picture, const PhotoMatchOptions& options) {
-  const cv::Mat grey(picture.height(), picture.width(), CV_8U, const_cast<std::uint8_t*>(picture.data()));
   std::vector<cv::KeyPoint> points;
   cv::Mat values;
-  cv::SIFT::create(options.most_features)->detectAndCompute(grey, cv::noArray(), points, values);
+  cv::SIFT::create(options.most_features)->detectAndCompute(view_of(picture), cv::noArray(), points, values);
   Features out;
   out.descriptors.resize(values.rows, values.cols);
   for (int i = 0; i < values.rows; ++i) {

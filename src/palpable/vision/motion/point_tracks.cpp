@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/motion/point_tracks.hpp"
 
-#include "palpable/core/image.hpp"
+#include "palpable/vision/image/opencv_image.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,6 @@ namespace palpable::vision {
 namespace {
 
 using Pyramid = std::vector<cv::Mat>;
-
-cv::Mat view_of(const Raster<std::uint8_t>& frame) {
-  return {frame.height(), frame.width(), CV_8U, const_cast<std::uint8_t*>(frame.data())};
-}
 
 // A tracked point: its track, and the frame from which its template is taken.
 struct Followed {
