@@ -17,7 +17,7 @@ inline cv::Mat view_of(const Image& image) {
 }
 
 /// A view of grey levels; not to be written through.
-inline cv::Mat view_of(const Raster<std::uint8_t>& grey) {
+inline cv::Mat grey_view_of(const Raster<std::uint8_t>& grey) {
   return {grey.height(), grey.width(), CV_8U, const_cast<std::uint8_t*>(grey.data())};
 }
 

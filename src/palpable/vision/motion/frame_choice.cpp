@@ -22,13 +22,13 @@ double variance_of(const cv::Mat& values) {
 // Of a picture of half the size, in which noise of single pixels counts less.
 double sharpness_of(const Raster<std::uint8_t>& frame) {
   cv::Mat half, laplacian;
-  cv::resize(view_of(frame), half, {}, 0.5, 0.5, cv::INTER_AREA);
+  cv::resize(grey_view_of(frame), half, {}, 0.5, 0.5, cv::INTER_AREA);
   cv::Laplacian(half, laplacian, CV_32F);
   return variance_of(laplacian) / std::max(1.0, variance_of(half));
 }
 
 double change_between(const Raster<std::uint8_t>& a, const Raster<std::uint8_t>& b) {
-  return cv::norm(view_of(a), view_of(b), cv::NORM_L1) / static_cast<double>(a.count());
+  return cv::norm(grey_view_of(a), grey_view_of(b), cv::NORM_L1) / static_cast<double>(a.count());
 }
 
 bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const FrameChoiceOptions& options) {

@@ -34,7 +34,8 @@ using Match = std::pair<int, int>;
 Features features_of(const Raster<std::uint8_t>& picture, const PhotoMatchOptions& options) {
   std::vector<cv::KeyPoint> points;
   cv::Mat values;
-  cv::SIFT::create(options.most_features)->detectAndCompute(view_of(picture), cv::noArray(), points, values);
+  cv::SIFT::create(options.most_features)
+      ->detectAndCompute(grey_view_of(picture), cv::noArray(), points, values);
   Features out;
   out.descriptors.resize(values.rows, values.cols);
   for (int i = 0; i < values.rows; ++i) {

@@ -141,7 +141,7 @@ Result<std::vector<PointTrack>> track_points(std::span<const Raster<std::uint8_t
     if (work.cancelled()) return Work::interrupted();
     if (frames[i].width() != frames[0].width() || frames[i].height() != frames[0].height())
       return invalid_input("the frames of a video must have one size");
-    tracker.add(static_cast<int>(i), view_of(frames[i]));
+    tracker.add(static_cast<int>(i), grey_view_of(frames[i]));
     work.report(static_cast<double>(i + 1) / static_cast<double>(frames.size()), "following points");
   }
   return tracker.take();
