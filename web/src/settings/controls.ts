@@ -4,7 +4,7 @@
 import { element } from '../dom';
 import type { Law } from '../generated/protocol';
 import { ParameterPanel } from './parameter_panel';
-import type { Preferences } from './preferences';
+import { ranges, type Preferences } from './preferences';
 import { RangeInput } from './range_input';
 import { withLaw, type Settings } from './settings';
 
@@ -17,10 +17,9 @@ interface Slider {
   words(value: number): string;
 }
 
-const pageSlider = (id: 'volume' | 'tilt', min: number, max: number, words: Slider['words']): Slider => ({
+const pageSlider = (id: 'volume' | 'tilt', words: Slider['words']): Slider => ({
   id,
-  min,
-  max,
+  ...ranges[id],
   read: ({ page }) => page[id],
   write: (settings, value) => ({ ...settings, page: { ...settings.page, [id]: value } }),
   words,
@@ -35,10 +34,10 @@ const sliders: Slider[] = [
     write: (settings, exaggeration) => ({ ...settings, touch: { ...settings.touch, exaggeration } }),
     words: (value) => `× ${value}`,
   },
-  pageSlider('volume', 0, 100, (value) => `${value} %`),
-  pageSlider('tilt', 0, 80, (value) => `${value}°`),
+  pageSlider('volume', (value) => `${value} %`),
+  pageSlider('tilt', (value) => `${value}°`),
 ];
-const checks = ['sound', 'speech', 'vibration'] as const;
+const checks = ['sound', 'speech', 'vibration', 'gamepads'] as const;
 const selects = ['surface', 'view', 'theme'] as const;
 
 function optionOf({ name, title, unavailable }: Law): HTMLOptionElement {

@@ -9,7 +9,10 @@ export interface Preferences {
   tilt: number;
   sound: boolean;
   volume: number;
+  /** Of the phone. */
   vibration: boolean;
+  /** Of gamepads. A browser that was asked for gamepads once polls them until the page is closed: off unless chosen. */
+  gamepads: boolean;
   speech: boolean;
   theme: 'system' | 'light' | 'dark' | 'contrast';
 }
@@ -21,13 +24,15 @@ export const defaults: Preferences = {
   sound: true,
   volume: 50,
   vibration: true,
+  gamepads: false,
   speech: false,
   theme: 'system',
 };
 
 const name = 'palpable_page';
 const choices = { surface: ['picture', 'unlit', 'clay', 'cells'], view: ['3d', 'flat'], theme: ['system', 'light', 'dark', 'contrast'] };
-const ranges = { tilt: [0, 60], volume: [0, 100] };
+/** Degrees from above, and per cent. */
+export const ranges = { tilt: { min: 0, max: 80 }, volume: { min: 0, max: 100 } };
 
 /** The preferences in a document.cookie; defaults for missing or invalid values. */
 export function readPreferences(cookies: string): Preferences {
@@ -49,7 +54,7 @@ function isSensible(key: string, value: unknown): boolean {
   if (!Object.hasOwn(defaults, key)) return false;
   if (key in choices) return (choices[key as keyof typeof choices] as unknown[]).includes(value);
   const range = ranges[key as keyof typeof ranges];
-  if (range !== undefined) return typeof value === 'number' && value >= range[0]! && value <= range[1]!;
+  if (range !== undefined) return typeof value === 'number' && value >= range.min && value <= range.max;
   return typeof value === 'boolean';
 }
 

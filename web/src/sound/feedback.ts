@@ -6,16 +6,18 @@ import type { Preferences } from '../settings/preferences';
 import { EdgeDetector, panOf, pitchOf, RisingEdge } from './sonify';
 import { Sound } from './sound';
 import type { Place, Surface } from '../surface';
-import { pulse } from './vibration';
+import { vibrateGamepads, vibratePhone } from './vibration';
 
 export class Feedback {
   readonly sound = new Sound();
   private readonly probes = new Map<number, { edges: EdgeDetector; contact: RisingEdge }>();
   private vibration = false;
+  private gamepads = false;
 
-  set({ sound, volume, vibration }: Preferences): void {
+  set({ sound, volume, vibration, gamepads }: Preferences): void {
     this.sound.set(sound, volume);
     this.vibration = vibration;
+    this.gamepads = gamepads;
   }
 
   /** A probe has moved. */
@@ -29,20 +31,25 @@ export class Feedback {
     const slope = surface.slopeAt(place);
     if (!this.of(probe).edges.crossed(Math.hypot(slope.x, slope.y) * Math.abs(exaggeration))) return;
     this.sound.edge(pan);
-    if (this.vibration) pulse(15, 0.4);
+    this.pulse(15, 0.4);
   }
 
   /** A state of a probe from the program. */
   reported({ probe, contact, x_m }: ProbeState, surface: Surface): void {
     if (!this.of(probe).contact.rises(contact)) return;
     this.sound.click(panOf(x_m, surface.width));
-    if (this.vibration) pulse(25, 0.8);
+    this.pulse(25, 0.8);
   }
 
   /** Drops the state of removed probes. */
   keep(numbers: readonly number[]): void {
     for (const probe of this.probes.keys()) if (!numbers.includes(probe)) this.probes.delete(probe);
     this.sound.keep(numbers);
+  }
+
+  private pulse(milliseconds: number, strength: number): void {
+    if (this.vibration) vibratePhone(milliseconds);
+    if (this.gamepads) vibrateGamepads(milliseconds, strength);
   }
 
   private of(probe: number): { edges: EdgeDetector; contact: RisingEdge } {
