@@ -75,6 +75,7 @@ Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& sce
                                                         const LawParameters& parameters,
                                                         DilatedRelief* kept) {
   if (const auto valid = check(parameters); !valid) return valid.error();
+  if (!models::has_model(scene)) return usage_error("the scene has no model");
   const LawDescription& law = description_of(parameters.law);
   if (!renders(law, scene))
     return usage_error("the law " + std::string(law.name) + " does not exist for a " +

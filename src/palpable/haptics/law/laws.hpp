@@ -34,8 +34,8 @@ struct DilatedRelief {
 
 /// Creates the Touchable of a scene and a law for the servo loop. One-time work (dilating a relief by the
 /// ball) is done here, outside the tick; it takes up to a second for large radii and is skipped if `kept`
-/// contains the result. Errors: usage for a parameter of the law out of range, or a law that does not support
-/// this kind of scene.
+/// contains the result. Errors: usage for a scene without a model, a parameter of the law out of range, or a
+/// law that does not support this kind of scene.
 Result<std::shared_ptr<const Touchable>> make_touchable(const models::Scene& scene,
                                                         const LawParameters& parameters,
                                                         DilatedRelief* kept = nullptr);

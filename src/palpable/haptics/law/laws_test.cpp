@@ -112,6 +112,12 @@ TEST(Laws, RefuseParametersOutOfTheirRange) {
   EXPECT_FALSE(make_touchable(flat_ground(), p));
 }
 
+TEST(Laws, RefuseASceneWithoutAModel) {
+  const auto refused = make_touchable(models::Scene{}, LawParameters{});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message, "the scene has no model");
+}
+
 TEST(Laws, RefuseEachOfTheirParametersOutsideTheRangeThatTheyDescribe) {
   const models::Scene scene = flat_ground();
   for (const Law law : laws_for(scene))

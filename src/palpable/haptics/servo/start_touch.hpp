@@ -18,7 +18,7 @@ Transform<SceneFrame, DeviceFrame> fit_workspace(const models::Scene& scene, con
 
 /// Starts a servo loop that renders `touchable` (for example with a custom law) on `device`; the scene is
 /// fitted into the device's workspace. The stiffness is used as given. session::TouchSession also lowers it
-/// to what the device renders stably. Errors: as ServoLoop::start().
+/// to what the device renders stably. Errors: as ServoLoop::start(); a scene without a model (usage).
 Result<std::unique_ptr<ServoLoop>> start_touch(const models::Scene& scene,
                                                std::shared_ptr<const Touchable> touchable,
                                                std::unique_ptr<device::Device> device,

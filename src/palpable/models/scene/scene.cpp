@@ -54,6 +54,10 @@ const std::shared_ptr<const Relief>& relief_of(const Scene& scene) {
   return std::get<std::shared_ptr<const Relief>>(scene.model);
 }
 
+bool has_model(const Scene& scene) noexcept {
+  return std::visit([](const auto& model) { return model != nullptr; }, scene.model);
+}
+
 Vec3 size_m(const Scene& scene) {
   return std::visit(
       Overloaded{

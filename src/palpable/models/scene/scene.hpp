@@ -52,6 +52,7 @@ enum class SolidPose : std::uint8_t { upright, flat };
 /// A touchable scene as it is saved: a model, its picture, materials and origin. A value type; models are
 /// shared and immutable.
 struct Scene {
+  /// Set it before use: it begins without one, and only has_model() may be asked of such a scene.
   Model model;
   /// Shown on the surface, covering the model's rectangle; may be empty.
   Raster<Rgb8> texture;
@@ -67,6 +68,9 @@ struct Scene {
   std::string title;
   std::string description;
 };
+
+/// Whether the scene's model has been set.
+bool has_model(const Scene& scene) noexcept;
 
 /// Index of the material at a place of the scene, seen from above: always a valid index of scene.materials.
 /// Outside the scene that of the nearest place. Any thread; never allocates.
