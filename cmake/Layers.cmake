@@ -62,8 +62,10 @@ set(PALPABLE_MAY_USE_sculpt/correction triangles solid field)
 set(PALPABLE_MAY_USE_sculpt/points relief triangles)
 set(PALPABLE_MAY_USE_sculpt/superquadric triangles points)
 
-set(PALPABLE_ROOMS_device simulated pointer recording drivers)
-set(PALPABLE_MAY_USE_device/drivers simulated pointer recording)
+set(PALPABLE_ROOMS_device transport simulated pointer recording two_diy virtual drivers)
+set(PALPABLE_MAY_USE_device/two_diy transport)
+set(PALPABLE_MAY_USE_device/virtual two_diy)
+set(PALPABLE_MAY_USE_device/drivers simulated pointer recording two_diy)
 
 set(PALPABLE_ROOMS_haptics safety law servo guardian)
 set(PALPABLE_MAY_USE_haptics/servo safety law)

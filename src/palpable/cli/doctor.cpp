@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <thread>
 
 #include <arpa/inet.h>
@@ -152,8 +153,22 @@ Finding device_rules() {
   finding.state = Finding::State::wanted;
   finding.found = "no device rules are installed; the pointer and the simulated hand need none";
   finding.advice =
-      "for a force-feedback device on USB, there is no driver yet; its udev rule will be like the one in "
-      "docs/devices.md";
+      "for a device on a serial port (2diy:), join the group dialout or install the rule in docs/devices.md";
+  return finding;
+}
+
+/// ModemManager sends its own commands to new serial ports, which a device may take for its own.
+Finding modem_manager() {
+  Finding finding{"modem-manager", Finding::State::good, "ModemManager does not run", {}};
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+    std::string name;
+    std::getline(std::ifstream(entry.path() / "comm"), name);
+    if (name != "ModemManager") continue;
+    finding.state = Finding::State::wanted;
+    finding.found = "ModemManager runs; it disturbs devices on serial ports when they are plugged in";
+    finding.advice = "install the rule in docs/devices.md, or stop it: systemctl stop ModemManager";
+  }
   return finding;
 }
 
@@ -214,7 +229,7 @@ Result<Answer> examine(const std::string& hand_on_device, Console& console) {
   answer.json["findings"] = Json::array();
   bool ready = true;
   for (const Finding& finding : {processors(), realtime_priority(), servo_rate(), watchdog(), locked_memory(),
-                                 loopback(), device_rules()}) {
+                                 loopback(), device_rules(), modem_manager()}) {
     answer.json["findings"].push_back({{"name", finding.name},
                                        {"state", name_of(finding.state)},
                                        {"found", finding.found},

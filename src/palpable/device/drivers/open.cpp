@@ -5,6 +5,7 @@
 #include "palpable/device/pointer/pointer.hpp"
 #include "palpable/device/recording/replay.hpp"
 #include "palpable/device/simulated/simulated_hand.hpp"
+#include "palpable/device/two_diy/two_diy.hpp"
 #include "palpable/device/url.hpp"
 
 #include <array>
@@ -19,6 +20,8 @@ struct Driver {
   std::string_view name;
   std::string_view description;
   bool is_virtual = false;
+  /// Where devices of this kind may be plugged in; null if it needs none.
+  std::vector<std::string> (*ports)() = nullptr;
 };
 
 constexpr std::array kDrivers{
@@ -27,6 +30,9 @@ constexpr std::array kDrivers{
     Driver{"sim", open_simulated_hand, "simulated hand",
            "A simulated hand on a simulated device; it explores by itself.", true},
     Driver{"replay", open_replay, "replay", "Replays the movements of a recording: replay:FILE.", true},
+    Driver{"2diy", open_two_diy, "Haply 2DIY",
+           "A planar device on a serial port; hold its handle at home when a touch begins.", false,
+           two_diy_ports},
 };
 
 Result<const Driver*> driver_of(const DeviceUrl& url) {
@@ -64,13 +70,22 @@ Result<std::unique_ptr<Device>> open_device(std::string_view url, const OpenOpti
 
 std::vector<DeviceKind> list_devices() {
   std::vector<DeviceKind> kinds;
-  kinds.reserve(kDrivers.size());
-  for (const auto& driver : kDrivers)
-    kinds.push_back({std::string(driver.scheme) + ":",
-                     std::string(driver.name),
-                     std::string(driver.description),
-                     true,
-                     {}});
+  for (const auto& driver : kDrivers) {
+    const DeviceKind kind{std::string(driver.scheme) + ":",
+                          std::string(driver.name),
+                          std::string(driver.description),
+                          true,
+                          {}};
+    const auto ports = driver.ports == nullptr ? std::vector<std::string>{""} : driver.ports();
+    for (const std::string& port : ports) {
+      kinds.push_back(kind);
+      kinds.back().url += port;
+    }
+    if (!ports.empty()) continue;
+    kinds.push_back(kind);
+    kinds.back().available = false;
+    kinds.back().note = "none is plugged in";
+  }
   return kinds;
 }
 

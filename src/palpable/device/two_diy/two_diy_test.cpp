@@ -1,0 +1,204 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/device/two_diy/two_diy.hpp"
+
+#include "palpable/core/allocations.hpp"
+#include "palpable/device/drivers/open.hpp"
+#include "palpable/device/virtual/virtual_two_diy.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::device {
+namespace {
+
+using Fault = VirtualTwoDiy::Fault;
+
+std::unique_ptr<TwoDiy> opened(const VirtualTwoDiy& board, const TwoDiyVariant& variant) {
+  auto device = TwoDiy::open(board.path(), variant, 1000.0);
+  EXPECT_TRUE(device) << (device ? "" : device.error().sentence());
+  return device ? *std::move(device) : nullptr;
+}
+
+/// One tick, paced by the board's answers instead of the clock.
+Reading tick(TwoDiy& device, const VirtualTwoDiy& board, Vec3 force_N) {
+  const Reading reading = device.read();
+  const auto before = board.messages();
+  device.write({force_N});
+  board.wait_for(before + 1);
+  return reading;
+}
+
+bool motors_are_free(const VirtualTwoDiy& board) { return board.torques() == std::array{0.0F, 0.0F}; }
+
+class EachTwoDiy : public testing::TestWithParam<TwoDiyVariant> {
+ protected:
+  /// Goes from home to the middle of the workspace.
+  void go_to_the_middle() {
+    for (int k = 0; k < 1500; ++k) tick(*device_, board_, {});
+  }
+  VirtualTwoDiy board_{GetParam()};
+  std::unique_ptr<TwoDiy> device_ = opened(board_, GetParam());
+};
+
+TEST_P(EachTwoDiy, ReadsWhereTheHandleIs) {
+  go_to_the_middle();
+  // Away from the middle to the right and away from the user: both axes of the pantograph point the other
+  // way.
+  board_.pull_to({GetParam().centre.x - 0.02, GetParam().centre.y - 0.01});
+  Reading reading;
+  for (int k = 0; k < 3000; ++k) reading = tick(*device_, board_, {});
+  EXPECT_EQ(reading.status, Status::ok);
+  EXPECT_NEAR(reading.position.v.x, 0.02, 1e-6);
+  EXPECT_NEAR(reading.position.v.y, 0.01, 1e-6);
+  EXPECT_EQ(reading.position.v.z, 0.0);
+}
+
+TEST_P(EachTwoDiy, MakesTheForceThatIsWritten) {
+  go_to_the_middle();
+  for (const Vec3 force : {Vec3{1.0, 0.0, 0.0}, Vec3{0.0, -0.7, 0.0}, Vec3{-0.4, 0.5, 0.9}}) {
+    tick(*device_, board_, force);
+    // The next torques are those of the angles that answered the last ones.
+    tick(*device_, board_, force);
+    const InPlane made = board_.force_N();
+    EXPECT_NEAR(made.x, -GetParam().torque_gain * force.x, 0.002);
+    EXPECT_NEAR(made.y, -GetParam().torque_gain * force.y, 0.002);
+  }
+}
+
+TEST_P(EachTwoDiy, NeverExceedsTheTorqueOfItsMotorsAndKeepsTheDirection) {
+  go_to_the_middle();
+  tick(*device_, board_, {});
+  tick(*device_, board_, {30.0, 40.0, 0.0});
+  const auto torques = board_.torques();
+  const double most = std::max(std::abs(torques[0]), std::abs(torques[1]));
+  EXPECT_NEAR(most, GetParam().torque_gain * kTwoDiyMaxTorque_Nm, 1e-6);
+  const InPlane made = board_.force_N();
+  EXPECT_NEAR(made.x / made.y, 0.75, 0.01);
+  // What its traits promise is held everywhere in the workspace.
+  EXPECT_GT(device_->traits().max_force_N, 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Variants, EachTwoDiy, testing::ValuesIn(kTwoDiyVariants),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+class TwoDiyOnALine : public testing::Test {
+ protected:
+  VirtualTwoDiy board_{kTwoDiyVariants[0]};
+};
+
+TEST_F(TwoDiyOnALine, IsSetUpByTheBytesOfItsVariant) {
+  const auto device = opened(board_, kTwoDiyVariants[0]);
+  const auto sent = setup_message(kTwoDiyVariants[0]);
+  const auto received = board_.setup();
+  ASSERT_EQ(received.size(), sent.size());
+  for (std::size_t k = 0; k < sent.size(); ++k)
+    EXPECT_EQ(received[k], std::to_integer<std::uint8_t>(sent[k]));
+}
+
+TEST_F(TwoDiyOnALine, IsReadByTheNumbersOfItsMotorsWhereTheBoardAnswersByThese) {
+  VirtualTwoDiy other(kTwoDiyVariants[1], true);
+  const auto device = opened(other, kTwoDiyVariants[1]);
+  for (int k = 0; k < 1500; ++k) tick(*device, other, {});
+  EXPECT_NEAR(device->read().position.v.x, 0.0, 1e-4);
+  tick(*device, other, {0.5, 0.0, 0.0});
+  tick(*device, other, {0.5, 0.0, 0.0});
+  EXPECT_NEAR(other.force_N().x, -0.5, 0.002);
+}
+
+TEST_F(TwoDiyOnALine, FreesItsMotorsWhenItIsClosedAndWhenItIsStopped) {
+  auto device = opened(board_, kTwoDiyVariants[0]);
+  for (int k = 0; k < 1500; ++k) tick(*device, board_, {0.2, 0.2, 0.0});
+  EXPECT_FALSE(motors_are_free(board_));
+  auto messages = board_.messages();
+  device->stop();
+  board_.wait_for(messages + 1);
+  EXPECT_TRUE(motors_are_free(board_));
+  tick(*device, board_, {0.2, 0.2, 0.0});
+  tick(*device, board_, {0.2, 0.2, 0.0});
+  EXPECT_FALSE(motors_are_free(board_));
+  messages = board_.messages();
+  device.reset();
+  board_.wait_for(messages + 1);
+  EXPECT_TRUE(motors_are_free(board_));
+}
+
+/// A board that gets this fault at a random instant while it pushes.
+class TwoDiyWithAFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(TwoDiyWithAFault, IsFreeWithinTenTicksAndHasFailedAfterHalfASecond) {
+  std::mt19937 random(static_cast<unsigned>(GetParam()));
+  constexpr int kTimes = 20;
+  for (int time = 0; time < kTimes; ++time) {
+    VirtualTwoDiy board(kTwoDiyVariants[0]);
+    const auto device = opened(board, kTwoDiyVariants[0]);
+    const int until = 1000 + static_cast<int>(random() % 500);
+    for (int k = 0; k < until; ++k) tick(*device, board, {0.3, 0.3, 0.0});
+    ASSERT_FALSE(motors_are_free(board));
+    board.inject(GetParam());
+    Reading reading;
+    const auto push = [&](int ticks) {
+      for (int k = 0; k < ticks; ++k) {
+        reading = device->read();
+        device->write({{0.3, 0.3, 0.0}});
+      }
+    };
+    push(10);
+    EXPECT_NE(reading.status, Status::ok);
+    // It takes commands although its answers are bad.
+    board.wait_until_free();
+    push(600);
+    EXPECT_TRUE(motors_are_free(board));
+    EXPECT_EQ(reading.status, Status::fault);
+    EXPECT_FALSE(device->fault().empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, TwoDiyWithAFault,
+                         testing::Values(Fault::silent, Fault::cut_answers, Fault::not_finite));
+
+TEST_F(TwoDiyOnALine, ThatIsUnpluggedHasFailed) {
+  const auto device = opened(board_, kTwoDiyVariants[0]);
+  for (int k = 0; k < 100; ++k) tick(*device, board_, {0.3, 0.3, 0.0});
+  board_.inject(Fault::unplugged);
+  Reading reading;
+  for (int k = 0; k < 600; ++k) {
+    reading = device->read();
+    device->write({});
+  }
+  EXPECT_EQ(reading.status, Status::fault);
+}
+
+TEST_F(TwoDiyOnALine, AllocatesNothingInATick) {
+  const auto device = opened(board_, kTwoDiyVariants[0]);
+  tick(*device, board_, {});
+  const AllocationScope scope;
+  for (int k = 0; k < 50; ++k) {
+    device->read();
+    device->write({{0.1, 0.1, 0.0}});
+  }
+  EXPECT_EQ(scope.count(), 0U);
+}
+
+TEST(OpenTwoDiy, NamesWhatIsWrong) {
+  const auto error = [](const std::string& url) {
+    const auto device = open_device(url, {});
+    EXPECT_FALSE(device) << url;
+    return device ? Error{} : device.error();
+  };
+  EXPECT_EQ(error("2diy:/nowhere/ttyACM9").code, ErrorCode::device);
+  EXPECT_NE(error("2diy:/nowhere/ttyACM9").message.find("plug"), std::string::npos);
+  EXPECT_NE(error("2diy:/dev/null").message.find("not a serial port"), std::string::npos);
+  EXPECT_EQ(error("2diy:/dev/null?variant=v9").code, ErrorCode::usage);
+  const VirtualTwoDiy board(kTwoDiyVariants[0]);
+  const auto first = opened(board, kTwoDiyVariants[0]);
+  EXPECT_NE(error("2diy:" + board.path()).message.find("another program"), std::string::npos);
+  VirtualTwoDiy dumb(kTwoDiyVariants[0]);
+  dumb.inject(Fault::silent);
+  EXPECT_NE(error("2diy:" + dumb.path()).message.find("does not answer"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace palpable::device
