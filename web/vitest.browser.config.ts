@@ -8,7 +8,8 @@ export default defineConfig({
   test: {
     include: ['test/**/*.browser.ts'],
     environment: 'node',
-    fileParallelism: false,
+    // Each file has its own program and browser. They wait more than they compute, so three run at a time.
+    poolOptions: { forks: { minForks: 1, maxForks: 3 } },
     testTimeout: 300_000,
     hookTimeout: 300_000,
   },
