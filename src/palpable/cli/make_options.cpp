@@ -127,6 +127,8 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.text("--poses", arguments.poses,
                "Several depth maps: the poses of their cameras, CSV frame,qw,qx,qy,qz,tx,ty,tz; a video: "
                "written there");
+  options.choice("--motion", arguments.motion, {"batch", "filter"},
+                 "A video: the camera's path by bundle adjustment, or frame by frame by a Kalman filter");
   options.choice("--surface", arguments.surface, {"fused", "superquadrics"},
                  "A video: the depth maps fused, or superquadrics fitted to their points");
   options.integer("--until", arguments.until, {1, 1e9}, "A video: frames after this one are not used");
