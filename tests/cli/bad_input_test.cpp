@@ -63,6 +63,13 @@ TEST_F(BadInput, AScenePipeOrFolderIsRefusedAtOnce) {
   expect_refused(palpable({"info", folder_.string()}), folder_.string(), "is a folder, and not a scene");
 }
 
+TEST_F(BadInput, APipeInPlaceOfAPictureOrVideoIsRefusedAtOnce) {
+  for (const char* name : {"pipe.png", "pipe.mp4"}) {
+    ASSERT_EQ(mkfifo(path(name).c_str(), 0600), 0);
+    expect_refused(palpable({"make", path(name), "-o", path("out.palp")}), name, "is a pipe");
+  }
+}
+
 TEST_F(BadInput, APictureInPlaceOfAMeshIsNamedAsOne) {
   ASSERT_EQ(palpable({"make", path("left.png"), "-o", path("lines.palp")}).exit_code, 0);
   expect_refused(palpable({"correct", path("lines.palp"), path("left.png"), "-o", path("out.palp")}),
@@ -185,9 +192,10 @@ TEST_F(BadInput, AnOutputThatIsAnInputIsRefusedAndKept) {
 }
 
 TEST_F(BadInput, CtrlCEndsACommandThatWaitsForAPipe) {
-  const std::string pipe = path("pipe.png");
+  const std::string pipe = path("pipe.json");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  Running running({"make", pipe, "-o", path("out.palp")});
+  Running running(
+      {"make", path("left.png"), path("right.png"), "--calibration", pipe, "-o", path("out.palp")});
   ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
   running.send(SIGINT);
   const Outcome outcome = running.wait(std::chrono::seconds(20));

@@ -81,6 +81,9 @@ Result<std::string> read_text_file(const std::filesystem::path& path, std::uintm
 }
 
 Result<std::vector<std::byte>> read_file_start(const std::filesystem::path& path, std::size_t count) {
+  std::error_code ignored;
+  if (std::filesystem::is_fifo(path, ignored))
+    return invalid_input("is a pipe, which can be read only once: save it as a file first", path.string());
   auto file = open_for_reading(path);
   if (!file) return std::move(file).error();
   return read_up_to(file->get(), count, path);

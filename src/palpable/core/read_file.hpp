@@ -31,7 +31,8 @@ Result<std::vector<std::byte>> read_file(const std::filesystem::path& path,
 Result<std::string> read_text_file(const std::filesystem::path& path,
                                    std::uintmax_t max_bytes = kMaxTextBytes);
 
-/// Reads at most the first `count` bytes, to recognise the format. Errors as read_file().
+/// Reads at most the first `count` bytes, to recognise the format before the file is read. Errors as
+/// read_file(), and a pipe, which could not be read again.
 Result<std::vector<std::byte>> read_file_start(const std::filesystem::path& path, std::size_t count);
 
 }  // namespace palpable
