@@ -1,6 +1,6 @@
 # Installs components of a build into an empty folder; then builds and runs the examples as a separate project that uses it.
 # Run: cmake -DBUILD=<build> -DEXAMPLES=<examples> -DWORK=<empty folder> -DCOMPONENTS=core,models,… -DWITH_VISION=OFF
-#            -DCOMPILER=<c++> [-DSAMPLES=<folder of the sample pair>] -P CheckPackage.cmake
+#            -DCOMPILER=<c++> [-DDOCUMENT=<docs/library.md>] [-DSAMPLES=<folder of the sample pair>] -P CheckPackage.cmake
 # Without vision, the project must not search for a vision library: it is configured with all external packages disabled.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
@@ -37,6 +37,29 @@ foreach(example ${by_pkg_config})
 endforeach()
 if(NOT WITH_VISION)
   execute_process(COMMAND ${WORK}/touch_height_field_by_pkg_config COMMAND_ERROR_IS_FATAL ANY)
+  # The program of docs/library.md, by both builds that the page describes.
+  function(write_block language file)
+    file(READ ${DOCUMENT} rest)
+    string(FIND "${rest}" "\n```${language}\n" start)
+    if(start LESS 0)
+      message(FATAL_ERROR "${DOCUMENT} has no block of ${language}")
+    endif()
+    string(LENGTH "\n```${language}\n" length)
+    math(EXPR start "${start} + ${length}")
+    string(SUBSTRING "${rest}" ${start} -1 rest)
+    string(FIND "${rest}" "\n```" end)
+    string(SUBSTRING "${rest}" 0 ${end} block)
+    file(WRITE ${file} "${block}\n")
+  endfunction()
+  write_block(cpp ${WORK}/library/touch.cpp)
+  write_block(cmake ${WORK}/library/CMakeLists.txt)
+  execute_process(COMMAND ${CMAKE_COMMAND} -G Ninja -S ${WORK}/library -B ${WORK}/library/build -DCMAKE_PREFIX_PATH=${WORK}/prefix
+                          -DCMAKE_CXX_COMPILER=${COMPILER} ${disabled}
+                  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/library/build COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${WORK}/library/build/touch COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${COMPILER} ${WORK}/library/touch.cpp ${flags} -o ${WORK}/library/touch COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${WORK}/library/touch COMMAND_ERROR_IS_FATAL ANY)
 endif()
 if(WITH_VISION)
   execute_process(COMMAND ${WORK}/build/stereo_to_stl ${SAMPLES}/sculpture_left.png ${SAMPLES}/sculpture_right.png ${WORK}/out.stl
