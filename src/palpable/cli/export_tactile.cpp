@@ -3,7 +3,7 @@
 #include "palpable/cli/export_tactile.hpp"
 
 #include "palpable/core/atomic_file.hpp"
-#include "palpable/formats/tactile/contour_lines.hpp"
+#include "palpable/formats/tactile/height_lines.hpp"
 #include "palpable/formats/tactile/tactile_drawing.hpp"
 #include "palpable/sculpt/contours/boundary_map_from_picture.hpp"
 #include "palpable/sculpt/contours/outline_polylines.hpp"
@@ -27,7 +27,7 @@ Result<void> write_height_lines(const models::Relief& relief, const TactileArgum
                                 const std::filesystem::path& output, const Work& work) {
   /// Least height of an outline above the ground, and least length of an outline that is felt as an object.
   constexpr double kOutlineShare = 0.04, kLeastLength_m = 0.006;
-  formats::ContourLineOptions options;
+  formats::HeightLineOptions options;
   options.interval_m = arguments.interval_mm / 1000.0;
   const auto above = sculpt::heights_above_ground(relief, work);
   if (above) {
@@ -35,7 +35,7 @@ Result<void> write_height_lines(const models::Relief& relief, const TactileArgum
     options.least_length_m = kLeastLength_m;
   }
   return write_text(
-      formats::encode_contour_lines(above ? *above : relief.samples_m(), relief.pixel_m(), options), output);
+      formats::encode_height_lines(above ? *above : relief.samples_m(), relief.pixel_m(), options), output);
 }
 
 std::vector<Polyline> outlines_of(const models::Contours& contours) {

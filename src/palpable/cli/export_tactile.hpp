@@ -23,7 +23,7 @@ struct TactileArguments {
 };
 
 /// Writes lines of equal height above the relief's ground, first the outlines of the objects on it; without a
-/// ground, above its lowest point. Errors: as formats::encode_contour_lines() and write_file_atomically().
+/// ground, above its lowest point. Errors: as formats::encode_height_lines() and write_file_atomically().
 Result<void> write_height_lines(const models::Relief& relief, const TactileArguments& arguments,
                                 const std::filesystem::path& output, const Work& work);
 

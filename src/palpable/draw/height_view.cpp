@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/draw/height_view.hpp"
 
+#include "palpable/core/level_lines.hpp"
 #include "palpable/draw/colour_map.hpp"
 #include "palpable/draw/relief_shading.hpp"
 #include "palpable/draw/sheet.hpp"
@@ -49,36 +50,25 @@ double position(double value, double low, double high) {
   return high > low ? (value - low) / (high - low) : 0.5;
 }
 
-/// Draws the contour line at `level_mm` as short segments, by marching squares on a grid over the plot.
-void draw_contour(Canvas& canvas, const Plot& plot, const Raster<float>& height_mm, double level_mm,
-                  StrokeStyle style) {
+/// Draws the lines of equal height at `level_mm`; the samples of `height_mm` span the plot.
+void draw_height_lines(Canvas& canvas, const Plot& plot, const Raster<float>& height_mm, double level_mm,
+                       StrokeStyle style) {
   const double cell_x = plot.area.width / (height_mm.width() - 1),
                cell_y = plot.area.height / (height_mm.height() - 1);
-  for (int y = 0; y + 1 < height_mm.height(); ++y) {
-    for (int x = 0; x + 1 < height_mm.width(); ++x) {
-      const std::array corners{CanvasPoint{0, 0}, CanvasPoint{1, 0}, CanvasPoint{1, 1}, CanvasPoint{0, 1}};
-      const std::array<double, 4> z{height_mm(x, y), height_mm(x + 1, y), height_mm(x + 1, y + 1),
-                                    height_mm(x, y + 1)};
-      std::array<CanvasPoint, 4> crossings;
-      std::size_t count = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t j = (i + 1) % 4;
-        if ((z[i] < level_mm) == (z[j] < level_mm)) continue;
-        const double t = (level_mm - z[i]) / (z[j] - z[i]);
-        crossings[count++] = {plot.area.x + (x + corners[i].x + t * (corners[j].x - corners[i].x)) * cell_x,
-                              plot.area.y + (y + corners[i].y + t * (corners[j].y - corners[i].y)) * cell_y};
-      }
-      for (std::size_t k = 0; k + 1 < count; k += 2) canvas.line(crossings[k], crossings[k + 1], style);
-    }
-  }
+  const auto on_canvas = [&](RasterPoint p) {
+    return CanvasPoint{plot.area.x + p.x * cell_x, plot.area.y + p.y * cell_y};
+  };
+  for (const auto& line : level_lines(height_mm, level_mm))
+    for (std::size_t i = 1; i < line.size(); ++i)
+      canvas.line(on_canvas(line[i - 1]), on_canvas(line[i]), style);
 }
 
-double contour_step_mm(double low_mm, double high_mm) {
+double line_step_mm(double low_mm, double high_mm) {
   const auto levels = round_ticks(low_mm, high_mm, 9);
   return levels.size() > 1 ? levels[1] - levels[0] : high_mm - low_mm;
 }
 
-void draw_contours(Canvas& canvas, const models::Relief& relief, const Plot& plot) {
+void draw_all_height_lines(Canvas& canvas, const models::Relief& relief, const Plot& plot) {
   constexpr double kCell_px = 3.0;
   Raster<float> height_mm(static_cast<int>(plot.area.width / kCell_px) + 1,
                           static_cast<int>(plot.area.height / kCell_px) + 1);
@@ -90,7 +80,7 @@ void draw_contours(Canvas& canvas, const models::Relief& relief, const Plot& plo
     }
   }
   for (const double level : round_ticks(kMm * relief.lowest_m(), kMm * relief.highest_m(), 9))
-    draw_contour(canvas, plot, height_mm, level, {{40, 40, 40}, 0.8, 0.45});
+    draw_height_lines(canvas, plot, height_mm, level, {{40, 40, 40}, 0.8, 0.45});
 }
 
 void draw_relief(Canvas& canvas, const models::Relief& relief, const Sheet& sheet, Rgb8 (*colour)(double)) {
@@ -107,27 +97,26 @@ Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
 
 Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
-  return {sheet.width_px, sheet.height_px,
-          [relief = std::move(relief), picture = std::move(picture), heading, sheet](Canvas& canvas) {
-            const Plot plot = plot_of(relief, sheet.plot);
-            const double low = relief.lowest_m(), high = relief.highest_m();
-            canvas.picture(rendered(relief, plot,
-                                    [&](const models::HeightSample& s, double u, double v) {
-                                      const Rgb8 own = picture.empty()
-                                                           ? tint_colour(position(s.z_m, low, high))
-                                                           : colour_at(picture, u, v);
-                                      return shaded(own, shade_of(s));
-                                    }),
-                           sheet.plot);
-            draw_contours(canvas, relief, plot);
-            draw_relief(canvas, relief, sheet, tint_colour);
-            draw_heading_and_caption(
-                canvas, sheet, heading,
-                fmt::format("Lit from the upper left, with slopes exaggerated twice. A contour line every "
-                            "{} mm of height.",
-                            label_of(contour_step_mm(kMm * low, kMm * high),
-                                     contour_step_mm(kMm * low, kMm * high))));
-          }};
+  return {
+      sheet.width_px, sheet.height_px,
+      [relief = std::move(relief), picture = std::move(picture), heading, sheet](Canvas& canvas) {
+        const Plot plot = plot_of(relief, sheet.plot);
+        const double low = relief.lowest_m(), high = relief.highest_m();
+        canvas.picture(rendered(relief, plot,
+                                [&](const models::HeightSample& s, double u, double v) {
+                                  const Rgb8 own = picture.empty() ? tint_colour(position(s.z_m, low, high))
+                                                                   : colour_at(picture, u, v);
+                                  return shaded(own, shade_of(s));
+                                }),
+                       sheet.plot);
+        draw_all_height_lines(canvas, relief, plot);
+        draw_relief(canvas, relief, sheet, tint_colour);
+        draw_heading_and_caption(
+            canvas, sheet, heading,
+            fmt::format("Lit from the upper left, with slopes exaggerated twice. A height line every "
+                        "{} mm of height.",
+                        label_of(line_step_mm(kMm * low, kMm * high), line_step_mm(kMm * low, kMm * high))));
+      }};
 }
 
 Figure height_figure(models::Relief relief, const Heading& heading) {

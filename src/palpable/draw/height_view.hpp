@@ -9,7 +9,7 @@
 
 namespace palpable::draw {
 
-/// A relief as a height map: tinted by height and shaded as if lit from the upper left, with contour lines,
+/// A relief as a height map: tinted by height and shaded as if lit from the upper left, with height lines,
 /// axes and scale in millimetres. If `picture` is given, it covers the relief's rectangle and replaces the
 /// tints.
 Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture = {});

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/formats/tactile/contour_lines.hpp"
+#include "palpable/formats/tactile/height_lines.hpp"
 
 #include <cmath>
 #include <string>
@@ -18,10 +18,10 @@ Raster<float> cone() {
   return z;
 }
 
-TEST(EncodeContourLines, DrawsClosedRingsAroundACone) {
-  ContourLineOptions options;
+TEST(EncodeHeightLines, DrawsClosedRingsAroundACone) {
+  HeightLineOptions options;
   options.interval_m = 0.002;
-  const auto svg = encode_contour_lines(cone(), 0.001, options);
+  const auto svg = encode_height_lines(cone(), 0.001, options);
   ASSERT_TRUE(svg);
   std::size_t rings = 0;
   for (std::size_t from = svg->find("<path"); from != std::string::npos;
@@ -35,9 +35,9 @@ TEST(EncodeContourLines, DrawsClosedRingsAroundACone) {
   EXPECT_EQ(rings, 5U);
   EXPECT_NE(svg->find("width=\"61.000mm\""), std::string::npos);
   options.interval_m = 0.0;
-  EXPECT_FALSE(encode_contour_lines(cone(), 0.001, options));
+  EXPECT_FALSE(encode_height_lines(cone(), 0.001, options));
   options.interval_m = 1e-6;
-  EXPECT_FALSE(encode_contour_lines(cone(), 0.001, options));
+  EXPECT_FALSE(encode_height_lines(cone(), 0.001, options));
 }
 
 int paths_of(const std::string& svg) {
@@ -46,22 +46,22 @@ int paths_of(const std::string& svg) {
   return count;
 }
 
-TEST(EncodeContourLines, BeginWithAnOutlineAboveTheGround) {
+TEST(EncodeHeightLines, BeginWithAnOutlineAboveTheGround) {
   // A cone of 10 mm: its outline, and lines at 2, 4, 6 and 8 mm.
-  ContourLineOptions options;
+  HeightLineOptions options;
   options.outline_m = 0.0005;
-  const auto svg = encode_contour_lines(cone(), 0.001, options);
+  const auto svg = encode_height_lines(cone(), 0.001, options);
   ASSERT_TRUE(svg);
   EXPECT_EQ(paths_of(*svg), 5);
   EXPECT_NE(svg->find("stroke-width=\"1.200\""), std::string::npos);
 }
 
-TEST(EncodeContourLines, LeaveOutShortLines) {
-  ContourLineOptions options;
+TEST(EncodeHeightLines, LeaveOutShortLines) {
+  HeightLineOptions options;
   options.outline_m = 0.0005;
   // The line at 8 mm is a ring of 4 mm radius, 25 mm long.
   options.least_length_m = 0.030;
-  EXPECT_EQ(paths_of(*encode_contour_lines(cone(), 0.001, options)), 4);
+  EXPECT_EQ(paths_of(*encode_height_lines(cone(), 0.001, options)), 4);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace palpable::formats {
 
-struct ContourLineOptions {
+struct HeightLineOptions {
   /// Height from one line to the next. > 0.
   double interval_m = 0.002;
   /// For objects on a flat ground: the first line is at this height and 1.5 times as wide; it is the objects'
@@ -25,7 +25,7 @@ struct ContourLineOptions {
 
 /// Lines of equal height as an SVG picture at true size, for swell paper; samples are `pixel_m` apart.
 /// Errors: usage for an interval that would give more than 200 lines, and for options out of range.
-Result<std::string> encode_contour_lines(const Raster<float>& heights_m, double pixel_m,
-                                         const ContourLineOptions& options);
+Result<std::string> encode_height_lines(const Raster<float>& heights_m, double pixel_m,
+                                        const HeightLineOptions& options);
 
 }  // namespace palpable::formats
