@@ -47,7 +47,7 @@ Result<Answer> fit(const FitArguments& arguments, Console& console) {
   notes.insert(notes.end(), match->notes.begin(), match->notes.end());
   for (const Note& note : notes) console.note(note);
   const vision::FitToTouch fit = vision::fit_to_touch(ready->pair, *match, console.work(), settable.verdict);
-  const std::string sentence = vision::sentence_of(fit);
+  const std::string sentence = vision::sentence_of(fit, settable.verdict.words);
   if (!arguments.output.empty())
     if (const auto written =
             draw::write_figure(picture_of(ready->pair, fit, arguments, sentence), arguments.output);

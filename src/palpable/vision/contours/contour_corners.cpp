@@ -15,13 +15,14 @@
 namespace palpable::vision {
 namespace {
 
-struct Place {
+/// A point or a direction in the picture, pixels.
+struct PicturePoint {
   double x, y;
 };
 struct Piece {
-  Place middle{};
+  PicturePoint middle{};
   /// Unit, away from the corner.
-  Place along{};
+  PicturePoint along{};
   /// The angle by which the piece bends over its length; its strength; its pixel nearest to the corner.
   double bend = 0.0;
   float strength = 0.0F;
@@ -29,7 +30,7 @@ struct Piece {
 };
 struct Corner {
   Pixel from{};
-  Place at{};
+  PicturePoint at{};
   double drawn_px = 0.0;
   std::array<Piece, 2> pieces;
 };
@@ -43,8 +44,8 @@ struct Lines {
   const CornerOptions& options;
 };
 
-double apart(Place a, Place b) { return std::hypot(a.x - b.x, a.y - b.y); }
-Place centre_of(Pixel p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+double apart(PicturePoint a, PicturePoint b) { return std::hypot(a.x - b.x, a.y - b.y); }
+PicturePoint centre_of(Pixel p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
 
 /// Whether tangents 4 px around the pixel point in more than one direction.
 bool may_turn(const Lines& lines, Pixel p) {
@@ -65,7 +66,7 @@ bool may_turn(const Lines& lines, Pixel p) {
 }
 
 /// The sub-pixel maximum of the strength across the line, by a parabola through three samples.
-Place subpixel(const Lines& lines, Pixel p) {
+PicturePoint subpixel(const Lines& lines, Pixel p) {
   const double nx = -static_cast<double>(lines.tangent_y(p.x, p.y)), ny = lines.tangent_x(p.x, p.y);
   const auto at = [&](double side) {
     return static_cast<double>(
@@ -138,9 +139,9 @@ class Surroundings {
 };
 
 /// The bend of a piece, from a parabola fitted to its points.
-void measure_bend(std::span<const Place> places, Piece& piece) {
+void measure_bend(std::span<const PicturePoint> places, Piece& piece) {
   double sum_u = 0.0, sum_uu = 0.0, length = 0.0;
-  for (const Place q : places) {
+  for (const PicturePoint q : places) {
     const double u = (q.x - piece.middle.x) * piece.along.x + (q.y - piece.middle.y) * piece.along.y;
     sum_u += u * u;
     sum_uu += u * u * u * u;
@@ -149,7 +150,7 @@ void measure_bend(std::span<const Place> places, Piece& piece) {
   const auto n = static_cast<double>(places.size());
   const double mean = sum_u / n, spread = sum_uu - n * mean * mean;
   double with_v = 0.0;
-  for (const Place q : places) {
+  for (const PicturePoint q : places) {
     const double dx = q.x - piece.middle.x, dy = q.y - piece.middle.y;
     const double u = dx * piece.along.x + dy * piece.along.y, v = dy * piece.along.x - dx * piece.along.y;
     with_v += (u * u - mean) * v;
@@ -162,7 +163,7 @@ void measure_bend(std::span<const Place> places, Piece& piece) {
 std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels, Pixel corner) {
   const CornerOptions& options = lines.options;
   if (static_cast<int>(pixels.size()) < options.least_pixels) return std::nullopt;
-  std::vector<Place> places;
+  std::vector<PicturePoint> places;
   Piece out;
   double nearest = 2.0 * options.far_px, farthest = 0.0;
   for (const Pixel q : pixels) {
@@ -176,7 +177,7 @@ std::optional<Piece> piece_of(const Lines& lines, std::span<const Pixel> pixels,
   }
   if (farthest < options.far_px - 2.0) return std::nullopt;
   double xx = 0.0, xy = 0.0, yy = 0.0;
-  for (const Place q : places) {
+  for (const PicturePoint q : places) {
     const double dx = q.x - out.middle.x, dy = q.y - out.middle.y;
     xx += dx * dx, xy += dx * dy, yy += dy * dy;
   }
@@ -207,7 +208,7 @@ std::optional<Corner> corner_at(const Lines& lines, Pixel p, Surroundings& aroun
     return std::nullopt;
   const double dx = b->middle.x - a->middle.x, dy = b->middle.y - a->middle.y;
   const double t = (dx * b->along.y - dy * b->along.x) / cross;
-  const Place meeting{a->middle.x + t * a->along.x, a->middle.y + t * a->along.y};
+  const PicturePoint meeting{a->middle.x + t * a->along.x, a->middle.y + t * a->along.y};
   const double drawn = apart(meeting, centre_of(p));
   if (drawn > options.longest_px) return std::nullopt;
   return Corner{p, meeting, drawn, {*a, *b}};

@@ -3,7 +3,7 @@
 #include "palpable/vision/rectification/feature_matches.hpp"
 
 #include "palpable/vision/image/opencv_image.hpp"
-#include "palpable/vision/stereo/problem/levels.hpp"
+#include "palpable/vision/stereo/problem/exposure_match.hpp"
 
 #include <algorithm>
 #include <cmath>

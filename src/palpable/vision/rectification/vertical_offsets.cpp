@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/rectification/vertical_offsets.hpp"
 
+#include "palpable/core/median.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,12 +55,6 @@ void add_smoothness(cv::Mat_<double>& normal, int across, int down, double weigh
     }
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::optional<VerticalOffsets> VerticalOffsets::through(const std::vector<FeatureMatch>& matches, int width,
@@ -68,11 +64,11 @@ std::optional<VerticalOffsets> VerticalOffsets::through(const std::vector<Featur
   VerticalOffsets rows(width, height, across, down);
   std::vector<double> offsets;
   for (const FeatureMatch& m : matches) offsets.push_back(m.right_y - m.left_y);
-  const double middle = median(offsets);
+  const double middle = median_of(offsets);
   for (double& v : offsets) v = std::abs(v - middle);
   // A B-spline's weights sum to 1, so equal control values give a constant surface.
   rows.control_.assign(static_cast<std::size_t>(controls), middle);
-  for (double scale_px = std::max(options.first_scale_px, 3.0 * median(offsets));
+  for (double scale_px = std::max(options.first_scale_px, 3.0 * median_of(offsets));
        scale_px > options.last_scale_px; scale_px *= options.scale_factor) {
     cv::Mat_<double> normal(controls, controls, 0.0);
     cv::Mat_<double> right(controls, 1, 0.0);
@@ -135,7 +131,7 @@ VerticalOffsetScore cross_validate_offsets(const std::vector<FeatureMatch>& matc
   if (inliers.empty()) return score;
   score.inliers = inliers.size();
   score.residual_px = vertical_rms_px(inliers);
-  const double middle = median(offsets);
+  const double middle = median_of(offsets);
   for (const double offset : offsets)
     score.greatest_px = std::max(score.greatest_px, std::abs(offset - middle));
   return score;

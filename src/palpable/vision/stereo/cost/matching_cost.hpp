@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/vision/image/census.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <cstdint>
 #include <vector>

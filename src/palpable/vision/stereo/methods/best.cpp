@@ -134,8 +134,8 @@ class BestMatcher {
     const Raster<float> seen_right = seen_from_right(right_, input_.right_first);
     out.confidence = confidence(left_, seen_right, options_, work_);
     const ColourPlanes& colour = left_.picture.colour;
-    shift_between_pixels(colour, input_.left_grey, input_.right_grey, seen_right, options_.shift, left_.map,
-                         work_);
+    refine_photometrically(colour, input_.left_grey, input_.right_grey, seen_right, options_.shift, left_.map,
+                           work_);
     if (work_.cancelled()) return out;
     continue_background(colour, seen_right, options_.background, left_.map, work_);
     out.disparity_px =

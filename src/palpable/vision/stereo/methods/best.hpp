@@ -10,7 +10,7 @@
 #include "palpable/vision/stereo/planes/photometric_shift.hpp"
 #include "palpable/vision/stereo/planes/plane_search.hpp"
 #include "palpable/vision/stereo/planes/plane_votes.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <vector>
 
@@ -18,10 +18,11 @@ namespace palpable::vision {
 
 /// The parts of the method `best`. docs/stereo.md says on which pictures the defaults were chosen.
 struct BestOptions {
-  /// Rounds of the plane search: of each view by itself, of both views with occlusions from each other, and
-  /// finally of the left view; 1 … 20, 0 … 20, 0 … 20.
+  /// First rounds of the plane search, of each view by itself; 1 … 20.
   int separate_rounds = 3;
+  /// Following rounds, of both views with occlusions from each other; 0 … 20.
   int joint_rounds = 3;
+  /// Last rounds, of the left view; 0 … 20.
   int last_rounds = 2;
   /// From this round on each view gets the other's planes as candidates; earlier they are mostly noise; 0 …
   /// 60.
@@ -29,14 +30,16 @@ struct BestOptions {
   /// Q of statistical region merging: larger than elsewhere, since a region should contain one or two
   /// surfaces; 1 … 1024.
   double region_complexity = 128.0;
-  /// An occluded surface lies at most furthest_margin_px (px, 0 … 100) behind the visible pixels, without
-  /// this fraction of the farthest ones; 0 … 0.5.
+  /// Share of the farthest visible pixels that are left out when the farthest visible disparity is
+  /// determined; 0 … 0.5.
   double furthest_fraction = 0.005;
+  /// An occluded surface lies at most this far behind that disparity; px, 0 … 100.
   float furthest_margin_px = 1.0F;
-  /// The matching cost (units, 0.01 … 4) and the left-right difference (px, 0.01 … 10) at which confidence is
-  /// one half, and the least confidence (0 … 1), which pixels outside the other picture have.
+  /// Matching cost at which the confidence is one half; units, 0.01 … 4.
   float half_confidence_cost = 0.5F;
+  /// Left-right difference at which the confidence is one half; px, 0.01 … 10.
   float half_confidence_px = 0.5F;
+  /// Least confidence, which pixels outside the other picture have; 0 … 1.
   float least_confidence = 0.1F;
   VolumeOptions volume = {};
   SgmOptions sgm = {};

@@ -6,7 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/cost/cross_window.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <vector>
 

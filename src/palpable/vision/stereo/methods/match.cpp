@@ -5,7 +5,7 @@
 #include "palpable/core/memory.hpp"
 #include "palpable/vision/stereo/methods/matching_memory.hpp"
 #include "palpable/vision/stereo/problem/match_input.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 

@@ -6,6 +6,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/vision/stereo/methods/stereo_options.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
+#include "palpable/vision/stereo/problem/stereo_method.hpp"
 
 #include <optional>
 #include <string_view>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/match.hpp"
 
-#include "palpable/vision/stereo/problem/match_input.hpp"
+#include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/core/result.hpp"
-#include "palpable/vision/stereo/methods/stereo_options.hpp"
+#include "palpable/vision/stereo/problem/stereo_method.hpp"
 
 #include <cstddef>
 

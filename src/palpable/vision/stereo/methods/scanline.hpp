@@ -8,7 +8,7 @@
 #include "palpable/vision/stereo/cost/cross_window.hpp"
 #include "palpable/vision/stereo/methods/column_smoothing.hpp"
 #include "palpable/vision/stereo/methods/scanline_path.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <vector>
 

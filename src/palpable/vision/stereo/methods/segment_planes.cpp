@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/segment_planes.hpp"
 
+#include "palpable/core/median.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,13 +19,11 @@ namespace {
 
 using PixelLists = std::vector<std::vector<Pixel>>;
 
-double median_of(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels) {
+double median_disparity(const Raster<float>& disparity_px, const std::vector<Pixel>& pixels) {
   std::vector<float> values;
   values.reserve(pixels.size());
   for (const Pixel p : pixels) values.push_back(disparity_px(p.x, p.y));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return static_cast<double>(*middle);
+  return static_cast<double>(median_of(std::move(values)));
 }
 
 /// One reweighted least-squares step; pixels more than `reach_px` from the plane do not count.
@@ -62,7 +62,7 @@ SegmentPlane fit_plane(const Raster<float>& disparity_px, const std::vector<Pixe
     plane.x0 += p.x / static_cast<double>(pixels.size());
     plane.y0 += p.y / static_cast<double>(pixels.size());
   }
-  plane.at_middle = median_of(disparity_px, pixels);
+  plane.at_middle = median_disparity(disparity_px, pixels);
   for (const double reach_px : options.fit_reach_px)
     plane = refitted(plane, disparity_px, pixels, reach_px, options);
   return plane;

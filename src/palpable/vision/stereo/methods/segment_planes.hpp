@@ -4,7 +4,7 @@
 
 #include "palpable/vision/segmentation/colour_segments.hpp"
 #include "palpable/vision/stereo/methods/scanline.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <array>
 #include <cstddef>

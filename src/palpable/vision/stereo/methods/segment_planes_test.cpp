@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/methods/segment_planes.hpp"
 
-#include "palpable/vision/stereo/problem/match_input.hpp"
+#include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "palpable/vision/stereo/methods/segment_planes.hpp"
 #include "palpable/vision/stereo/planes/plane_search.hpp"
 #include "palpable/vision/stereo/planes/plane_votes.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/match_input.hpp"
 
 #include <vector>
 

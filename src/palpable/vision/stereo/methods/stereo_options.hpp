@@ -10,8 +10,9 @@
 #include "palpable/vision/stereo/methods/pyramid.hpp"
 #include "palpable/vision/stereo/methods/scanline.hpp"
 #include "palpable/vision/stereo/methods/segments.hpp"
-#include "palpable/vision/stereo/problem/levels.hpp"
+#include "palpable/vision/stereo/problem/exposure_match.hpp"
 #include "palpable/vision/stereo/problem/stereo.hpp"
+#include "palpable/vision/stereo/problem/stereo_method.hpp"
 #include "palpable/vision/stereo/range/disparity_range.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 

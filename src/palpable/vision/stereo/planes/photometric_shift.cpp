@@ -112,8 +112,8 @@ void measure(const ColourPlanes& colour, const Evidence& evidence, const Photome
   const PlaneMap before = map;
   const float per_residual2 = 1.0F / (options.half_weight_residual * options.half_weight_residual);
   sum_over_surfaces<6>(
-      colour, before, evidence.weight, options.measured, work,
-      [&](Place first, Offset offset, int count, const float* weights, const float* rises, ShiftSums& sums) {
+      colour, before, evidence.weight, options.shift_window, work,
+      [&](Pixel first, Offset offset, int count, const float* weights, const float* rises, ShiftSums& sums) {
         const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
         const auto there = [&](const Raster<float>& raster) {
           return raster.row(first.y + offset.y).data() + first.x + offset.x;
@@ -145,15 +145,15 @@ std::vector<Parameter> parameters_of(PhotometricShiftOptions& o) {
        {0, 1000},
        "levels²/px²",
        "Variance of the gradient below which nothing is measured"}};
-  append_parameters(all, "measured", parameters_of(o.measured));
-  append_parameters(all, "carried", parameters_of(o.carried));
+  append_parameters(all, "shift_window", parameters_of(o.shift_window));
+  append_parameters(all, "fit_window", parameters_of(o.fit_window));
   append_parameters(all, "fit", parameters_of(o.fit));
   return all;
 }
 
-void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
-                          const Raster<std::uint8_t>& other, const Raster<float>& other_disparity,
-                          const PhotometricShiftOptions& options, PlaneMap& map, const Work& work) {
+void refine_photometrically(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
+                            const Raster<std::uint8_t>& other, const Raster<float>& other_disparity,
+                            const PhotometricShiftOptions& options, PlaneMap& map, const Work& work) {
   const int w = luma.width();
   const int h = luma.height();
   const Raster<float> before = map.disparity;
@@ -174,7 +174,7 @@ void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>
       for (int y = begin; y < end; ++y) compare_row(luma, other, map.disparity, y, evidence);
     });
     measure(colour, evidence, options, map, trust, work);
-    map = fit_planes(colour, map, trust, options.carried, options.fit, work);
+    map = fit_planes(colour, map, trust, options.fit_window, options.fit, work);
     for (std::size_t i = 0; i < before.count(); ++i) {
       const float b = before.values()[i];
       float& d = map.disparity.values()[i];

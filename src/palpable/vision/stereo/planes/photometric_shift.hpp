@@ -11,9 +11,9 @@ struct PhotometricShiftOptions {
   /// Rounds of measuring and fitting; 0 … 20.
   int rounds = 2;
   /// Window in which a shift is measured: pixels of one plane agree on it almost independent of colour.
-  FitWindow measured = {.radius_px = 4, .step_px = 1, .half_weight_levels = 30.0F};
+  FitWindow shift_window = {.radius_px = 4, .step_px = 1, .half_weight_levels = 30.0F};
   /// Window in which planes are fitted to the shifted pixels.
-  FitWindow carried = {.radius_px = 6, .step_px = 2};
+  FitWindow fit_window = {.radius_px = 6, .step_px = 2};
   PlaneFitOptions fit = {};
   /// The largest shift; px, 0 … 2.
   float largest_px = 0.5F;
@@ -25,9 +25,9 @@ struct PhotometricShiftOptions {
   float independent_share = 0.25F;
   /// Luma difference at which a weight is half; levels of 255, 1 … 255.
   float half_weight_residual = 10.0F;
-  /// Below this sum of weights, or this variance of the gradient, nothing is measured; 0 … 1000, levels² per
-  /// px².
+  /// Below this sum of weights nothing is measured; 0 … 1000.
   float least_weight = 1.0F;
+  /// Below this variance of the gradient nothing is measured; levels²/px², 0 … 1000.
   float least_gradient_variance = 1e-3F;
 };
 std::vector<Parameter> parameters_of(PhotometricShiftOptions& options);
@@ -41,8 +41,8 @@ std::vector<Parameter> parameters_of(PhotometricShiftOptions& options);
 /// `luma`, `other`: the two pictures' luma; x in `luma` matches x - d in `other`, whose own disparities are
 /// `other_disparity`, infinite where that picture has no content. Only pixels that pass the left-right check
 /// are measured, without the edges of nearer surfaces. The result does not depend on the number of threads.
-void shift_between_pixels(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
-                          const Raster<std::uint8_t>& other, const Raster<float>& other_disparity,
-                          const PhotometricShiftOptions& options, PlaneMap& map, const Work& work);
+void refine_photometrically(const ColourPlanes& colour, const Raster<std::uint8_t>& luma,
+                            const Raster<std::uint8_t>& other, const Raster<float>& other_disparity,
+                            const PhotometricShiftOptions& options, PlaneMap& map, const Work& work);
 
 }  // namespace palpable::vision

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/planes/photometric_shift.hpp"
 
-#include "palpable/vision/stereo/problem/match_input.hpp"
+#include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/problem/synthetic_pair.hpp"
 
 #include <cmath>
@@ -38,8 +38,8 @@ Raster<float> seen_from_right(const SyntheticScene& scene) {
 PlaneMap shifted_map(const SyntheticScene& scene, const Work& work = {}) {
   const MatchInput input = prepare_pictures(render(scene), work);
   PlaneMap map = terraces(scene);
-  shift_between_pixels(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
-                       {}, map, work);
+  refine_photometrically(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
+                         {}, map, work);
   return map;
 }
 
@@ -56,8 +56,8 @@ TEST(PhotometricShift, ToleratesADifferenceInBrightness) {
   Raster<std::uint8_t> brighter = input.right_grey;
   for (std::uint8_t& v : brighter.values()) v = static_cast<std::uint8_t>(std::min(255, v + 20));
   PlaneMap map = terraces(scene);
-  shift_between_pixels(colour_planes(input.left), input.left_grey, brighter, seen_from_right(scene), {}, map,
-                       {});
+  refine_photometrically(colour_planes(input.left), input.left_grey, brighter, seen_from_right(scene), {},
+                         map, {});
   EXPECT_LE(bad_fraction(scene, map.disparity, 0.25, 4), 0.02);
 }
 
@@ -66,7 +66,7 @@ TEST(PhotometricShift, DoesNotChangeAPlainPicture) {
   const Raster<std::uint8_t> plain(scene.width, scene.height, std::uint8_t{90});
   PlaneMap map = terraces(scene);
   const PlaneMap before = map;
-  shift_between_pixels({plain, plain, plain}, plain, plain, seen_from_right(scene), {}, map, {});
+  refine_photometrically({plain, plain, plain}, plain, plain, seen_from_right(scene), {}, map, {});
   for (std::size_t i = 0; i < map.disparity.count(); ++i)
     ASSERT_EQ(map.disparity.values()[i], before.disparity.values()[i]);
 }
@@ -78,8 +78,8 @@ TEST(PhotometricShift, MovesNothingByMoreThanHalfAPixel) {
   // All disparities are one pixel too large.
   for (float& d : map.disparity.values()) d += 1.0F;
   const PlaneMap before = map;
-  shift_between_pixels(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
-                       {}, map, {});
+  refine_photometrically(colour_planes(input.left), input.left_grey, input.right_grey, seen_from_right(scene),
+                         {}, map, {});
   for (std::size_t i = 0; i < map.disparity.count(); ++i)
     ASSERT_LE(std::fabs(map.disparity.values()[i] - before.disparity.values()[i]), 0.5F + 1e-5F);
 }

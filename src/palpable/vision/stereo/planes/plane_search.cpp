@@ -99,73 +99,91 @@ inline __attribute__((always_inline)) float least_of(const Lanes& values) {
   return first < second ? first : second;
 }
 
+/// The candidates of one pixel, one in each lane.
+struct CandidateLanes {
+  Lanes disparity, slope_x, slope_y;
+};
+
+inline __attribute__((always_inline)) void load(const RowOfCandidates& row, std::size_t at,
+                                                CandidateLanes& out) {
+  std::memcpy(&out.disparity, row.disparity + at, sizeof out.disparity);
+  std::memcpy(&out.slope_x, row.slope_x + at, sizeof out.slope_x);
+  std::memcpy(&out.slope_y, row.slope_y + at, sizeof out.slope_y);
+}
+
+/// A step from a pixel's predecessor to it.
+struct PathStep {
+  float dx, dy;
+  float per_px;
+  /// No candidate costs more than this: the least path cost of the predecessor plus the largest step.
+  float limit;
+};
+
+/// The least path cost at which each candidate `here` is reached from any of the predecessor's, whose path
+/// costs are `paths`.
+inline __attribute__((always_inline)) void reach_from(const CandidateLanes& source, const float* paths,
+                                                      const PathStep& step, const CandidateLanes& here,
+                                                      Lanes& best) {
+  const Lanes zero = {};
+  const LaneMasks magnitude = reinterpret_cast<LaneMasks>(zero) + 0x7fffffff;
+  const Lanes carried_back = here.disparity - (here.slope_x * step.dx + here.slope_y * step.dy);
+  // The source's planes continued to this pixel, all at once; the loop then uses them as scalars.
+  const Lanes carried = source.disparity + (source.slope_x * step.dx + source.slope_y * step.dy);
+  float carried_on[kCount], there[kCount];
+  std::memcpy(carried_on, &carried, sizeof carried);
+  std::memcpy(there, &source.disparity, sizeof there);
+  best = zero + step.limit;
+  for (int i = 0; i < kCount; ++i) {
+    const Lanes ahead = carried_on[i] - here.disparity;
+    const Lanes behind = there[i] - carried_back;
+    const Lanes bend = reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(ahead) & magnitude) +
+                       reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(behind) & magnitude);
+    const Lanes reached = paths[i] + step.per_px * bend;
+    best = reached < best ? reached : best;
+  }
+}
+
 /// One row of the four paths of a sweep: from the neighbour in the row, and from three neighbours in the
 /// previous row.
 PALPABLE_VECTORIZE
 void sweep_row(const SweepRow& row) {
-  const Lanes zero = {};
-  const LaneMasks magnitude = reinterpret_cast<LaneMasks>(zero) + 0x7fffffff;
+  const auto width = static_cast<std::size_t>(row.width);
   float beside[kCount] = {};
   float least_beside = 0.0F;
   for (int n = 0; n < row.width; ++n) {
-    const int x = row.direction > 0 ? n : row.width - 1 - n;
-    const auto at = static_cast<std::size_t>(x) * kCount;
-    Lanes disparity, slope_x, slope_y, cost;
-    std::memcpy(&disparity, row.here.disparity + at, sizeof disparity);
-    std::memcpy(&slope_x, row.here.slope_x + at, sizeof slope_x);
-    std::memcpy(&slope_y, row.here.slope_y + at, sizeof slope_y);
+    const auto x = static_cast<std::size_t>(row.direction > 0 ? n : row.width - 1 - n);
+    const std::size_t at = x * kCount;
+    CandidateLanes here;
+    load(row.here, at, here);
+    Lanes cost, total = {};
     std::memcpy(&cost, row.cost + at, sizeof cost);
-    Lanes total = zero;
-    for (int k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
       const int step_x = k < 2 ? row.direction : k == 2 ? 0 : -row.direction;
       const int step_y = k == 0 ? 0 : row.direction;
-      const float weight = row.weight[static_cast<std::size_t>(k) * static_cast<std::size_t>(row.width) +
-                                      static_cast<std::size_t>(x)];
+      const float weight = row.weight[k * width + x];
       Lanes path = cost;
       if (weight >= 0.0F) {
-        const auto from = static_cast<std::size_t>(x - step_x);
-        const auto slot =
-            static_cast<std::size_t>(k == 0 ? 0 : k - 1) * static_cast<std::size_t>(row.width) + from;
-        const RowOfCandidates& source = k == 0 ? row.here : row.before;
-        const float* d = source.disparity + from * kCount;
-        const float* sx = source.slope_x + from * kCount;
-        const float* sy = source.slope_y + from * kCount;
+        const std::size_t from = x - static_cast<std::size_t>(step_x);
+        const std::size_t slot = (k == 0 ? 0 : k - 1) * width + from;
         const float* paths = k == 0 ? beside : row.path_before->cost.data() + slot * kCount;
         const float least = k == 0 ? least_beside : row.path_before->least[slot];
-        const auto dx = static_cast<float>(step_x);
-        const auto dy = static_cast<float>(step_y);
-        const float per_px = 0.5F * row.step_per_px * weight;
-        const Lanes carried_back = disparity - (slope_x * dx + slope_y * dy);
-        // The source's planes continued to this pixel, all at once; the loop then uses them as scalars.
-        Lanes source_d, source_sx, source_sy;
-        std::memcpy(&source_d, d, sizeof source_d);
-        std::memcpy(&source_sx, sx, sizeof source_sx);
-        std::memcpy(&source_sy, sy, sizeof source_sy);
-        const Lanes carried = source_d + (source_sx * dx + source_sy * dy);
-        float carried_on[kCount];
-        std::memcpy(carried_on, &carried, sizeof carried);
-        Lanes best = zero + (least + row.largest_step * weight);
-        for (int i = 0; i < kCount; ++i) {
-          const Lanes ahead = carried_on[i] - disparity;
-          const Lanes behind = d[i] - carried_back;
-          const Lanes bend = reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(ahead) & magnitude) +
-                             reinterpret_cast<Lanes>(reinterpret_cast<LaneMasks>(behind) & magnitude);
-          const Lanes reached = paths[i] + per_px * bend;
-          best = reached < best ? reached : best;
-        }
+        CandidateLanes source;
+        load(k == 0 ? row.here : row.before, from * kCount, source);
+        Lanes best;
+        reach_from(source, paths,
+                   {static_cast<float>(step_x), static_cast<float>(step_y), 0.5F * row.step_per_px * weight,
+                    least + row.largest_step * weight},
+                   here, best);
         path = cost + best - least;
       }
       total += path;
-      float stored[kCount];
-      std::memcpy(stored, &path, sizeof path);
       const float least = least_of(path);
       if (k == 0) {
-        std::memcpy(beside, stored, sizeof stored);
+        std::memcpy(beside, &path, sizeof path);
         least_beside = least;
       } else {
-        const auto slot = static_cast<std::size_t>(k - 1) * static_cast<std::size_t>(row.width) +
-                          static_cast<std::size_t>(x);
-        std::memcpy(row.path->cost.data() + slot * kCount, stored, sizeof stored);
+        const std::size_t slot = (k - 1) * width + x;
+        std::memcpy(row.path->cost.data() + slot * kCount, &path, sizeof path);
         row.path->least[slot] = least;
       }
     }

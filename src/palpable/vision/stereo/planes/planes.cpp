@@ -119,7 +119,7 @@ PlaneMap fit_planes(const ColourPlanes& colour, const PlaneMap& map, const Raste
   PlaneMap out(colour.width(), colour.height());
   sum_over_surfaces<9>(
       colour, map, weight, window, work,
-      [](Place first, Offset offset, int count, const float* weights, const float* rises, PlaneSums& sums) {
+      [](Pixel first, Offset offset, int count, const float* weights, const float* rises, PlaneSums& sums) {
         const auto sum = [&](std::size_t k) { return sums.of[k].data() + first.x; };
         add_to_sums(weights, rises, offset, count, sum(0), sum(1), sum(2), sum(3), sum(4), sum(5), sum(6),
                     sum(7), sum(8));

@@ -15,11 +15,6 @@ struct Offset {
   int x, y;
 };
 
-/// A pixel.
-struct Place {
-  int x, y;
-};
-
 /// Pointers to one row of a plane map and of its picture.
 struct SurfaceRow {
   const float* disparity;
@@ -85,7 +80,7 @@ void sum_over_surfaces(const ColourPlanes& colour, const PlaneMap& map, const Ra
         surface_weights(surface_row(colour, map, weight, first, y),
                         surface_row(colour, map, weight, first + offset.x, y + offset.y), offset, window,
                         count, weights.data(), rises.data());
-        add(Place{first, y}, offset, count, weights.data(), rises.data(), sums);
+        add(Pixel{first, y}, offset, count, weights.data(), rises.data(), sums);
       });
       done(sums, y);
     }

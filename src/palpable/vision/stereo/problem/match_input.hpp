@@ -2,29 +2,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/work.hpp"
-#include "palpable/vision/stereo/problem/levels.hpp"
-#include "palpable/vision/stereo/problem/stereo_method.hpp"
+#include "palpable/vision/stereo/problem/stereo.hpp"
+
+#include <cstdint>
 
 namespace palpable::vision {
 
-/// The pair as 8-bit planes. The levels of both pictures are stretched by one factor to 0…255. If the
-/// exposures differ, the right picture's levels are mapped to the left one's for each colour, and both are
-/// clipped where the right one is. A common dark frame of a few lines is replaced by the lines inside it.
-/// `disparities` stays 0. `exposure`, if given, receives the difference. Sizes must be equal and not 0.
-MatchInput prepare_pictures(const StereoPair& pair, const Work& work, Exposure* exposure = nullptr,
-                            const PreparationOptions& options = {});
+/// The input of every stereo method: the pair prepared once by match(). Both pictures have the same size, at
+/// least kMinStereoSide on each side; their exposures are matched and the levels stretched to 0…255.
+struct MatchInput {
+  Raster<Rgb8> left;
+  Raster<Rgb8> right;
+  Raster<std::uint8_t> left_grey;
+  Raster<std::uint8_t> right_grey;
+  /// Disparities 0 … disparities - 1 are searched, x_right = x_left - d; at least 2. If the real range begins
+  /// elsewhere, match() has shifted the right picture and repeated its border columns.
+  int disparities = 0;
+  /// The right picture has content from this column on.
+  int right_first = 0;
+};
 
-/// The picture moved so that result(x, y) = picture(x - shift_px, y), border columns repeated.
-template <class T>
-Raster<T> shifted(const Raster<T>& picture, int shift_px) {
-  Raster<T> out(picture.width(), picture.height());
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) {
-      const int from = x - shift_px;
-      out(x, y) = picture(from < 0 ? 0 : from >= picture.width() ? picture.width() - 1 : from, y);
-    }
-  return out;
-}
+inline constexpr int kMinStereoSide = 8;
+
+/// A method's result in the frame of MatchInput, of the left picture's size; the confidence may be empty.
+struct MatchOutput {
+  Raster<float> disparity_px;
+  Raster<float> confidence;
+};
 
 }  // namespace palpable::vision

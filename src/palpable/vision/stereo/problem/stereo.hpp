@@ -19,9 +19,6 @@ struct StereoPair {
   std::optional<StereoRig> rig;
 };
 
-/// The papers' stereo methods and our own (docs/stereo.md); their options are in methods/.
-enum class StereoMethod { scanline, graph_cut, segments, pyramid, fast, best };
-
 struct StereoMatch {
   /// Sub-pixel disparity of the left picture; NaN where the method leaves pixels unknown.
   DisparityMap disparity;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/stereo/result/confirming_points.hpp"
 
+#include "palpable/core/quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -23,13 +25,6 @@ bool agrees(const Raster<float>& disparity_px, const FeatureMatch& match, double
       if (std::fabs(d - (match.left_x - match.right_x)) <= tolerance_px) return true;
     }
   return false;
-}
-
-double quantile(std::vector<double>& values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 }  // namespace
@@ -59,7 +54,7 @@ double share_off_plane(const std::vector<FeatureMatch>& matches, double on_plane
     for (std::size_t i = 0; i < matches.size(); ++i)
       off[i] = std::fabs(disparity_of(matches[i]) - plane.dot(row_of(matches[i])));
     std::vector<double> sorted = off;
-    most = quantile(sorted, 2.0 / 3.0);
+    most = quantile_of(sorted, 2.0 / 3.0);
   }
   const auto beyond =
       std::count_if(off.begin(), off.end(), [on_plane_px](double px) { return px > on_plane_px; });
@@ -84,7 +79,7 @@ ConfirmingPoints confirming_points(const StereoPair& pair, const Raster<float>& 
   if (out.count == 0) return out;
   out.on_rows = static_cast<double>(on_rows) / out.count;
   out.confirmed = static_cast<double>(confirmed.size()) / out.count;
-  if (!confirmed.empty()) out.range_px = quantile(confirmed, 0.95) - quantile(confirmed, 0.05);
+  if (!confirmed.empty()) out.range_px = quantile_of(confirmed, 0.95) - quantile_of(confirmed, 0.05);
   out.off_plane = share_off_plane(confirmed_matches, options.on_plane_px);
   return out;
 }

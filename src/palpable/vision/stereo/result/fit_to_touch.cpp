@@ -7,7 +7,7 @@
 #include "palpable/vision/image/colour_planes.hpp"
 #include "palpable/vision/stereo/methods/match.hpp"
 #include "palpable/vision/stereo/occlusion/left_right_check.hpp"
-#include "palpable/vision/stereo/problem/match_input.hpp"
+#include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 #include "palpable/vision/stereo/range/pair_check.hpp"
 
 #include <algorithm>
@@ -99,19 +99,17 @@ struct Advice {
   const char* what;
 };
 
-Advice advice_for(const Ninth& place, const FitToTouch& fit) {
-  constexpr double kDark = 0.2;
+Advice advice_for(const Ninth& place, bool is_dark) {
   const auto most = std::max_element(place.shares.begin() + 1, place.shares.end()) - place.shares.begin();
   switch (static_cast<Trouble>(most)) {
     case Trouble::out_of_view:
       return {"only one picture shows it",
               "let the two pictures overlap more: move the cameras closer together, or step back"};
     case Trouble::plain:
-      if (fit.brightness < kDark) return {"it is too dark to show any surface", "give it more light"};
+      if (is_dark) return {"it is too dark to show any surface", "give it more light"};
       return {"there is no texture to go by", "light it from the side, or lay something patterned there"};
     default:
-      if (fit.brightness < kDark)
-        return {"the two pictures contradict each other in the dark", "give it more light"};
+      if (is_dark) return {"the two pictures contradict each other in the dark", "give it more light"};
       return {"the two pictures contradict each other",
               "make sure that nothing moves or shines there, and keep near objects an arm's length away"};
   }
@@ -162,6 +160,14 @@ Image mirror_image(const Image& image) {
 
 }  // namespace
 
+std::vector<Parameter> parameters_of(FitWordsOptions& o) {
+  return {{"doubtful_confidence", &o.doubtful_confidence, {0, 1}, "", "confidence from which it is doubtful"},
+          {"wrong_share", &o.wrong_share, {0, 1}, "", "share of a ninth that is named as wrong"},
+          {"flat_px", &o.flat_px, {0, 100}, "px", "range of disparities that feels flat"},
+          {"dark_level", &o.dark_level, {0, 1}, "", "median level below which the picture is dark"},
+          {"textured_share", &o.textured_share, {0, 1}, "", "texture with which only geometry is named"}};
+}
+
 std::vector<Parameter> parameters_of(FitThresholds& o) {
   std::vector<Parameter> parameters{
       {"points", &o.points, {1, 10000}, "", "distinct points that decide"},
@@ -179,6 +185,7 @@ std::vector<Parameter> parameters_of(FitThresholds& o) {
        "confirmed share above which contrast is texture"},
       {"only_grain", &o.only_grain, {0, 10}, "", "contrast of a reduced copy below which it is noise"}};
   append_parameters(parameters, "confirming", parameters_of(o.confirming));
+  append_parameters(parameters, "words", parameters_of(o.words));
   return parameters;
 }
 
@@ -237,26 +244,26 @@ std::string_view words_of(FitReason reason) {
   return kWords[static_cast<std::size_t>(reason)];
 }
 
-std::string sentence_of(const FitToTouch& fit) {
-  constexpr double kWrongPlace = 0.35, kFlat_px = 3.0, kDoubt = 0.1, kTextured = 0.3;
-  const char* verdict = fit.fit                    ? "This pair is fit to touch"
-                        : fit.confidence >= kDoubt ? "This pair can be touched, with doubt"
-                                                   : "This pair is hardly fit to touch";
+std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options) {
+  const char* verdict = fit.fit ? "This pair is fit to touch"
+                        : fit.confidence >= options.doubtful_confidence
+                            ? "This pair can be touched, with doubt"
+                            : "This pair is hardly fit to touch";
   const bool geometry_fails =
       fit.reason == FitReason::different_places || fit.reason == FitReason::no_parallax;
-  if (geometry_fails && fit.textured >= kTextured)
+  if (geometry_fails && fit.textured >= options.textured_share)
     return fmt::format("{}: {}.", verdict, words_of(fit.reason));
   const std::string figures =
       fmt::format("the pictures confirm each other on {:.0f} % of what both show, {:.0f} % of the whole",
                   100.0 * fit.agreement, 100.0 * fit.coverage);
-  if (fit.depth_range_px < kFlat_px)
+  if (fit.depth_range_px < options.flat_px)
     return fmt::format(
         "{}: {}; but near and far differ by only {:.1f} pixels, so it will feel flat: go nearer, or move the "
         "cameras farther apart.",
         verdict, figures, fit.depth_range_px);
   const Ninth worst = worst_place(fit.trouble);
-  if (worst.wrong() < kWrongPlace) return fmt::format("{}: {}.", verdict, figures);
-  const Advice advice = advice_for(worst, fit);
+  if (worst.wrong() < options.wrong_share) return fmt::format("{}: {}.", verdict, figures);
+  const Advice advice = advice_for(worst, fit.brightness < options.dark_level);
   return fmt::format("{}: {}; it will feel wrong {}, where {} ({:.0f} % of that place): {}.", verdict,
                      figures, worst.name, advice.why, 100.0 * worst.wrong(), advice.what);
 }

@@ -37,6 +37,22 @@ enum class FitReason : std::uint8_t {
 /// The same as a clause, for people.
 std::string_view words_of(FitReason reason);
 
+/// When the verdict's sentence says what.
+struct FitWordsOptions {
+  /// A pair that is not fit can be touched with doubt from this confidence on. 0 … 1.
+  double doubtful_confidence = 0.1;
+  /// A ninth of the picture is named if more than this share of it is not confirmed. 0 … 1.
+  double wrong_share = 0.35;
+  /// A pair whose disparities differ by less than this feels flat; px, 0 … 100.
+  double flat_px = 3.0;
+  /// A median level of the left picture below this is dark. 0 … 1.
+  double dark_level = 0.2;
+  /// If at least this share of the picture has texture, wrong geometry is the only reason that is named.
+  /// 0 … 1.
+  double textured_share = 0.3;
+};
+std::vector<Parameter> parameters_of(FitWordsOptions& options);
+
 /// The thresholds of the verdict. Chosen on seeds 1, 2, 5 and 6 of bench/pair_set.cpp (528 pairs, good and
 /// degraded), so that the depths of a pair that is fit have a rank correlation of at least 0.7 with the true
 /// ones.
@@ -51,16 +67,18 @@ struct FitThresholds {
   double off_plane = 0.025;
   /// Share of the common view that both matching directions confirm. 0 … 1.
   double agreement = 0.7;
-  /// The same, and the least range of disparities in px, with few points. 0 … 1 and 0 … 100.
+  /// The same with few points. 0 … 1.
   double agreement_without_points = 0.8;
+  /// Least range of disparities with few points; px, 0 … 100.
   double range_without_points_px = 3.0;
   /// Share of the whole picture that is confirmed. 0 … 1.
   double coverage = 0.4;
-  /// If more than this share of the pixels is confirmed, fine contrast is texture; else it is noise if
-  /// contrast_beyond_grain() is less than only_grain. 0 … 1; 0 … 10.
+  /// If more than this share of the pixels is confirmed, fine contrast is texture. 0 … 1.
   double confirmed_texture = 0.6;
+  /// If fewer are confirmed, it is noise if contrast_beyond_grain() is less than this. 0 … 10.
   double only_grain = 0.5;
   ConfirmingOptions confirming = {};
+  FitWordsOptions words = {};
 };
 
 std::vector<Parameter> parameters_of(FitThresholds& thresholds);
@@ -98,7 +116,7 @@ FitToTouch fit_to_touch(const StereoPair& pair, const StereoMatch& match, const 
                         const FitThresholds& thresholds = {});
 
 /// One sentence for a layperson: whether the pair is fit, with the figure; where it will feel wrong and why;
-/// and what to do about it.
-std::string sentence_of(const FitToTouch& fit);
+/// and what to do about it. The options are in their ranges.
+std::string sentence_of(const FitToTouch& fit, const FitWordsOptions& options = {});
 
 }  // namespace palpable::vision

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/problem/levels.hpp"
+#include "palpable/vision/stereo/problem/exposure_match.hpp"
 
 #include <cmath>
 
@@ -26,7 +26,8 @@ TEST(Quantiles, AreThoseOfTheLevels) {
 }
 
 TEST(LevelCurve, MapsLevelsByRank) {
-  const LevelCurve curve(luma_quantiles(ramp(0.1F, 0.4F)), luma_quantiles(ramp(0.2F, 0.8F)));
+  const LevelCurve curve(luma_quantiles(ramp(0.1F, 0.4F)), luma_quantiles(ramp(0.2F, 0.8F)),
+                         PreparationOptions{}.clipped_quantiles);
   EXPECT_NEAR(curve(0.1F), 0.2F, 2e-3F);
   EXPECT_NEAR(curve(0.25F), 0.5F, 2e-3F);
   EXPECT_NEAR(curve(0.45F), 0.85F, 2e-3F);  // beyond its end it goes on in parallel
@@ -35,7 +36,8 @@ TEST(LevelCurve, MapsLevelsByRank) {
 TEST(LevelCurve, ClipsLevelsThatTheOtherPictureLost) {
   Image clipped = ramp(0.1F, 1.3F);
   for (float& v : clipped.samples) v = std::min(v, 1.0F);
-  const LevelCurve curve(luma_quantiles(clipped), luma_quantiles(ramp(0.05F, 0.65F)));
+  const LevelCurve curve(luma_quantiles(clipped), luma_quantiles(ramp(0.05F, 0.65F)),
+                         PreparationOptions{}.clipped_quantiles);
   // A quarter of the pixels has the brightest level, so the levels of the darker picture there have no match.
   EXPECT_NEAR(curve.clip(0.64F), 0.5F, 5e-3F);
   EXPECT_EQ(curve.clip(0.3F), 0.3F);

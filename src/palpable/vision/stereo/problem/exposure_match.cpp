@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/problem/levels.hpp"
+#include "palpable/vision/stereo/problem/exposure_match.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,6 @@ namespace {
 
 constexpr std::size_t kLast = kQuantiles - 1;
 constexpr std::size_t kMiddle = kQuantiles / 2;
-/// A picture is clipped when this many more of its quantiles than of the other's lie at one end of its
-/// levels.
-constexpr std::size_t kClipped = 3;
 
 /// The number of quantiles at the brightest level, without the extreme one; and at the darkest.
 std::size_t at_the_top(const Quantiles& q) {
@@ -52,14 +49,16 @@ Quantiles channel_quantiles(const Image& image, int channel) {
   return quantiles_over(image, [channel](const float* pixel) { return pixel[channel]; });
 }
 
-/// The middle part of the histograms: their ends depend on surfaces that only one of the cameras sees.
-constexpr std::size_t kInnerFirst = 26, kInnerLast = 230;
+/// The middle part of the histograms.
+struct ComparedPart {
+  std::size_t first, last;
+};
 
-double mean_difference(const Quantiles& left, const Quantiles& right) {
+double mean_difference(const Quantiles& left, const Quantiles& right, ComparedPart part) {
   double sum = 0.0;
-  for (std::size_t q = kInnerFirst; q <= kInnerLast; ++q)
+  for (std::size_t q = part.first; q <= part.last; ++q)
     sum += static_cast<double>(std::abs(left[q] - right[q]));
-  return sum / static_cast<double>(kInnerLast - kInnerFirst + 1);
+  return sum / static_cast<double>(part.last - part.first + 1);
 }
 
 }  // namespace
@@ -71,9 +70,11 @@ Quantiles luma_quantiles(const Image& image) {
   });
 }
 
-LevelCurve::LevelCurve(const Quantiles& from, const Quantiles& to) : identity_(false), from_(from), to_(to) {
-  if (at_the_top(from) >= kClipped + at_the_top(to)) most_ = to[kLast - at_the_top(from)];
-  if (at_the_bottom(from) >= kClipped + at_the_bottom(to)) least_ = to[at_the_bottom(from)];
+LevelCurve::LevelCurve(const Quantiles& from, const Quantiles& to, int clipped_quantiles)
+    : identity_(false), from_(from), to_(to) {
+  const auto clipped = static_cast<std::size_t>(clipped_quantiles);
+  if (at_the_top(from) >= clipped + at_the_top(to)) most_ = to[kLast - at_the_top(from)];
+  if (at_the_bottom(from) >= clipped + at_the_bottom(to)) least_ = to[at_the_bottom(from)];
 }
 
 float LevelCurve::operator()(float level) const {
@@ -96,6 +97,9 @@ std::vector<Parameter> parameters_of(PreparationOptions& o) {
            {0, 1},
            "",
            "Difference of the histograms that is corrected"},
+          {"compared_first", &o.compared_first, {0, 127}, "", "First of 256 quantiles that are compared"},
+          {"compared_last", &o.compared_last, {128, 255}, "", "Last of 256 quantiles that are compared"},
+          {"clipped_quantiles", &o.clipped_quantiles, {1, 128}, "", "Quantiles at one end if it is clipped"},
           {"stretch_below",
            &o.stretch_below,
            {0, 1},
@@ -112,15 +116,17 @@ std::vector<Parameter> parameters_of(PreparationOptions& o) {
 ExposureMatch match_exposures(const Image& left, const Image& right, const PreparationOptions& options) {
   ExposureMatch out;
   const int colours = std::min(left.channels, right.channels) >= 3 ? 3 : 1;
+  const ComparedPart part{static_cast<std::size_t>(options.compared_first),
+                          static_cast<std::size_t>(options.compared_last)};
   std::array<Quantiles, 3> of_left{}, of_right{};
   double difference = 0.0, used = 0.0, middle_left = 0.0, middle_right = 0.0;
   for (int c = 0; c < colours; ++c) {
     const auto i = static_cast<std::size_t>(c);
     of_left[i] = channel_quantiles(left, c);
     of_right[i] = channel_quantiles(right, c);
-    difference += mean_difference(of_left[i], of_right[i]);
-    used += static_cast<double>(std::max(of_left[i][kInnerLast] - of_left[i][kInnerFirst],
-                                         of_right[i][kInnerLast] - of_right[i][kInnerFirst]));
+    difference += mean_difference(of_left[i], of_right[i], part);
+    used += static_cast<double>(std::max(of_left[i][part.last] - of_left[i][part.first],
+                                         of_right[i][part.last] - of_right[i][part.first]));
     middle_left += static_cast<double>(of_left[i][kMiddle]);
     middle_right += static_cast<double>(of_right[i][kMiddle]);
     out.exposure.left_clipped =
@@ -133,7 +139,7 @@ ExposureMatch match_exposures(const Image& left, const Image& right, const Prepa
   if (!out.exposure.differs) return out;
   for (std::size_t c = 0; c < 3; ++c) {
     const std::size_t i = std::min<std::size_t>(c, static_cast<std::size_t>(colours) - 1);
-    out.curves[c] = LevelCurve(of_right[i], of_left[i]);
+    out.curves[c] = LevelCurve(of_right[i], of_left[i], options.clipped_quantiles);
   }
   return out;
 }

@@ -26,9 +26,10 @@ class LevelCurve {
  public:
   /// Leaves levels as they are.
   LevelCurve() = default;
-  /// If `from` is clipped (many pixels at its darkest or brightest level) and `to` is not, these levels are
-  /// mapped to the level where clipping begins, and clip() limits `to` to it.
-  LevelCurve(const Quantiles& from, const Quantiles& to);
+  /// If `from` is clipped (at its darkest or brightest level lie at least `clipped_quantiles` more quantiles
+  /// than at that of `to`), these levels are mapped to the level where clipping begins, and clip() limits
+  /// `to` to it.
+  LevelCurve(const Quantiles& from, const Quantiles& to, int clipped_quantiles);
 
   /// A level of `from` as a level of `to`.
   float operator()(float level) const;
@@ -47,6 +48,14 @@ struct PreparationOptions {
   /// The exposures differ if the middle parts of the histograms differ by more than this share of their used
   /// range (mean over the quantiles); 0 … 1.
   double exposure_difference = 0.08;
+  /// The first of the 256 quantiles of the middle part: the ends depend on surfaces that only one of the
+  /// cameras sees; 0 … 127.
+  int compared_first = 26;
+  /// The last one; 128 … 255.
+  int compared_last = 230;
+  /// A picture is clipped if this many more of its 256 quantiles than of the other's lie at one end of its
+  /// levels; 1 … 128.
+  int clipped_quantiles = 3;
   /// 8-bit pictures that use a smaller range of levels than this are stretched, as deeper ones always are; 0
   /// … 1.
   double stretch_below = 0.4;

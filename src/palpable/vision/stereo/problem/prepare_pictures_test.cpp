@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/stereo/problem/match_input.hpp"
+#include "palpable/vision/stereo/problem/prepare_pictures.hpp"
 
 #include <cmath>
 
