@@ -15,10 +15,10 @@
 #include <string_view>
 #include <vector>
 
-#include "film.hpp"
+#include "rendered_video.hpp"
 #include <fmt/format.h>
 
-// Structure, motion and depth of rendered films (film.hpp) with their exact truth:
+// Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
 //
 //   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
 //                      [--write FOLDER]
@@ -54,12 +54,12 @@ struct PathErrors {
   double scale = 1;
 };
 
-Result<PathErrors> path_errors(const CameraMotion& motion, const Film& film) {
+Result<PathErrors> path_errors(const CameraMotion& motion, const RenderedVideo& video) {
   std::vector<measure::FoundPose> found;
   std::vector<measure::TruePose> truth;
-  for (int i = 0; i < film.frames(); ++i) {
+  for (int i = 0; i < video.frames(); ++i) {
     if (const auto& pose = motion.poses[static_cast<std::size_t>(i)]) found.push_back({i, *pose});
-    const auto pose = film.pose(i);
+    const auto pose = video.pose(i);
     truth.push_back({i, {pose.rotation, pose.translation_m, pose.scale}});
   }
   const auto score = measure::score_camera_path(found, truth);
@@ -73,11 +73,11 @@ Result<PathErrors> path_errors(const CameraMotion& motion, const Film& film) {
   return out;
 }
 
-void depth_errors(const std::vector<FrameDepth>& maps, const Film& film, double scale, const Work& work,
-                  Figures& out) {
+void depth_errors(const std::vector<FrameDepth>& maps, const RenderedVideo& video, double scale,
+                  const Work& work, Figures& out) {
   double all = 0, known = 0, good = 0;
   for (const FrameDepth& map : maps) {
-    const Raster<float> truth = film.depth(map.frame, work);
+    const Raster<float> truth = video.depth(map.frame, work);
     for (std::size_t i = 0; i < truth.count(); ++i) {
       if (!(truth.values()[i] > 0)) continue;
       ++all;
@@ -94,20 +94,20 @@ void depth_errors(const std::vector<FrameDepth>& maps, const Film& film, double 
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-Result<Figures> run(const Film& film, const Arguments& arguments, const Work& work) {
+Result<Figures> run(const RenderedVideo& video, const Arguments& arguments, const Work& work) {
   std::vector<Raster<Rgb8>> pictures;
   std::vector<Raster<std::uint8_t>> greys;
-  for (int i = 0; i < film.frames(); ++i) {
-    pictures.push_back(film.picture(i, work));
+  for (int i = 0; i < video.frames(); ++i) {
+    pictures.push_back(video.picture(i, work));
     greys.push_back(vision::luma8(pictures.back()));
   }
   const double begin = processor_seconds();
   const auto tracks = vision::track_points(greys, arguments.tracks, work);
   if (!tracks) return tracks.error();
   const auto motion =
-      vision::motion_from_tracks(*tracks, film.frames(), {film.camera(), true}, arguments.motion, work);
+      vision::motion_from_tracks(*tracks, video.frames(), {video.camera(), true}, arguments.motion, work);
   if (!motion) return motion.error();
-  const auto path = path_errors(*motion, film);
+  const auto path = path_errors(*motion, video);
   if (!path) return path.error();
   Figures out = path->figures;
   if (arguments.depth) {
@@ -115,17 +115,17 @@ Result<Figures> run(const Film& film, const Arguments& arguments, const Work& wo
     for (const auto& picture : pictures) views.push_back(&picture);
     const auto maps = vision::depth_of_video(views, *motion, motion->camera, arguments.video_depth, work);
     if (!maps) return maps.error();
-    depth_errors(*maps, film, path->scale, work, out);
+    depth_errors(*maps, video, path->scale, work, out);
   }
   out.seconds = processor_seconds() - begin;
   return out;
 }
 
-void write_film(const Film& film, const std::string& folder, int seed, const Work& work) {
+void write_video(const RenderedVideo& video, const std::string& folder, int seed, const Work& work) {
   const std::filesystem::path own = std::filesystem::path(folder) / fmt::format("seed_{:02}", seed);
   std::filesystem::create_directories(own);
-  for (int i = 0; i < film.frames(); ++i) {
-    if (!formats::write_png(own / fmt::format("{:04}.png", i), film.picture(i, work))) return;
+  for (int i = 0; i < video.frames(); ++i) {
+    if (!formats::write_png(own / fmt::format("{:04}.png", i), video.picture(i, work))) return;
   }
 }
 
@@ -183,22 +183,22 @@ int run_all(const Arguments& arguments) {
   Work work;
   work.threads = arguments.threads;
   fmt::print(
-      "| film | frames | position, % of path | rotation, deg | reprojection, px | depth known, % | within 1 "
+      "| video | frames | position, % of path | rotation, deg | reprojection, px | depth known, % | within 1 "
       "%, % of known "
       "| of all | processor s |\n|---|---|---|---|---|---|---|---|---|\n");
   std::vector<double> position, rotation, good;
   for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
-    const Film film(static_cast<std::uint32_t>(seed), arguments.frames);
+    const RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);
     if (!arguments.folder.empty()) {
-      write_film(film, arguments.folder, seed, work);
+      write_video(video, arguments.folder, seed, work);
       continue;
     }
-    const auto figures = run(film, arguments, work);
+    const auto figures = run(video, arguments, work);
     if (!figures) {
-      fmt::print("| {} | {} |\n", film.description(), figures.error().message);
+      fmt::print("| {} | {} |\n", video.description(), figures.error().message);
       continue;
     }
-    print_row(film.description(), *figures, film.frames());
+    print_row(video.description(), *figures, video.frames());
     position.push_back(figures->position_percent), rotation.push_back(figures->rotation_deg);
     good.push_back(figures->good_of_known);
   }

@@ -103,11 +103,11 @@ struct RunRecipe {
   Result<MadeScene> operator()(recipes::DepthInput depth) const {
     return filled(relief_from_depth(std::move(depth), options.recipes.relief, work), options, work);
   }
-  Result<MadeScene> operator()(const Film& film) const {
+  Result<MadeScene> operator()(const VideoInput& video) const {
     recipes::VideoRecipe recipe = options.recipes.video;
     recipe.fusion = options.recipes.fusion;
     recipe.field = options.recipes.field;
-    return field_from_video(film.frames, film.camera, recipe, work);
+    return field_from_video(video.frames, video.camera, recipe, work);
   }
   Result<MadeScene> operator()(const std::vector<recipes::PosedDepth>& views) const {
     return field_from_depth_maps(views, {options.recipes.fusion, options.recipes.field}, work);
@@ -219,19 +219,14 @@ Result<MadeScene> made_for_cache(InputValues values, const MakeOptions& options,
 }
 
 /// The options of a coarse field that is ready soon, to be touched while the requested one is computed;
-/// nullopt if the requested field does not take long.
+/// nullopt for other scenes, and if the requested field does not take long.
 std::optional<MakeOptions> coarse_first(const InputValues& values, const MakeOptions& options) {
-  const CoarseField& coarse = options.coarse_field;
   const auto* file = std::get_if<sources::MeshFile>(&values);
-  if (file == nullptr || coarse.resolution == 0 || becomes_relief(file->mesh, options)) return std::nullopt;
-  const auto triangles = file->mesh.triangles.size();
-  const bool slow = triangles >= static_cast<std::size_t>(coarse.least_triangles) &&
-                    options.recipes.field.field.resolution >= 2 * coarse.resolution &&
-                    options.recipes.field.storage == recipes::FieldStorage::adaptive;
-  if (!slow) return std::nullopt;
+  if (file == nullptr || becomes_relief(file->mesh, options)) return std::nullopt;
+  const auto coarse = coarse_recipe(options.coarse_field, file->mesh, options.recipes.field);
+  if (!coarse) return std::nullopt;
   MakeOptions first = options;
-  first.recipes.field.field.resolution = coarse.resolution;
-  first.recipes.field.field.max_error_m = std::max(first.recipes.field.field.max_error_m, coarse.max_error_m);
+  first.recipes.field = *coarse;
   return first;
 }
 

@@ -10,6 +10,7 @@
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/recipes/sheet_recipe.hpp"
+#include "palpable/session/make/coarse_field.hpp"
 #include "palpable/session/make/read_input.hpp"
 #include "palpable/session/make/scene_cache.hpp"
 
@@ -42,19 +43,6 @@ struct Recipes {
   recipes::GridRecipe grid;
   /// Its field is fused as in `fusion` and stored as in `field`.
   recipes::VideoRecipe video;
-};
-
-/// The coarse field with which the touch of a mesh begins while the requested field is computed. The defaults
-/// were chosen for a first touch of a mesh of 100 000 triangles after about 6 s of processor time, most of
-/// which runs on two cores (docs/history/2026-11-22-fields.md).
-struct CoarseField {
-  /// Finest cells along the longest side, 16 ... 512; 0 = no coarse field. Used only if the requested field
-  /// has at least twice as many.
-  int resolution = 96;
-  /// Its error bound, metres; the requested field's bound if that is larger.
-  double max_error_m = 0.0001;
-  /// Meshes with fewer triangles get no coarse field.
-  int least_triangles = 5000;
 };
 
 /// The input of a scene and the options for making it.

@@ -7,7 +7,7 @@
 #include "palpable/formats/vdb/vdb.hpp"
 #include "palpable/session/make/places.hpp"
 #include "palpable/session/make/read_depth_maps.hpp"
-#include "palpable/session/make/read_film.hpp"
+#include "palpable/session/make/read_video_input.hpp"
 #include "palpable/sources/picture/picture.hpp"
 #include "palpable/sources/solid/points_file.hpp"
 
@@ -85,7 +85,7 @@ Result<ReadInput> read_input(const sources::Input& input, const InputOptions& op
     case InputKind::scene:
       return read_scene_file(options);
     case InputKind::video:
-      return read_film(input, options, work);
+      return read_video_input(input, options, work);
     case InputKind::map:
       break;
   }

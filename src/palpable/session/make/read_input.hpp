@@ -49,14 +49,14 @@ struct InputOptions {
 };
 
 /// The frames of a video, and its camera.
-struct Film {
+struct VideoInput {
   std::vector<VideoFrame> frames;
   vision::VideoCamera camera;
 };
 
 /// The values that were read from the files.
 using InputValues =
-    std::variant<Image, Film, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>,
+    std::variant<Image, VideoInput, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>,
                  sources::MeshFile, PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
 
 struct ReadInput {

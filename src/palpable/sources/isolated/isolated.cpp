@@ -66,10 +66,10 @@ Result<Descriptor> sealed_copy(std::span<const std::byte> file) {
 }
 
 Result<fs::path> decoder_program(Job job) {
-  const bool film = job == Job::video;
-  const char* name = film ? kVideoDecoderName : kDecoderName;
+  const bool is_video = job == Job::video;
+  const char* name = is_video ? kVideoDecoderName : kDecoderName;
   auto program =
-      helper_program(name, film ? "PALPABLE_VIDEO_DECODER" : "PALPABLE_DECODER", PALPABLE_DECODER_FOLDER);
+      helper_program(name, is_video ? "PALPABLE_VIDEO_DECODER" : "PALPABLE_DECODER", PALPABLE_DECODER_FOLDER);
   if (program) return program;
   return Error{ErrorCode::failed,
                fmt::format("cannot be read: the program {}, which reads this kind of file, is missing: {}",

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "film_model.hpp"
+#include "table_model.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -123,7 +123,7 @@ Body any_body(Random& random, double x, double y, double reach, double richness)
 
 }  // namespace
 
-std::optional<ModelHit> FilmModel::first_hit(Vec3 origin, Vec3 direction) const {
+std::optional<ModelHit> TableModel::first_hit(Vec3 origin, Vec3 direction) const {
   std::optional<ModelHit> out;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
@@ -139,7 +139,7 @@ std::optional<ModelHit> FilmModel::first_hit(Vec3 origin, Vec3 direction) const 
   return out;
 }
 
-Colour FilmModel::colour_at(const ModelHit& hit, Vec3 place) const {
+Colour TableModel::colour_at(const ModelHit& hit, Vec3 place) const {
   constexpr double kUnit = 1e4;
   const Vec3 p = kUnit * place, n = hit.normal;
   // Projected along the axis that the surface faces most.
@@ -151,8 +151,8 @@ Colour FilmModel::colour_at(const ModelHit& hit, Vec3 place) const {
   return colour;
 }
 
-FilmModel film_model(Random& random, double texture) {
-  FilmModel model;
+TableModel table_model(Random& random, double texture) {
+  TableModel model;
   const double azimuth = random.between(0, 2 * std::numbers::pi), height = random.between(0.5, 1.2);
   model.sun = unit(Vec3{std::cos(azimuth), std::sin(azimuth), height});
   // The table, and the board on it.

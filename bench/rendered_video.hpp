@@ -12,14 +12,14 @@
 #include <string>
 #include <vector>
 
-#include "film_model.hpp"
+#include "table_model.hpp"
 
-// Rendered films of table-top models with exact poses and depth, on which the parameters of videos are
+// Rendered videos of table-top models with exact poses and depth, on which the parameters of videos are
 // chosen. No test uses them. docs/video.md says which seeds.
 namespace palpable::bench {
 
-/// How a film was taken; drawn from its seed.
-struct FilmConditions {
+/// How a video was taken; drawn from its seed.
+struct VideoConditions {
   enum class Path { arc, sweep, spiral } path = Path::arc;
   /// Angle that the camera goes round the model, and its height above the table plane, degrees; its distance,
   /// m.
@@ -28,18 +28,18 @@ struct FilmConditions {
   double shake_m = 0.001, shake_rad = 0.003;
   /// Share of the time between frames in which the shutter is open, and in which the rows are read.
   double exposure = 0.2, readout = 0.0;
-  /// Standard deviation of the noise, grey levels of 255; change of the exposure along the film, share.
+  /// Standard deviation of the noise, grey levels of 255; change of the exposure along the video, share.
   double noise = 2.0, exposure_drift = 0.05;
 };
 
-/// A film of 640 x 480 pixels, rendered frame by frame. Deterministic.
-class Film {
+/// A video of 640 x 480 pixels, rendered frame by frame. Deterministic.
+class RenderedVideo {
  public:
-  explicit Film(std::uint32_t seed, int frames = 60);
+  explicit RenderedVideo(std::uint32_t seed, int frames = 60);
 
   int frames() const { return frames_; }
   const Pinhole& camera() const { return camera_; }
-  const FilmConditions& conditions() const { return conditions_; }
+  const VideoConditions& conditions() const { return conditions_; }
   /// "seed 3: arc, 6 parts, rolling shutter …", for tables.
   std::string description() const;
   /// The camera when the middle row of a frame is exposed.
@@ -55,8 +55,8 @@ class Film {
   std::uint32_t seed_;
   int frames_;
   Pinhole camera_{560, 560, 319.5, 239.5, 640, 480};
-  FilmConditions conditions_;
-  FilmModel model_;
+  VideoConditions conditions_;
+  TableModel model_;
 };
 
 }  // namespace palpable::bench

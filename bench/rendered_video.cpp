@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "film.hpp"
+#include "rendered_video.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +32,9 @@ Pose looking(Vec3 from, Vec3 to, Vec3 turned) {
   return out;
 }
 
-FilmConditions conditions_of(Random& random) {
-  FilmConditions out;
-  out.path = static_cast<FilmConditions::Path>(random.count(0, 2));
+VideoConditions conditions_of(Random& random) {
+  VideoConditions out;
+  out.path = static_cast<VideoConditions::Path>(random.count(0, 2));
   out.arc_deg = random.between(30, 60);
   out.elevation_deg = random.between(35, 60);
   out.distance_m = random.between(0.5, 0.8);
@@ -51,13 +51,13 @@ double texture_of(std::uint32_t seed) { return seed % 3 == 0 ? 0.35 : 0.9; }
 
 }  // namespace
 
-Film::Film(std::uint32_t seed, int frames) : seed_(seed), frames_(frames) {
+RenderedVideo::RenderedVideo(std::uint32_t seed, int frames) : seed_(seed), frames_(frames) {
   Random random(seed * 7919ULL + 17);
   conditions_ = conditions_of(random);
-  model_ = film_model(random, texture_of(seed));
+  model_ = table_model(random, texture_of(seed));
 }
 
-std::string Film::description() const {
+std::string RenderedVideo::description() const {
   constexpr std::array kPaths{"arc", "sweep", "spiral"};
   return fmt::format(
       "seed {}: {} of {:.0f} deg, {} bodies, {}, exposure {:.2f}{}", seed_,
@@ -67,7 +67,7 @@ std::string Film::description() const {
 }
 
 // Smooth random numbers of standard deviation about one: sums of three sines.
-Vec3 Film::shake_at(double frame, int axis) const {
+Vec3 RenderedVideo::shake_at(double frame, int axis) const {
   Vec3 out;
   std::array<double*, 3> parts{&out.x, &out.y, &out.z};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -79,15 +79,15 @@ Vec3 Film::shake_at(double frame, int axis) const {
   return out;
 }
 
-Transform<WorldFrame, CameraFrame> Film::pose_at(double frame) const {
+Transform<WorldFrame, CameraFrame> RenderedVideo::pose_at(double frame) const {
   const double s = frame / (frames_ - 1) - 0.5, round = conditions_.arc_deg * kDegree * s;
   double elevation = conditions_.elevation_deg * kDegree, distance = conditions_.distance_m;
   Vec3 target{0, 0, 0.02};
   double azimuth = round;
-  if (conditions_.path == FilmConditions::Path::sweep) {
+  if (conditions_.path == VideoConditions::Path::sweep) {
     azimuth = 0.3 * round;
     target.x = 0.25 * s, elevation += 15 * kDegree;
-  } else if (conditions_.path == FilmConditions::Path::spiral) {
+  } else if (conditions_.path == VideoConditions::Path::spiral) {
     elevation += 20 * kDegree * s, distance *= 1 - 0.15 * s;
   }
   const Vec3 from = target + distance * Vec3{std::sin(azimuth) * std::cos(elevation),
@@ -96,7 +96,7 @@ Transform<WorldFrame, CameraFrame> Film::pose_at(double frame) const {
                  conditions_.shake_rad * shake_at(frame, 1));
 }
 
-Raster<Rgb8> Film::picture(int frame, const Work& work) const {
+Raster<Rgb8> RenderedVideo::picture(int frame, const Work& work) const {
   constexpr int kOpenings = 3;
   Raster<Rgb8> out(camera_.width, camera_.height);
   const double gain = 1 + conditions_.exposure_drift * std::sin(0.05 * frame + seed_);
@@ -133,7 +133,7 @@ Raster<Rgb8> Film::picture(int frame, const Work& work) const {
   return out;
 }
 
-Raster<float> Film::depth(int frame, const Work& work) const {
+Raster<float> RenderedVideo::depth(int frame, const Work& work) const {
   Raster<float> out(camera_.width, camera_.height);
   const Pose pose = pose_at(frame);
   parallel_for(work, camera_.height, 8, [&](int begin, int end) {

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/session/make/read_film.hpp"
+#include "palpable/session/make/read_video_input.hpp"
 
 #include "palpable/session/make/places.hpp"
 #include "palpable/sources/calibration/calibration.hpp"
@@ -52,13 +52,14 @@ Result<vision::VideoCamera> camera_of(sources::Video& video, const std::filesyst
 
 }  // namespace
 
-Result<ReadInput> read_film(const sources::Input& input, const InputOptions& options, const Work& work) {
+Result<ReadInput> read_video_input(const sources::Input& input, const InputOptions& options,
+                                   const Work& work) {
   auto video = sources::read_video(input.files, work);
   if (!video) return video.error();
   std::vector<Note> notes = input.notes;
   const auto camera = camera_of(*video, options.calibration, notes, work);
   if (!camera) return camera.error();
-  return ReadInput{Film{std::move(video->frames), *camera}, std::move(notes)};
+  return ReadInput{VideoInput{std::move(video->frames), *camera}, std::move(notes)};
 }
 
 }  // namespace palpable::session

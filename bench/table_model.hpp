@@ -12,7 +12,7 @@
 
 #include "scene_surfaces.hpp"
 
-// Table-top models for rendered films: convex bodies on a board, metres, z up, the board's top at z = 0.
+// Table-top models for rendered videos: convex bodies on a board, metres, z up, the board's top at z = 0.
 namespace palpable::bench {
 
 /// One of the half-spaces dot(normal, p) <= offset_m that a body is the intersection of. `normal` has
@@ -42,7 +42,7 @@ struct ModelHit {
   std::size_t body = 0;
 };
 
-struct FilmModel {
+struct TableModel {
   std::vector<Body> bodies;
   Vec3 sun;
 
@@ -54,6 +54,6 @@ struct FilmModel {
 
 /// A board and three to nine boxes, gabled houses, cylinders, pyramids and domes on it, on a table. `texture`
 /// from 0 (hardly any) to 1 (rich). Deterministic.
-FilmModel film_model(Random& random, double texture);
+TableModel table_model(Random& random, double texture);
 
 }  // namespace palpable::bench
