@@ -30,7 +30,7 @@ Answer answer_of(const DisparityScores& scores) {
   answer.json = json_of(scores);
   answer.text = fmt::format(
       "{} pixels scored, {:.1f} % of them known\nbad: {}\nRMS {:.3f} px, {:.2f} % of the truth's range\n"
-      "as a relief of 100 mm, 15 mm high: normals off by {:.2f}°, {:.3f} false steps per cm\n",
+      "as a relief of 100 mm, 15 mm high: normals off by {:.2f}°, {:.3f} spurious steps per cm\n",
       score.pixels, 100.0 * score.coverage, shares, score.rms_px, score.rms_percent_of_range,
       scores.touch.normal_error_deg, scores.touch.spurious_steps_per_cm);
   return answer;

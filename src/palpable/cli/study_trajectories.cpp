@@ -32,14 +32,14 @@ Answer answer_of(const study::TrajectoryFindings& found, double seconds) {
   Answer answer;
   answer.json = {{"trajectories", found.trajectories},
                  {"ticks", found.ticks},
-                 {"under", found.under},
+                 {"under", found.hand_below_surface},
                  {"let_through", found.let_through},
                  {"jumped_through", found.jumped_through},
-                 {"sunk", found.sunk},
-                 {"pulled", found.pulled},
+                 {"sunk", found.proxy_below_surface},
+                 {"pulled", found.force_away_from_proxy},
                  {"not_finite", found.not_finite},
-                 {"kicked", found.kicked},
-                 {"beyond_the_hand", found.beyond_the_hand},
+                 {"kicked", found.step_beyond_both_motions},
+                 {"beyond_the_hand", found.step_beyond_hand_motion},
                  {"large_steps", found.large_steps},
                  {"large_and_unlimited", found.large_and_unlimited},
                  {"largest_step_N", found.largest.empty() ? 0.0 : found.largest.front().force_step_N},
@@ -48,14 +48,14 @@ Answer answer_of(const study::TrajectoryFindings& found, double seconds) {
     answer.text += fmt::format("{:58}{:>12}\n", what, count);
   };
   answer.text = fmt::format("{} trajectories, {} ticks, {} of them under the surface\n", found.trajectories,
-                            found.ticks, found.under);
+                            found.ticks, found.hand_below_surface);
   line("under the surface without a force", found.let_through);
   line("proxy jumped through an obstacle", found.jumped_through);
-  line("proxy under the surface", found.sunk);
-  line("force away from the proxy", found.pulled);
+  line("proxy under the surface", found.proxy_below_surface);
+  line("force away from the proxy", found.force_away_from_proxy);
   line("not a number", found.not_finite);
-  line("force step larger than the motion of hand and proxy explains", found.kicked);
-  line("force step larger than the motion of the hand explains", found.beyond_the_hand);
+  line("force step larger than the motion of hand and proxy explains", found.step_beyond_both_motions);
+  line("force step larger than the motion of the hand explains", found.step_beyond_hand_motion);
   line("large steps of the proxy, rate-limited", found.large_steps);
   line("large steps of the proxy, not rate-limited", found.large_and_unlimited);
   return answer;

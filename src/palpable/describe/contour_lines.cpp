@@ -289,7 +289,7 @@ std::vector<Parameter> parameters_of(ContourLineOptions& o) {
            &o.greatest_turn_degrees,
            {0.0, 90.0},
            "degrees",
-           "greatest turn of a line that goes straight ahead through a meeting"},
+           "greatest turn of a line that goes straight ahead through a junction"},
           {"least_area", &o.least_area, {0.0, 0.1}, "", "smallest enclosed area, as a share of the map's"}};
 }
 
@@ -328,7 +328,7 @@ ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourL
                    [](const ContourLine& a, const ContourLine& b) { return a.length_m > b.length_m; });
   const auto ends = graph.ends_at_nodes();
   for (std::size_t n = 0; n < ends.size(); ++n)
-    if (ends[n].size() >= 3) drawing.meetings.push_back(place_of(graph.node(static_cast<int>(n))));
+    if (ends[n].size() >= 3) drawing.junctions.push_back(place_of(graph.node(static_cast<int>(n))));
   for_enclosed_areas(mask, [&](const std::vector<Pixel>&) { ++drawing.enclosed_areas; });
   return drawing;
 }

@@ -30,7 +30,7 @@ struct ContourDrawing {
   /// Sorted by length, the longest first.
   std::vector<ContourLine> lines;
   /// Points where a line crosses itself or another line, or ends on one.
-  std::vector<Place> meetings;
+  std::vector<Place> junctions;
   /// Number of areas enclosed by lines.
   std::size_t enclosed_areas = 0;
 };

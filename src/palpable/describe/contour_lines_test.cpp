@@ -63,8 +63,8 @@ TEST(ContourLines, CrossingLinesAreNotClosed) {
   EXPECT_FALSE(cross.lines[1].closed);
   EXPECT_NEAR(cross.lines[0].length_m, 0.070, 0.002);
   EXPECT_NEAR(cross.lines[1].length_m, 0.060, 0.002);
-  ASSERT_EQ(cross.meetings.size(), 1U);
-  EXPECT_NEAR(cross.meetings[0].x_m, 0.0, 0.0005);
+  ASSERT_EQ(cross.junctions.size(), 1U);
+  EXPECT_NEAR(cross.junctions[0].x_m, 0.0, 0.0005);
   EXPECT_EQ(cross.enclosed_areas, 0U);
 }
 
@@ -75,7 +75,7 @@ TEST(ContourLines, AGridHasFourLinesThatEncloseOneArea) {
   }));
   ASSERT_EQ(grid.lines.size(), 4U);
   for (const ContourLine& line : grid.lines) EXPECT_FALSE(line.closed);
-  EXPECT_EQ(grid.meetings.size(), 4U);
+  EXPECT_EQ(grid.junctions.size(), 4U);
   EXPECT_EQ(grid.enclosed_areas, 1U);
 }
 
@@ -86,7 +86,7 @@ TEST(ContourLines, AClosedLineStaysClosedWhereAnotherCrossesIt) {
   ASSERT_EQ(ring.lines.size(), 2U);
   EXPECT_TRUE(ring.lines[0].closed);
   EXPECT_FALSE(ring.lines[1].closed);
-  EXPECT_EQ(ring.meetings.size(), 2U);
+  EXPECT_EQ(ring.junctions.size(), 2U);
 }
 
 TEST(ContourLines, DistanceIsToTheCentreLineNotToTheEdge) {

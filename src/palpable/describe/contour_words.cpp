@@ -24,17 +24,17 @@ std::string closed_words(const std::vector<ContourLine>& lines) {
 }
 
 /// ", meeting in 4 places"; ", meeting at the centre". Empty where none meet.
-std::string meeting_words(const ContourDrawing& drawing, const models::BoundaryMap& map) {
-  if (drawing.meetings.empty()) return {};
+std::string junction_words(const ContourDrawing& drawing, const models::BoundaryMap& map) {
+  if (drawing.junctions.empty()) return {};
   const char* const who = drawing.lines.size() == 1 ? "meeting itself" : "meeting";
   constexpr std::size_t kMostPlaces = 3;
   std::vector<std::string> places;
-  for (const Place& place : drawing.meetings)
+  for (const Place& place : drawing.junctions)
     if (places.size() < kMostPlaces) places.push_back(region_words(place, map.width_m(), map.depth_m()));
-  if (drawing.meetings.size() == 1) return fmt::format(", {} in 1 place: {}", who, places.front());
-  if (drawing.meetings.size() > kMostPlaces)
-    return fmt::format(", {} in {} places", who, drawing.meetings.size());
-  return fmt::format(", {} in {} places: {}", who, drawing.meetings.size(), fmt::join(places, ", "));
+  if (drawing.junctions.size() == 1) return fmt::format(", {} in 1 place: {}", who, places.front());
+  if (drawing.junctions.size() > kMostPlaces)
+    return fmt::format(", {} in {} places", who, drawing.junctions.size());
+  return fmt::format(", {} in {} places: {}", who, drawing.junctions.size(), fmt::join(places, ", "));
 }
 
 /// Empty if the number of areas follows from the closed lines.
@@ -69,10 +69,10 @@ std::vector<std::string> contour_parts(const models::BoundaryMap& map, const std
   const std::string size = capitalised(spoken_lengths(map.width_m(), "by", map.depth_m()));
   if (lines.empty()) return {fmt::format("{} {}. No lines.", heading, size)};
   const bool one = lines.size() == 1;
-  const std::string brief = fmt::format("{} {}. {}, {}{}.{} {}: {}.", heading, size,
-                                        capitalised(counted(lines.size(), "line", "lines")),
-                                        closed_words(lines), meeting_words(drawing, map), area_words(drawing),
-                                        one ? "The line" : "The longest", line_part(lines.front(), map));
+  const std::string brief = fmt::format(
+      "{} {}. {}, {}{}.{} {}: {}.", heading, size, capitalised(counted(lines.size(), "line", "lines")),
+      closed_words(lines), junction_words(drawing, map), area_words(drawing),
+      one ? "The line" : "The longest", line_part(lines.front(), map));
   std::string more;
   if (const auto near = nearest_line(map, probe, std::max(map.width_m(), map.depth_m())))
     more = fmt::format("From the probe to the nearest line: {}. ", offset_words(near->dx_m, near->dy_m));

@@ -38,7 +38,7 @@ std::string surface_at(const models::Scene& scene, double depth, Place place) {
   return fmt::format("{}, {}", spoken_length(depth * at.z_m), slope_words(depth * at.dzdx, depth * at.dzdy));
 }
 
-/// How the coordinate towards the person is called.
+/// How the coordinate towards the user is called.
 const char* height_name(const models::Scene& scene) {
   return models::is_upright_solid(scene) ? "towards you" : "height";
 }

@@ -55,7 +55,7 @@ const Peak& highest_of(const std::vector<Peak>& parts) {
                            [](const Peak& a, const Peak& b) { return a.height_m < b.height_m; });
 }
 
-/// How the extent towards the person is called.
+/// How the extent towards the user is called.
 struct PoseWords {
   const char* flat_surface;
   const char* rise;

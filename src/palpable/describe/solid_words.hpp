@@ -10,9 +10,9 @@
 
 namespace palpable::describe {
 
-/// A solid as the person meets it.
+/// A solid as the user meets it.
 struct SolidView {
-  /// Its surface towards the person.
+  /// Its surface towards the user.
   const models::Relief* surface = nullptr;
   /// Where its box begins along z, metres, and the size of that box.
   double base_m = 0.0;
@@ -21,7 +21,7 @@ struct SolidView {
 };
 
 /// Describes a solid in two parts. First: `heading` (the name with a full stop), size, outline, parts,
-/// openings and the place nearest to the person, which is the highest one of a flat solid. Second: the offset
+/// openings and the place nearest to the user, which is the highest one of a flat solid. Second: the offset
 /// from `probe` to that place, and each part and opening.
 std::vector<std::string> solid_parts(const SolidView& solid, const std::string& heading, Place probe);
 

@@ -127,7 +127,7 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
             canvas.picture(distances(field->distance, y_m, plot), plot.area);
             if (options.cells) draw_cells(canvas, field->distance, y_m, plot);
             draw_forces(canvas, field->distance, y_m, plot);
-            draw_axes(canvas, plot, "to the right, mm", "towards the person, mm");
+            draw_axes(canvas, plot, "to the right, mm", "towards the user, mm");
             draw_colour_bar(canvas, bar, -kColourLines * spacing_mm, kColourLines * spacing_mm,
                             "distance, mm", bar_colour);
             const bool has_cells = options.cells && std::is_same_v<Distance, DistanceField>;

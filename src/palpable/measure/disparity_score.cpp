@@ -48,7 +48,9 @@ Result<DisparityScore> score_disparity(const Raster<float>& result_px, const Ras
     ++known;
     squares += error * error;
   }
-  if (score.pixels == 0) return invalid_input("the truth has no known pixel that the mask lets count");
+  if (score.pixels == 0)
+    return invalid_input(mask.empty() ? "the truth has no known pixel"
+                                      : "the mask excludes every known pixel of the truth");
   const auto pixels = static_cast<double>(score.pixels);
   score.coverage = static_cast<double>(known) / pixels;
   for (std::size_t t = 0; t < bad.size(); ++t)

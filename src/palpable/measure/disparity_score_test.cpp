@@ -31,6 +31,12 @@ TEST(DisparityScore, CountsStrictlyGreaterErrorsAndUnknownAsBad) {
   EXPECT_DOUBLE_EQ(score->rms_px, std::sqrt((1.0 + 6.25) / 3.0));
 }
 
+TEST(DisparityScore, SaysThatTheMaskExcludesTheWholeTruth) {
+  const auto score = score_disparity(row({1.0F}), row({1.0F}), Raster<std::uint8_t>(1, 1));
+  ASSERT_FALSE(score);
+  EXPECT_EQ(score.error().message, "the mask excludes every known pixel of the truth");
+}
+
 TEST(DisparityScore, ScoresOnlyWhereTheMaskIsWhite) {
   Raster<std::uint8_t> mask(3, 1);
   mask(1, 0) = 255;

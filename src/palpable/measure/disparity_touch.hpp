@@ -15,7 +15,7 @@ struct DisparityTouch {
   /// Mean angle between the normals of both reliefs (plane fits of 5 x 5 pixels) where the truth is smooth,
   /// in degrees. NaN if it is smooth nowhere.
   double normal_error_deg = 0.0;
-  /// Number of false steps per cm of path along rows and columns. A false step is a difference between
+  /// Number of spurious steps per cm of path along rows and columns. A spurious step is a difference between
   /// neighbouring pixels that deviates from the truth's by more than 0.25 mm where the truth's is at most
   /// 0.25 mm.
   double spurious_steps_per_cm = 0.0;

@@ -54,7 +54,7 @@ Slopes slopes(const cv::Mat& z, double pixel_m) {
 }
 
 /// Unknown pixels take the value of the nearest known one to the left, else to the right, else above. This
-/// only avoids false steps in the filters; these pixels are not scored.
+/// only avoids spurious steps in the filters; these pixels are not scored.
 cv::Mat filled(const Raster<float>& nearness, cv::Mat& known) {
   cv::Mat z(nearness.height(), nearness.width(), CV_32F);
   known.create(z.size(), CV_8U);

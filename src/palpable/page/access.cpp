@@ -11,7 +11,7 @@ namespace palpable::page {
 Result<std::string> random_secret() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return Error{ErrorCode::failed, "the system gives no randomness for the page's token", {}};
+    return Error{ErrorCode::failed, "the system's random bytes for the page's token cannot be read", {}};
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (const unsigned char byte : bytes) {

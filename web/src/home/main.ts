@@ -212,7 +212,7 @@ class TouchPage implements KeyTarget {
     this.narrator.forget();
     this.actions.blank();
     this.readouts.blank();
-    this.feedback.keep([]);
+    this.feedback.removeProbesExcept([]);
     this.showProbes();
     this.alert(sentence);
     if (this.surface === null) showNoScene();

@@ -86,7 +86,7 @@ export class ProbeMotion {
   hear(surface: Surface): void {
     for (const one of this.probes.states) this.feedback.reported(one, surface);
     if (!this.probes.own.movable(0)) this.hearDevice(this.probes.placeOf(0), surface);
-    this.feedback.keep(this.probes.numbers);
+    this.feedback.removeProbesExcept(this.probes.numbers);
   }
 
   /** States also come while the device rests: then it is silent. */

@@ -41,10 +41,10 @@ export class Feedback {
     this.pulse(25, 0.8);
   }
 
-  /** Drops the state of removed probes. */
-  keep(numbers: readonly number[]): void {
+  /** Drops the state of removed probes: of all but these. */
+  removeProbesExcept(numbers: readonly number[]): void {
     for (const probe of this.probes.keys()) if (!numbers.includes(probe)) this.probes.delete(probe);
-    this.sound.keep(numbers);
+    this.sound.removeTonesExcept(numbers);
   }
 
   private pulse(milliseconds: number, strength: number): void {

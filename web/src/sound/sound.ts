@@ -40,13 +40,18 @@ export class Sound {
     this.stayAwake();
   }
 
+  /** @param volume loudness of all sounds, 0 ... 100 */
   set(on: boolean, volume: number): void {
     this.on = on;
     this.volume = volume / 100;
     this.level();
   }
 
-  /** Plays the tone of a probe's place; several tones share the loudness of one. */
+  /**
+   * Plays the tone of a probe's place; several tones share the loudness of one.
+   * @param pitch frequency, Hz
+   * @param pan -1 (left) ... 1 (right)
+   */
   height(probe: number, pitch: number, pan: number): void {
     if (!this.on || this.context === null || this.master === null) return;
     this.stayAwake();
@@ -59,8 +64,8 @@ export class Sound {
     tone.gain.gain.setTargetAtTime(0, now + restTime, 0.15);
   }
 
-  /** Ends the tones of removed probes. */
-  keep(numbers: readonly number[]): void {
+  /** Ends the tones of removed probes: of all but these. */
+  removeTonesExcept(numbers: readonly number[]): void {
     for (const [probe, tone] of this.tones) {
       if (numbers.includes(probe) || this.context === null) continue;
       this.tones.delete(probe);
@@ -71,11 +76,13 @@ export class Sound {
     }
   }
 
+  /** The sound of contact. @param pan -1 (left) ... 1 (right) */
   click(pan: number): void {
     this.played.clicks += 1;
     this.blip('square', 140, 0.018, 0.5, pan);
   }
 
+  /** The sound of an edge that is crossed. @param pan -1 (left) ... 1 (right) */
   edge(pan: number): void {
     this.played.edges += 1;
     this.blip('triangle', 1568, 0.06, 0.35, pan);

@@ -142,6 +142,7 @@ Result<Image> decode_jpeg(std::span<const std::byte> file) {
       std::transform(job.row.begin(), job.row.end(), out,
                      [](JSAMPLE v) { return static_cast<float>(v) / 255.0F; });
   }
+  // finish() reads the rest of the file, and may find it damaged without failing.
   if (job.damaged || !finish(job) || job.damaged) return job.error();
   return std::move(job.image);
 }

@@ -18,7 +18,7 @@ double middle_step(int level) { return 2.0 / (LeafHead::kValuesPerCell * (1 << l
 std::int32_t held(double v) { return static_cast<std::int32_t>(std::clamp(v, -1e9, 1e9)); }
 
 /// The quadratic of the leaf at `from`, extrapolated to the leaf at `to`.
-QuadraticValues continued(const QuadraticValues& piece, const Place& from, const Place& to) {
+QuadraticValues continued(const QuadraticValues& piece, const LeafPosition& from, const LeafPosition& to) {
   const double scale = to.half() / from.half();
   const auto way = [&](std::size_t axis) {
     return (to.corner[axis] + to.half() - from.corner[axis] - from.half()) / from.half();
@@ -35,13 +35,13 @@ QuadraticValues continued(const QuadraticValues& piece, const Place& from, const
 
 }  // namespace
 
-Place Place::child(unsigned k) const {
+LeafPosition LeafPosition::child(unsigned k) const {
   const int side = 1 << (level - 1);
   return {{corner[0] + (k & 1U ? side : 0), corner[1] + (k & 2U ? side : 0), corner[2] + (k & 4U ? side : 0)},
           level - 1};
 }
 
-Place root_place(const models::FieldGrid& grid, std::size_t index) {
+LeafPosition root_position(const models::FieldGrid& grid, std::size_t index) {
   const auto i = static_cast<int>(index);
   return {{i % grid.roots[0] << grid.levels, i / grid.roots[0] % grid.roots[1] << grid.levels,
            i / (grid.roots[0] * grid.roots[1]) << grid.levels},
@@ -99,13 +99,13 @@ CompactQuadratic rounded_compact(const QuadraticValues& values) {
   return compact;
 }
 
-void RecentPieces::add(const QuadraticValues& piece, const Place& place) {
+void RecentPieces::add(const QuadraticValues& piece, const LeafPosition& place) {
   std::rotate(pieces_.begin(), pieces_.end() - 1, pieces_.end());
   pieces_.front() = {piece, place};
   count_ = std::min(count_ + 1, kMost);
 }
 
-QuadraticValues RecentPieces::predict(std::size_t k, const Place& place) const {
+QuadraticValues RecentPieces::predict(std::size_t k, const LeafPosition& place) const {
   return continued(pieces_[k].first, pieces_[k].second, place);
 }
 

@@ -18,14 +18,14 @@ namespace palpable::formats {
 // planes. Writer and reader keep the same history.
 
 /// A leaf's position: its corner in finest cells, and its level.
-struct Place {
+struct LeafPosition {
   std::array<int, 3> corner{};
   int level = 0;
 
   double half() const { return 0.5 * (1 << level); }
-  Place child(unsigned k) const;
+  LeafPosition child(unsigned k) const;
 };
-Place root_place(const models::FieldGrid& grid, std::size_t index);
+LeafPosition root_position(const models::FieldGrid& grid, std::size_t index);
 
 /// A quadratic in halves of its leaf's side: its middle, and l and Q (xx, yy, zz, xy, xz, yz).
 struct QuadraticValues {
@@ -55,13 +55,13 @@ models::CompactQuadratic rounded_compact(const QuadraticValues& values);
 class RecentPieces {
  public:
   static constexpr std::size_t kMost = 4;
-  void add(const QuadraticValues& piece, const Place& place);
+  void add(const QuadraticValues& piece, const LeafPosition& place);
   std::size_t count() const { return count_; }
   /// Piece k, extrapolated to the leaf at `place`. k < count().
-  QuadraticValues predict(std::size_t k, const Place& place) const;
+  QuadraticValues predict(std::size_t k, const LeafPosition& place) const;
 
  private:
-  std::array<std::pair<QuadraticValues, Place>, kMost> pieces_{};
+  std::array<std::pair<QuadraticValues, LeafPosition>, kMost> pieces_{};
   std::size_t count_ = 0;
 };
 

@@ -77,7 +77,7 @@ class Writer {
       : grid_(grid), tree_(tree), last_(tree.words.size(), std::numeric_limits<std::uint32_t>::max()) {}
 
   FieldStreams write() {
-    for (std::size_t i = 0; i < tree_.roots.size(); ++i) add(tree_.roots[i], root_place(grid_, i));
+    for (std::size_t i = 0; i < tree_.roots.size(); ++i) add(tree_.roots[i], root_position(grid_, i));
     out_.bytes[FieldStreams::planes] = planes_of(new_planes_, LeafHead::kPlaneWords, 4);
     out_.bytes[FieldStreams::shapes] = planes_of(new_shapes_, Curved::kNumbers, 2);
     out_.bytes[FieldStreams::compact_numbers] = planes_of(new_compact_, Curved::kNumbers, 2);
@@ -86,7 +86,7 @@ class Writer {
   }
 
  private:
-  void add(std::uint32_t entry, const Place& place) {
+  void add(std::uint32_t entry, const LeafPosition& place) {
     const bool leaf = (entry & FieldTree::kLeaf) != 0;
     out_.bytes[FieldStreams::tree].push_back(leaf ? 1 : 0);
     if (!leaf) {
@@ -100,7 +100,7 @@ class Writer {
     if (!known) add_words(&tree_.words[at], place);
   }
 
-  void add_words(const std::uint32_t* words, const Place& place) {
+  void add_words(const std::uint32_t* words, const LeafPosition& place) {
     const LeafHead head{words[0]};
     out_.bytes[FieldStreams::heads].push_back(static_cast<std::uint8_t>(head.bits));
     if (head.compact()) return add_compact(words, place);
@@ -121,7 +121,7 @@ class Writer {
     if (rank == 0) new_planes_.insert(new_planes_.end(), plane.begin(), plane.end());
   }
 
-  void add_curved(const std::uint32_t* words, const Place& place) {
+  void add_curved(const std::uint32_t* words, const LeafPosition& place) {
     const auto steps = steps_of(words, place.level);
     if (!steps) {
       out_.bytes[FieldStreams::predictions].push_back(kRaw);
@@ -135,7 +135,7 @@ class Writer {
     pieces_.add(values_of(*steps, place.level), place);
   }
 
-  void add_compact(const std::uint32_t* words, const Place& place) {
+  void add_compact(const std::uint32_t* words, const LeafPosition& place) {
     const CompactQuadratic steps = models::compact_of(words);
     const auto residual = residual_of(steps, rounded_compact, place);
     put_count(out_.bytes[FieldStreams::compact_middles], residual.middle);
@@ -150,7 +150,7 @@ class Writer {
   /// The residual of a quantised piece to the nearest prediction, which `round` quantises; records which
   /// prediction.
   template <class Steps, class Round>
-  Residual residual_of(const Steps& steps, const Round& round, const Place& place) {
+  Residual residual_of(const Steps& steps, const Round& round, const LeafPosition& place) {
     const auto cost = [&](const Steps& p) {
       double bits = std::log2(1.0 + std::abs(1.0 * steps.middle - p.middle));
       for (std::size_t k = 0; k < Curved::kNumbers; ++k)
@@ -194,7 +194,7 @@ class Reader {
   Result<FieldTree> read(std::size_t roots) {
     tree_.roots.reserve(std::min(roots, in_.bytes[FieldStreams::tree].size()));
     for (std::size_t i = 0; i < roots && ok_; ++i) {
-      const std::uint32_t entry = add(root_place(grid_, i));
+      const std::uint32_t entry = add(root_position(grid_, i));
       tree_.roots.push_back(entry);
     }
     if (!ok_ || at_[FieldStreams::tree] != in_.bytes[FieldStreams::tree].size())
@@ -222,7 +222,7 @@ class Reader {
     return &list[at - size];
   }
 
-  std::uint32_t add(const Place& place) {
+  std::uint32_t add(const LeafPosition& place) {
     const auto leaf = ok_ ? byte(FieldStreams::tree) : std::nullopt;
     if (!leaf) return fail();
     if (*leaf != 0) return add_leaf(place);
@@ -236,7 +236,7 @@ class Reader {
     return static_cast<std::uint32_t>(node);
   }
 
-  std::uint32_t add_leaf(const Place& place) {
+  std::uint32_t add_leaf(const LeafPosition& place) {
     const auto back = count(FieldStreams::shared);
     if (!back || *back > leaves_.size()) return fail();
     auto begin = static_cast<std::uint32_t>(tree_.words.size());
@@ -248,7 +248,7 @@ class Reader {
     return begin | FieldTree::kLeaf;
   }
 
-  bool add_words(const Place& place) {
+  bool add_words(const LeafPosition& place) {
     const auto bits = byte(FieldStreams::heads);
     if (!bits) return false;
     const LeafHead head{*bits};
@@ -277,7 +277,7 @@ class Reader {
     return true;
   }
 
-  bool add_curved(const Place& place) {
+  bool add_curved(const LeafPosition& place) {
     const auto by = byte(FieldStreams::predictions);
     if (!by || *by > kRaw) return false;
     if (*by == kRaw) {
@@ -298,7 +298,7 @@ class Reader {
     return true;
   }
 
-  bool add_compact(const Place& place) {
+  bool add_compact(const LeafPosition& place) {
     const auto by = byte(FieldStreams::predictions);
     if (!by || *by > kByNothing) return false;
     const auto middle = count(FieldStreams::compact_middles);
@@ -315,7 +315,7 @@ class Reader {
   }
 
   /// The prediction for a leaf; nullopt if there is no such piece.
-  std::optional<QuadraticValues> predicted(std::uint8_t by, const Place& place) const {
+  std::optional<QuadraticValues> predicted(std::uint8_t by, const LeafPosition& place) const {
     if (by == kByNothing) return QuadraticValues{};
     if (by >= pieces_.count()) return std::nullopt;
     return pieces_.predict(by, place);

@@ -210,7 +210,7 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
   json description{
       {"format", kFormat},
       {"version", {{"major", kMajor}, {"minor", kMinor}}},
-      {"frame", "right-handed, x right, y up, z towards the person; origin at the centre of the base"},
+      {"frame", "right-handed, x right, y up, z towards the user; origin at the centre of the base"},
       {"units", "m"},
       {"kind", models::kind_of(scene.model)},
       {"size_m", {size.x, size.y, size.z}},

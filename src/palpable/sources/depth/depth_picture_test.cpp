@@ -226,7 +226,9 @@ TEST_F(ADepthPicture, MayBeOpenExr) {
   write_exr(folder_ / "one.exr", {"depth.V"}, z, 4, 3);
   EXPECT_EQ(metres(read("one.exr"), 2, 1), 7.5F);
   write_exr(folder_ / "colours.exr", {"R", "G", "B"}, z, 4, 3);
-  EXPECT_FALSE(read("colours.exr"));
+  const auto colours = read("colours.exr");
+  ASSERT_FALSE(colours);
+  EXPECT_NE(colours.error().message.find("without a channel Z"), std::string::npos);
   std::vector<std::byte> file = *read_file(folder_ / "z.exr");
   for (std::size_t length = 0; length < file.size(); length += 11) {
     ASSERT_TRUE(write_file_atomically(folder_ / "cut.exr", std::span(file).first(length)));

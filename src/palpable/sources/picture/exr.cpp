@@ -17,6 +17,7 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <fmt/format.h>
 
 namespace palpable::sources {
 namespace {
@@ -70,16 +71,16 @@ Result<Image> read_channels(Imf::InputFile& file, const std::vector<std::string>
   return image;
 }
 
-/// Calls `choose` with the names of the channels and reads the chosen ones; catches all exceptions of
-/// OpenEXR.
+/// Calls `choose` with the names of the channels and reads the chosen ones; if there are none, the error says
+/// which are `wanted`. Catches all exceptions of OpenEXR.
 template <class Choose>
-Result<Image> decode(std::span<const std::byte> bytes, const Choose& choose) {
+Result<Image> decode(std::span<const std::byte> bytes, std::string_view wanted, const Choose& choose) {
   try {
     MemoryStream stream(bytes);
     // Only the caller's thread, since OpenEXR's thread pool ignores the caller's number of threads.
     Imf::InputFile file(stream, 0);
     const std::vector<std::string> chosen = choose(channels_of(file));
-    if (chosen.empty()) return invalid_input("is an OpenEXR file without the channels that are looked for");
+    if (chosen.empty()) return invalid_input(fmt::format("is an OpenEXR file without {}", wanted));
     return read_channels(file, chosen);
   } catch (const std::exception&) {
     return invalid_input("is an OpenEXR file that is damaged, cut off or of an unknown kind");
@@ -93,22 +94,24 @@ bool holds(const std::vector<std::string>& names, std::string_view name) {
 }  // namespace
 
 Result<Image> decode_exr(std::span<const std::byte> file) {
-  return decode(file, [](const std::vector<std::string>& names) -> std::vector<std::string> {
-    if (holds(names, "R") && holds(names, "G") && holds(names, "B"))
-      return holds(names, "A") ? std::vector<std::string>{"R", "G", "B", "A"}
-                               : std::vector<std::string>{"R", "G", "B"};
-    if (holds(names, "Y")) return {"Y"};
-    return {};
-  });
+  return decode(file, "the channels R, G and B, or Y",
+                [](const std::vector<std::string>& names) -> std::vector<std::string> {
+                  if (holds(names, "R") && holds(names, "G") && holds(names, "B"))
+                    return holds(names, "A") ? std::vector<std::string>{"R", "G", "B", "A"}
+                                             : std::vector<std::string>{"R", "G", "B"};
+                  if (holds(names, "Y")) return {"Y"};
+                  return {};
+                });
 }
 
 Result<Raster<float>> decode_exr_depth(std::span<const std::byte> file) {
-  const auto image = decode(file, [](const std::vector<std::string>& names) -> std::vector<std::string> {
-    for (const std::string& name : names)
-      if (name == "Z" || name.ends_with(".Z")) return {name};
-    if (names.size() == 1) return {names.front()};
-    return {};
-  });
+  const auto image =
+      decode(file, "a channel Z", [](const std::vector<std::string>& names) -> std::vector<std::string> {
+        for (const std::string& name : names)
+          if (name == "Z" || name.ends_with(".Z")) return {name};
+        if (names.size() == 1) return {names.front()};
+        return {};
+      });
   if (!image) return image.error();
   Raster<float> values(image->width, image->height);
   std::copy(image->samples.begin(), image->samples.end(), values.values().begin());

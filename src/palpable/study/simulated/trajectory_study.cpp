@@ -174,8 +174,8 @@ void classify_step(const Moment& before, const Moment& now, const TrajectoryStud
                                                  options.max_force_rate_N_per_s * kTick_s)
                                    .force_N.v);
   if (step.proxy_moved_m <= 2.0 * step.hand_moved_m) {
-    findings.beyond_the_hand += beyond ? 1 : 0;
-    findings.kicked +=
+    findings.step_beyond_hand_motion += beyond ? 1 : 0;
+    findings.step_beyond_both_motions +=
         step.force_step_N > k * (step.hand_moved_m + step.proxy_moved_m) + kTolerance_N ? 1 : 0;
     return;
   }
@@ -197,14 +197,14 @@ void keep_largest(std::vector<LargeStep>& steps, int most) {
 void add(const TrajectoryFindings& part, int listed, TrajectoryFindings& sum) {
   sum.trajectories += part.trajectories;
   sum.ticks += part.ticks;
-  sum.under += part.under;
+  sum.hand_below_surface += part.hand_below_surface;
   sum.let_through += part.let_through;
   sum.jumped_through += part.jumped_through;
-  sum.sunk += part.sunk;
-  sum.pulled += part.pulled;
+  sum.proxy_below_surface += part.proxy_below_surface;
+  sum.force_away_from_proxy += part.force_away_from_proxy;
   sum.not_finite += part.not_finite;
-  sum.kicked += part.kicked;
-  sum.beyond_the_hand += part.beyond_the_hand;
+  sum.step_beyond_both_motions += part.step_beyond_both_motions;
+  sum.step_beyond_hand_motion += part.step_beyond_hand_motion;
   sum.large_steps += part.large_steps;
   sum.large_and_unlimited += part.large_and_unlimited;
   sum.largest.insert(sum.largest.end(), part.largest.begin(), part.largest.end());
@@ -216,7 +216,7 @@ Result<void> check(const TrajectoryStudyOptions& o) {
   const auto usage = [](std::string message) { return Error{ErrorCode::usage, std::move(message), {}}; };
   if (o.trajectories < 1 || o.trajectories > 100'000'000)
     return usage("a study needs 1 to 100 million trajectories");
-  if (o.grounds < 1 || o.grounds > 1000) return usage("a study needs 1 to 1000 grounds");
+  if (o.reliefs < 1 || o.reliefs > 1000) return usage("a study needs 1 to 1000 reliefs");
   if (o.ticks < 2 || o.ticks > 100'000) return usage("a trajectory needs 2 to 100000 ticks");
   if (!(o.fastest_m_per_s > 0.0 && o.fastest_m_per_s <= 10.0))
     return usage("the fastest speed must be above 0 and at most 10 m/s");
@@ -237,7 +237,7 @@ Result<Variant> variant_of(int ground, const TrajectoryStudyOptions& options, st
   p.stiffness_N_per_m = options.stiffness_N_per_m;
   p.damping_Ns_per_m = 0.0;
   p.static_friction = (number & 2U) == 0 ? 0.0 : options.friction;
-  p.radius_m = (number & 4U) == 0 ? 0.0 : options.ball_m;
+  p.radius_m = (number & 4U) == 0 ? 0.0 : options.radius_m;
   models::Scene scene;
   scene.model = *relief;
   haptics::DilatedRelief dilated;
@@ -292,11 +292,11 @@ TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const 
     const Moment tick{hand.place(), touchable.evaluate(now, state)};
     const Vec3 proxy = tick.output.proxy.v;
     const bool under = tick.hand_m.z < surface.sample(tick.hand_m.x, tick.hand_m.y).z_m;
-    findings.under += under ? 1 : 0;
+    findings.hand_below_surface += under ? 1 : 0;
     findings.let_through += under && !(tick.output.contact && norm(tick.output.force_N) > 0.0) ? 1 : 0;
     findings.not_finite += is_finite(tick.output.force_N) && is_finite(tick.output.proxy) ? 0 : 1;
-    findings.sunk += proxy.z - surface.sample(proxy.x, proxy.y).z_m < -1e-9 ? 1 : 0;
-    findings.pulled += dot(proxy - tick.hand_m, tick.output.force_N.v) < -1e-9 ? 1 : 0;
+    findings.proxy_below_surface += proxy.z - surface.sample(proxy.x, proxy.y).z_m < -1e-9 ? 1 : 0;
+    findings.force_away_from_proxy += dot(proxy - tick.hand_m, tick.output.force_N.v) < -1e-9 ? 1 : 0;
     if (k > 0) {
       findings.jumped_through += jumps_through(surface, before.output.proxy.v, proxy, tick.hand_m) ? 1 : 0;
       classify_step(before, tick, options, {0, k, tick.hand_m, 0.0, 0.0, 0.0}, written_N, findings);
@@ -311,13 +311,13 @@ TrajectoryFindings follow_trajectory(const haptics::Touchable& touchable, const 
 Result<TrajectoryFindings> study_trajectories(const TrajectoryStudyOptions& options, const Work& work) {
   if (const auto valid = check(options); !valid) return valid.error();
   TrajectoryFindings sum;
-  const int grounds = static_cast<int>(std::min<std::int64_t>(options.grounds, options.trajectories));
-  for (int ground = 0; ground < grounds; ++ground) {
-    work.report(static_cast<double>(ground) / grounds, "following trajectories");
-    const auto variant = variant_of(ground, options, work.seed);
+  const int reliefs = static_cast<int>(std::min<std::int64_t>(options.reliefs, options.trajectories));
+  for (int relief = 0; relief < reliefs; ++relief) {
+    work.report(static_cast<double>(relief) / reliefs, "following trajectories");
+    const auto variant = variant_of(relief, options, work.seed);
     if (!variant) return variant.error();
-    const std::int64_t first = options.trajectories * ground / grounds;
-    const std::int64_t end = options.trajectories * (ground + 1) / grounds;
+    const std::int64_t first = options.trajectories * relief / reliefs;
+    const std::int64_t end = options.trajectories * (relief + 1) / reliefs;
     std::mutex mutex;
     parallel_for(work, static_cast<int>(end - first), 64, [&](int from, int to) {
       TrajectoryFindings part;

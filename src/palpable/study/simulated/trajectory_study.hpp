@@ -20,17 +20,21 @@ namespace palpable::study {
 /// grooves and spikes.
 struct TrajectoryStudyOptions {
   /// Number of trajectories, 1 ... 100 million, each with its own start. They are divided evenly among
-  /// `grounds` random reliefs (1 ... 1000), with and without a slope limit, with and without friction, for a
+  /// the reliefs, with and without a slope limit, with and without friction, for a
   /// point and a ball.
   std::int64_t trajectories = 1'000'000;
-  int grounds = 24;
+  /// Number of random reliefs, 1 ... 1000.
+  int reliefs = 24;
   /// Ticks of one millisecond per trajectory, 2 ... 100000.
   int ticks = 100;
   /// Speeds are log-uniform between a hundredth of this and this. Above 0, at most 10.
   double fastest_m_per_s = 1.0;
+  /// Of the law `proxy`; in its ranges.
   double stiffness_N_per_m = 500.0;
+  /// Static and dynamic friction of every second trajectory; in the law's range.
   double friction = 0.5;
-  double ball_m = 0.001;
+  /// Radius of the ball. Above 0, in the law's range.
+  double radius_m = 0.001;
   /// The servo's rise limit (TickOptions).
   double max_force_rate_N_per_s = 300.0;
   /// How many of the largest steps are listed.
@@ -51,27 +55,30 @@ struct LargeStep {
 struct TrajectoryFindings {
   std::int64_t trajectories = 0;
   std::int64_t ticks = 0;
-  /// Ticks in which the hand was under the surface.
-  std::int64_t under = 0;
+  /// Ticks in which the hand was below the surface.
+  std::int64_t hand_below_surface = 0;
   /// Those of them without contact or without force.
   std::int64_t let_through = 0;
   /// Ticks in which the proxy jumped through an obstacle that rises above both positions by more than half of
   /// its height, with no path around it near by and no free straight path to the hand.
   std::int64_t jumped_through = 0;
-  /// Ticks with the proxy more than a nanometre under the surface, and with a force that points away from the
-  /// proxy.
-  std::int64_t sunk = 0;
-  std::int64_t pulled = 0;
+  /// Ticks with the proxy more than a nanometre below the surface.
+  std::int64_t proxy_below_surface = 0;
+  /// Ticks with a force that points away from the proxy.
+  std::int64_t force_away_from_proxy = 0;
+  /// Ticks with a force that is not finite.
   std::int64_t not_finite = 0;
   /// Ticks in which the proxy moved at most twice as far as the hand, and the force changed by more than
-  /// stiffness times the movement of both, plus 5 % (`kicked`), or of the hand alone (`beyond_the_hand`).
-  std::int64_t kicked = 0;
-  std::int64_t beyond_the_hand = 0;
-  /// All other changes greater than stiffness times the hand's movement, plus 5 %; and those of them that the
-  /// rise limit did not limit.
+  /// stiffness times the movement of both, plus 5 %.
+  std::int64_t step_beyond_both_motions = 0;
+  /// The same with the movement of the hand alone.
+  std::int64_t step_beyond_hand_motion = 0;
+  /// Ticks in which the proxy moved farther, and the force changed by more than stiffness times the hand's
+  /// movement, plus 5 %.
   std::int64_t large_steps = 0;
+  /// Those of them that the rise limit did not limit.
   std::int64_t large_and_unlimited = 0;
-  /// The largest of them, largest first.
+  /// The largest of the large steps, largest first.
   std::vector<LargeStep> largest;
 };
 

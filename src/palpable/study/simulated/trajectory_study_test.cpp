@@ -16,17 +16,17 @@ namespace {
 TEST(TrajectoryStudy, FindsThatTheProxyNeverPassesWallsGroovesOrSpikes) {
   TrajectoryStudyOptions options;
   options.trajectories = 4000;
-  options.grounds = 8;
+  options.reliefs = 8;
   const auto found = study_trajectories(options, Work{});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->trajectories, 4000);
-  EXPECT_GT(found->under, found->ticks / 10);
+  EXPECT_GT(found->hand_below_surface, found->ticks / 10);
   EXPECT_EQ(found->let_through, 0);
   EXPECT_EQ(found->jumped_through, 0);
-  EXPECT_EQ(found->sunk, 0);
-  EXPECT_EQ(found->pulled, 0);
+  EXPECT_EQ(found->proxy_below_surface, 0);
+  EXPECT_EQ(found->force_away_from_proxy, 0);
   EXPECT_EQ(found->not_finite, 0);
-  EXPECT_EQ(found->kicked, 0);
+  EXPECT_EQ(found->step_beyond_both_motions, 0);
   EXPECT_EQ(found->large_and_unlimited, 0);
   EXPECT_GT(found->large_steps, 0);
   EXPECT_EQ(found->largest.size(), std::min<std::size_t>(1000, static_cast<std::size_t>(found->large_steps)));
@@ -35,7 +35,7 @@ TEST(TrajectoryStudy, FindsThatTheProxyNeverPassesWallsGroovesOrSpikes) {
 TEST(TrajectoryStudy, IsTheSameOnAnyNumberOfThreads) {
   TrajectoryStudyOptions options;
   options.trajectories = 400;
-  options.grounds = 3;
+  options.reliefs = 3;
   Work one;
   one.threads = 1;
   Work three;
@@ -43,7 +43,7 @@ TEST(TrajectoryStudy, IsTheSameOnAnyNumberOfThreads) {
   const auto a = study_trajectories(options, one);
   const auto b = study_trajectories(options, three);
   ASSERT_TRUE(a && b);
-  EXPECT_EQ(a->under, b->under);
+  EXPECT_EQ(a->hand_below_surface, b->hand_below_surface);
   EXPECT_EQ(a->large_steps, b->large_steps);
   ASSERT_EQ(a->largest.size(), b->largest.size());
   for (std::size_t k = 0; k < a->largest.size(); ++k) {
@@ -117,10 +117,10 @@ RC_GTEST_PROP(ProxyLaw, LetsNoStrokeThroughAnyGroundWithAnyFrictionOrBall, ()) {
   const auto found = follow_trajectory(**haptics::make_touchable(scene, p), *relief, stroke, options);
   RC_ASSERT(found.let_through == 0);
   RC_ASSERT(found.jumped_through == 0);
-  RC_ASSERT(found.sunk == 0);
-  RC_ASSERT(found.pulled == 0);
+  RC_ASSERT(found.proxy_below_surface == 0);
+  RC_ASSERT(found.force_away_from_proxy == 0);
   RC_ASSERT(found.not_finite == 0);
-  RC_ASSERT(found.kicked == 0);
+  RC_ASSERT(found.step_beyond_both_motions == 0);
 }
 
 }  // namespace
