@@ -6,6 +6,8 @@
 #include "program.hpp"
 #include "test_pictures.hpp"
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace palpable::test {
 namespace {
@@ -75,6 +77,83 @@ TEST_F(Notes, NameTheOptionsThatHaveNoEffect) {
   const Outcome touched =
       palpable({"touch", path("out.palp"), "--headless", "--seconds", "0.2", "--size", "50x50x5"});
   EXPECT_THAT(touched.err, HasSubstr("--size has no effect on a relief made from a scene."));
+}
+
+TEST_F(Notes, NameTheParametersOfStepsThatAreNotUsed) {
+  const auto noted = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "make");
+    arguments.insert(arguments.end(), {"-o", path("out.palp")});
+    const Outcome outcome = palpable(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(
+      noted({path("left.png"), "--set", "field.resolution=64", "--set", "fusion.smoothing.passes=3", "--lay",
+             "flat"}),
+      HasSubstr("--lay, field.resolution and fusion.smoothing.passes have no effect on contours made from a "
+                "picture."));
+  EXPECT_THAT(noted({path("left.png"), "--contour-method", "paper", "--set",
+                     "contours.standard.tensor_blur_px=3", "--set", "grooves.width_m=0.003"}),
+              HasSubstr("contours.standard.tensor_blur_px has no effect with --contour-method paper."));
+  const std::string relief = noted({path("left.png"), path("right.png"), "--method", "fast", "--detail",
+                                    "bilateral", "--set", "detail.relief.detail_gain=0.2", "--set",
+                                    "detail.bilateral.range=0.2", "--set", "ground.least_share=0.1"});
+  EXPECT_THAT(relief, HasSubstr("detail.relief.detail_gain has no effect with --detail bilateral."));
+  EXPECT_THAT(relief, HasSubstr("ground.least_share has no effect without --ground or --background."));
+}
+
+TEST_F(Notes, NameNoParameterThatIsUsed) {
+  const Outcome lines = palpable({"make", path("left.png"), "-o", path("out.palp"), "--set",
+                                  "contours.standard.tensor_blur_px=3", "--set", "grooves.width_m=0.003"});
+  ASSERT_EQ(lines.exit_code, 0) << lines.err;
+  EXPECT_THAT(lines.err, Not(HasSubstr("no effect")));
+  const Outcome relief =
+      palpable({"make", path("left.png"), path("right.png"), "-o", path("out.palp"), "--method", "fast",
+                "--set", "preparation.stretch_below=0.3", "--set", "detail.relief.detail_gain=0.2"});
+  ASSERT_EQ(relief.exit_code, 0) << relief.err;
+  EXPECT_THAT(relief.err, Not(HasSubstr("no effect")));
+}
+
+TEST_F(Notes, NameTheNumbersThatTheLawDoesNotHave) {
+  ASSERT_EQ(
+      palpable({"make", path("left.png"), path("right.png"), "-o", path("relief.palp"), "--method", "fast"})
+          .exit_code,
+      0);
+  write_text(path("path.csv"), "t_s,x_m,y_m,z_m\n0,0,0,0.02\n0.01,0,0,0\n");
+  const auto noted = [&](std::vector<std::string> arguments) {
+    const Outcome outcome = palpable(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.err;
+  };
+  EXPECT_THAT(noted({"probe", path("relief.palp"), "--path", path("path.csv"), "-o", path("forces.csv"),
+                     "--law", "rolling", "--friction", "0.4", "--tool-radius", "3"}),
+              HasSubstr("--friction and --tool-radius have no effect with the law rolling."));
+  EXPECT_THAT(noted({"touch", path("relief.palp"), "--headless", "--seconds", "0.2", "--law", "penalty",
+                     "--friction", "0.4"}),
+              HasSubstr("--friction has no effect with the law penalty."));
+  EXPECT_THAT(noted({"touch", path("relief.palp"), "--headless", "--seconds", "0.2", "--friction", "0.4"}),
+              Not(HasSubstr("no effect")));
+}
+
+TEST_F(Notes, AKindOfSceneIsNotAKindOfInput) {
+  const Outcome outcome = palpable({"make", path("left.png"), "-o", path("out.palp"), "--kind", "relief"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("did you mean --as relief?"));
+}
+
+TEST_F(Notes, AReaderThatEndsEarlyIsNoError) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  close(ends[0]);
+  // Standard output of the program is the pipe without a reader.
+  const int kept = dup(STDOUT_FILENO);
+  ASSERT_GE(dup2(ends[1], STDOUT_FILENO), 0);
+  const std::string command = std::string(PALPABLE_PROGRAM) + " methods best 2>" + path("err.txt");
+  const int status = std::system(command.c_str());
+  dup2(kept, STDOUT_FILENO);
+  for (const int end : {kept, ends[1]}) close(end);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  EXPECT_EQ(read_text(path("err.txt")), "");
 }
 
 TEST_F(Notes, TheSamplesNamesFitItHoweverItIsResampled) {

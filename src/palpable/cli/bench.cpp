@@ -138,7 +138,7 @@ Result<std::vector<Benchmark>> own_set(const Work& work) {
   return benchmarks;
 }
 
-Result<std::vector<Benchmark>> given_set(const BenchArguments& arguments) {
+Result<std::vector<Benchmark>> given_set(const BenchArguments& arguments, Console& console) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -146,6 +146,7 @@ Result<std::vector<Benchmark>> given_set(const BenchArguments& arguments) {
   if (!path) return path.error();
   const auto parameters = law_parameters(arguments.law, scene);
   if (!parameters) return parameters.error();
+  if (const auto unused = note_on_unused(arguments.law, parameters->law)) console.note(*unused);
   auto benchmark = time_one(scene, *parameters, *path);
   if (!benchmark) return benchmark.error();
   return std::vector{std::move(*benchmark)};
@@ -172,12 +173,12 @@ Answer answer_of(const std::vector<Benchmark>& benchmarks) {
   return answer;
 }
 
-Result<Answer> bench(const BenchArguments& arguments, const Work& work) {
+Result<Answer> bench(const BenchArguments& arguments, Console& console) {
   if (arguments.scene.empty() != arguments.path.empty())
     return Error{ErrorCode::usage, "give --scene and --path together", {}};
   if (arguments.scene.empty() && !arguments.law.law.empty())
     return Error{ErrorCode::usage, "--law needs --scene and --path; without them every law is timed", {}};
-  const auto benchmarks = arguments.scene.empty() ? own_set(work) : given_set(arguments);
+  const auto benchmarks = arguments.scene.empty() ? own_set(console.work()) : given_set(arguments, console);
   if (!benchmarks) return benchmarks.error();
   return answer_of(*benchmarks);
 }
@@ -191,7 +192,7 @@ void add_bench(Program& program) {
                   "Time the force computation tick by tick; without options, every law on a built-in surface",
                   "  palpable bench\n"
                   "  palpable bench --scene aloe.palp --path path.csv --law proxy --radius 1",
-                  [arguments](Console& console) { return bench(*arguments, console.work()); });
+                  [arguments](Console& console) { return bench(*arguments, console); });
   options.text("--scene", arguments->scene, "A .palp scene");
   options.text("--path", arguments->path, "CSV with the columns t_s,x_m,y_m,z_m (scene frame, metres)");
   add_law_options(options, arguments->law);

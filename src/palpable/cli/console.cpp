@@ -140,6 +140,8 @@ void write_error(std::string_view text, std::string_view before) {
 Result<void> print(std::string_view text) {
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
   if (written == text.size() && std::fflush(stdout) == 0) return {};
+  // Its reader, such as `head`, has read enough.
+  if (errno == EPIPE) return {};
   return Error{ErrorCode::failed, fmt::format("could not be written: {}", std::strerror(errno)),
                "standard output"};
 }

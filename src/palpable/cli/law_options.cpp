@@ -3,6 +3,7 @@
 #include "palpable/cli/law_options.hpp"
 
 #include "palpable/cli/suggest.hpp"
+#include "palpable/describe/numbers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -172,6 +173,25 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, con
                  "--law"};
   }
   return law_parameters(arguments, laws.empty() ? haptics::Law::proxy : laws.front());
+}
+
+std::optional<Note> note_on_unused(const LawArguments& arguments, haptics::Law used) {
+  const auto& known = haptics::description_of(used).parameters;
+  std::vector<std::string> unused;
+  for (const LawNumber& number : arguments.numbers)
+    if (number.value && std::none_of(known.begin(), known.end(), [&](const LawParameter& parameter) {
+          return parameter.option == number.option;
+        }))
+      unused.push_back("--" + number.option);
+  if (unused.empty()) return std::nullopt;
+  return Note(fmt::format("{} {} no effect with the law {}.", describe::listed(unused),
+                          unused.size() == 1 ? "has" : "have", haptics::name_of(used)));
+}
+
+haptics::Law law_for(haptics::Law chosen, const models::Scene& scene) {
+  const auto laws = haptics::laws_for(scene);
+  const bool fits = laws.empty() || std::find(laws.begin(), laws.end(), chosen) != laws.end();
+  return fits ? chosen : laws.front();
 }
 
 std::string bench_name(const haptics::LawParameters& parameters, const models::Scene& scene) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "palpable/cli/options.hpp"
+#include "palpable/core/note.hpp"
 #include "palpable/haptics/law/laws.hpp"
 
 #include <optional>
@@ -34,6 +35,12 @@ Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, hap
 
 /// The law parameters for this scene. Errors: usage, for a law that does not support this kind of scene.
 Result<haptics::LawParameters> law_parameters(const LawArguments& arguments, const models::Scene& scene);
+
+/// A note that names the given numbers that the law does not have; nullopt if it has all of them.
+std::optional<Note> note_on_unused(const LawArguments& arguments, haptics::Law used);
+
+/// The law with which this scene is touched: `chosen`, or the scene's default if it does not support that.
+haptics::Law law_for(haptics::Law chosen, const models::Scene& scene);
 
 /// "proxy-friction", "rolling", …: the law as `bench` names it.
 std::string bench_name(const haptics::LawParameters& parameters, const models::Scene& scene);

@@ -5,6 +5,7 @@
 #include "palpable/cli/parameter_groups.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/cli/unused_options.hpp"
+#include "palpable/cli/unused_parameters.hpp"
 #include "palpable/core/number_text.hpp"
 
 #include <array>
@@ -21,6 +22,14 @@ constexpr const char* kMadeBy = "palpable " PALPABLE_VERSION;
 /// The kinds of input that a scene can be made from.
 const std::vector<std::string> kInputKinds{"picture", "stereo", "depth", "mesh", "level-set",
                                            "points",  "shapes", "video", "scene"};
+
+/// A kind of scene is given by another option.
+std::string unknown_kind(const std::string& typed) {
+  for (const char* const scene : {"relief", "contours", "field", "grid"})
+    if (typed == scene)
+      return fmt::format("'{0}' is a kind of scene, not of input: did you mean --as {0}?", typed);
+  return unknown_word(typed, kInputKinds);
+}
 
 session::MakeAs make_as_from(const std::string& word) {
   if (word == "relief") return session::MakeAs::relief;
@@ -58,20 +67,17 @@ sculpt::PlacementOptions placement_options(const MakeArguments& arguments) {
   return placement;
 }
 
-}  // namespace
-
-void add_make_options(Options& options, MakeArguments& arguments) {
+void add_input_options(Options& options, MakeArguments& arguments) {
   constexpr int kMostInputs = 4096;
   constexpr Range kDepthUnits{-1e6, 1e6};
   options.arguments("INPUT", arguments.inputs, kMostInputs,
                     "A pair (left first), a depth map, a mesh, points, shapes, a video, or a scene");
   options.under("How the scene is made");
-  options.choice(
-      "--as", arguments.as, {"relief", "contours", "field", "grid"},
-      "Kind of scene; default: contours for a picture, a field for a solid, a relief for the rest");
-  options.text(
-      "--kind", arguments.kind,
-      "Kind of input: picture, stereo, depth, mesh, level-set, points, shapes or scene; default: by content");
+  options.choice("--as", arguments.as, {"relief", "contours", "field", "grid"},
+                 "Kind of scene; default: contours for a picture, a field for a solid or a video, a relief "
+                 "for the rest");
+  options.text("--kind", arguments.kind,
+               fmt::format("Kind of input: {}; default: by content", fmt::join(kInputKinds, ", ")));
   options.text(
       "--size", arguments.size,
       "Largest size of the scene, WxHxD in mm; default: 100x100 and 15 high, and solids as they are or "
@@ -86,6 +92,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--near", arguments.near, kDepthUnits,
                  "Nearer depths are moved to this one (m; px of disparity without calibration)");
   options.number("--far", arguments.far, kDepthUnits, "Farther depths are moved to this one");
+}
+
+void add_relief_options(Options& options, MakeArguments& arguments) {
   options.number("--exaggerate", arguments.exaggerate, {0.1, 10.0}, "Multiplies the relief's height");
   std::vector<std::string> details;
   details.reserve(std::size(sculpt::kDetailOperators) + 1);
@@ -110,12 +119,18 @@ void add_make_options(Options& options, MakeArguments& arguments) {
                  "Pair or depth map: what to do with the background");
   options.choice("--texture", arguments.texture, {"left", "front", "none"},
                  "The picture on the relief; front = as seen from between the cameras of a pair");
+}
+
+void add_solid_options(Options& options, MakeArguments& arguments) {
   options.under("Meshes and other solids");
   options.choice("--up", arguments.up, up_names(),
                  "Which way is up in the file; default: z in STL, y in others");
   options.choice("--lay", arguments.lay, {"auto", "upright", "flat"},
                  "Seen from the front or from above; auto = from above what is low and wide, as a map");
   options.number("--sheet", arguments.sheet_mm, {0.0, 10.0}, "Open sheet: height above its base, mm");
+}
+
+void add_field_options(Options& options, MakeArguments& arguments) {
   options.under("Fields and grids");
   options.integer("--grid-points", arguments.grid_points, {8, 512}, "Grid: points along the longest side");
   options.choice("--grid-filling", arguments.grid_filling, {"relief", "camera"},
@@ -138,6 +153,9 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.flag("--dense", arguments.dense, "Field: distances at every point of a lattice, for comparison");
   options.flag("--paper", arguments.paper,
                "Field: dense, by fast marching, with stored forces (Moustakas 2007)");
+}
+
+void add_contours_options(Options& options, MakeArguments& arguments) {
   options.under("Contours of one picture");
   options.choice("--contour-method", arguments.contour_method, {"standard", "paper"},
                  "How boundaries are found; paper = graphic-haptic display 2006");
@@ -148,6 +166,16 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   options.number("--neighbourhood", arguments.neighbourhood_px, {1.0, 32.0},
                  "Radius over which directions are averaged, px");
   options.number("--groove", arguments.groove_mm, {0.5, 20.0}, "Width of the grooves of the law groove, mm");
+}
+
+}  // namespace
+
+void add_make_options(Options& options, MakeArguments& arguments) {
+  add_input_options(options, arguments);
+  add_relief_options(options, arguments);
+  add_solid_options(options, arguments);
+  add_field_options(options, arguments);
+  add_contours_options(options, arguments);
   add_stereo_options(options, arguments.stereo);
   add_parameter_options(options, arguments.stereo);
   arguments.given = options.given();
@@ -160,8 +188,15 @@ std::optional<Note> note_on_unused(const MakeArguments& arguments, const session
   if (given.empty()) return std::nullopt;
   const auto input = session::recognise(options.input);
   if (!input) return std::nullopt;
-  if (const auto words = unused_options(given, input->kind, made.model)) return Note(*words);
-  return std::nullopt;
+  const UnusedParameters parameters =
+      unused_parameters(arguments, options, input->kind, models::kind_of(made.model));
+  std::string sentences;
+  if (const auto words = unused_options(given, parameters.of_other_scenes, input->kind, made.model))
+    sentences = *words;
+  for (const std::string& sentence : parameters.sentences)
+    sentences += (sentences.empty() ? "" : " ") + sentence;
+  if (sentences.empty()) return std::nullopt;
+  return Note(sentences);
 }
 
 Result<Vec3> size_from(const std::string& text) {
@@ -193,7 +228,7 @@ Result<session::InputOptions> input_options(const MakeArguments& arguments) {
   input.moved_m = moved_m_of(arguments.stereo);
   if (arguments.kind.empty()) return input;
   input.kind = sources::input_kind_from(arguments.kind);
-  if (!input.kind) return Error{ErrorCode::usage, unknown_word(arguments.kind, kInputKinds), "--kind"};
+  if (!input.kind) return Error{ErrorCode::usage, unknown_kind(arguments.kind), "--kind"};
   return input;
 }
 

@@ -76,7 +76,8 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments);
 /// The options of fit-shapes: `shapes`, changed by --set. Errors: usage.
 Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments, sculpt::ShapeSetOptions shapes);
 
-/// A note on options that were given and have no effect on this scene (unused_options.hpp).
+/// A note on options and parameters that were given and have no effect on this scene (unused_options.hpp,
+/// unused_parameters.hpp).
 std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,
                                    const models::Scene& made);
 

@@ -55,7 +55,9 @@ Answer one_group(const ParameterGroup& group) {
                  {"summary", group.summary},
                  {"tuned_on", group.tuned_on},
                  {"parameters", Json::array()}};
-  answer.text = fmt::format("{}: {}; defaults chosen on {}\n", group.name, group.summary, group.tuned_on);
+  const std::string defaults = group.tuned_on.empty() ? "initial values, not tuned"
+                                                      : fmt::format("defaults chosen on {}", group.tuned_on);
+  answer.text = fmt::format("{}: {}; {}\n", group.name, group.summary, defaults);
   add_parameters(parameters_of(group, options), answer);
   return answer;
 }

@@ -41,7 +41,7 @@ constexpr std::array kGroups{
     ParameterGroup{"fusion", "The fusion of several depth maps",
                    "a ball that simulated cameras see, with noise",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.fusion); }},
-    ParameterGroup{"video", "From a video to its depth", "nothing yet: first guesses",
+    ParameterGroup{"video", "From a video to its depth", "",
                    [](SettableOptions& o) { return recipes::parameters_of(o.recipes.video); }},
     ParameterGroup{"sheet", "The relief of an open mesh", "a printed map",
                    [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.sheet); }},

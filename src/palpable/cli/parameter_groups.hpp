@@ -28,7 +28,7 @@ struct ParameterGroup {
   /// Prefix of their names: "contours" in "contours.standard.half_contrast".
   std::string_view name;
   std::string_view summary;
-  /// The data on which the defaults were chosen.
+  /// The data on which the defaults were chosen; empty: they are initial values, not tuned.
   std::string_view tuned_on;
   std::vector<Parameter> (*parameters)(SettableOptions&);
 };

@@ -98,7 +98,7 @@ Result<haptics::LawParameters> probe_law(const ProbeArguments& arguments, const 
   return parameters;
 }
 
-Result<Answer> probe(const ProbeArguments& arguments, Console& /*console*/) {
+Result<Answer> probe(const ProbeArguments& arguments, Console& console) {
   const auto file = read_scene_argument(arguments.scene);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
@@ -111,6 +111,7 @@ Result<Answer> probe(const ProbeArguments& arguments, Console& /*console*/) {
   for (haptics::ToolPose& pose : path->poses) pose = in_scene(pose, *walk);
   const auto parameters = probe_law(arguments, scene);
   if (!parameters) return parameters.error();
+  if (const auto unused = note_on_unused(arguments.law, parameters->law)) console.note(*unused);
   const auto touchable = haptics::make_touchable(scene, *parameters);
   if (!touchable) return touchable.error();
 

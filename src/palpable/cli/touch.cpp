@@ -77,6 +77,7 @@ using Notes = std::function<void(const Note&)>;
 /// The options of a touch, with or without the page.
 struct Plan {
   MakeArguments arguments;
+  LawArguments law;
   session::MakeOptions make;
   MaterialArguments material;
   TitleArguments title;
@@ -93,6 +94,14 @@ Result<std::shared_ptr<const models::Scene>> named_scene(models::Scene scene, co
   return std::make_shared<const models::Scene>(std::move(scene));
 }
 
+/// A note on the numbers that the law of this scene does not have. The law `tool` is replaced for a device
+/// without torque, and then others may have an effect.
+std::optional<Note> note_on_law(const Plan& plan, const models::Scene& scene) {
+  const haptics::Law law = law_for(plan.settings.law.law, scene);
+  if (haptics::description_of(law).degrees_of_freedom > 3) return std::nullopt;
+  return note_on_unused(plan.law, law);
+}
+
 /// Makes the scenes of a touch, the fastest first; each note is given once.
 session::SceneMaker maker_of(const Plan& plan, Notes notes) {
   return [plan, notes = std::move(notes)](const session::DeliverScene& deliver,
@@ -104,6 +113,7 @@ session::SceneMaker maker_of(const Plan& plan, Notes notes) {
         [&](recipes::MadeScene one) {
           if (const auto unused = note_on_unused(plan.arguments, plan.make, one.scene))
             one.notes.push_back(*unused);
+          if (const auto unused = note_on_law(plan, one.scene)) one.notes.push_back(*unused);
           for (const Note& note : one.notes)
             if (given.insert(note.sentence).second) notes(note);
           auto scene = named_scene(std::move(one.scene), plan);
@@ -273,6 +283,46 @@ Result<Answer> touch_with_page(const TouchArguments& arguments, const Plan& plan
   return answer_of(session.statistics());
 }
 
+/// Errors: usage, for options that exclude each other.
+Result<void> check_options(const TouchArguments& arguments, const std::vector<session::WalkStep>& walk) {
+  if (arguments.keys && !arguments.headless)
+    return Error{ErrorCode::usage,
+                 "the keys of the terminal are for a touch without the page: add --headless", "--keys"};
+  if (arguments.keys && (!arguments.device.empty() || !walk.empty()))
+    return Error{ErrorCode::usage, "the keys move the probe themselves: leave out --device and --view",
+                 "--keys"};
+  if (!arguments.view.walk.empty() && !arguments.headless)
+    return Error{ErrorCode::usage, "on the page the user walks: leave out --walk, or add --headless",
+                 "--walk"};
+  if (arguments.scene.make.detail == kCompareDetails)
+    return Error{ErrorCode::usage, "cannot be touched: compare the operators with palpable make", "--detail"};
+  return {};
+}
+
+/// Sets what is made and how it is touched. Errors: usage; invalid_input for files of names and materials.
+Result<void> fill_plan(const TouchArguments& arguments, const std::optional<Published>& published,
+                       Plan& plan) {
+  const auto make = make_options(arguments.scene.make);
+  if (!make) return make.error();
+  plan.arguments = arguments.scene.make;
+  plan.law = arguments.law;
+  plan.make = *make;
+  if (published && arguments.scene.make.as.empty()) plan.make.as = published->as;
+  if (const auto readable = check_materials(arguments.scene.material); !readable) return readable.error();
+  plan.material = arguments.scene.material;
+  const auto title = read_title(arguments.scene.title);
+  if (!title) return title.error();
+  plan.title = *title;
+  const auto settings = settings_of(arguments, published);
+  if (!settings) return settings.error();
+  plan.settings = *settings;
+  if (arguments.unlimited) {
+    plan.options.servo.tick.max_force_rate_N_per_s = std::numeric_limits<double>::infinity();
+    plan.options.servo.tick.passivity = haptics::Passivity::observe;
+  }
+  return {};
+}
+
 Result<Answer> touch(TouchArguments arguments, Console& console) {
   haptics::write_zero_force_on_crash();
   if (!arguments.device.empty())
@@ -289,39 +339,13 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
   const auto walk = walk_from(arguments.view);
   if (!walk) return walk.error();
   plan.walk = *walk;
-  if (arguments.keys && !arguments.headless)
-    return Error{ErrorCode::usage,
-                 "the keys of the terminal are for a touch without the page: add --headless", "--keys"};
-  if (arguments.keys && (!arguments.device.empty() || !plan.walk.empty()))
-    return Error{ErrorCode::usage, "the keys move the probe themselves: leave out --device and --view",
-                 "--keys"};
-  if (!arguments.view.walk.empty() && !arguments.headless)
-    return Error{ErrorCode::usage, "on the page the user walks: leave out --walk, or add --headless",
-                 "--walk"};
-  if (arguments.scene.make.detail == kCompareDetails)
-    return Error{ErrorCode::usage, "cannot be touched: compare the operators with palpable make", "--detail"};
+  if (const auto possible = check_options(arguments, plan.walk); !possible) return possible.error();
   if (arguments.scene.make.inputs.empty()) {
     auto with_input = with_sample(std::move(arguments.scene));
     if (!with_input) return with_input.error();
     arguments.scene = *std::move(with_input);
   }
-  const auto make = make_options(arguments.scene.make);
-  if (!make) return make.error();
-  plan.arguments = arguments.scene.make;
-  plan.make = *make;
-  if (*published && arguments.scene.make.as.empty()) plan.make.as = (*published)->as;
-  if (const auto readable = check_materials(arguments.scene.material); !readable) return readable.error();
-  plan.material = arguments.scene.material;
-  const auto title = read_title(arguments.scene.title);
-  if (!title) return title.error();
-  plan.title = *title;
-  const auto settings = settings_of(arguments, *published);
-  if (!settings) return settings.error();
-  plan.settings = *settings;
-  if (arguments.unlimited) {
-    plan.options.servo.tick.max_force_rate_N_per_s = std::numeric_limits<double>::infinity();
-    plan.options.servo.tick.passivity = haptics::Passivity::observe;
-  }
+  if (const auto filled = fill_plan(arguments, *published, plan); !filled) return filled.error();
   plan.options.seed = console.options().seed;
   plan.options.command = console.options().command;
   plan.options.made_by = std::string("palpable ") + PALPABLE_VERSION + " (build " + build_id() + ")";

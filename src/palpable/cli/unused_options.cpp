@@ -87,7 +87,8 @@ std::string with_article(const std::string& kind) {
 
 }  // namespace
 
-std::optional<std::string> unused_options(std::span<const std::string> given, InputKind input,
+std::optional<std::string> unused_options(std::span<const std::string> given,
+                                          std::span<const std::string> parameters, InputKind input,
                                           const models::Model& made) {
   const std::string scene = models::kind_of(made);
   std::vector<std::string> unused;
@@ -96,6 +97,7 @@ std::optional<std::string> unused_options(std::span<const std::string> given, In
     if (!fits && std::find(given.begin(), given.end(), effect.option) != given.end())
       unused.emplace_back(effect.option);
   }
+  unused.insert(unused.end(), parameters.begin(), parameters.end());
   if (unused.empty()) return std::nullopt;
   const std::string input_words =
       input == InputKind::stereo ? "a pair" : with_article(std::string(name_of(input)));

@@ -12,9 +12,11 @@
 namespace palpable::cli {
 
 /// A sentence that names the options of `given` ("--size") that have no effect on a scene of this kind from
-/// this kind of input; nullopt if all have one. One table lists which option applies to what. An option that
-/// is not in it always has an effect, or is rejected otherwise.
-std::optional<std::string> unused_options(std::span<const std::string> given, sources::InputKind input,
+/// this kind of input, and the `parameters` of --set, which have none either; nullopt if there are none. One
+/// table lists which option applies to what. An option that is not in it always has an effect, or is rejected
+/// otherwise.
+std::optional<std::string> unused_options(std::span<const std::string> given,
+                                          std::span<const std::string> parameters, sources::InputKind input,
                                           const models::Model& made);
 
 }  // namespace palpable::cli
