@@ -3,10 +3,13 @@
 #include "palpable/formats/picture/picture.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <utility>
+#include <vector>
 
 #include "program.hpp"
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 namespace palpable::test {
 namespace {
@@ -61,6 +64,28 @@ TEST_F(Materials, APropertyGivenTwiceOrANameThatActsOnATerminalIsRefused) {
                  "friction of label 0 is given more than once");
   expect_refused(make({"--material", "0:friction=0.2,friction=0.4"}), 2, "more than once");
   expect_refused(make({"--material", "0:name=a\x1B[31mb"}), 2, "control characters");
+  expect_refused(make({"--material", "0:name=a\nb"}), 2, "control characters");
+  expect_refused(make({"--material", "0:name="}), 2, "name is empty");
+  expect_refused(make({"--material", "0:name=caf\xE9"}), 2, "not UTF-8");
+}
+
+TEST_F(Materials, LabelsAndTexturesMayComeFromPipes) {
+  Raster<std::uint8_t> labels(80, 60, 0);
+  labels(3, 4) = 1;
+  ASSERT_TRUE(formats::write_png(path("labels.png"), labels));
+  const std::string pipe = path("pipe.png");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::vector<std::string>& use :
+       {std::vector<std::string>{"--material", "1:name=box", "--labels", pipe},
+        std::vector<std::string>{"--material", "0:texture=" + pipe + ",size=20"}}) {
+    std::vector<std::string> all{"make", path("depth.png"), "--kind", "depth", "-o", path("a.palp")};
+    all.insert(all.end(), use.begin(), use.end());
+    Running running(all);
+    // Waits until the program opens it.
+    std::ofstream(pipe, std::ios::binary) << read_text(path("labels.png"));
+    const Outcome outcome = running.wait();
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
 }
 
 TEST_F(Materials, ALabelPictureMustHaveTheAspectRatioButMayHaveAnotherSize) {

@@ -237,6 +237,15 @@ TEST_F(SceneCommands, APictureInsteadOfASceneIsNamedWithAdvice) {
   }
 }
 
+TEST_F(SceneCommands, AnOutputsNameIsOnOneLineAndOneSampleIsCountedAsOne) {
+  const Outcome made = palpable({"make", in("a.palp"), "-o", in("two\nlines.palp")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("two lines.palp: relief"));
+  write_text(in("path.csv"), "t_s,x_m,y_m,z_m\n0,0,0,0.05\n");
+  EXPECT_THAT(palpable({"probe", in("a.palp"), "--path", in("path.csv"), "-o", in("f.csv")}).out,
+              HasSubstr("1 sample with "));
+}
+
 TEST_F(SceneCommands, MakeRefusesAnotherSuffixThanPalp) {
   const Outcome outcome = palpable({"make", in("left.png"), "-o", in("x.foo")});
   EXPECT_EQ(outcome.exit_code, 2);
@@ -257,6 +266,15 @@ TEST_F(SceneCommands, TitleAndDescriptionAreStoredAndPrinted) {
   // They are kept when a scene is made from this scene without these options.
   ASSERT_EQ(palpable({"make", in("titled.palp"), "-o", in("again.palp")}).exit_code, 0);
   EXPECT_EQ(palpable({"info", in("again.palp"), "--json"}).json()["title"], "Wall and box");
+
+  // As an editor on another system saves it.
+  write_text(in("words.txt"),
+             "\xEF\xBB\xBF"
+             "A wall behind a box.\r\nThe floor is slanted.\r\n");
+  ASSERT_EQ(
+      palpable({"make", in("a.palp"), "-o", in("other.palp"), "--describe", "@" + in("words.txt")}).exit_code,
+      0);
+  EXPECT_EQ(palpable({"info", in("other.palp"), "--json"}).json()["description"], json["description"]);
 
   EXPECT_EQ(palpable({"make", in("a.palp"), "-o", in("no.palp"), "--title", "two\nlines"}).exit_code, 2);
   EXPECT_EQ(palpable({"make", in("a.palp"), "-o", in("no.palp"), "--title", "\xff"}).exit_code, 2);

@@ -1,8 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Placement of solids by the real program: size, up direction, and open sheets.
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "program.hpp"
 #include <gmock/gmock.h>
@@ -12,6 +16,7 @@ namespace palpable::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A box with one corner at the given place, triangles oriented outwards.
 std::string box_obj(double x, double y, double z, double left = 0.0, double bottom = 0.0) {
@@ -60,11 +65,11 @@ TEST_F(SolidPlacement, AMeshOfAHandsSizeFarFromItsOriginIsCentred) {
 }
 
 TEST_F(SolidPlacement, AMeshOfAHandsSizeKeepsItsMetresAndOrigin) {
-  write_text(path("m.obj"), box_obj(0.08, 0.01, 0.1, -0.04, -0.005));
+  write_text(path("m.obj"), box_obj(0.08, 0.06, 0.1, -0.04, -0.03));
   const Outcome outcome = make(path("m.obj"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("states no unit: its coordinates were taken as metres"));
-  expect_size_mm(80.0, 10.0, 100.0);
+  expect_size_mm(80.0, 60.0, 100.0);
   EXPECT_EQ(info().at("scene_from_input")[0][3].get<double>(), 0.0);
 }
 
@@ -90,7 +95,78 @@ TEST_F(SolidPlacement, AnOpenSheetBecomesAReliefWithAMessage) {
   write_text(path("q.csv"), "x_m,y_m,z_m\n0.03,0,0.01\n0,0,0.01\n");
   ASSERT_EQ(palpable({"sample", path("out.palp"), "--points", path("q.csv"), "-o", path("v.csv")}).exit_code,
             0);
-  EXPECT_EQ(make(path("m.obj"), {"--as", "field"}).exit_code, 3);
+  // As a solid, it is a thin wall.
+  const Outcome field = make(path("m.obj"), {"--as", "field"});
+  ASSERT_EQ(field.exit_code, 0) << field.err;
+  EXPECT_THAT(field.err, HasSubstr("2 open sheets, with air on both sides, were given a thickness"));
+  EXPECT_EQ(make(path("m.obj"), {"--as", "field", "--dense"}).exit_code, 3);
+}
+
+/// Boxes in one mesh: left, bottom, back, and right, top, front; metres.
+std::string boxes_obj(const std::vector<std::array<double, 6>>& boxes) {
+  std::string obj;
+  int first = 0;
+  for (const auto& b : boxes) {
+    for (unsigned k = 0; k < 8; ++k)
+      obj += "v " + std::to_string(b[(k & 1U) != 0 ? 3 : 0]) + ' ' +
+             std::to_string(b[(k & 2U) != 0 ? 4 : 1]) + ' ' + std::to_string(b[(k & 4U) != 0 ? 5 : 2]) + '\n';
+    for (const auto& [x, y, z] : std::vector<std::array<int, 3>>{{1, 3, 2},
+                                                                 {2, 3, 4},
+                                                                 {5, 6, 7},
+                                                                 {6, 8, 7},
+                                                                 {1, 2, 5},
+                                                                 {2, 6, 5},
+                                                                 {3, 7, 4},
+                                                                 {4, 7, 8},
+                                                                 {1, 5, 3},
+                                                                 {3, 5, 7},
+                                                                 {2, 4, 6},
+                                                                 {4, 8, 6}})
+      obj += "f " + std::to_string(first + x) + ' ' + std::to_string(first + y) + ' ' +
+             std::to_string(first + z) + '\n';
+    first += 8;
+  }
+  return obj;
+}
+
+TEST_F(SolidPlacement, ASmallCityLiesFlatAndItsTowersAreCounted) {
+  write_text(path("m.obj"), boxes_obj({{-0.05, -0.002, -0.04, 0.05, 0.002, 0.04},
+                                       {-0.035, 0.002, -0.025, -0.025, 0.032, -0.015},
+                                       {0.01, 0.002, 0.01, 0.03, 0.014, 0.03},
+                                       {0.026, 0.002, -0.029, 0.034, 0.022, -0.021}}));
+  const Outcome outcome = make(path("m.obj"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("most of its surface is level: it lies flat, seen from above"));
+  expect_size_mm(100.0, 80.0, 34.0);
+  write_text(path("keys"), "dq");
+  Running touch({"touch", path("out.palp"), "--headless", "--keys", "--seconds", "20"}, path("keys"));
+  EXPECT_THAT(touch.wait().out,
+              HasSubstr("3 parts rise: upper left; upper right; lower right. Highest place: "
+                        "upper left, 34 millimetres above its base."));
+}
+
+TEST_F(SolidPlacement, ALowSolidSeenFromTheFrontComesWithAdvice) {
+  // A low comb of eight walls: hardly anything of it is level.
+  std::vector<std::array<double, 6>> walls;
+  for (int k = 0; k < 8; ++k) walls.push_back({-0.04 + 0.01 * k, 0.0, -0.04, -0.038 + 0.01 * k, 0.03, 0.04});
+  write_text(path("m.obj"), boxes_obj(walls));
+  EXPECT_THAT(make(path("m.obj")).err, HasSubstr("is seen from the front (--lay flat shows it from above)"));
+  EXPECT_THAT(make(path("m.obj"), {"--lay", "upright"}).err, Not(HasSubstr("--lay flat shows")));
+}
+
+TEST_F(SolidPlacement, ATableOnTheOriginIsDescribedByItsOwnBox) {
+  // A board on four legs; its foot is at the origin's height.
+  write_text(path("m.obj"), boxes_obj({{-0.04, 0.0375, -0.025, 0.04, 0.0425, 0.025},
+                                       {-0.0375, 0.0, -0.0225, -0.0325, 0.038, -0.0175},
+                                       {0.0325, 0.0, -0.0225, 0.0375, 0.038, -0.0175},
+                                       {-0.0375, 0.0, 0.0175, -0.0325, 0.038, 0.0225},
+                                       {0.0325, 0.0, 0.0175, 0.0375, 0.038, 0.0225}}));
+  ASSERT_EQ(make(path("m.obj"), {"--resolution", "128"}).exit_code, 0);
+  write_text(path("keys"), "dddq");
+  Running touch({"touch", path("out.palp"), "--headless", "--keys", "--seconds", "20"}, path("keys"));
+  const std::string words = touch.wait().out;
+  EXPECT_THAT(words, HasSubstr("Nearest place: upper middle, 50 millimetres from its back."));
+  EXPECT_THAT(words, HasSubstr("Middle third, left to right: 48, nothing, 48."));
 }
 
 TEST_F(SolidPlacement, ADeepMeshFillsTheFaceOfAReliefAndIsFlattened) {

@@ -213,6 +213,7 @@ describe('the page with a fault', () => {
       const { page, context } = await openPage(flatBrowser, own.address);
       await page.getByLabel('Surface', { exact: true }).selectOption('Cells of the field');
       await page.locator('#spoken').filter({ hasText: /The field has \d+ cells; at the surface they are/ }).waitFor();
+      expect(await page.locator('#read-height-name').textContent()).toBe('Towards you, mm');
       await keepPicture(page, 'cells');
       expect(await violations(page)).toEqual([]);
       await context.close();

@@ -3,6 +3,7 @@
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/hints.hpp"
 #include "palpable/cli/scene_argument.hpp"
+#include "palpable/describe/numbers.hpp"
 #include "palpable/formats/scene/scene_file.hpp"
 #include "palpable/recipes/correct_scene.hpp"
 #include "palpable/sources/solid/mesh_file.hpp"
@@ -51,8 +52,9 @@ Result<Answer> correct(const CorrectArguments& arguments, Console& console) {
                  {"notes", sentences_of(corrected->made.notes)},
                  {"seconds", seconds.count()}};
   answer.text =
-      fmt::format("{}: {} samples of the surface matched the measured one, {} were moved, in {:.2f} s\n",
-                  arguments.output, corrected->measured_samples, corrected->moved_samples, seconds.count());
+      fmt::format("{}: {} of the surface matched the measured one, {} moved, in {:.2f} s\n", arguments.output,
+                  describe::counted(corrected->measured_samples, "sample", "samples"),
+                  corrected->moved_samples, seconds.count());
   return answer;
 }
 

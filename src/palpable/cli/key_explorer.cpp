@@ -60,7 +60,7 @@ KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Sc
     case Name::page_up:
       return words = press_by(-kPressStep_m, scene), Request::nothing;
     case Name::home:
-      place_ = {};
+      place_ = {models::centre_m(scene).x, models::centre_m(scene).y};
       press_m_ = kRestingPress_m;
       return words = "In the middle.", Request::nothing;
     case Name::character:

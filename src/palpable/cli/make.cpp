@@ -111,12 +111,13 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   if (const auto named = check_scene_name(arguments.output); !named) return named.error();
   const auto title = read_title(arguments.title);
   if (!title) return title.error();
-  if (const auto readable = check_materials(arguments.material); !readable) return readable.error();
+  if (const auto readable = read_materials(arguments.material); !readable) return readable.error();
   const auto begin = std::chrono::steady_clock::now();
   auto made = session::make_scene(*options, console.work());
   if (!made) return made.error();
   if (const auto unused = note_on_unused(arguments.make, *options, made->scene))
     made->notes.push_back(*unused);
+  if (const auto lay = note_on_lay(arguments.make, *options, made->scene)) made->notes.push_back(*lay);
   for (const Note& note : made->notes) console.note(note);
   if (interrupted()) return Work::interrupted();
   models::Scene scene = std::move(made->scene);

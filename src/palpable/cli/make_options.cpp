@@ -8,6 +8,7 @@
 #include "palpable/cli/unused_parameters.hpp"
 #include "palpable/core/number_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -179,6 +180,17 @@ void add_make_options(Options& options, MakeArguments& arguments) {
   add_stereo_options(options, arguments.stereo);
   add_parameter_options(options, arguments.stereo);
   arguments.given = options.given();
+}
+
+std::optional<Note> note_on_lay(const MakeArguments& arguments, const session::MakeOptions& options,
+                                const models::Scene& made) {
+  constexpr double kLow = 0.5;
+  const Vec3 size = models::size_m(made);
+  if (arguments.lay != "auto" || !models::is_upright_solid(made) || size.y >= kLow * std::min(size.x, size.z))
+    return std::nullopt;
+  const auto input = session::recognise(options.input);
+  if (!input || input->kind == sources::InputKind::scene) return std::nullopt;
+  return Note("The solid is wide and low and is seen from the front (--lay flat shows it from above).");
 }
 
 std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,

@@ -76,6 +76,11 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments);
 /// The options of fit-shapes: `shapes`, changed by --set. Errors: usage.
 Result<sculpt::ShapeSetOptions> shape_options(const MakeArguments& arguments, sculpt::ShapeSetOptions shapes);
 
+/// How a solid that is wide and low, and is seen from the front, is seen from above; nullopt for others, and
+/// where --lay was given.
+std::optional<Note> note_on_lay(const MakeArguments& arguments, const session::MakeOptions& options,
+                                const models::Scene& made);
+
 /// A note on options and parameters that were given and have no effect on this scene (unused_options.hpp,
 /// unused_parameters.hpp).
 std::optional<Note> note_on_unused(const MakeArguments& arguments, const session::MakeOptions& options,

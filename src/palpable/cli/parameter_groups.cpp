@@ -31,10 +31,13 @@ constexpr std::array kGroups{
     ParameterGroup{
         "background", "What lies behind the objects (--background)", "generated pairs of tables and rooms",
         [](SettableOptions& o) { return vision::parameters_of(o.recipes.relief.background_options); }},
+    ParameterGroup{"placement", "How a solid is laid and scaled", "solids of known shape, and a city",
+                   [](SettableOptions& o) { return sculpt::parameters_of(o.recipes.field.placement); }},
     ParameterGroup{"field", "The field of a solid", "generated solids and scans (docs/fields.md)",
                    [](SettableOptions& o) {
                      auto parameters = sculpt::parameters_of(o.recipes.field.field);
                      append_parameters(parameters, "walls", sculpt::parameters_of(o.recipes.field.walls));
+                     append_parameters(parameters, "sheets", sculpt::parameters_of(o.recipes.field.sheets));
                      append_parameters(parameters, "cloud", sculpt::parameters_of(o.recipes.field.cloud));
                      return parameters;
                    }},

@@ -147,9 +147,10 @@ Result<Answer> probe(const ProbeArguments& arguments, Console& console) {
                  {"output", arguments.output}};
   const std::string extent =
       has_extent(arguments) ? fmt::format(" and {} mN·m", figure(1000.0 * strongest_Nm, 3)) : std::string();
-  answer.text = fmt::format("{} samples with {}, {:.1f} % in contact, at most {} N{}: {}\n", samples,
-                            haptics::name_of(parameters->law), 100.0 * contact_fraction,
-                            figure(strongest_N, 3), extent, arguments.output);
+  answer.text =
+      fmt::format("{} with {}, {:.1f} % in contact, at most {} N{}: {}\n",
+                  describe::counted(samples, "sample", "samples"), haptics::name_of(parameters->law),
+                  100.0 * contact_fraction, figure(strongest_N, 3), extent, arguments.output);
   return answer;
 }
 

@@ -119,11 +119,23 @@ Error explained(const CLI::App& app, const CLI::ParseError& complaint) {
   return usage(command.get_name().empty() ? sentence : command.get_name() + ": " + sentence);
 }
 
+/// An answer's text, which may have several lines, with the output's name on one.
+std::string text_of(const Answer& answer) {
+  std::string text = answer.text;
+  const auto output = answer.json.find("output");
+  if (output == answer.json.end() || !output->is_string()) return without_control_characters(text);
+  const auto name = output->get<std::string>();
+  if (const std::string plain = one_line(name); plain != name)
+    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + plain.size()))
+      text.replace(at, name.size(), plain);
+  return without_control_characters(text);
+}
+
 int finish(const Result<Answer>& answer, const CommonOptions& common) {
   if (!answer) return report(answer.error());
   const std::string text = common.json
                                ? answer->json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
-                               : without_control_characters(answer->text);
+                               : text_of(*answer);
   if (const auto printed = print(text); !printed) return report(printed.error());
   return answer->exit_code;
 }

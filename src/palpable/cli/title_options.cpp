@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace palpable::cli {
 namespace {
@@ -22,15 +21,6 @@ std::string trimmed(const std::string& text) {
   const auto begin = text.find_first_not_of(kWhite);
   return begin == std::string::npos ? std::string()
                                     : text.substr(begin, text.find_last_not_of(kWhite) - begin + 1);
-}
-
-bool is_utf8(const std::string& text) {
-  try {
-    static_cast<void>(nlohmann::json(text).dump());
-    return true;
-  } catch (const nlohmann::json::exception&) {
-    return false;
-  }
 }
 
 Result<void> check(const std::string& text, std::size_t longest, const char* option) {
@@ -58,7 +48,7 @@ Result<TitleArguments> read_title(TitleArguments arguments) {
     static_assert(kMaxBytes > models::kMaxDescriptionBytes);
     auto text = read_text_file(arguments.description.substr(1), kMaxBytes);
     if (!text) return text.error();
-    arguments.description = *std::move(text);
+    arguments.description = with_plain_lines(*text);
   }
   TitleArguments title{trimmed(arguments.title), trimmed(arguments.description)};
   if (title.title.find('\n') != std::string::npos) return usage("a title is one line", "--title");

@@ -114,6 +114,7 @@ session::SceneMaker maker_of(const Plan& plan, Notes notes) {
           if (const auto unused = note_on_unused(plan.arguments, plan.make, one.scene))
             one.notes.push_back(*unused);
           if (const auto unused = note_on_law(plan, one.scene)) one.notes.push_back(*unused);
+          if (const auto lay = note_on_lay(plan.arguments, plan.make, one.scene)) one.notes.push_back(*lay);
           for (const Note& note : one.notes)
             if (given.insert(note.sentence).second) notes(note);
           auto scene = named_scene(std::move(one.scene), plan);
@@ -308,7 +309,7 @@ Result<void> fill_plan(const TouchArguments& arguments, const std::optional<Publ
   plan.law = arguments.law;
   plan.make = *make;
   if (published && arguments.scene.make.as.empty()) plan.make.as = published->as;
-  if (const auto readable = check_materials(arguments.scene.material); !readable) return readable.error();
+  if (const auto readable = read_materials(arguments.scene.material); !readable) return readable.error();
   plan.material = arguments.scene.material;
   const auto title = read_title(arguments.scene.title);
   if (!title) return title.error();

@@ -27,6 +27,35 @@ bool has_control_characters(std::string_view text) {
   return false;
 }
 
+bool is_utf8(std::string_view text) {
+  for (std::size_t k = 0; k < text.size();) {
+    const auto byte = [&](std::size_t at) {
+      return k + at < text.size() ? static_cast<unsigned char>(text[k + at]) : 0U;
+    };
+    const unsigned first = byte(0);
+    const std::size_t more = first < 0x80 ? 0 : first < 0xC2 ? 4 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+    if (more == 4 || first > 0xF4) return false;
+    for (std::size_t i = 1; i <= more; ++i)
+      if (byte(i) < 0x80 || byte(i) > 0xBF) return false;
+    // Overlong forms, surrogates, and beyond U+10FFFF.
+    if ((first == 0xE0 && byte(1) < 0xA0) || (first == 0xED && byte(1) > 0x9F) ||
+        (first == 0xF0 && byte(1) < 0x90) || (first == 0xF4 && byte(1) > 0x8F))
+      return false;
+    k += more + 1;
+  }
+  return true;
+}
+
+std::string with_plain_lines(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t k = 0; k < text.size(); ++k)
+    if (text[k] != '\r' || k + 1 == text.size() || text[k + 1] != '\n') plain += text[k];
+  return plain;
+}
+
 std::string without_control_characters(std::string_view text) {
   std::string plain;
   plain.reserve(text.size());

@@ -14,4 +14,10 @@ bool has_control_characters(std::string_view text);
 /// Replaces each of those characters by a question mark.
 std::string without_control_characters(std::string_view text);
 
+/// Whether a text is UTF-8: no byte that is out of place, no overlong form, no surrogate.
+bool is_utf8(std::string_view text);
+
+/// A text as editors on other systems save it: without a byte order mark, lines ended by a newline alone.
+std::string with_plain_lines(std::string_view text);
+
 }  // namespace palpable

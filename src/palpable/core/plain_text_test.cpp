@@ -22,6 +22,21 @@ TEST(PlainText, ReplacesControlCharactersAndDirectionOverrides) {
   EXPECT_EQ(without_control_characters(std::string("a\0b", 3)), "a?b");
 }
 
+TEST(PlainText, RecognisesUtf8) {
+  for (const std::string valid :
+       {"", "a", "\xC3\xA9", "\xED\x95\x9C", "\xF0\x9F\x98\x80", "\xF4\x8F\xBF\xBF"})
+    EXPECT_TRUE(is_utf8(valid)) << valid;
+  for (const std::string invalid : {"\xE9t\xE9", "\xC3", "\x80", "\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80",
+                                    "\xF4\x90\x80\x80", "\xFF", "a\xE2\x80"})
+    EXPECT_FALSE(is_utf8(invalid)) << invalid;
+}
+
+TEST(PlainText, TakesTheMarkAndLineEndsOfOtherSystemsAway) {
+  EXPECT_EQ(with_plain_lines("\xEF\xBB\xBFone\r\ntwo\r\n"), "one\ntwo\n");
+  EXPECT_EQ(with_plain_lines("a\rb"), "a\rb");
+  EXPECT_EQ(with_plain_lines(""), "");
+}
+
 TEST(PlainText, EndsWithinACharacterThatIsCutOff) {
   EXPECT_EQ(without_control_characters("a\xE2\x80"), "a\xE2\x80");
   EXPECT_EQ(without_control_characters(""), "");

@@ -34,12 +34,13 @@ Result<File> open_for_reading(const std::filesystem::path& path) {
   return file;
 }
 
-/// Reads until the end of the file or until `limit` bytes are read. A pipe has no size, so the buffer grows
-/// step by step.
+/// Reads until the end of the file or until `limit` bytes are read. A pipe has no size, so the buffer is used
+/// step by step; what is only reserved takes no memory, and growing by copies would take twice as much.
 Result<std::vector<std::byte>> read_up_to(std::FILE* file, std::size_t limit,
                                           const std::filesystem::path& path) {
   constexpr std::size_t kStep = std::size_t{1} << 20U;
   std::vector<std::byte> bytes;
+  bytes.reserve(limit);
   while (bytes.size() < limit) {
     const std::size_t had = bytes.size();
     bytes.resize(std::min(limit, had + std::max(kStep, had)));

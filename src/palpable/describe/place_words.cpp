@@ -4,6 +4,7 @@
 
 #include "palpable/describe/contour_lines.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/describe/solid_shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,19 +34,43 @@ std::string line_at(const models::BoundaryMap& map, Place place) {
   return "beside the line, " + offset_words(line->dx_m, line->dy_m);
 }
 
+/// Of a solid, heights are above its base, or from its back if it stands upright.
+double base_of(const models::Scene& scene) {
+  if (!models::is_field(scene.model)) return 0.0;
+  return models::centre_m(scene).z - 0.5 * models::size_m(scene).z;
+}
+
+/// Whether a scene is a solid that is not at this place.
+bool is_beside_solid(const models::Scene& scene, Place place) {
+  if (!models::is_field(scene.model)) return false;
+  const double height_m = models::relief_of(scene)->sample(place.x_m, place.y_m).z_m - base_of(scene);
+  return !is_of_solid(height_m, models::size_m(scene).z);
+}
+
+/// Height and slope. Not for a place beside a solid.
 std::string surface_at(const models::Scene& scene, double depth, Place place) {
   const models::HeightSample at = models::relief_of(scene)->sample(place.x_m, place.y_m);
-  return fmt::format("{}, {}", spoken_length(depth * at.z_m), slope_words(depth * at.dzdx, depth * at.dzdy));
+  return fmt::format("{}, {}", spoken_length(depth * (at.z_m - base_of(scene))),
+                     slope_words(depth * at.dzdx, depth * at.dzdy));
 }
+
+constexpr const char* kBeside = "nothing here";
 
 /// How the coordinate towards the user is called.
 const char* height_name(const models::Scene& scene) {
   return models::is_upright_solid(scene) ? "towards you" : "height";
 }
 
+/// Relative to the middle of the scene, which for a solid may be beside the origin.
+Place from_centre(const models::Scene& scene, Place place) {
+  const Vec3 centre = models::centre_m(scene);
+  return {place.x_m - centre.x, place.y_m - centre.y};
+}
+
 std::string where(const models::Scene& scene, Place place) {
   const Vec3 size = models::size_m(scene);
-  return fmt::format("{}, {}", region_words(place, size.x, size.y), from_middle_words(place));
+  const Place at = from_centre(scene, place);
+  return fmt::format("{}, {}", region_words(at, size.x, size.y), from_middle_words(at));
 }
 
 }  // namespace
@@ -110,8 +135,9 @@ std::string name_at(const models::Scene& scene, Place place) {
 
 std::string position_words(const models::Scene& scene, double depth, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
-  const std::string what = map != nullptr
-                               ? capitalised(line_at(*map, place))
+  const std::string what = map != nullptr ? capitalised(line_at(*map, place))
+                           : is_beside_solid(scene, place)
+                               ? capitalised(kBeside)
                                : capitalised(height_name(scene)) + " " + surface_at(scene, depth, place);
   const std::string name = name_at(scene, place);
   return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,
@@ -120,6 +146,7 @@ std::string position_words(const models::Scene& scene, double depth, Place place
 
 std::string step_words(const models::Scene& scene, double depth, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
+  if (is_beside_solid(scene, place)) return kBeside;
   const std::string what = map != nullptr ? line_at(*map, place) : surface_at(scene, depth, place);
   const std::string name = name_at(scene, place);
   return name.empty() ? what : fmt::format("{}, {}", name, what);
@@ -131,10 +158,14 @@ std::string press_words(double press_m) {
 }
 
 std::string felt_words(const models::Scene& scene, double depth, Place place, double force_N) {
-  const double height_m = depth * models::relief_of(scene)->sample(place.x_m, place.y_m).z_m;
+  const double height_m =
+      depth * (models::relief_of(scene)->sample(place.x_m, place.y_m).z_m - base_of(scene));
+  const std::string what = is_beside_solid(scene, place)
+                               ? std::string(kBeside)
+                               : fmt::format("{} {}", height_name(scene), spoken_length(height_m));
   const std::string name = name_at(scene, place);
-  return fmt::format("{}, {} {}, force {}{}", where(scene, place), height_name(scene),
-                     spoken_length(height_m), spoken_force(force_N), name.empty() ? "" : ", " + name);
+  return fmt::format("{}, {}, force {}{}", where(scene, place), what, spoken_force(force_N),
+                     name.empty() ? "" : ", " + name);
 }
 
 }  // namespace palpable::describe

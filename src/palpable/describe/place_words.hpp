@@ -30,6 +30,7 @@ std::string line_words(double angle_rad);
 std::string name_at(const models::Scene& scene, Place place);
 
 /// Everything about a place: region, offset from the middle, height and slope (for contours: the line), name.
+/// Heights of a solid are above its base, or from its back if it stands upright; beside it is "nothing".
 std::string position_words(const models::Scene& scene, double depth, Place place);
 /// The place after a step, in short: name, height and slope; for contours, whether the probe is on a line.
 std::string step_words(const models::Scene& scene, double depth, Place place);

@@ -197,8 +197,7 @@ double mean_height_m(const models::Relief& surface, int column, int row) {
 std::string nine_parts(const models::Scene& scene, double depth) {
   const models::Relief& surface = *models::relief_of(scene);
   constexpr std::array kRows{"Upper", "Middle", "Lower"};
-  std::string words = models::is_upright_solid(scene) ? "Average distances towards you in millimetres."
-                                                      : "Average heights in millimetres.";
+  std::string words = "Average heights in millimetres.";
   for (int row = 0; row < 3; ++row) {
     std::array<std::string, 3> heights;
     for (int column = 0; column < 3; ++column)
@@ -215,11 +214,9 @@ std::vector<std::string> parts_of(const models::Scene& scene, double depth, Plac
     return contour_parts((*contours)->boundaries, sentence(name_of(scene)), probe);
   const models::Relief& surface = *models::relief_of(scene);
   if (models::is_field(scene.model)) {
-    const Vec3 size = models::size_m(scene);
-    const double base_m = models::centre_m(scene).z - 0.5 * size.z;
-    auto parts = solid_parts({&surface, base_m, size, scene.pose}, sentence(name_of(scene)), probe);
-    parts.push_back(nine_parts(scene, depth));
-    return parts;
+    const Vec3 size = models::size_m(scene), centre = models::centre_m(scene);
+    return solid_parts({&surface, centre.z - 0.5 * size.z, size, scene.pose, {centre.x, centre.y}},
+                       sentence(name_of(scene)), probe);
   }
   constexpr double kFlat_m = 1e-5;
   if (std::abs(depth) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)

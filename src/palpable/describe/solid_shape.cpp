@@ -29,12 +29,11 @@ models::Relief with_rim(const models::Relief& surface, double base_m) {
 
 /// Mask of the solid seen from above.
 Mask outline_of(const models::Relief& surface) {
-  constexpr double kShare = 0.005;
   const auto& samples = surface.samples_m();
-  const double least_m = surface.lowest_m() + kShare * (surface.highest_m() - surface.lowest_m());
+  const double low_m = surface.lowest_m(), size_m = surface.highest_m() - low_m;
   Mask mask(samples.width(), samples.height(), 0);
   for (std::size_t k = 0; k < mask.count(); ++k)
-    mask.values()[k] = double{samples.values()[k]} > least_m ? 1 : 0;
+    mask.values()[k] = is_of_solid(double{samples.values()[k]} - low_m, size_m) ? 1 : 0;
   return mask;
 }
 

@@ -51,6 +51,13 @@ struct SolidShapeOptions {
 };
 std::vector<Parameter> parameters_of(SolidShapeOptions& options);
 
+/// Whether a place seen from above belongs to a solid, by its height above the solid's base; `size_m` is the
+/// solid's greatest height. Elsewhere the view from above has the height of the base.
+inline bool is_of_solid(double height_m, double size_m) {
+  constexpr double kShare = 0.005;
+  return height_m > kShare * size_m;
+}
+
 /// `from_above`: the solid's heights; `base_m` or less outside the solid. The options must be in their
 /// ranges.
 SolidShape solid_shape(const models::Relief& from_above, double base_m,

@@ -18,11 +18,14 @@ struct SolidView {
   double base_m = 0.0;
   Vec3 size_m;
   models::SolidPose pose = models::SolidPose::upright;
+  /// The middle of that box; regions and offsets are relative to it.
+  Place middle = {};
 };
 
-/// Describes a solid in two parts. First: `heading` (the name with a full stop), size, outline, parts,
-/// openings and the place nearest to the user, which is the highest one of a flat solid. Second: the offset
-/// from `probe` to that place, and each part and opening.
+/// Describes a solid in three parts. First: `heading` (the name with a full stop), size, what is seen of it
+/// (pieces, outline, openings), parts, and the place nearest to the user, which is the highest one of a
+/// flat solid. Second: the offset from `probe` to that place, and each part and opening. Third: mean heights
+/// of nine parts of its box. Heights are above the solid's base, or for an upright solid from its back.
 std::vector<std::string> solid_parts(const SolidView& solid, const std::string& heading, Place probe);
 
 }  // namespace palpable::describe

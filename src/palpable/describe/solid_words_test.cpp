@@ -35,15 +35,16 @@ std::vector<std::string> parts_of(const models::Scene& scene, Vec3 size_m, model
 
 TEST(SolidWords, GiveSizeOutlineOpeningsAndTheHighestPoint) {
   const auto parts = parts_of(block(), kBlock_m, models::SolidPose::flat, "Block.");
-  ASSERT_EQ(parts.size(), 2U);
+  ASSERT_EQ(parts.size(), 3U);
   EXPECT_EQ(parts[0],
-            "Block. A solid, 80 millimetres wide, 60 millimetres deep and 30 millimetres high. Outline: "
-            "rectangular. 1 hole through it and 1 hollow. Highest place: upper left, 30 millimetres.");
+            "Block. A solid, 80 millimetres wide, 60 millimetres deep and 30 millimetres high. Seen from "
+            "above: outline rectangular; 1 hole through it and 1 hollow. Highest place: upper left, 30 "
+            "millimetres above its base.");
 }
 
 TEST(SolidWords, ListEachPartAndOpening) {
   const auto parts = parts_of(block(), kBlock_m, models::SolidPose::flat, "Block.", {0.005, 0.0});
-  EXPECT_THAT(parts[1], HasSubstr(" Upper left: top at 30 millimetres, "));
+  EXPECT_THAT(parts[1], HasSubstr(" Upper left: top 30 millimetres above its base, "));
   EXPECT_THAT(parts[1],
               HasSubstr("Hollow 6 millimetres deep, lower middle, 12 by 8 millimetres, 18 millimetres "
                         "down from the middle."));
@@ -55,10 +56,35 @@ TEST(SolidWords, ListEachPartAndOpening) {
 TEST(SolidWords, CallTheExtentTowardsThePersonDepthWhereTheSolidStandsUpright) {
   const auto parts = parts_of(block(), kBlock_m, models::SolidPose::upright, "Block.");
   EXPECT_EQ(parts[0],
-            "Block. A solid, 80 millimetres wide, 60 millimetres high and 30 millimetres deep. Outline: "
-            "rectangular. 1 hole through it and 1 hollow. Nearest place: upper left, 30 millimetres.");
+            "Block. A solid, 80 millimetres wide, 60 millimetres high and 30 millimetres deep. Seen from "
+            "the front: outline rectangular; 1 hole through it and 1 hollow. Nearest place: upper left, 30 "
+            "millimetres from its back.");
   EXPECT_THAT(parts[1], HasSubstr("From the probe to the nearest place: "));
-  EXPECT_THAT(parts[1], HasSubstr(" Upper left: front at 30 millimetres, "));
+  EXPECT_THAT(parts[1], HasSubstr(" Upper left: front 30 millimetres from its back, "));
+}
+
+TEST(SolidWords, AreRelativeToTheSolidsOwnBoxWhereverItIs) {
+  // A table before the person, which stands on the origin: legs of 40 x 30 mm and 5 mm, a top of 45 mm. The
+  // relief reaches as far below the origin; the table's back is at z = -25 mm.
+  constexpr double kBack_m = -0.025;
+  const auto table = surface_scene([](double x, double y) {
+    if (in_box(x, y, 0.0, 0.0325, 0.04, 0.0025)) return 0.025;
+    return in_box(std::abs(x), y, 0.035, 0.015, 0.0025, 0.015) ? 0.020 : kBack_m;
+  });
+  const SolidView view{models::relief_of(table).get(),
+                       kBack_m,
+                       {0.08, 0.035, 0.05},
+                       models::SolidPose::upright,
+                       {0.0, 0.0175}};
+  const auto parts = solid_parts(view, "Table.", {});
+  EXPECT_THAT(parts[0], HasSubstr("Nearest place: upper middle, 50 millimetres from its back."));
+  EXPECT_THAT(parts[1], HasSubstr("From the probe to the nearest place: 33 millimetres up."));
+  EXPECT_THAT(parts[1], HasSubstr("Upper middle: front 50 millimetres from its back, 16 millimetres up from "
+                                  "the middle."));
+  EXPECT_EQ(parts[2],
+            "Average distances of its front from its back in millimetres, where the solid is. Upper third, "
+            "left to right: 49, 50, 49. Middle third, left to right: 45, nothing, 45. Lower third, left to "
+            "right: 45, nothing, 45.");
 }
 
 TEST(SolidWords, ListPartsByTheirProminence) {
@@ -69,9 +95,10 @@ TEST(SolidWords, ListPartsByTheirProminence) {
   });
   const auto parts = parts_of(scene, {0.09, 0.04, 0.026}, models::SolidPose::flat, "Towers.");
   EXPECT_THAT(parts[0], HasSubstr("2 parts rise: middle right; middle left."));
-  EXPECT_THAT(parts[0], HasSubstr("No openings."));
+  EXPECT_THAT(parts[0], HasSubstr("; no openings."));
   EXPECT_THAT(parts[1],
-              HasSubstr("Middle left: top at 20 millimetres, 10 millimetres above what is around it"));
+              HasSubstr("Middle left: top 20 millimetres above its base, 10 millimetres above what is around "
+                        "it"));
 }
 
 TEST(SolidShape, RecognisesRoundAndOvalOutlines) {

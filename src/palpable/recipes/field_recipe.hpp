@@ -12,6 +12,7 @@
 #include "palpable/sculpt/field/field_from_source.hpp"
 #include "palpable/sculpt/points/cloud_surface.hpp"
 #include "palpable/sculpt/solid/thin_walls.hpp"
+#include "palpable/sculpt/triangles/open_sheets.hpp"
 #include "palpable/sculpt/triangles/placement.hpp"
 
 #include <vector>
@@ -37,6 +38,8 @@ struct FieldRecipe {
   /// Of a mesh: how walls that are too thin for the field's cells are treated. Dense fields keep them
   /// unchanged.
   sculpt::WallOptions walls;
+  /// Of a mesh: what is an open sheet rather than a body with holes.
+  sculpt::OpenSheetOptions sheets;
   /// Of points: their surface.
   sculpt::CloudOptions cloud;
 };

@@ -28,7 +28,12 @@ std::vector<Note> placement_notes(const sculpt::Placement& placement, const scul
     notes.emplace_back("The input states no unit: its coordinates were taken as metres.");
   if (!placement.fitted) return notes;
   if (placement.moved) {
-    notes.emplace_back("The input is far from its origin: it was centred.");
+    const bool laid_flat =
+        placement.lay == sculpt::Lay::flat && dot(unit_vector(placement.up), Vec3{0.0, 0.0, 1.0}) == 0.0;
+    notes.emplace_back(laid_flat
+                           ? "The input is wide and low and most of its surface is level: it lies flat, "
+                             "seen from above."
+                           : "The input is far from its origin: it was centred.");
     return notes;
   }
   const Vec3 extent = box.size_m();

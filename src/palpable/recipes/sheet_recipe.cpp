@@ -32,11 +32,11 @@ std::size_t drop_unplaced(Mesh& mesh) {
 
 /// The direction that points to the user.
 AxisDirection towards_person(const Mesh& mesh, const sculpt::Placement& automatic,
-                             const sculpt::PlacementOptions& options) {
+                             const SheetRecipe& recipe) {
+  const sculpt::PlacementOptions& options = recipe.placement;
   const AxisDirection up = options.up.value_or(options.convention.up);
-  constexpr double kFacesOneWay = 0.5;
   const Vec3 facing = sculpt::mean_facing(mesh);
-  const bool one_way = norm(facing) > kFacesOneWay;
+  const bool one_way = norm(facing) > recipe.sheet.faces_one_way;
   if (options.lay == Lay::automatic && one_way) {
     const AxisDirection side = nearest_axis_direction(facing);
     // A map with reversed triangles is still seen from above.
@@ -55,14 +55,15 @@ Result<MadeScene> relief_from_mesh(Mesh mesh, const SheetRecipe& recipe, const W
   if (!fit.size_m) fit.size_m = kDefaultSize_m;
   auto placement = sculpt::placement_of(box, fit);
   if (!placement) return placement.error();
-  const AxisDirection towards = towards_person(mesh, *placement, recipe.placement);
+  const AxisDirection towards = towards_person(mesh, *placement, recipe);
   placement->lay = dot(unit_vector(towards), unit_vector(placement->up)) != 0.0 ? Lay::flat : Lay::upright;
   const auto rotation = sculpt::turn_towards_person(towards, placement->up);
   const double room_m = fit.size_m->z - recipe.sheet.thickness_m;
   if (!(room_m > 0.0))
     return Error{ErrorCode::usage, "the size's depth must be more than the sheet's thickness", {}};
   const Vec3 seen = sculpt::turned(box, rotation).size_m();
-  const bool own_size = !recipe.placement.size_m && sculpt::suits_a_hand({seen.x, seen.y, 0.0});
+  const bool own_size =
+      !recipe.placement.size_m && sculpt::suits_a_hand({seen.x, seen.y, 0.0}, recipe.placement);
   // What the person sees of it fills the size; a mesh that is then too deep is flattened, as depth maps are.
   constexpr double kAnyDepth_m = std::numeric_limits<double>::infinity();
   const Vec3 face_m{fit.size_m->x, fit.size_m->y, kAnyDepth_m};

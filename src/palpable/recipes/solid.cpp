@@ -45,7 +45,8 @@ models::SolidPose pose_of(const sculpt::Placement& placement) {
 Result<Placed> place_mesh(Mesh& mesh, const sculpt::PlacementOptions& options) {
   const auto box = box_of(mesh);
   if (!box) return box.error();
-  const auto placement = sculpt::placement_of(*box, options);
+  const AxisDirection up = options.up.value_or(options.convention.up);
+  const auto placement = sculpt::placement_of(*box, options, sculpt::level_share(mesh, up));
   if (!placement) return placement.error();
   const SceneFromInput& transform = placement->scene_from_input;
   if (placement->fitted)
@@ -131,7 +132,7 @@ Result<Solid> solid_of(Mesh mesh, const FieldRecipe& recipe, const Work& work) {
   sculpt::WallOptions walls =
       recipe.storage == FieldStorage::adaptive ? recipe.walls : sculpt::kWallsAsTheyAre;
   walls.up = place->pose == models::SolidPose::flat ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
-  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets, walls);
+  auto made = sculpt::solid_from_mesh(mesh, *cell_m, work, facets, walls, recipe.sheets);
   if (!made) return made.error();
   solid.distance = std::move(made->distance);
   const auto notes = made->repair.notes();

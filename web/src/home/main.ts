@@ -268,6 +268,7 @@ class TouchPage implements KeyTarget {
     if (frame.kind === 'heights') {
       this.own.setScale(surface.scale);
       this.readouts.scale = surface.scale;
+      this.readouts.setUpright(surface.isUpright);
       showSteps(surface.scale);
       this.stage.element.setAttribute('aria-label', stageLabel(scene));
       if (first) this.ready();

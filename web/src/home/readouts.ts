@@ -31,6 +31,11 @@ export class Readouts {
     this.device = device;
   }
 
+  /** Names the coordinate towards the person: of an upright solid it is not a height. */
+  setUpright(upright: boolean): void {
+    for (const id of ['read-height-name', 'probe-height-name']) write(id, upright ? 'Towards you, mm' : 'Height, mm');
+  }
+
   /** Takes a new tick; `probe`: the selected one. Shown a little later, at a readable rate. */
   state(state: State, probe: ProbeState | undefined): void {
     if (probe === undefined) return;

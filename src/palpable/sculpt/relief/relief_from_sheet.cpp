@@ -100,7 +100,8 @@ std::vector<Parameter> parameters_of(SheetOptions& o) {
       {"samples_on_a_side", &o.samples_on_a_side, {2, 4096}, "", "samples along the longer side"},
       {"thickness_m", &o.thickness_m, {0.0, 0.01}, "m", "height of the sheet's lowest point above the base"},
       {"steepest_slope", &o.steepest_slope, {0.1, 100.0}, "", "the steepest slope, rise over run"},
-      {"least_facing", &o.least_facing, {0.5, 1.0}, "", "mean facing beyond which a mesh is an open sheet"}};
+      {"least_facing", &o.least_facing, {0.5, 1.0}, "", "mean facing beyond which a mesh is an open sheet"},
+      {"faces_one_way", &o.faces_one_way, {0.0, 1.0}, "", "mean facing beyond which that side is seen"}};
 }
 
 Vec3 mean_facing(const Mesh& mesh) {

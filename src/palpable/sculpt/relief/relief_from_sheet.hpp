@@ -24,6 +24,8 @@ struct SheetOptions {
   /// Length of the mean facing (mean_facing()) beyond which a mesh is an open sheet, 0.5 ... 1: a plane has
   /// 1, a half ball 0.5, slopes of up to about 45 degrees more than the default.
   double least_facing = 0.75;
+  /// Length of the mean facing beyond which a mesh becomes the relief of the side that it faces, 0 ... 1.
+  double faces_one_way = 0.5;
 };
 std::vector<Parameter> parameters_of(SheetOptions& options);
 

@@ -36,9 +36,15 @@ std::vector<std::string> MeshRepair::notes() const {
   add(ground, "One triangle of the ground around the solid was left out.",
       " triangles of the ground around the solid were left out.");
   const auto in_mm = [](double metres) { return figure(1e3 * metres, 2); };
-  if (thin + sheets > 0)
-    notes.push_back("Walls that are too thin for the field's cells (" + std::to_string(thin + sheets) +
-                    " triangles, " + std::to_string(sheets) +
+  if (open_sheets > 0)
+    notes.push_back((open_sheets == 1
+                         ? "One open sheet, with air on both sides, was"
+                         : std::to_string(open_sheets) + " open sheets, with air on both sides, were") +
+                    " given a thickness of " + in_mm(wall_m) + " mm.");
+  const std::size_t own_sheets = sheets - std::min(sheets, open_sheet_triangles);
+  if (thin + own_sheets > 0)
+    notes.push_back("Walls that are too thin for the field's cells (" + std::to_string(thin + own_sheets) +
+                    " triangles, " + std::to_string(own_sheets) +
                     " of them of sheets without a thickness) were made " + in_mm(wall_m) +
                     " mm thick, so that they can be felt: at most " + in_mm(thickened_m) +
                     " mm were added to a side. More cells keep them thinner.");
@@ -71,16 +77,58 @@ std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, con
   return smooth;
 }
 
+/// A mesh without its open sheets; these, with the same vertices; and for each of their triangles its sheet.
+struct SeparatedSheets {
+  Mesh sheets;
+  std::vector<std::uint32_t> numbers;
+  std::size_t count = 0;
+};
+
+/// Orients the parts of a mesh and removes its open sheets. `holes` are those of the rest.
+SeparatedSheets separate_sheets(Mesh& whole, std::vector<Hole>& holes, MeshRepair& repair,
+                                const OpenSheetOptions& options, std::uint64_t seed) {
+  const auto given = whole.triangles;
+  repair.turned_parts = orient_outwards(whole, seed);
+  holes = holes_of(whole.vertices_m, whole.triangles);
+  const OpenSheets found = open_sheets_of(whole, holes, options);
+  SeparatedSheets separated;
+  if (found.count == 0) return separated;
+  separated.count = found.count;
+  separated.sheets.vertices_m = whole.vertices_m;
+  whole.triangles.clear();
+  for (std::size_t t = 0; t < given.size(); ++t) {
+    const bool is_sheet = found.of_triangle[t] != OpenSheets::kNone;
+    (is_sheet ? separated.sheets.triangles : whole.triangles).push_back(given[t]);
+    if (is_sheet) separated.numbers.push_back(found.of_triangle[t]);
+  }
+  // Rays from a body may have met the sheets around it.
+  repair.turned_parts = orient_outwards(whole, seed);
+  holes = holes_of(whole.vertices_m, whole.triangles);
+  return separated;
+}
+
+/// Thickens walls and sheets. `sheet_candidates`: how many of the first triangles of `whole` are sheets where
+/// they are outside the solid.
 void thicken(MeshSolid& solid, const Mesh& surface, const Mesh& whole, std::size_t sheet_candidates,
-             double finest_m, const WallOptions& options, const Work& work) {
-  auto walls = thickened_walls(solid.distance, surface, whole, sheet_candidates, finest_m, options, work);
+             const SeparatedSheets& open, double finest_m, const WallOptions& options, const Work& work) {
+  Mesh mesh;
+  if (sheet_candidates + open.count > 0) mesh.vertices_m = whole.vertices_m;
+  mesh.triangles.assign(whole.triangles.begin(),
+                        whole.triangles.begin() + static_cast<std::ptrdiff_t>(sheet_candidates));
+  mesh.triangles.insert(mesh.triangles.end(), open.sheets.triangles.begin(), open.sheets.triangles.end());
+  SheetCandidates candidates{mesh, std::vector<std::uint32_t>(sheet_candidates, OpenSheets::kNone)};
+  candidates.open_sheet.insert(candidates.open_sheet.end(), open.numbers.begin(), open.numbers.end());
+  auto walls = thickened_walls(solid.distance, surface, candidates, finest_m, options, work);
+  const std::size_t own_sheets = walls.sheets - walls.open_sheet_triangles;
   solid.repair.ground = walls.ground;
   solid.repair.inner -= std::min(solid.repair.inner, walls.ground);
   if (!walls.distance) return;
   solid.distance = std::move(walls.distance);
   solid.repair.thin = walls.thin;
   solid.repair.sheets = walls.sheets;
-  solid.repair.inner -= std::min(solid.repair.inner, walls.sheets);
+  solid.repair.open_sheets = walls.open_sheets;
+  solid.repair.open_sheet_triangles = walls.open_sheet_triangles;
+  solid.repair.inner -= std::min(solid.repair.inner, own_sheets);
   solid.repair.wall_m = options.least_cells * finest_m;
   solid.repair.thickened_m = walls.added_m;
 }
@@ -88,7 +136,8 @@ void thicken(MeshSolid& solid, const Mesh& surface, const Mesh& whole, std::size
 }  // namespace
 
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
-                                  const FacetOptions& facets, const WallOptions& walls) {
+                                  const FacetOptions& facets, const WallOptions& walls,
+                                  const OpenSheetOptions& sheets) {
   work.report(0.0, "repairing the mesh");
   MeshSolid solid;
   Mesh whole = welded(mesh, solid.repair.degenerate);
@@ -96,10 +145,16 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   solid.repair.not_finite = without_place(mesh);
   solid.repair.degenerate -= solid.repair.not_finite;
   solid.repair.triangles = whole.triangles.size();
-  solid.repair.turned_parts = orient_outwards(whole, work.seed);
-  const std::size_t first_added = whole.triangles.size();
-  solid.repair.closed_holes = close_holes(whole);
+  std::vector<Hole> holes;
+  const SeparatedSheets open = separate_sheets(whole, holes, solid.repair, sheets, work.seed);
   if (work.cancelled()) return Work::interrupted();
+  if (whole.triangles.empty()) {
+    thicken(solid, whole, whole, 0, open, finest_m, walls, work);
+    if (!solid.distance) return invalid_input("is a mesh that encloses no volume");
+    return solid;
+  }
+  const std::size_t first_added = whole.triangles.size();
+  solid.repair.closed_holes = add_lids(whole, holes);
   // Freed before the distance source builds its own tree: for millions of triangles it takes gigabytes.
   std::optional<TriangleTree> tree(whole);
   // The orientation by rays may be wrong for parts that were still open.
@@ -118,17 +173,20 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
     tree.reset();
     if (facets.rounding_m > 0.0) solid.distance = smoothed(whole, finest_m, facets, solid.repair);
     if (!solid.distance) solid.distance = mesh_distance(whole, whole);
-    thicken(solid, whole, whole, 0, finest_m, walls, work);
+    thicken(solid, whole, whole, 0, open, finest_m, walls, work);
     return solid;
   }
   const SolidSurface surface = surface_of(whole, *tree, finest_m, work);
   tree.reset();
   if (work.cancelled()) return Work::interrupted();
   solid.repair.inner = surface.inner;
-  if (surface.mesh.triangles.empty()) return invalid_input("is a mesh that encloses no volume");
-  solid.distance = mesh_distance(surface.mesh, whole);
+  if (!surface.mesh.triangles.empty())
+    solid.distance = mesh_distance(surface.mesh, whole);
+  else if (open.count == 0)
+    return invalid_input("is a mesh that encloses no volume");
   // Triangles that close holes are not sheets.
-  thicken(solid, surface.mesh, whole, first_added, finest_m, walls, work);
+  thicken(solid, surface.mesh, whole, first_added, open, finest_m, walls, work);
+  if (!solid.distance) return invalid_input("is a mesh that encloses no volume");
   return solid;
 }
 

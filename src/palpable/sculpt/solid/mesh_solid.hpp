@@ -7,6 +7,7 @@
 #include "palpable/core/work.hpp"
 #include "palpable/sculpt/solid/distance_source.hpp"
 #include "palpable/sculpt/solid/thin_walls.hpp"
+#include "palpable/sculpt/triangles/open_sheets.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -31,8 +32,12 @@ struct MeshRepair {
   /// Number of facets that were smoothed, and the greatest distance of the smooth surface from them.
   std::size_t rounded = 0;
   double rounded_m = 0.0;
-  /// Number of triangles of walls that were too thin for the field, including those of sheets without
-  /// thickness; the least thickness of these walls now; and the greatest thickness added to a side.
+  /// Open sheets without thickness, which have air on both sides (open_sheets.hpp), and their triangles.
+  std::size_t open_sheets = 0;
+  std::size_t open_sheet_triangles = 0;
+  /// Number of triangles of walls that were too thin for the field, and of all sheets without thickness,
+  /// which include the open ones; the least thickness of these walls now; and the greatest thickness added
+  /// to a side.
   std::size_t thin = 0;
   std::size_t sheets = 0;
   /// Number of triangles of sheets that are the ground around the solid; omitted.
@@ -65,16 +70,17 @@ struct MeshSolid {
 };
 
 /// The solid that a mesh encloses, with its exact distance. A closed mesh that faces outwards is used
-/// unchanged. In other meshes, parts are oriented outwards (by ray parity, Takayama et al. 2014) and holes
-/// are closed. The solid is where the winding number is at least one (generalised winding number, Jacobson et
-/// al. 2013). Triangles inside the solid, where bodies overlap, are omitted. Triangles that are partly inside
-/// are cut along the lines where others cross them, into pieces no smaller than `finest_m`, the side of the
-/// field's finest cells. The facets of an unchanged mesh are smoothed as in `facets`. Walls that are too thin
-/// for `walls`, and sheets outside the solid, are thickened on both sides (thin_walls.hpp). Errors:
-/// invalid_input for a mesh without triangles or without a volume, interrupted.
+/// unchanged. In other meshes, parts are oriented outwards (by ray parity, Takayama et al. 2014), open sheets
+/// are set apart (open_sheets.hpp), and the holes of the rest are closed. The solid is where the winding
+/// number is at least one (generalised winding number, Jacobson et al. 2013). Triangles inside the solid,
+/// where bodies overlap, are omitted. Triangles that are partly inside are cut along the lines where others
+/// cross them, into pieces no smaller than `finest_m`, the side of the field's finest cells. The facets of an
+/// unchanged mesh are smoothed as in `facets`. Walls that are too thin for `walls`, and sheets outside the
+/// solid, are thickened on both sides (thin_walls.hpp); where walls stay as they are, sheets are not solid.
+/// Errors: invalid_input for a mesh without triangles or without a volume, interrupted.
 Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work& work,
-                                  const FacetOptions& facets = {},
-                                  const WallOptions& walls = kWallsAsTheyAre);
+                                  const FacetOptions& facets = {}, const WallOptions& walls = kWallsAsTheyAre,
+                                  const OpenSheetOptions& sheets = {});
 
 /// An error if making the solid of a mesh with this many triangles would need more than `free_bytes`; it
 /// states the need, and how many triangles fit.

@@ -4,6 +4,8 @@
 
 #include "palpable/core/check.hpp"
 #include "palpable/sculpt/solid/nearest_in_balls.hpp"
+#include "palpable/sculpt/triangles/mesh_edges.hpp"
+#include "palpable/sculpt/triangles/open_sheets.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
@@ -11,8 +13,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -21,7 +23,6 @@ namespace {
 
 // Number of thickness steps: each wall gets about what it lacks of the least thickness.
 constexpr int kSteps = 4;
-constexpr std::uint32_t kNobody = 0xFFFFFFFFU;
 
 /// The centre of a triangle and a point near each of its corners.
 std::array<Vec3, 4> places_of(const std::array<Vec3, 3>& c) {
@@ -42,8 +43,7 @@ constexpr int kPlaces = 4, kMostPlaces = 3;
 /// The wall's thickness behind a triangle, at most `least_m`. At half of that depth inside a thicker wall,
 /// this face is the nearest one; inside a thin wall it is the opposite face, or the point is outside.
 double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint, const std::array<Vec3, 3>& c,
-                        double least_m) {
-  constexpr double kOpposite = 0.9, kTold = 0.02;
+                        double least_m, const WallOptions& options) {
   const Vec3 normal = unit(cross(c[1] - c[0], c[2] - c[0]));
   const double depth_m = 0.5 * least_m;
   int thin = 0, left = kPlaces;
@@ -52,9 +52,9 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
     // Most walls are thick, so usually two points decide.
     if (thin + left-- < kMostPlaces) return least_m;
     const models::FieldSample there = solid.at(place - depth_m * normal, hint);
-    if (dot(there.gradient, normal) > -kOpposite) continue;
+    if (dot(there.gradient, normal) > -options.opposite_cosine) continue;
     const double thickness_m = depth_m - there.distance_m;
-    if (thickness_m > (1.0 - kTold) * least_m || thickness_m < 0.0) continue;
+    if (thickness_m > (1.0 - options.least_lack) * least_m || thickness_m < 0.0) continue;
     ++thin;
     sum_m += thickness_m;
   }
@@ -64,19 +64,22 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
 /// Finds the parts of triangles that have the solid on neither side.
 class SheetFinder {
  public:
-  SheetFinder(const DistanceSource& solid, double finest_m) : solid_(solid), finest_m_(finest_m) {}
+  SheetFinder(const DistanceSource& solid, double finest_m, const WallOptions& options)
+      : solid_(solid),
+        finest_m_(finest_m),
+        least_piece_m_(options.least_piece_cells * finest_m),
+        most_piece_m_(std::max(options.least_piece_cells, options.most_piece_cells) * finest_m) {}
 
   /// Adds those parts of one triangle, which is divided if they differ.
   void add(const std::array<Vec3, 3>& c, DistanceSource::Hint& hint,
            std::vector<std::array<Vec3, 3>>& sheets) const {
-    // Larger triangles may contain parts of both kinds between their sample points.
-    constexpr double kLargest = 32.0, kSmallest = 1.0;
     const double longest_m = std::max({norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2])});
     const Vec3 normal = unit(cross(c[1] - c[0], c[2] - c[0]));
     int outside = 0;
     for (const Vec3 place : places_of(c)) outside += is_outside(place, normal, hint) ? 1 : 0;
     const bool is_mixed = outside > 0 && outside < kPlaces;
-    if (longest_m > (is_mixed ? kSmallest : kLargest) * finest_m_) {
+    // Large triangles may contain parts of both kinds between their sample points.
+    if (longest_m > (is_mixed ? least_piece_m_ : most_piece_m_)) {
       const Vec3 a = 0.5 * (c[0] + c[1]), b = 0.5 * (c[1] + c[2]), d = 0.5 * (c[2] + c[0]);
       for (const auto& part : {std::array{c[0], a, d}, {a, c[1], b}, {d, b, c[2]}, {a, b, d}})
         add(part, hint, sheets);
@@ -94,7 +97,7 @@ class SheetFinder {
   }
 
   const DistanceSource& solid_;
-  double finest_m_;
+  double finest_m_, least_piece_m_, most_piece_m_;
 };
 
 /// Triangles whose sides are moved by the same distance.
@@ -215,7 +218,6 @@ struct SheetPatch {
   /// Whether it is the ground of a solid such as a city: it faces up, lies at the solid's foot or lower, and
   /// extends beyond it.
   bool is_ground(const Box& solid, const WallOptions& options) const {
-    constexpr double kFoot = 0.25;
     if (std::abs(dot(area_m2, options.up)) < options.ground_facing * size_m2) return false;
     const auto along = [](Vec3 v) { return std::array{v.x, v.y, v.z}; };
     const auto up = along(options.up), least = along(solid.least_m - box.least_m),
@@ -230,29 +232,23 @@ struct SheetPatch {
       if (least[axis] < 0.0 || most[axis] < 0.0) return false;
       beyond_m = std::max({beyond_m, least[axis], most[axis]});
     }
-    return dot(middle - solid_middle, options.up) <= (kFoot - 0.5) * height_m &&
+    return dot(middle - solid_middle, options.up) <= (options.ground_height - 0.5) * height_m &&
            beyond_m > options.ground_beyond * *std::max_element(size.begin(), size.end());
   }
 };
 
 /// For each triangle, the first one of those connected to it by vertices; only `wanted` ones count.
 std::vector<std::uint32_t> connected(const Mesh& mesh, const std::vector<char>& wanted) {
-  std::vector<std::uint32_t> first(mesh.triangles.size()), at_vertex(mesh.vertices_m.size(), kNobody);
-  std::iota(first.begin(), first.end(), 0U);
-  const auto find = [&](std::uint32_t t) {
-    while (first[t] != t) t = first[t] = first[first[t]];
-    return t;
-  };
+  DisjointSets sets(mesh.triangles.size());
+  std::vector<std::uint32_t> at_vertex(mesh.vertices_m.size(), OpenSheets::kNone);
   for (std::uint32_t t = 0; t < wanted.size(); ++t) {
     if (wanted[t] == 0) continue;
     for (const std::uint32_t v : mesh.triangles[t]) {
-      if (at_vertex[v] == kNobody) at_vertex[v] = t;
-      const std::uint32_t a = find(at_vertex[v]), b = find(t);
-      first[std::max(a, b)] = std::min(a, b);
+      if (at_vertex[v] == OpenSheets::kNone) at_vertex[v] = t;
+      sets.join(at_vertex[v], t);
     }
   }
-  for (std::uint32_t t = 0; t < first.size(); ++t) first[t] = find(t);
-  return first;
+  return sets.firsts();
 }
 
 /// Which triangles of `wanted` belong to patches that are ground.
@@ -272,35 +268,59 @@ std::vector<char> ground_among(const Mesh& mesh, const std::vector<char>& wanted
   return ground;
 }
 
-/// The parts of a mesh's first triangles that lie outside the solid, without the ground.
-Mesh sheets_outside(const DistanceSource& solid, const Mesh& mesh, std::size_t candidates, double finest_m,
-                    const WallOptions& options, const Work& work, ThickenedWalls& walls) {
-  const SheetFinder finder(solid, finest_m);
-  std::vector<std::vector<std::array<Vec3, 3>>> found(candidates);
+/// The parts of the candidates that lie outside the solid, without the ground.
+Mesh sheets_outside(const DistanceSource& solid, const SheetCandidates& candidates, bool has_ground,
+                    double finest_m, const WallOptions& options, const Work& work, ThickenedWalls& walls) {
+  const SheetFinder finder(solid, finest_m, options);
+  const Mesh& mesh = candidates.mesh;
+  const std::size_t count = mesh.triangles.size();
+  std::vector<std::vector<std::array<Vec3, 3>>> found(count);
   constexpr int kGrain = 64;
-  parallel_for(work, static_cast<int>(candidates), kGrain, [&](int begin, int end) {
+  parallel_for(work, static_cast<int>(count), kGrain, [&](int begin, int end) {
     DistanceSource::Hint hint;
     for (auto t = static_cast<std::size_t>(begin); t < static_cast<std::size_t>(end) && !work.cancelled();
          ++t)
       finder.add(corners_at(mesh, t), hint, found[t]);
   });
-  std::vector<char> is_sheet(candidates);
-  for (std::size_t t = 0; t < candidates; ++t) is_sheet[t] = !found[t].empty();
-  const std::vector<char> is_ground = ground_among(mesh, is_sheet, solid.bounds(), options);
+  std::vector<char> is_sheet(count), is_ground(count);
+  for (std::size_t t = 0; t < count; ++t) is_sheet[t] = !found[t].empty();
+  if (has_ground) is_ground = ground_among(mesh, is_sheet, solid.bounds(), options);
   Mesh sheets;
-  for (std::size_t t = 0; t < candidates; ++t) {
+  std::set<std::uint32_t> open_sheets;
+  for (std::size_t t = 0; t < count; ++t) {
     if (is_sheet[t] == 0) continue;
     ++(is_ground[t] != 0 ? walls.ground : walls.sheets);
-    if (is_ground[t] == 0)
-      for (const auto& part : found[t]) add_triangle(sheets, part);
+    if (is_ground[t] != 0) continue;
+    for (const auto& part : found[t]) add_triangle(sheets, part);
+    if (candidates.open_sheet[t] == OpenSheets::kNone) continue;
+    ++walls.open_sheet_triangles;
+    open_sheets.insert(candidates.open_sheet[t]);
   }
+  walls.open_sheets = open_sheets.size();
   return sheets;
 }
+
+/// All places are outside and far from it.
+class NoSolid final : public DistanceSource {
+ public:
+  models::FieldSample at(Vec3, Hint&) const override { return {kEverywhere_m, {0.0, 0.0, 1.0}}; }
+  Box bounds() const override {
+    return {{kEverywhere_m, kEverywhere_m, kEverywhere_m}, {-kEverywhere_m, -kEverywhere_m, -kEverywhere_m}};
+  }
+
+ private:
+  static constexpr double kEverywhere_m = std::numeric_limits<double>::infinity();
+};
 
 }  // namespace
 
 std::vector<Parameter> parameters_of(WallOptions& o) {
   return {{"least_cells", &o.least_cells, {0.0, 8.0}, "cells", "least thickness of a wall"},
+          {"ground_height",
+           &o.ground_height,
+           {0.0, 1.0},
+           "",
+           "lowest share of the solid's height in which ground lies"},
           {"ground_facing",
            &o.ground_facing,
            {0.5, 1.0},
@@ -310,20 +330,38 @@ std::vector<Parameter> parameters_of(WallOptions& o) {
            &o.ground_beyond,
            {0.0, 1.0},
            "",
-           "how far ground extends beyond the solid, as a share of its side"}};
+           "how far ground extends beyond the solid, as a share of its side"},
+          {"opposite_cosine",
+           &o.opposite_cosine,
+           {0.0, 1.0},
+           "",
+           "cosine of the angle from which two faces form a wall"},
+          {"least_lack", &o.least_lack, {0.0, 1.0}, "", "share of the least thickness that may be missing"},
+          {"least_piece_cells",
+           &o.least_piece_cells,
+           {0.1, 1000.0},
+           "cells",
+           "smallest pieces into which a sheet is divided"},
+          {"most_piece_cells",
+           &o.most_piece_cells,
+           {0.1, 1000.0},
+           "cells",
+           "largest pieces of a sheet that are not divided"}};
 }
 
 ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mesh& surface,
-                               const Mesh& sheets_from, std::size_t sheet_candidates, double finest_m,
-                               const WallOptions& options, const Work& work) {
+                               const SheetCandidates& candidates, double finest_m, const WallOptions& options,
+                               const Work& work) {
   PALPABLE_CHECK(check_ranges(options));
   ThickenedWalls walls;
   const double least_m = options.least_cells * finest_m;
   if (!(least_m > 0.0)) return walls;
+  const bool has_solid = solid != nullptr;
+  if (!has_solid) solid = std::make_unique<NoSolid>();
   std::array<Mesh, kSteps> layers;
   Mesh rest;
   const auto thin = steps_of(surface.triangles.size(), work, [&](std::size_t t, DistanceSource::Hint& hint) {
-    const double thickness_m = thickness_behind(*solid, hint, corners_at(surface, t), least_m);
+    const double thickness_m = thickness_behind(*solid, hint, corners_at(surface, t), least_m, options);
     return std::min(kSteps, static_cast<int>(kSteps * thickness_m / least_m));
   });
   for (std::size_t t = 0; t < thin.size(); ++t) {
@@ -331,7 +369,7 @@ ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mes
     add_triangle(is_thin ? layers[static_cast<std::size_t>(thin[t])] : rest, corners_at(surface, t));
     walls.thin += is_thin ? 1 : 0;
   }
-  const Mesh sheets = sheets_outside(*solid, sheets_from, sheet_candidates, finest_m, options, work, walls);
+  const Mesh sheets = sheets_outside(*solid, candidates, has_solid, finest_m, options, work, walls);
   std::vector<Layer> made;
   const auto add_layer = [&](const Mesh& mesh, double by_m, bool is_sheets) {
     if (mesh.triangles.empty()) return;

@@ -9,6 +9,7 @@
 #include "palpable/sculpt/solid/distance_source.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -20,11 +21,21 @@ struct WallOptions {
   /// Thinner walls are thickened to about this, in finest cells: with two, the field's rounding stays inside
   /// the wall. 0 … 8; 0 = walls do not change.
   double least_cells = 2.0;
-  /// A sheet is the ground around the solid if its middle is in the lowest quarter of the solid's height or
-  /// lower, at least this share of its area faces up or down, 0.5 … 1,
+  /// A sheet is the ground around the solid if its middle is in this lowest share of the solid's height or
+  /// lower, 0 … 1,
+  double ground_height = 0.25;
+  /// at least this share of its area faces up or down, 0.5 … 1,
   double ground_facing = 0.75;
   /// and it extends beyond the solid by at least this share of the solid's longest side, 0 … 1.
   double ground_beyond = 0.05;
+  /// The other face of a thin wall is at most this far from parallel, as a cosine, 0 … 1.
+  double opposite_cosine = 0.9;
+  /// A wall that lacks less than this share of the least thickness is thick enough, 0 … 1.
+  double least_lack = 0.02;
+  /// Sheets are divided where they leave the solid, down to pieces of this size; larger pieces than the
+  /// second are always divided. Finest cells, 0.1 … 1000.
+  double least_piece_cells = 1.0;
+  double most_piece_cells = 32.0;
   /// The axis of the mesh that points up; of length 1. Follows from how the solid is placed.
   Vec3 up{0.0, 0.0, 1.0};
 };
@@ -36,7 +47,10 @@ inline constexpr WallOptions kWallsAsTheyAre{0.0};
 struct ThickenedWalls {
   /// Null: no wall is too thin.
   std::unique_ptr<DistanceSource> distance;
-  /// Number of triangles of walls that are too thin, and of sheets that enclose no solid.
+  /// Number of open sheets, of which a part is outside the solid and not ground, and of their triangles.
+  std::size_t open_sheets = 0;
+  std::size_t open_sheet_triangles = 0;
+  /// Number of triangles of walls that are too thin, and of all sheets that enclose no solid.
   std::size_t thin = 0;
   std::size_t sheets = 0;
   /// Number of triangles of sheets that are the ground on which the solid stands, such as the land of a city
@@ -46,11 +60,18 @@ struct ThickenedWalls {
   double added_m = 0.0;
 };
 
+/// Triangles that are sheets where they are outside the solid.
+struct SheetCandidates {
+  const Mesh& mesh;
+  /// For each triangle the number of its open sheet, or OpenSheets::kNone.
+  std::vector<std::uint32_t> open_sheet;
+};
+
 /// Thickens the thin walls of `solid`, whose surface is `surface`; `solid` is moved from only if something
-/// was thickened. The first `sheet_candidates` triangles of `sheets_from` are sheets where they are outside
-/// the solid. `finest_m`: side of a field's finest cells. The options must be in range. All threads.
+/// was thickened. Null and an empty surface: there are only sheets. `finest_m`: side of a field's finest
+/// cells. The options must be in range. All threads.
 ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mesh& surface,
-                               const Mesh& sheets_from, std::size_t sheet_candidates, double finest_m,
-                               const WallOptions& options, const Work& work);
+                               const SheetCandidates& sheets, double finest_m, const WallOptions& options,
+                               const Work& work);
 
 }  // namespace palpable::sculpt

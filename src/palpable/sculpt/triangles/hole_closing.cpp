@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/triangles/hole_closing.hpp"
 
+#include "palpable/sculpt/triangles/mesh_edges.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace palpable::sculpt {
@@ -141,60 +142,44 @@ void add_triangles(std::span<const Vec3> rim, std::span<const Vec3> normals,
   }
 }
 
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
-}
+/// The edges of rims by the surface that they belong to and the vertex where they start, in a fixed order.
+/// Surfaces that are connected across edges are known by their first triangle.
+using Rim = std::multimap<std::pair<std::uint32_t, std::uint32_t>, Hole::RimEdge>;
 
-/// The end of an edge on a rim, and the triangle that it belongs to.
-struct RimEdge {
-  std::uint32_t to = 0, triangle = 0;
-};
-/// By the vertex where they start, in a fixed order.
-using Rim = std::multimap<std::uint32_t, RimEdge>;
-
-Rim rim_of(const Mesh& mesh) {
-  // Uses of an edge in one direction minus those in the other. Where they cancel, as at walls that two bodies
-  // share, there is no rim.
-  std::unordered_map<std::uint64_t, int> upwards;
-  const auto step = [](std::uint32_t a, std::uint32_t b) { return a < b ? 1 : -1; };
-  for (const Triangle& t : mesh.triangles)
-    for (std::size_t k = 0; k < 3; ++k) upwards[edge_key(t[k], t[(k + 1) % 3])] += step(t[k], t[(k + 1) % 3]);
+Rim rim_of(std::span<const Triangle> triangles) {
+  const std::vector<EdgeUse> uses = edge_uses(triangles);
+  const std::vector<std::uint32_t> surface = connected_by_edges(triangles.size(), uses);
   Rim rim;
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = mesh.triangles[i][k], to = mesh.triangles[i][(k + 1) % 3];
-      int& left = upwards[edge_key(from, to)];
-      if (left * step(from, to) <= 0) continue;
-      rim.emplace(from, RimEdge{to, i});
-      left -= step(from, to);
+  visit_edges(uses, [&](std::span<const EdgeUse> edge) {
+    // Uses of an edge in one direction minus those in the other. Where they cancel, as at walls that two
+    // bodies share, there is no rim.
+    int left = 0;
+    for (const EdgeUse& use : edge) left += use.step;
+    for (const EdgeUse& use : edge) {
+      if (left * use.step <= 0) continue;
+      left -= use.step;
+      auto from = static_cast<std::uint32_t>(use.key >> 32U), to = static_cast<std::uint32_t>(use.key);
+      if (use.step < 0) std::swap(from, to);
+      rim.emplace(std::pair(surface[use.triangle], from), Hole::RimEdge{from, to, use.triangle});
     }
+  });
   return rim;
 }
 
-Vec3 normal_of(const Mesh& mesh, std::uint32_t triangle) {
-  const Triangle& t = mesh.triangles[triangle];
-  const Vec3 a = mesh.vertices_m[t[0]];
-  return unit(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
-}
-
-/// A vertex of a rim and the normal at the edge that starts there.
-struct RimPlace {
-  std::uint32_t vertex = 0;
-  Vec3 normal;
-};
-
-/// Returns the number of triangles added.
-std::size_t close(Mesh& mesh, std::span<const RimPlace> loop) {
-  const std::size_t before = mesh.triangles.size();
-  std::vector<Vec3> rim, normals;
+std::vector<Triangle> lid_over(std::span<const Hole::RimEdge> rim, std::span<const Vec3> vertices_m,
+                               std::span<const Triangle> triangles) {
+  std::vector<Vec3> places, normals;
   std::vector<std::uint32_t> names;
-  for (const RimPlace& place : loop) {
-    rim.push_back(mesh.vertices_m[place.vertex]);
-    normals.push_back(place.normal);
-    names.push_back(place.vertex);
+  for (const Hole::RimEdge& edge : rim) {
+    const Triangle& t = triangles[edge.triangle];
+    const Vec3 a = vertices_m[t[0]];
+    places.push_back(vertices_m[edge.from]);
+    normals.push_back(unit(cross(vertices_m[t[1]] - a, vertices_m[t[2]] - a)));
+    names.push_back(edge.from);
   }
-  add_triangles(rim, normals, names, mesh.triangles);
-  return mesh.triangles.size() - before;
+  std::vector<Triangle> lid;
+  add_triangles(places, normals, names, lid);
+  return lid;
 }
 
 }  // namespace
@@ -207,30 +192,40 @@ std::vector<Triangle> triangulated_hole(std::span<const Vec3> rim, std::span<con
   return triangles;
 }
 
-std::size_t close_holes(Mesh& mesh) {
-  Rim rim = rim_of(mesh);
-  std::size_t closed = 0;
-  // At each vertex as many rims end as start, so each walk along them returns to a vertex that it has
+std::vector<Hole> holes_of(std::span<const Vec3> vertices_m, std::span<const Triangle> triangles) {
+  Rim rim = rim_of(triangles);
+  std::vector<Hole> holes;
+  // At each vertex as many edges end as start, so each walk along them returns to a vertex that it has
   // visited.
   while (!rim.empty()) {
-    std::vector<RimPlace> way{{rim.begin()->first, {}}};
-    for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find(way.back().vertex)) {
-      const RimEdge next = edge->second;
-      way.back().normal = normal_of(mesh, next.triangle);
+    const std::uint32_t surface = rim.begin()->first.first;
+    std::vector<Hole::RimEdge> way;
+    for (auto edge = rim.begin(); edge != rim.end(); edge = rim.find({surface, way.back().to})) {
+      const Hole::RimEdge next = edge->second;
       rim.erase(edge);
-      const auto before = std::find_if(way.begin(), way.end(),
-                                       [&](const RimPlace& place) { return place.vertex == next.to; });
-      if (before == way.end()) {
-        way.push_back({next.to, {}});
-        continue;
-      }
-      const auto length = static_cast<std::size_t>(way.end() - before);
+      way.push_back(next);
+      const auto first = std::find_if(way.begin(), way.end(),
+                                      [&](const Hole::RimEdge& before) { return before.from == next.to; });
+      if (first == way.end()) continue;
       // Slits without an area, where one edge meets several in a row, are not holes.
-      if (length >= 3 && close(mesh, std::span<const RimPlace>(way).last(length)) > 0) ++closed;
-      way.erase(before + 1, way.end());
+      if (way.end() - first >= 3) {
+        Hole hole{{first, way.end()}, {}};
+        hole.lid = lid_over(hole.rim, vertices_m, triangles);
+        if (!hole.lid.empty()) holes.push_back(std::move(hole));
+      }
+      way.erase(first, way.end());
+      if (way.empty()) break;
     }
   }
-  return closed;
+  return holes;
 }
+
+std::size_t add_lids(Mesh& mesh, std::span<const Hole> holes) {
+  for (const Hole& hole : holes)
+    mesh.triangles.insert(mesh.triangles.end(), hole.lid.begin(), hole.lid.end());
+  return holes.size();
+}
+
+std::size_t close_holes(Mesh& mesh) { return add_lids(mesh, holes_of(mesh.vertices_m, mesh.triangles)); }
 
 }  // namespace palpable::sculpt

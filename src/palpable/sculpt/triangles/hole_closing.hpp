@@ -12,9 +12,28 @@
 
 namespace palpable::sculpt {
 
-/// Closes each hole by triangles between the vertices of its rim (triangulated_hole()). A rim is a loop of
-/// edges with more triangles in one direction than in the other; where bodies share walls, their common rim
-/// is closed. The new triangles are appended. Returns the number of holes.
+/// A hole in a surface. Its rim is a loop of edges with more triangles in one direction than in the other,
+/// so that a wall that bodies share is no hole.
+struct Hole {
+  struct RimEdge {
+    std::uint32_t from = 0, to = 0;
+    /// The triangle that the edge belongs to.
+    std::uint32_t triangle = 0;
+  };
+  std::vector<RimEdge> rim;
+  /// The triangles that close it, between the vertices of its rim (triangulated_hole()); at least one.
+  std::vector<std::array<std::uint32_t, 3>> lid;
+};
+
+/// The holes of the surface that these triangles form. Triangles that are not connected across edges have
+/// holes of their own, though they may share vertices.
+std::vector<Hole> holes_of(std::span<const Vec3> vertices_m,
+                           std::span<const std::array<std::uint32_t, 3>> triangles);
+
+/// Appends the lids of a mesh's holes. Returns their number.
+std::size_t add_lids(Mesh& mesh, std::span<const Hole> holes);
+
+/// The same with all holes of the mesh.
 std::size_t close_holes(Mesh& mesh);
 
 /// Triangles that close a hole without new vertices, as indices into its rim: of all triangulations without a

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
 
+#include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
@@ -25,10 +26,6 @@ struct PlaceHash {
     return static_cast<std::size_t>(hash ^ hash >> 29U);
   }
 };
-
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32U | std::max(a, b);
-}
 
 void turn(Triangle& t) { std::swap(t[1], t[2]); }
 
@@ -60,9 +57,42 @@ std::vector<Triangle> neighbours_of(const Mesh& mesh) {
   return neighbours;
 }
 
-/// Whether more of a part's front than of its back faces the solid, by the parity of rays.
-bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
-                   double lift_m, std::mt19937_64& random) {
+constexpr int kRays = 41;
+
+/// The volume that a part encloses: positive if it faces outwards, 0 if it is so open that its sign is not
+/// certain. Its lids could contribute at most their total area vector times the part's radius.
+double certain_volume_m3(const Mesh& mesh, const std::vector<std::uint32_t>& part) {
+  Vec3 sum, centre;
+  double area = 0.0;
+  const auto corners = [&](std::uint32_t i) {
+    const Triangle& t = mesh.triangles[i];
+    return std::array{mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]};
+  };
+  for (const std::uint32_t i : part) {
+    const auto c = corners(i);
+    const Vec3 own = 0.5 * cross(c[1] - c[0], c[2] - c[0]);
+    sum += own;
+    area += norm(own);
+    centre += (norm(own) / 3.0) * (c[0] + c[1] + c[2]);
+  }
+  centre = centre / area;
+  double volume = 0.0, radius2 = 0.0;
+  for (const std::uint32_t i : part) {
+    const auto c = corners(i);
+    const Vec3 a = c[0] - centre, b = c[1] - centre, d = c[2] - centre;
+    volume += dot(a, cross(b, d)) / 6.0;
+    radius2 = std::max({radius2, squared_norm(a), squared_norm(b), squared_norm(d)});
+  }
+  // Sheets of two faces enclose nothing but rounding errors.
+  constexpr double kFlat = 1e-9;
+  const double radius = std::sqrt(radius2);
+  return std::abs(volume) > (norm(sum) / 3.0 + kFlat * area) * radius ? volume : 0.0;
+}
+
+/// From how many of kRays places more of a part's front than of its back faces the solid, by the parity of
+/// rays, minus the number of the opposite.
+int inward_votes(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
+                 double lift_m, std::mt19937_64& random) {
   std::vector<double> area_until(part.size());
   double area = 0.0;
   for (std::size_t i = 0; i < part.size(); ++i) {
@@ -71,7 +101,6 @@ bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, con
     area += norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
     area_until[i] = area;
   }
-  constexpr int kRays = 41;
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   std::normal_distribution<double> normal;
   int inwards = 0;
@@ -90,7 +119,19 @@ bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, con
     const int back = tree.crossings(place - lift_m * n, -direction);
     inwards += front % 2 - back % 2;
   }
-  return inwards > 0;
+  return inwards;
+}
+
+/// Whether a part is to be turned. Where bodies overlap, rays are ambiguous: then the volume that a part
+/// encloses decides. Only if all rays agree, a part is the wall of a cavity.
+bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
+                   double lift_m, std::mt19937_64& random) {
+  const int inwards = inward_votes(mesh, part, tree, lift_m, random);
+  const double volume_m3 = certain_volume_m3(mesh, part);
+  // A ray through an edge may be counted wrongly.
+  constexpr int kAll = kRays - 2;
+  if (std::abs(inwards) >= kAll || volume_m3 == 0.0) return inwards > 0;
+  return volume_m3 < 0.0;
 }
 
 }  // namespace

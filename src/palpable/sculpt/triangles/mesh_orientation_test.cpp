@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -42,6 +43,26 @@ TEST(MeshOrientation, OrientsWallsSharedByHousesByTheirEdges) {
       EXPECT_NEAR(tree.winding({kSide_m * (k + 0.4), 0.4 * kSide_m, 0.4 * kSide_m}), 1.0, 0.02)
           << "house " << k << " with seed " << seed;
     EXPECT_NEAR(tree.winding({kSide_m * 2.4, 0.4 * kSide_m, 1.1 * kSide_m}), 0.0, 0.02);
+  }
+}
+
+TEST(MeshOrientation, TurnsOverlappingBodiesOutwardsAndKeepsCavities) {
+  // Four fifths of the small box are in the large one, where rays from it cross an even number of walls.
+  const Mesh large = box_mesh({0.0, 0.0, 0.0}, {0.02, 0.02, 0.02});
+  Mesh small = box_mesh({0.0121, 0.005, 0.005}, {0.0221, 0.015, 0.015});
+  Mesh cavity = box_mesh({0.004, 0.004, 0.004}, {0.006, 0.006, 0.006});
+  for (auto& t : cavity.triangles) std::swap(t[1], t[2]);
+  for (const bool reversed : {false, true}) {
+    for (auto& t : small.triangles)
+      if (reversed) std::swap(t[1], t[2]);
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      Mesh mesh = together(together(large, small), cavity);
+      EXPECT_EQ(orient_outwards(mesh, seed), reversed ? 1U : 0U) << seed;
+      const TriangleTree tree(mesh);
+      EXPECT_NEAR(tree.winding({0.021, 0.01, 0.01}), 1.0, 0.02) << seed;
+      EXPECT_NEAR(tree.winding({0.015, 0.01, 0.01}), 2.0, 0.02) << seed;
+      EXPECT_NEAR(tree.winding({0.005, 0.005, 0.005}), 0.0, 0.02) << seed;
+    }
   }
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/triangles/placement.hpp"
 
+#include "palpable/sculpt/solid/test_solids.hpp"
+
 #include <cmath>
 #include <utility>
 
@@ -82,6 +84,42 @@ TEST(Placement, LaysAMapFlatWithNorthUpwards) {
     EXPECT_EQ(placement->lay, Lay::flat);
     expect_near(placed(*placement, p), {0.05, -0.05, 0.004});
   }
+}
+
+/// A plate of 100 x 80 x 4 mm with three towers on it, y up: the city of a toy.
+Mesh small_city() {
+  Mesh city = box_mesh({-0.05, -0.002, -0.04}, {0.05, 0.002, 0.04});
+  city = together(std::move(city), box_mesh({-0.035, 0.002, -0.025}, {-0.025, 0.032, -0.015}));
+  city = together(std::move(city), box_mesh({0.01, 0.002, 0.01}, {0.03, 0.014, 0.03}));
+  return together(std::move(city), box_mesh({0.026, 0.002, -0.029}, {0.034, 0.022, -0.021}));
+}
+
+TEST(Placement, LaysACityOfAHandsSizeFlatAndKeepsItsMetres) {
+  const Mesh city = small_city();
+  const double level = level_share(city, AxisDirection::plus_y);
+  EXPECT_NEAR(level, 0.79, 0.02);
+  const auto placement = placement_of(bounds_of(city), with_up(AxisDirection::plus_y), level);
+  ASSERT_TRUE(placement);
+  EXPECT_EQ(placement->lay, Lay::flat);
+  EXPECT_TRUE(placement->moved);
+  EXPECT_NEAR(placement->scene_from_input.scale, 1.0, 1e-12);
+  // The top of the tallest tower, and the plate's near left corner below it.
+  expect_near(placed(*placement, {-0.03, 0.032, -0.02}), {-0.03, 0.02, 0.034});
+  expect_near(placed(*placement, {-0.05, -0.002, 0.04}), {-0.05, -0.04, 0.0});
+  // Asked for, it stands upright.
+  PlacementOptions upright = with_up(AxisDirection::plus_y);
+  upright.lay = Lay::upright;
+  EXPECT_EQ(placement_of(bounds_of(city), upright, level)->lay, Lay::upright);
+}
+
+TEST(Placement, KeepsALowSolidThatIsNotLevelUpright) {
+  // As low as the city, but a third of a cube's surface is level.
+  const Box box{{-0.05, -0.018, -0.04}, {0.05, 0.018, 0.04}};
+  EXPECT_EQ(placement_of(box, with_up(AxisDirection::plus_y), 0.33)->lay, Lay::upright);
+  EXPECT_NEAR(level_share(box_mesh({0, 0, 0}, {1, 1, 1}), AxisDirection::plus_z), 1.0 / 3.0, 1e-12);
+  // A table of 100 x 100 x 70 mm is level, and high.
+  EXPECT_EQ(placement_of({{-0.05, 0.0, -0.05}, {0.05, 0.07, 0.05}}, with_up(AxisDirection::plus_y), 0.9)->lay,
+            Lay::upright);
 }
 
 TEST(Placement, ObeysItsOptions) {

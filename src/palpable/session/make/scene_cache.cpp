@@ -45,12 +45,14 @@ std::string text_of(const Mesh& mesh) {
 
 /// All members are named, so that a new one cannot be forgotten in the key (the compiler reports it).
 std::string text_of(const sculpt::PlacementOptions& placement) {
-  const auto& [size, default_size, up, lay, convention] = placement;
+  const auto& [size, default_size, up, lay, convention, plate_height, map_height, map_level, least_side_m,
+               most_side_m, most_off_centre] = placement;
   const auto& [convention_up, unit] = convention;
   const std::string box = size ? fmt::format("{:a} {:a} {:a}", size->x, size->y, size->z) : "none";
-  return fmt::format("{}; {}; {}; {}; {}; {}", box, static_cast<int>(default_size),
-                     up ? static_cast<int>(*up) : -1, static_cast<int>(lay), static_cast<int>(convention_up),
-                     static_cast<int>(unit));
+  return fmt::format("{}; {}; {}; {}; {}; {}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}", box,
+                     static_cast<int>(default_size), up ? static_cast<int>(*up) : -1, static_cast<int>(lay),
+                     static_cast<int>(convention_up), static_cast<int>(unit), plate_height, map_height,
+                     map_level, least_side_m, most_side_m, most_off_centre);
 }
 std::string text_of(const sculpt::FieldOptions& field) {
   // The memory limit decides whether there is a field, not its content.
@@ -58,14 +60,25 @@ std::string text_of(const sculpt::FieldOptions& field) {
   static_cast<void>(most_bytes);
   return fmt::format("{}; {:a}; {:a}; {:a}", resolution, max_error_m, inside_m, outside_m);
 }
+std::string text_of(const sculpt::WallOptions& walls) {
+  // Up follows from the placement.
+  const auto& [least_cells, ground_height, ground_facing, ground_beyond, opposite_cosine, least_lack,
+               least_piece_cells, most_piece_cells, up] = walls;
+  static_cast<void>(up);
+  return fmt::format("{:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}", least_cells, ground_height,
+                     ground_facing, ground_beyond, opposite_cosine, least_lack, least_piece_cells,
+                     most_piece_cells);
+}
+std::string text_of(const sculpt::OpenSheetOptions& sheets) {
+  const auto& [most_tall_lids, most_sharp_lids, sharp_angle_deg, most_lids] = sheets;
+  return fmt::format("{:a}; {:a}; {:a}; {:a}", most_tall_lids, most_sharp_lids, sharp_angle_deg, most_lids);
+}
 std::string text_of(const recipes::FieldRecipe& recipe) {
   // Point clouds are not meshes.
-  const auto& [placement, field, storage, walls, cloud] = recipe;
-  // Up follows from the placement.
-  const auto& [least_cells, ground_facing, ground_beyond, up] = walls;
+  const auto& [placement, field, storage, walls, sheets, cloud] = recipe;
   static_cast<void>(cloud);
-  return fmt::format("{}; {}; {}; {:a}; {:a}; {:a}", text_of(placement), text_of(field),
-                     static_cast<int>(storage), least_cells, ground_facing, ground_beyond);
+  return fmt::format("{}; {}; {}; {}; {}", text_of(placement), text_of(field), static_cast<int>(storage),
+                     text_of(walls), text_of(sheets));
 }
 
 /// The size and time of the running program's file.

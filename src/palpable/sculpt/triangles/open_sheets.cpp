@@ -1,0 +1,223 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sculpt/triangles/open_sheets.hpp"
+
+#include "palpable/core/check.hpp"
+#include "palpable/sculpt/triangles/mesh_edges.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace palpable::sculpt {
+namespace {
+
+using IndexTriple = std::array<std::uint32_t, 3>;
+
+/// Twice a triangle's area, along its normal.
+Vec3 doubled_area(std::span<const Vec3> vertices_m, const IndexTriple& t) {
+  const Vec3 a = vertices_m[t[0]];
+  return cross(vertices_m[t[1]] - a, vertices_m[t[2]] - a);
+}
+
+/// The part of a mesh that is still to be judged.
+class Candidates {
+ public:
+  /// `chosen`: indices of the mesh's triangles.
+  Candidates(const Mesh& mesh, std::vector<std::uint32_t> chosen) : mesh_(mesh), chosen_(std::move(chosen)) {
+    triangles_.reserve(chosen_.size());
+    for (const std::uint32_t t : chosen_) triangles_.push_back(mesh.triangles[t]);
+  }
+  std::vector<Hole> holes() const { return holes_of(mesh_.vertices_m, triangles_); }
+
+  /// Marks the triangles of sheets. Returns the rest of the surfaces that they were part of.
+  std::vector<std::uint32_t> remove_sheets(std::span<const Hole> holes, const OpenSheetOptions& options,
+                                           std::vector<char>& is_sheet) {
+    connect();
+    std::map<std::uint32_t, std::vector<const Hole*>> of_surface;
+    for (const Hole& hole : holes) of_surface[surface_[hole.rim.front().triangle]].push_back(&hole);
+    std::vector<char> is_removed(triangles_.size()), is_changed(triangles_.size());
+    for (const auto& [surface, own] : of_surface)
+      for (const Hole* hole : outlines_among(surface, own, options))
+        for (const Hole::RimEdge& edge : hole->rim) {
+          if (closed_[part_[edge.triangle]] != 0) continue;
+          is_removed[part_[edge.triangle]] = 1;
+          is_changed[surface] = 1;
+        }
+    std::vector<std::uint32_t> rest;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (is_removed[part_[t]] != 0)
+        is_sheet[chosen_[t]] = 1;
+      else if (is_changed[surface_[t]] != 0 && closed_[part_[t]] == 0)
+        rest.push_back(chosen_[t]);
+    }
+    return rest;
+  }
+
+ private:
+  /// A lid as seen along its mean normal.
+  struct Lid {
+    const Hole* hole = nullptr;
+    double area_m2 = 0.0;
+    Vec3 normal;
+    /// Height of the rim as a share of that of the surface.
+    double height = 0.0;
+    /// Mean cosine between the normals of lid and surface along the rim.
+    double facing = 0.0;
+  };
+
+  /// Surfaces consist of parts, which meet at edges of more than two triangles.
+  void connect() {
+    const std::vector<EdgeUse> uses = edge_uses(triangles_);
+    surface_ = connected_by_edges(triangles_.size(), uses);
+    DisjointSets parts(triangles_.size());
+    visit_edges(uses, [&](std::span<const EdgeUse> edge) {
+      if (edge.size() == 2) parts.join(edge[0].triangle, edge[1].triangle);
+    });
+    part_ = parts.firsts();
+    // A part is closed if it uses each of its edges as often in one direction as in the other.
+    closed_.assign(triangles_.size(), 1);
+    std::vector<std::pair<std::uint32_t, int>> of_parts;
+    visit_edges(uses, [&](std::span<const EdgeUse> edge) {
+      of_parts.clear();
+      for (const EdgeUse& use : edge) of_parts.emplace_back(part_[use.triangle], use.step);
+      std::sort(of_parts.begin(), of_parts.end());
+      for (std::size_t i = 0, end = 0; i < of_parts.size(); i = end) {
+        int sum = 0;
+        for (; end < of_parts.size() && of_parts[end].first == of_parts[i].first; ++end)
+          sum += of_parts[end].second;
+        if (sum != 0) closed_[of_parts[i].first] = 0;
+      }
+    });
+  }
+
+  /// The holes of a surface that are the outlines of sheets.
+  std::vector<const Hole*> outlines_among(std::uint32_t surface, std::span<const Hole* const> holes,
+                                          const OpenSheetOptions& options) const {
+    double area_m2 = 0.0;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      if (surface_[t] == surface && closed_[part_[t]] == 0)
+        area_m2 += 0.5 * norm(doubled_area(mesh_.vertices_m, triangles_[t]));
+    std::vector<Lid> lids;
+    double all_m2 = 0.0;
+    for (const Hole* hole : holes) {
+      lids.push_back(lid_of(*hole));
+      all_m2 += lids.back().area_m2;
+    }
+    if (all_m2 <= std::min(options.most_tall_lids, options.most_sharp_lids) * area_m2) return {};
+    // Many small holes would take long, and cannot be outlines.
+    constexpr double kSmall = 0.01;
+    std::erase_if(lids, [&](const Lid& lid) { return lid.area_m2 < kSmall * area_m2; });
+    double tall_m2 = 0.0, sharp_m2 = 0.0;
+    const double sharp = -std::cos(options.sharp_angle_deg * std::numbers::pi / 180.0);
+    for (Lid& lid : lids) {
+      lid.height = height_share(lid, surface);
+      tall_m2 += lid.area_m2 * lid.height;
+      if (lid.facing < sharp) sharp_m2 += lid.area_m2;
+    }
+    const bool is_all = all_m2 > options.most_lids * area_m2,
+               is_sharp = sharp_m2 > options.most_sharp_lids * area_m2,
+               is_tall = tall_m2 > options.most_tall_lids * area_m2;
+    std::vector<const Hole*> outlines;
+    // Of several tall holes those are outlines whose rims reach through at least this share of the height.
+    constexpr double kTall = 0.25;
+    for (const Lid& lid : lids)
+      if (is_all || (is_sharp && lid.facing < sharp) || (is_tall && lid.height > kTall))
+        outlines.push_back(lid.hole);
+    return outlines;
+  }
+
+  Lid lid_of(const Hole& hole) const {
+    Lid lid;
+    lid.hole = &hole;
+    Vec3 sum;
+    for (const IndexTriple& t : hole.lid) {
+      const Vec3 doubled = doubled_area(mesh_.vertices_m, t);
+      sum += 0.5 * doubled;
+      lid.area_m2 += 0.5 * norm(doubled);
+    }
+    constexpr double kTwisted = 1e-6;
+    if (norm(sum) > kTwisted * lid.area_m2) lid.normal = unit(sum);
+    double length_m = 0.0;
+    for (const Hole::RimEdge& edge : hole.rim) {
+      const double here_m = norm(mesh_.vertices_m[edge.to] - mesh_.vertices_m[edge.from]);
+      lid.facing += here_m * dot(lid.normal, unit(doubled_area(mesh_.vertices_m, triangles_[edge.triangle])));
+      length_m += here_m;
+    }
+    if (length_m > 0.0) lid.facing /= length_m;
+    return lid;
+  }
+
+  double height_share(const Lid& lid, std::uint32_t surface) const {
+    if (squared_norm(lid.normal) == 0.0) return 1.0;
+    struct Range {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      void add(double v) { least = std::min(least, v), most = std::max(most, v); }
+    };
+    Range rim, all;
+    for (const Hole::RimEdge& edge : lid.hole->rim) rim.add(dot(lid.normal, mesh_.vertices_m[edge.from]));
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      if (surface_[t] == surface && closed_[part_[t]] == 0)
+        for (const std::uint32_t v : triangles_[t]) all.add(dot(lid.normal, mesh_.vertices_m[v]));
+    return all.most > all.least ? (rim.most - rim.least) / (all.most - all.least) : 0.0;
+  }
+
+  const Mesh& mesh_;
+  std::vector<std::uint32_t> chosen_;
+  std::vector<IndexTriple> triangles_;
+  /// For each triangle the first one of its surface and of its part; and for a part's first triangle whether
+  /// the part is closed.
+  std::vector<std::uint32_t> surface_, part_;
+  std::vector<char> closed_;
+};
+
+}  // namespace
+
+std::vector<Parameter> parameters_of(OpenSheetOptions& o) {
+  return {
+      {"most_tall_lids", &o.most_tall_lids, {0.0, 10.0}, "", "greatest share of tall lids in a body's area"},
+      {"most_sharp_lids",
+       &o.most_sharp_lids,
+       {0.0, 10.0},
+       "",
+       "greatest share of lids at sharp angles in a body's area"},
+      {"sharp_angle_deg",
+       &o.sharp_angle_deg,
+       {0.0, 180.0},
+       "degrees",
+       "angle between lid and surface below which it is sharp"},
+      {"most_lids", &o.most_lids, {0.0, 10.0}, "", "greatest share of all lids in a body's area"}};
+}
+
+OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, const OpenSheetOptions& options) {
+  PALPABLE_CHECK(check_ranges(options));
+  OpenSheets sheets;
+  if (holes.empty()) return sheets;
+  const std::size_t count = mesh.triangles.size();
+  std::vector<char> is_sheet(count);
+  std::vector<std::uint32_t> all(count);
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint32_t> rest = Candidates(mesh, std::move(all)).remove_sheets(holes, options, is_sheet);
+  // Each round removes at least one part.
+  while (!rest.empty()) {
+    Candidates candidates(mesh, std::move(rest));
+    rest = candidates.remove_sheets(candidates.holes(), options, is_sheet);
+  }
+  std::vector<std::uint32_t> chosen;
+  std::vector<IndexTriple> triangles;
+  for (std::uint32_t t = 0; t < count; ++t)
+    if (is_sheet[t] != 0) chosen.push_back(t), triangles.push_back(mesh.triangles[t]);
+  if (chosen.empty()) return sheets;
+  const auto first = connected_by_edges(triangles.size(), edge_uses(triangles));
+  sheets.of_triangle.assign(count, OpenSheets::kNone);
+  for (std::uint32_t i = 0; i < chosen.size(); ++i)
+    sheets.of_triangle[chosen[i]] =
+        first[i] == i ? static_cast<std::uint32_t>(sheets.count++) : sheets.of_triangle[chosen[first[i]]];
+  return sheets;
+}
+
+}  // namespace palpable::sculpt
