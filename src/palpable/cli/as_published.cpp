@@ -83,9 +83,10 @@ LawParameters printed_tracing() {
 const std::array<Published, 5> kPublished{
     Published{
         "shi", point(Law::sobel), 500.0,
-        "The paper does not state the height: it is 15 mm. The half percent of the wildest disparities is "
-        "held at the ends of the range, and holes are closed. The force image is half the size of the "
-        "pictures, as in the paper.",
+        "The paper does not state the height: it is 15 mm. Of a pair of pictures, the half percent of the "
+        "wildest disparities is held at the ends of the range, and holes are closed; other inputs have no "
+        "disparity, so their heights are used. The force image has half the relief's resolution, as in the "
+        "paper.",
         session::MakeAs::relief, make_as_shi},
     Published{
         "park", point(Law::grid), std::nullopt,

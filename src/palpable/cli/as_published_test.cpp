@@ -43,6 +43,8 @@ TEST(AsPublished, ShiConvolvesTheDisparityOfTheScanlineMethod) {
   EXPECT_EQ(felt_as("shi").law, haptics::Law::sobel);
   EXPECT_EQ(paper("shi").rate_hz, 500.0);
   EXPECT_TRUE(notes("shi", "does not state the height"));
+  EXPECT_TRUE(notes("shi", "Of a pair of pictures"));
+  EXPECT_TRUE(notes("shi", "their heights are used"));
 }
 
 TEST(AsPublished, ParkProjectsTheSceneWithoutGroundAndBackground) {

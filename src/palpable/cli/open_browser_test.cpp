@@ -5,14 +5,14 @@
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
-#include <thread>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace palpable::cli {
@@ -30,12 +30,10 @@ TEST(OpenBrowser, WritesARedirectThatOnlyThisUserReads) {
   fs::remove(file);
 }
 
-/// The arguments that the browser program received, one per line, after it has run.
-std::string given_to(const fs::path& file) {
-  while (!fs::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  const auto text = read_file(file);
-  EXPECT_TRUE(text);
-  return std::string(as_text(*text));
+/// What a program writes into a FIFO until it closes it.
+std::string text_through(const fs::path& fifo) {
+  std::ifstream in(fifo);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(OpenBrowser, GivesTheBrowserNeitherTheTokenNorADescriptor) {
@@ -43,16 +41,16 @@ TEST(OpenBrowser, GivesTheBrowserNeitherTheTokenNorADescriptor) {
   fs::remove_all(folder);
   fs::create_directories(folder);
   const fs::path program = folder / "xdg-open", seen = folder / "seen";
-  std::ofstream(program) << "#!/bin/sh\n{ echo \"$@\"; ls /proc/$$/fd; } > " << seen.string() << ".part\nmv "
-                         << seen.string() << ".part " << seen.string() << "\n";
+  std::ofstream(program) << "#!/bin/sh\n{ echo \"$@\"; ls /proc/$$/fd; } > " << seen.string() << "\n";
   fs::permissions(program, fs::perms::owner_all);
+  ASSERT_EQ(mkfifo(seen.c_str(), S_IRUSR | S_IWUSR), 0);
   ASSERT_EQ(setenv("PATH", (folder.string() + ":" + std::getenv("PATH")).c_str(), 1), 0);
   ASSERT_EQ(setenv("DISPLAY", ":0", 1), 0);
   // Open and without close-on-exec, like the page's port.
   constexpr int kPort = 200;
   ASSERT_EQ(dup2(STDERR_FILENO, kPort), kPort);
   const OpenedBrowser browser("http://127.0.0.1:4711/#token");
-  const std::string given = given_to(seen);
+  const std::string given = text_through(seen);
   close(kPort);
   EXPECT_NE(given.find(".html"), std::string::npos);
   EXPECT_EQ(given.find("token"), std::string::npos);

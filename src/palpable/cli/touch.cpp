@@ -12,6 +12,7 @@
 #include "palpable/haptics/safety/zero_force.hpp"
 #include "palpable/haptics/servo/kept_rate.hpp"
 #include "palpable/haptics/servo/pacing.hpp"
+#include "palpable/haptics/servo/signal_thread.hpp"
 #include "palpable/page/server.hpp"
 #include "palpable/page/touch_host.hpp"
 #include "palpable/session/touch/headless.hpp"
@@ -361,9 +362,13 @@ Result<Answer> touch(TouchArguments arguments, Console& console) {
             haptics::check_kept(haptics::measure_rate(servo.rate_hz, kMeasure_s, servo.realtime_priority));
         !kept)
       return kept.error();
-  if (arguments.keys) return touch_with_keys(arguments, plan, console);
-  return arguments.headless ? touch_without_page(arguments, plan, console)
-                            : touch_with_page(arguments, plan, console);
+  const auto run = arguments.keys       ? touch_with_keys
+                   : arguments.headless ? touch_without_page
+                                        : touch_with_page;
+  std::optional<Result<Answer>> answer;
+  haptics::run_beside_signals(servo.realtime_priority - 1,
+                              [&] { answer.emplace(run(arguments, plan, console)); });
+  return *std::move(answer);
 }
 
 }  // namespace

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // What comes back to a hand after a stall in contact: the touch goes on from no force inside a surface, whose
 // spring holds energy that the motors no longer do.
-#include "palpable/haptics/law/test_scenes.hpp"
+#include "palpable/haptics/law/law_making.hpp"
+#include "palpable/haptics/law/penalty.hpp"
+#include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/haptics/law/tool.hpp"
 #include "palpable/haptics/safety/limits.hpp"
 #include "palpable/haptics/safety/stability.hpp"
 #include "palpable/haptics/safety/test_hands.hpp"
 #include "palpable/haptics/servo/tick.hpp"
+#include "palpable/haptics/servo/turn.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <random>
 #include <string>
@@ -18,6 +24,11 @@
 #include <gtest/gtest.h>
 
 namespace palpable::haptics {
+
+/// Balls on a plate. It is not in an unnamed namespace, so that its read_pages() is found.
+class StalledPebbles : public Pebbles {};
+inline void read_pages(const StalledPebbles&) noexcept {}
+
 namespace {
 
 constexpr double kT_s = 0.001;
@@ -31,14 +42,18 @@ class CountedHand final : public device::Device {
 
   const device::Traits& traits() const noexcept override { return hand_.traits(); }
   device::Reading read() noexcept override { return hand_.read(); }
+  void write_torque(Vector<DeviceFrame> torque_Nm) noexcept override { written_Nm_ = torque_Nm; }
   void write(Vector<DeviceFrame> force_N) noexcept override {
     written_N_ = force_N;
-    on_the_way_.push_back(force_N.v);
-    const Vec3 acts_N = on_the_way_.front();
+    on_the_way_.push_back({force_N, written_Nm_});
+    const Motors acts = on_the_way_.front();
     on_the_way_.erase(on_the_way_.begin());
     const Vec3 before_m = hand_.true_position_m();
+    const device::Rotation before = hand_.read().rotation;
+    hand_.write_torque(written_Nm_);
     hand_.write(force_N);
-    received_J_ += dot(acts_N, hand_.true_position_m() - before_m);
+    received_J_ += dot(acts.force_N.v, hand_.true_position_m() - before_m) +
+                   dot(acts.torque_Nm, turn_between(before, hand_.read().rotation));
   }
   void stop() noexcept override { hand_.stop(); }
 
@@ -47,8 +62,8 @@ class CountedHand final : public device::Device {
     for (int n = 1; n < ticks; ++n) {
       if (n == 5) {
         hand_.cut_force();
-        written_N_ = {};
-        std::fill(on_the_way_.begin(), on_the_way_.end(), Vec3{});
+        written_N_ = written_Nm_ = {};
+        std::fill(on_the_way_.begin(), on_the_way_.end(), Motors{});
       }
       write(written_N_);
     }
@@ -58,18 +73,72 @@ class CountedHand final : public device::Device {
   Vector<DeviceFrame> written_N() const noexcept { return written_N_; }
 
  private:
+  struct Motors {
+    Vector<DeviceFrame> force_N;
+    Vector<DeviceFrame> torque_Nm;
+  };
   device::SimulatedHand hand_;
-  std::vector<Vec3> on_the_way_;
+  std::vector<Motors> on_the_way_;
   Vector<DeviceFrame> written_N_;
+  Vector<DeviceFrame> written_Nm_;
   double received_J_ = 0.0;
 };
 
+/// Makes one of two scenes with a law.
+using MakeScene = std::shared_ptr<const Touchable> (*)(const SafeContact&, unsigned seed);
+
+template <Law law, int kFrictionPercent>
+std::shared_ptr<const Touchable> on_hills(const SafeContact& safe, unsigned seed) {
+  LawParameters parameters;
+  parameters.law = law;
+  parameters.static_friction = 0.01 * kFrictionPercent;
+  parameters.stiffness_N_per_m = safe.stiffness_N_per_m;
+  parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
+  return made(scene_of(random_hills(200, 160, seed)), parameters);
+}
+
+std::shared_ptr<const Touchable> in_grooves(const SafeContact& safe, unsigned /*seed*/) {
+  Raster<float> plate(200, 160, 0.005F);
+  for (int y = 0; y < plate.height(); ++y)
+    for (int x = 0; x < plate.width(); ++x)
+      plate(x, y) -=
+          0.0001F * static_cast<float>(std::max({0, 10 - std::abs(x % 40 - 20), 10 - std::abs(y % 50 - 25)}));
+  models::Scene scene;
+  scene.model = std::make_shared<const models::Contours>(models::Contours{
+      *models::BoundaryMap::from_edges(Raster<models::BoundaryPixel>(200, 160), kPixel_m, 2.0, {}, Work{}),
+      models::relief_of(scene_of(std::move(plate)))});
+  LawParameters parameters;
+  parameters.law = Law::groove;
+  parameters.stiffness_N_per_m = safe.stiffness_N_per_m;
+  parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
+  return made(scene, parameters);
+}
+
+template <class SolidLaw>
+std::shared_ptr<const Touchable> solid_law(SolidLaw law) {
+  return std::make_shared<LawTouchable<SolidLaw>>(std::move(law), 1);
+}
+
+std::shared_ptr<const Touchable> penalty_on_balls(const SafeContact& safe, unsigned /*seed*/) {
+  return solid_law(PenaltyLaw<StalledPebbles>(
+      std::make_shared<const StalledPebbles>(),
+      MaterialMap({safe.stiffness_N_per_m, safe.damping_Ns_per_m, 0.0, 0.0}), 0.0, 0.0));
+}
+
+std::shared_ptr<const Touchable> tool_on_balls(const SafeContact& safe, unsigned /*seed*/) {
+  return solid_law(ToolLaw<StalledPebbles>(
+      std::make_shared<const StalledPebbles>(),
+      MaterialMap({safe.stiffness_N_per_m, safe.damping_Ns_per_m, 0.0, 0.0}), ToolShape{0.003, 0.0, 32}));
+}
+
 struct Stalled {
   const char* name;
-  Law law;
-  double static_friction;
+  MakeScene scene;
   /// A change of scene begins up to 5 ticks before every second stall.
-  bool scenes_change;
+  bool scenes_change = false;
+  bool has_torque = false;
+  /// Within its depth, a penalty's force says nothing of what it stores.
+  bool force_shows_energy = true;
 };
 
 /// The worst of all stalls, J.
@@ -91,13 +160,7 @@ class StalledTouch {
       : random_(seed), hand_(options) {
     const auto safe = safe_contact(hand_.traits(), options.rate_hz, 1.0, 1e5, 0.5);
     stiffness_N_per_m_ = safe.stiffness_N_per_m;
-    LawParameters parameters;
-    parameters.law = stalled.law;
-    parameters.static_friction = stalled.static_friction;
-    parameters.stiffness_N_per_m = safe.stiffness_N_per_m;
-    parameters.damping_Ns_per_m = safe.damping_Ns_per_m;
-    for (unsigned s = 0; s < 2; ++s)
-      scenes_[s].touchable = made(scene_of(random_hills(200, 160, 5 + s)), parameters);
+    for (unsigned k = 0; k < 2; ++k) scenes_[k].touchable = stalled.scene(safe, 5 + k);
     options_.passivity = Passivity::observe;
     tick_.emplace(hand_, scenes_[0], options_, events_);
   }
@@ -169,6 +232,7 @@ TEST_P(StallIn, ContactGivesNothingBackThatTheHandDidNotGive) {
     options.explorer.script = device::ExplorerOptions::Script::random;
     options.explorer.workspace_m = {0.04, 0.03, 0.03};
     options.explorer.seed = k;
+    options.has_torque = GetParam().has_torque;
     StalledTouch touch(GetParam(), options, k);
     for (int n = 0; n < 20; ++n) {
       touch.explore(std::uniform_int_distribution<int>(100, 600)(random));
@@ -176,8 +240,7 @@ TEST_P(StallIn, ContactGivesNothingBackThatTheHandDidNotGive) {
     }
     const Outcome worst = touch.worst();
     EXPECT_LE(worst.beyond_given_J, 1e-6) << "hand " << k;
-    // Within its depth, a penalty's force says nothing of what it stores.
-    if (GetParam().law != Law::penalty) {
+    if (GetParam().force_shows_energy) {
       EXPECT_LE(worst.beyond_held_J, 1e-6) << "hand " << k;
     }
     // The account forgets friction of long ago, and says a little more.
@@ -188,12 +251,16 @@ TEST_P(StallIn, ContactGivesNothingBackThatTheHandDidNotGive) {
   EXPECT_GT(in_contact, 150);
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, StallIn,
-                         testing::Values(Stalled{"proxy", Law::proxy, 0.5, false},
-                                         Stalled{"slippery_proxy", Law::proxy, 0.2, false},
-                                         Stalled{"proxy_on_changing_scenes", Law::proxy, 0.5, true},
-                                         Stalled{"penalty", Law::penalty, 0.0, false}),
-                         [](const auto& stalled) { return std::string(stalled.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Laws, StallIn,
+    testing::Values(
+        Stalled{"proxy", on_hills<Law::proxy, 50>}, Stalled{"slippery_proxy", on_hills<Law::proxy, 20>},
+        Stalled{.name = "proxy_on_changing_scenes", .scene = on_hills<Law::proxy, 50>, .scenes_change = true},
+        Stalled{.name = "penalty", .scene = on_hills<Law::penalty, 0>, .force_shows_energy = false},
+        Stalled{"groove", in_grooves},
+        Stalled{.name = "penalty_on_a_field", .scene = penalty_on_balls, .force_shows_energy = false},
+        Stalled{.name = "tool", .scene = tool_on_balls, .has_torque = true, .force_shows_energy = false}),
+    [](const auto& stalled) { return std::string(stalled.param.name); });
 
 }  // namespace
 }  // namespace palpable::haptics
