@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rendered_video.hpp"
 
+#include "palpable/vision/motion/printed_marker.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,6 +58,8 @@ RenderedVideo::RenderedVideo(std::uint32_t seed, int frames) : seed_(seed), fram
   conditions_ = conditions_of(random);
   model_ = table_model(random, texture_of(seed));
 }
+
+void RenderedVideo::add_marker(int side_mm) { lay_marker(model_, vision::marker_cells(side_mm), side_mm / 1000.0); }
 
 std::string RenderedVideo::description() const {
   constexpr std::array kPaths{"arc", "sweep", "spiral"};

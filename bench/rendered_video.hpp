@@ -37,6 +37,9 @@ class RenderedVideo {
  public:
   explicit RenderedVideo(std::uint32_t seed, int frames = 60);
 
+  /// Lays a printed marker on the board (vision::marker_cells()).
+  void add_marker(int side_mm);
+
   int frames() const { return frames_; }
   const Pinhole& camera() const { return camera_; }
   const VideoConditions& conditions() const { return conditions_; }

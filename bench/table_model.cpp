@@ -10,6 +10,9 @@
 namespace palpable::bench {
 namespace {
 
+// Of the bodies the table is the first, the board the second.
+constexpr std::size_t kBoard = 1;
+
 constexpr double kFar = 1e9;
 
 // The part of a ray inside a body so far: begin at `normal`, end.
@@ -146,9 +149,40 @@ Colour TableModel::colour_at(const ModelHit& hit, Vec3 place) const {
   const bool up = std::abs(n.z) >= std::abs(n.x) && std::abs(n.z) >= std::abs(n.y);
   const double u = up ? p.x : std::abs(n.x) > std::abs(n.y) ? p.y : p.x, v = up ? p.y : p.z;
   Colour colour = bodies[hit.body].texture.at(u, v);
+  if (marker && hit.body == kBoard && up) colour = marker->at(place).value_or(colour);
   const double light = 0.55 + 0.45 * std::max(0.0, dot(n, sun));
   for (double& c : colour) c *= light;
   return colour;
+}
+
+std::optional<Colour> ModelMarker::at(Vec3 place) const {
+  const double cell = side_m / cells.width();
+  const double x = (place.x - centre_m.x + side_m / 2) / cell, y = (centre_m.y + side_m / 2 - place.y) / cell;
+  if (x < -1 || y < -1 || x >= cells.width() + 1 || y >= cells.height() + 1) return std::nullopt;
+  const bool inside = x >= 0 && y >= 0 && x < cells.width() && y < cells.height();
+  const bool white = !inside || cells(static_cast<int>(x), static_cast<int>(y)) != 0;
+  return white ? Colour{0.92, 0.92, 0.92} : Colour{0.06, 0.06, 0.06};
+}
+
+void lay_marker(TableModel& model, Raster<std::uint8_t> cells, double side_m) {
+  double most_x = 0.0, most_y = 0.0;
+  for (const HalfSpace& side : model.bodies[kBoard].sides) {
+    if (side.normal.x > 0.9) most_x = side.offset_m;
+    if (side.normal.y > 0.9) most_y = side.offset_m;
+  }
+  const double inset = side_m * (0.5 + 1.2 / cells.width());
+  Vec3 best;
+  double farthest = -1.0;
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0}) {
+      const Vec3 corner{x * (most_x - inset), y * (most_y - inset), 0};
+      double nearest = 10.0;
+      for (std::size_t i = kBoard + 1; i < model.bodies.size(); ++i)
+        nearest =
+            std::min(nearest, norm(model.bodies[i].bound_centre_m - corner) - model.bodies[i].bound_radius_m);
+      if (nearest > farthest) farthest = nearest, best = corner;
+    }
+  model.marker = ModelMarker{std::move(cells), best, side_m};
 }
 
 TableModel table_model(Random& random, double texture) {

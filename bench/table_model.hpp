@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/core/raster.hpp"
 #include "palpable/core/vec3.hpp"
 
 #include <array>
@@ -42,9 +43,22 @@ struct ModelHit {
   std::size_t body = 0;
 };
 
+/// A printed marker on the board, x to the right and y to the back: a sheet whose white margin is one cell
+/// wide.
+struct ModelMarker {
+  /// White = 1.
+  Raster<std::uint8_t> cells;
+  Vec3 centre_m;
+  double side_m = 0.0;
+
+  /// The colour of the sheet at a place of the board; nothing beside it.
+  std::optional<Colour> at(Vec3 place) const;
+};
+
 struct TableModel {
   std::vector<Body> bodies;
   Vec3 sun;
+  std::optional<ModelMarker> marker;
 
   /// `direction` has length 1. Empty where the ray meets nothing.
   std::optional<ModelHit> first_hit(Vec3 origin, Vec3 direction) const;
@@ -55,5 +69,8 @@ struct TableModel {
 /// A board and three to nine boxes, gabled houses, cylinders, pyramids and domes on it, on a table. `texture`
 /// from 0 (hardly any) to 1 (rich). Deterministic.
 TableModel table_model(Random& random, double texture);
+
+/// Lays a marker on the corner of the board that is farthest from all bodies.
+void lay_marker(TableModel& model, Raster<std::uint8_t> cells, double side_m);
 
 }  // namespace palpable::bench

@@ -3,7 +3,9 @@
 #include "palpable/core/quantile.hpp"
 #include "palpable/formats/picture/picture.hpp"
 #include "palpable/measure/camera_path_score.hpp"
+#include "palpable/models/field/superquadric.hpp"
 #include "palpable/vision/image/luma.hpp"
+#include "palpable/vision/motion/marker_scale.hpp"
 #include "palpable/vision/motion/video_depth.hpp"
 
 #include <charconv>
@@ -11,6 +13,8 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,10 +25,11 @@
 // Structure, motion and depth of rendered videos (rendered_video.hpp) with their exact truth:
 //
 //   palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] [--set NAME=VALUE]…
-//                      [--write FOLDER]
+//                      [--marker MM] [--write FOLDER]
 //
 // Names are those of `palpable make --set video.…`: tracks.…, motion.…, depth.… --write writes the frames,
-// the truth of some depth maps in millimetres, and nothing else.
+// poses.csv in metres, and intrinsics.json. --marker lays a printed marker of this side on the board, and the
+// table then states the error of the scale that follows from it.
 namespace palpable::bench {
 namespace {
 
@@ -35,6 +40,8 @@ struct Arguments {
   int seeds = 12, first = 1, frames = 60;
   unsigned threads = 2;
   bool depth = true;
+  /// Side of a printed marker on the board; 0 = none.
+  int marker_mm = 0;
   std::string folder;
   vision::TrackOptions tracks;
   vision::BatchMotionOptions motion;
@@ -46,6 +53,8 @@ struct Figures {
   double position_percent = 0, rotation_deg = 0, reprojection_px = 0;
   double known = 0, good_of_known = 0, good_of_all = 0;
   double seconds = 0;
+  /// Error of the scale that a marker gives, %; NaN without a marker.
+  double scale_error_percent = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct PathErrors {
@@ -110,6 +119,9 @@ Result<Figures> run(const RenderedVideo& video, const Arguments& arguments, cons
   const auto path = path_errors(*motion, video);
   if (!path) return path.error();
   Figures out = path->figures;
+  if (arguments.marker_mm > 0)
+    if (const auto scale = vision::scale_from_markers(greys, *motion, {}, work))
+      out.scale_error_percent = 100 * (scale->metres_per_unit / path->scale - 1);
   if (arguments.depth) {
     std::vector<const Raster<Rgb8>*> views;
     for (const auto& picture : pictures) views.push_back(&picture);
@@ -124,9 +136,20 @@ Result<Figures> run(const RenderedVideo& video, const Arguments& arguments, cons
 void write_video(const RenderedVideo& video, const std::string& folder, int seed, const Work& work) {
   const std::filesystem::path own = std::filesystem::path(folder) / fmt::format("seed_{:02}", seed);
   std::filesystem::create_directories(own);
+  std::string poses = "frame,qw,qx,qy,qz,tx,ty,tz\n";
   for (int i = 0; i < video.frames(); ++i) {
     if (!formats::write_png(own / fmt::format("{:04}.png", i), video.picture(i, work))) return;
+    const auto pose = video.pose(i);
+    const auto q = models::quaternion_of(pose.rotation);
+    const Vec3 t = pose.translation_m;
+    poses += fmt::format("{},{:.9f},{:.9f},{:.9f},{:.9f},{:.9f},{:.9f},{:.9f}\n", i, q[0], q[1], q[2], q[3],
+                         t.x, t.y, t.z);
   }
+  const Pinhole& c = video.camera();
+  std::ofstream(own.string() + "_poses.csv") << poses;
+  std::ofstream(own.string() + "_intrinsics.json")
+      << fmt::format(R"({{"fx": {}, "fy": {}, "cx": {}, "cy": {}, "width": {}, "height": {}}})", c.fx, c.fy,
+                     c.cx, c.cy, c.width, c.height);
 }
 
 bool set_one(Arguments& arguments, const std::string& name, double value) {
@@ -163,6 +186,8 @@ bool read(int count, char** words, Arguments& out) {
         out.first = number;
       else if (word == "--frames")
         out.frames = number;
+      else if (word == "--marker")
+        out.marker_mm = number;
       else if (word == "--threads")
         out.threads = static_cast<unsigned>(number);
       else
@@ -173,9 +198,9 @@ bool read(int count, char** words, Arguments& out) {
 }
 
 void print_row(const std::string& name, const Figures& f, int frames) {
-  fmt::print("| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.0f} |\n", name,
-             f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known, f.good_of_known,
-             f.good_of_all, f.seconds);
+  fmt::print("| {} | {} of {} | {:.3f} | {:.3f} | {:.2f} | {:.1f} | {:.1f} | {:.1f} | {:.2f} | {:.0f} |\n",
+             name, f.posed, frames, f.position_percent, f.rotation_deg, f.reprojection_px, f.known,
+             f.good_of_known, f.good_of_all, f.scale_error_percent, f.seconds);
   std::fflush(stdout);
 }
 
@@ -185,10 +210,11 @@ int run_all(const Arguments& arguments) {
   fmt::print(
       "| video | frames | position, % of path | rotation, deg | reprojection, px | depth known, % | within 1 "
       "%, % of known "
-      "| of all | processor s |\n|---|---|---|---|---|---|---|---|---|\n");
+      "| of all | scale error, % | processor s |\n|---|---|---|---|---|---|---|---|---|---|\n");
   std::vector<double> position, rotation, good;
   for (int seed = arguments.first; seed < arguments.first + arguments.seeds; ++seed) {
-    const RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);
+    RenderedVideo video(static_cast<std::uint32_t>(seed), arguments.frames);
+    if (arguments.marker_mm > 0) video.add_marker(arguments.marker_mm);
     if (!arguments.folder.empty()) {
       write_video(video, arguments.folder, seed, work);
       continue;
@@ -220,7 +246,7 @@ int main(int count, char** words) {
   if (!palpable::bench::read(count, words, arguments)) {
     fmt::print(stderr,
                "palpable_video_set [--seeds N] [--first SEED] [--frames N] [--threads N] [--no-depth] "
-               "[--set NAME=VALUE]... [--write FOLDER]\n");
+               "[--set NAME=VALUE]... [--marker MM] [--write FOLDER]\n");
     return 2;
   }
   return palpable::bench::run_all(arguments);

@@ -85,6 +85,35 @@ std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole
   return out;
 }
 
+// Why there is no pair: too few points, no movement, or a rotation alone.
+Error no_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes,
+              const BatchMotionOptions& options) {
+  std::size_t most_common = 0;
+  double moved_px = 0.0;
+  for (std::size_t b = 1; b < keyframes.size(); ++b)
+    for (const int a : {keyframes[b - 1], keyframes[0]}) {
+      const CommonPlaces places = common_places(tracks, a, keyframes[b]);
+      most_common = std::max(most_common, places.first.size());
+      std::vector<double> steps;
+      for (std::size_t i = 0; i < places.first.size(); ++i)
+        steps.push_back(
+            std::hypot(places.first[i].x - places.second[i].x, places.first[i].y - places.second[i].y));
+      if (steps.size() >= static_cast<std::size_t>(options.least_points))
+        moved_px = std::max(moved_px, quantile_of(steps, 0.5));
+    }
+  if (most_common < 2 * static_cast<std::size_t>(options.least_points))
+    return invalid_input(
+        "hardly any point can be followed from picture to picture: the model needs texture (put it on a "
+        "printed "
+        "cloth or a newspaper), even light, and a slower camera");
+  if (moved_px < options.outlier_px)
+    return invalid_input("the camera did not move: record it again, moving slowly around the model");
+  return invalid_input(
+      "the camera only turned, or hardly moved sideways, so depth cannot be measured: record it again, "
+      "walking "
+      "slowly around the model with all of it in view");
+}
+
 }  // namespace
 
 Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::span<const int> keyframes,
@@ -104,12 +133,7 @@ Result<FirstPair> choose_first_pair(std::span<const PointTrack> tracks, std::spa
       best = *pair;
     }
   }
-  if (best.points < options.least_points)
-    return Error{ErrorCode::invalid_input,
-                 "the camera hardly moved sideways, or little of the picture can be followed: record it "
-                 "again, moving slowly around the model with all of it in view",
-                 {},
-                 Reason::unspecified};
+  if (best.points < options.least_points) return no_pair(tracks, keyframes, options);
   return best;
 }
 

@@ -64,6 +64,18 @@ std::vector<int> compared_frames(const CameraMotion& motion, const std::vector<i
   return {out.begin(), out.end()};
 }
 
+// The posed frames whose depth is computed, as indices into `frames`.
+std::set<std::size_t> references(const std::vector<int>& frames, const VideoDepthOptions& options) {
+  const auto wanted = std::min<std::size_t>(frames.size(), static_cast<std::size_t>(options.maps));
+  std::set<std::size_t> out;
+  for (std::size_t i = 0; i < wanted; ++i)
+    out.insert(wanted > 1 ? i * (frames.size() - 1) / (wanted - 1) : 0);
+  for (const int frame : options.also)
+    if (const auto at = std::find(frames.begin(), frames.end(), frame); at != frames.end())
+      out.insert(static_cast<std::size_t>(at - frames.begin()));
+  return out;
+}
+
 std::vector<FrameDepth> only_consistent(std::vector<FrameDepth> maps, std::vector<PosedDepthMap> consistent) {
   for (std::size_t i = 0; i < maps.size(); ++i) maps[i].map = std::move(consistent[i]);
   return maps;
@@ -87,11 +99,11 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
   if (auto checked = check_ranges(options); !checked) return checked.error();
   const std::vector<int> frames = posed_frames(motion);
   const Depths depths = depths_of(motion, frames);
-  const auto wanted = std::min<std::size_t>(frames.size(), static_cast<std::size_t>(options.maps));
+  const std::set<std::size_t> wanted = references(frames, options);
   std::vector<FrameDepth> maps;
-  for (std::size_t i = 0; i < wanted; ++i) {
-    work.report(static_cast<double>(i) / static_cast<double>(wanted), "computing depth");
-    const std::size_t from = wanted > 1 ? i * (frames.size() - 1) / (wanted - 1) : 0;
+  std::size_t done = 0;
+  for (const std::size_t from : wanted) {
+    work.report(static_cast<double>(done++) / static_cast<double>(wanted.size()), "computing depth");
     std::vector<PosedFrame> others;
     for (const int other : compared_frames(motion, frames, from, depths.middle, options))
       others.push_back({pictures[static_cast<std::size_t>(other)], pose_of(motion, other)});

@@ -17,6 +17,8 @@ struct VideoDepthOptions {
   /// these angles, degrees, 0.2 … 30.
   double near_angle_deg = 3.5;
   double far_angle_deg = 7.0;
+  /// Frames whose depth is computed in addition, indices.
+  std::vector<int> also = {};
   MultiViewOptions sweep = {};
   ConsistencyOptions consistency = {};
 };
