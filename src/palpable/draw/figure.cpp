@@ -59,6 +59,14 @@ cairo_status_t render_vectors(const Figure& figure, std::vector<std::byte>& byte
 
 }  // namespace
 
+Result<std::vector<std::byte>> png_of(const Figure& figure) {
+  std::vector<std::byte> bytes;
+  const cairo_status_t status = render_png(figure, bytes);
+  if (status != CAIRO_STATUS_SUCCESS)
+    return Error{ErrorCode::failed, std::string("could not be drawn: ") + cairo_status_to_string(status), {}};
+  return bytes;
+}
+
 Result<void> write_figure(const Figure& figure, const std::filesystem::path& path) {
   const std::string ending = path.extension().string();
   std::vector<std::byte> bytes;

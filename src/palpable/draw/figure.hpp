@@ -4,8 +4,10 @@
 
 #include "palpable/core/result.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 namespace palpable::draw {
 
@@ -22,5 +24,8 @@ struct Figure {
 /// in the last two). The file is written atomically. Errors: usage for another extension, failed if it cannot
 /// be written.
 Result<void> write_figure(const Figure& figure, const std::filesystem::path& path);
+
+/// The figure as a PNG file in memory. Errors: failed if it cannot be drawn.
+Result<std::vector<std::byte>> png_of(const Figure& figure);
 
 }  // namespace palpable::draw

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -22,6 +23,7 @@ using Json = nlohmann::json;
 // glTF's constants for component types and buffer targets.
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
+constexpr int kUnsignedShort = 5123;
 constexpr int kVertexBuffer = 34962;
 constexpr int kIndexBuffer = 34963;
 
@@ -67,7 +69,26 @@ std::vector<Vec3> smooth_normals(const Mesh& mesh) {
   return normals;
 }
 
-Json add_geometry(const Mesh& mesh, bool with_picture, Parts& parts) {
+// glTF's vertex colours are linear (glTF 2.0, 3.7.2.1), 16 bits each.
+std::uint16_t linear16(std::uint8_t srgb) {
+  const double value = srgb / 255.0;
+  const double linear = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  return static_cast<std::uint16_t>(std::lround(65535.0 * linear));
+}
+
+void add_colours(std::span<const Rgb8> colours, Parts& parts, Json& attributes) {
+  for (const Rgb8& colour : colours) {
+    for (const std::uint8_t level : {colour.r, colour.g, colour.b}) parts.bytes().u16(linear16(level));
+    parts.bytes().u16(65535);
+  }
+  attributes["COLOR_0"] = parts.accessor({{"bufferView", parts.close(kVertexBuffer)},
+                                          {"componentType", kUnsignedShort},
+                                          {"normalized", true},
+                                          {"count", colours.size()},
+                                          {"type", "VEC4"}});
+}
+
+Json add_geometry(const Mesh& mesh, bool with_picture, std::span<const Rgb8> colours, Parts& parts) {
   Vec3 low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
            std::numeric_limits<double>::max()};
   Vec3 high = -low;
@@ -99,6 +120,7 @@ Json add_geometry(const Mesh& mesh, bool with_picture, Parts& parts) {
                                                {"count", count},
                                                {"type", "VEC2"}});
   }
+  if (colours.size() == count) add_colours(colours, parts, attributes);
   for (const auto& t : mesh.triangles)
     for (const std::uint32_t k : t) parts.bytes().u32(k);
   const std::size_t indices = parts.accessor({{"bufferView", parts.close(kIndexBuffer)},
@@ -128,11 +150,12 @@ std::vector<std::byte> container(std::string json, std::span<const std::byte> bi
 
 }  // namespace
 
-Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture) {
+Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture,
+                                          std::span<const Rgb8> colours) {
   if (mesh.triangles.empty()) return Error{ErrorCode::failed, "there is no surface to write", {}};
   const bool with_picture = !picture.empty() && mesh.picture_places.size() == mesh.vertices_m.size();
   Parts parts;
-  const Json primitive = add_geometry(mesh, with_picture, parts);
+  const Json primitive = add_geometry(mesh, with_picture, colours, parts);
   Json material = {{"pbrMetallicRoughness", {{"metallicFactor", 0.0}, {"roughnessFactor", 0.9}}}};
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "Palpable"}}},
                    {"scene", 0},

@@ -7,13 +7,15 @@
 #include "palpable/core/result.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace palpable::formats {
 
 /// glTF 2.0 binary in metres, y up and z towards the user, which is glTF's own frame. It has smooth
-/// normals, and `picture` as its texture if that is not empty and the mesh has texture coordinates. Errors:
-/// failed for a mesh without triangles.
-Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture = {});
+/// normals, and `picture` as its texture if that is not empty and the mesh has texture coordinates.
+/// `colours`: empty, or the colour of each vertex (sRGB). Errors: failed for a mesh without triangles.
+Result<std::vector<std::byte>> encode_glb(const Mesh& mesh, const Raster<Rgb8>& picture = {},
+                                          std::span<const Rgb8> colours = {});
 
 }  // namespace palpable::formats

@@ -84,5 +84,25 @@ TEST(EncodeGlb, HasConsistentPartsAndThePicture) {
   EXPECT_FALSE(encode_glb(Mesh{}));
 }
 
+TEST(EncodeGlb, HasALinearColourForEachVertexIfColoursAreGiven) {
+  const Mesh solid = models::solid_of(cone());
+  const std::vector<Rgb8> colours(solid.vertices_m.size(), Rgb8{255, 188, 0});
+  const auto file = encode_glb(solid, {}, colours);
+  ASSERT_TRUE(file);
+  const auto json_size = at<std::uint32_t>(*file, 12);
+  const auto document =
+      nlohmann::json::parse(std::string_view(reinterpret_cast<const char*>(file->data()) + 20, json_size));
+  const auto accessor = document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>();
+  EXPECT_EQ(document["accessors"][accessor]["count"], solid.vertices_m.size());
+  EXPECT_EQ(document["accessors"][accessor]["normalized"], true);
+  const auto view = document["accessors"][accessor]["bufferView"].get<std::size_t>();
+  const auto first = 28 + json_size + document["bufferViews"][view]["byteOffset"].get<std::size_t>();
+  EXPECT_EQ(at<std::uint16_t>(*file, first), 65535);
+  // sRGB 188 is about half of the light.
+  EXPECT_NEAR(at<std::uint16_t>(*file, first + 2), 0.5 * 65535, 700);
+  EXPECT_EQ(at<std::uint16_t>(*file, first + 4), 0);
+  EXPECT_EQ(at<std::uint16_t>(*file, first + 6), 65535);
+}
+
 }  // namespace
 }  // namespace palpable::formats
