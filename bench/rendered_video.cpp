@@ -59,7 +59,9 @@ RenderedVideo::RenderedVideo(std::uint32_t seed, int frames) : seed_(seed), fram
   model_ = table_model(random, texture_of(seed));
 }
 
-void RenderedVideo::add_marker(int side_mm) { lay_marker(model_, vision::marker_cells(side_mm), side_mm / 1000.0); }
+void RenderedVideo::add_marker(int side_mm) {
+  lay_marker(model_, vision::marker_cells(side_mm), side_mm / 1000.0);
+}
 
 std::string RenderedVideo::description() const {
   constexpr std::array kPaths{"arc", "sweep", "spiral"};

@@ -41,14 +41,15 @@ double table_height(std::vector<double> heights, double share) {
 
 std::vector<Vec3> raised_of(const std::vector<Vec3>& places, double table,
                             const FilmedModelOptions& options) {
-  constexpr double kHardlyAny = 0.01;
   std::vector<double> across;
   for (const Vec3& p : places) across.push_back(p.x);
-  const double extent = quantile_of(across, 0.95) - quantile_of(across, 0.05);
+  const double extent =
+      quantile_of(across, 1 - options.extent_outliers) - quantile_of(across, options.extent_outliers);
   std::vector<Vec3> out;
   std::copy_if(places.begin(), places.end(), std::back_inserter(out),
                [&](const Vec3& p) { return p.z > table + options.least_rise * extent; });
-  return static_cast<double>(out.size()) < kHardlyAny * static_cast<double>(places.size()) ? places : out;
+  return static_cast<double>(out.size()) < options.least_raised * static_cast<double>(places.size()) ? places
+                                                                                                     : out;
 }
 
 bool inside(const Vec3& p, const FilmedModel& model) {
@@ -64,22 +65,49 @@ Interval with_margin(std::vector<double> values, double below, double above, dou
   return {least - margin * (most - least), most + margin * (most - least)};
 }
 
+// Moves the origin of the axes to the middle of the model, on the table.
+void centre(FilmedModel& model) {
+  const Vec3 origin{(model.least.x + model.most.x) / 2, (model.least.y + model.most.y) / 2,
+                    model.table_height};
+  model.axes.translation = -origin;
+  model.least = model.least - origin, model.most = model.most - origin;
+  for (Vec3& p : model.raised) p = p - origin;
+  model.table_height = 0.0;
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(FilmedModelOptions& o) {
-  return {{"structure_step_px",
-           &o.structure_step_px,
-           {1, 64},
-           "px",
-           "Spacing of structure points in each depth map"},
-          {"outliers", &o.outliers, {0, 0.2}, "", "Share of points at each end that count as outliers"},
-          {"margin", &o.margin, {0, 2}, "", "Margin around the model, share of its extent"},
-          {"least_rise",
-           &o.least_rise,
-           {0.001, 0.5},
-           "",
-           "Height of the model above the table, share of the extent"},
-          {"table_share", &o.table_share, {0.05, 0.9}, "", "Share of the points that lie on the table"}};
+  return {
+      {"structure_step_px",
+       &o.structure_step_px,
+       {1, 64},
+       "px",
+       "Spacing of structure points in each depth map"},
+      {"outliers", &o.outliers, {0, 0.2}, "", "Share of points at each end that count as outliers"},
+      {"margin", &o.margin, {0, 2}, "", "Margin around the model, share of its extent"},
+      {"least_rise",
+       &o.least_rise,
+       {0.001, 0.5},
+       "",
+       "Height of the model above the table, share of the extent"},
+      {"outliers_below",
+       &o.outliers_below,
+       {0, 0.2},
+       "",
+       "Share of points under the table that count as outliers"},
+      {"outliers_above",
+       &o.outliers_above,
+       {0, 0.2},
+       "",
+       "Share of points above the model that count as outliers"},
+      {"extent_outliers",
+       &o.extent_outliers,
+       {0, 0.4},
+       "",
+       "Share of points at each end left out of the extent"},
+      {"least_raised", &o.least_raised, {0, 1}, "", "Share of the points above the table that a model needs"},
+      {"table_share", &o.table_share, {0.05, 0.9}, "", "Share of the points that lie on the table"}};
 }
 
 FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOptions& options,
@@ -90,10 +118,11 @@ FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOpti
   std::vector<vision::CameraPose> poses;
   for (const FrameDepth& map : maps) poses.push_back(map.map.pose);
   out.axes = table_axes(out.structure, poses, seed);
+  const auto axes_from_world = out.axes.axes_from_world();
   std::vector<Vec3> places;
   std::vector<double> heights;
   for (const Vec3& place : out.structure.places_m) {
-    places.push_back(out.axes.rotate({place}).v);
+    places.push_back((axes_from_world * Point<WorldFrame>{place}).v);
     heights.push_back(places.back().z);
   }
   out.table_height = table_height(std::move(heights), options.table_share);
@@ -105,19 +134,21 @@ FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOpti
   std::vector<double> up;
   for (const Vec3& p : places)
     if (p.x >= x.least && p.x <= x.most && p.y >= y.least && p.y <= y.most) up.push_back(p.z);
-  // Fewer outliers lie above the model than below the table.
-  const Interval z = with_margin(std::move(up), options.outliers / 2, options.outliers / 10, options.margin);
+  const Interval z =
+      with_margin(std::move(up), options.outliers_below, options.outliers_above, options.margin);
   out.least = {x.least, y.least, z.least}, out.most = {x.most, y.most, z.most};
   std::erase_if(out.raised, [&](const Vec3& p) { return !inside(p, out); });
+  centre(out);
   return out;
 }
 
 void crop(std::span<FrameDepth> maps, const FilmedModel& model) {
+  const auto axes_from_world = model.axes.axes_from_world();
   for (FrameDepth& map : maps)
     for (int y = 0; y < map.map.depth.depth_m.height(); ++y)
       for (int x = 0; x < map.map.depth.depth_m.width(); ++x) {
         float& depth = map.map.depth.depth_m(x, y);
-        if (depth > 0 && !inside(model.axes.rotate(seen_at(map, x, y)).v, model)) depth = kUnknownDepth;
+        if (depth > 0 && !inside((axes_from_world * seen_at(map, x, y)).v, model)) depth = kUnknownDepth;
       }
 }
 

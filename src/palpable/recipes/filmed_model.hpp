@@ -19,6 +19,12 @@ struct FilmedModelOptions {
   int structure_step_px = 4;
   /// Share of the points at each end of the model's extent that count as outliers, 0 … 0.2.
   double outliers = 0.01;
+  /// The same below the table and above the model, where fewer are, 0 … 0.2.
+  double outliers_below = 0.005, outliers_above = 0.001;
+  /// Share of the points at each end that are left out of the extent in which heights are measured, 0 … 0.4.
+  double extent_outliers = 0.05;
+  /// Where a smaller share of the points rises above the table, all points are the model, 0 … 1.
+  double least_raised = 0.01;
   /// Margin around the model, share of its extent, 0 … 2.
   double margin = 0.15;
   /// Points so far above the table, as a share of its extent, belong to the model, 0.001 … 0.5.
@@ -28,7 +34,8 @@ struct FilmedModelOptions {
 };
 std::vector<Parameter> parameters_of(FilmedModelOptions& options);
 
-/// A model on a table, in the table's axes (table_axes.hpp), in the unit of the poses.
+/// A model on a table, in the table's axes (table_axes.hpp) with the origin in its middle on the table, in
+/// the unit of the poses.
 struct FilmedModel {
   TableAxes axes;
   /// Points on all surfaces that were seen, in the poses' world.

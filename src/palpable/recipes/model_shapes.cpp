@@ -71,14 +71,12 @@ struct LabelledPoints {
 
 // Points of the objects with their feet on the table; the largest objects first, at most 255.
 LabelledPoints objects_of(const FilmedModel& model, double extent, const ModelShapesOptions& options) {
-  // Not so small that cells of an object stay empty.
-  constexpr double kSpacings = 2.5;
   const double area = (model.most.x - model.least.x) * (model.most.y - model.least.y);
   const double spacing = std::sqrt(area / std::max(1.0, static_cast<double>(model.raised.size())));
-  Ground ground(model, std::max(options.cell_share * extent, kSpacings * spacing));
+  Ground ground(model, std::max(options.cell_share * extent, options.cell_spacings * spacing));
   for (const Vec3& p : model.raised) ground.add(p);
-  constexpr std::size_t kLeastInCell = 2;
-  const std::vector<std::size_t> counts = ground.find_objects(kLeastInCell);
+  const std::vector<std::size_t> counts =
+      ground.find_objects(static_cast<std::size_t>(options.least_in_cell));
   std::vector<std::size_t> order;
   for (std::size_t i = 1; i < counts.size(); ++i)
     if (static_cast<double>(counts[i]) >=
@@ -121,6 +119,8 @@ std::vector<Parameter> parameters_of(ModelShapesOptions& o) {
        "",
        "Cells that connect an object's points, share of the extent"},
       {"least_object_share", &o.least_object_share, {0, 0.5}, "", "Share of the points that an object needs"},
+      {"cell_spacings", &o.cell_spacings, {0, 20}, "", "Least width of these cells, mean spacings of points"},
+      {"least_in_cell", &o.least_in_cell, {1, 100}, "", "Points that a cell of an object needs"},
       {"base_share", &o.base_share, {0.005, 0.5}, "", "Thickness of the base plate, share of the extent"}};
   append_parameters(out, "fit", sculpt::parameters_of(o.shapes));
   return out;

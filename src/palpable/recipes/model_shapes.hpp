@@ -24,6 +24,11 @@ struct ModelShapesOptions {
   double least_object_share = 0.004;
   /// Thickness of the base plate, share of the model's extent, 0.005 … 0.5.
   double base_share = 0.03;
+  /// Cells are at least this many mean spacings of points wide, so that none of an object's stays empty, 0
+  /// … 20.
+  double cell_spacings = 2.5;
+  /// Least number of points in a cell of an object, 1 … 100.
+  int least_in_cell = 2;
   sculpt::ShapeSetOptions shapes;
 };
 std::vector<Parameter> parameters_of(ModelShapesOptions& options);

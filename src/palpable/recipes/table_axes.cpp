@@ -74,16 +74,11 @@ std::vector<Vec3> some_of(const std::vector<Vec3>& places) {
 
 }  // namespace
 
-Point<SceneFrame> TableAxes::rotate(Point<WorldFrame> p) const {
-  Transform<SceneFrame, WorldFrame> turn;
-  turn.rotation = rotation;
-  return turn * p;
-}
-
-Transform<SceneFrame, CameraFrame> TableAxes::scene_from(const vision::CameraPose& pose) const {
-  Transform<SceneFrame, WorldFrame> turn;
-  turn.rotation = rotation;
-  return turn * pose;
+Transform<SceneFrame, WorldFrame> TableAxes::axes_from_world() const {
+  Transform<SceneFrame, WorldFrame> out;
+  out.rotation = rotation;
+  out.translation_m = translation;
+  return out;
 }
 
 TableAxes table_axes(const PointCloud& structure, std::span<const vision::CameraPose> poses,
@@ -100,7 +95,7 @@ TableAxes table_axes(const PointCloud& structure, std::span<const vision::Camera
   const Vec3 away = along(forward + up);
   const Vec3 y = unit(norm(away) > 0 ? away : along({1, 0, 0}));
   const Vec3 x = cross(y, z);
-  return {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}};
+  return {{x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z}, {}};
 }
 
 }  // namespace palpable::recipes

@@ -17,9 +17,10 @@ namespace palpable::recipes {
 struct TableAxes {
   /// Rotation axes_from_world, row-major.
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  /// Added after the rotation; table_axes() leaves it zero.
+  Vec3 translation;
 
-  Point<SceneFrame> rotate(Point<WorldFrame> p) const;
-  Transform<SceneFrame, CameraFrame> scene_from(const vision::CameraPose& pose) const;
+  Transform<SceneFrame, WorldFrame> axes_from_world() const;
 };
 
 /// Estimates the axes from the structure. The plane's direction is that on which most points lie (RANSAC);

@@ -26,7 +26,7 @@ TEST(TableAxes, PointZOutOfThePlaneThatMostPointsLieOnAndYAway) {
   }
   const vision::CameraPose pose;
   const TableAxes axes = table_axes(cloud, std::span(&pose, 1), 1);
-  const Vec3 z = axes.rotate({normal}).v, y = axes.rotate({away}).v;
+  const Vec3 z = axes.axes_from_world().rotate(normal), y = axes.axes_from_world().rotate(away);
   EXPECT_NEAR(z.z, 1.0, 1e-3);
   EXPECT_NEAR(y.y, 1.0, 1e-3);
 }
@@ -36,7 +36,8 @@ TEST(TableAxes, OfATableSeenFromStraightAboveHaveThePicturesUpAsY) {
   for (int i = 0; i < 100; ++i) cloud.places_m.push_back({0.1 * (i % 10), 0.1 * (i / 10), 2.0});
   const vision::CameraPose pose;
   const TableAxes axes = table_axes(cloud, std::span(&pose, 1), 1);
-  const Vec3 up = axes.rotate({{0, -1, 0}}).v, towards = axes.rotate({{0, 0, -1}}).v;
+  const Vec3 up = axes.axes_from_world().rotate({0, -1, 0}),
+             towards = axes.axes_from_world().rotate({0, 0, -1});
   EXPECT_NEAR(up.y, 1.0, 1e-9);
   EXPECT_NEAR(towards.z, 1.0, 1e-9);
 }

@@ -85,6 +85,16 @@ bool becomes_relief(const Mesh& mesh, const MakeOptions& options) {
          (options.as == MakeAs::by_input && sculpt::is_open_sheet(mesh, options.recipes.sheet));
 }
 
+recipes::VideoRecipe recipe_of(const VideoInput& video, const MakeOptions& options) {
+  recipes::VideoRecipe recipe = options.recipes.video;
+  recipe.fusion = options.recipes.fusion;
+  recipe.field = options.recipes.field;
+  if (recipe.length)
+    for (vision::ImagePoint* at : {&recipe.length->from, &recipe.length->to})
+      at->x = (at->x + 0.5) * video.reduction - 0.5, at->y = (at->y + 0.5) * video.reduction - 0.5;
+  return recipe;
+}
+
 /// Runs the recipe that fits the values.
 struct RunRecipe {
   const MakeOptions& options;
@@ -104,10 +114,7 @@ struct RunRecipe {
     return filled(relief_from_depth(std::move(depth), options.recipes.relief, work), options, work);
   }
   Result<MadeScene> operator()(const VideoInput& video) const {
-    recipes::VideoRecipe recipe = options.recipes.video;
-    recipe.fusion = options.recipes.fusion;
-    recipe.field = options.recipes.field;
-    return field_from_video(video.frames, video.camera, recipe, work);
+    return field_from_video(video.frames, video.camera, recipe_of(video, options), work);
   }
   Result<MadeScene> operator()(const std::vector<recipes::PosedDepth>& views) const {
     return field_from_depth_maps(views, {options.recipes.fusion, options.recipes.field}, work);
@@ -236,6 +243,21 @@ Work without_progress(Work work) {
   return work;
 }
 
+/// The scene of a video's quick version; nullopt for other values, or if it cannot be made.
+std::optional<MadeScene> quick_scene(const InputValues& values, const MakeOptions& options,
+                                     const Work& work) {
+  const auto* video = std::get_if<VideoInput>(&values);
+  const QuickVideo& quick = options.quick_video;
+  if (video == nullptr || quick.most_frames == 0) return std::nullopt;
+  const VideoInput small = quick_video(*video, quick);
+  auto made = field_from_video(small.frames, small.camera, quick_recipe(recipe_of(small, options), quick),
+                               without_progress(work));
+  if (!made) return std::nullopt;
+  made->video.reset();
+  made->notes = {Note("This is a first, coarse model; a better one follows while you touch it.")};
+  return std::move(*made);
+}
+
 }  // namespace
 
 Result<MadeScene> make_scene(const MakeOptions& options, const Work& work) {
@@ -262,6 +284,8 @@ Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, cons
       if (!made) return made.error();
       take(std::move(*made));
     }
+    if (auto made = quick_scene(from->values, options, work))
+      take(*finished(std::move(*made), *from, options));
     auto made = finished(made_for_cache(std::move(from->values), options, key, work), *from, options);
     if (!made) return made.error();
     take(std::move(*made));

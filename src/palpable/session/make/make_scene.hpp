@@ -11,6 +11,7 @@
 #include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/recipes/sheet_recipe.hpp"
 #include "palpable/session/make/coarse_field.hpp"
+#include "palpable/session/make/quick_video.hpp"
 #include "palpable/session/make/read_input.hpp"
 #include "palpable/session/make/scene_cache.hpp"
 
@@ -52,6 +53,8 @@ struct MakeOptions {
   Recipes recipes;
   /// Used by make_scenes() only.
   CoarseField coarse_field;
+  /// Used by make_scenes() only.
+  QuickVideo quick_video;
   /// Cache of adaptive fields of meshes; not used if its folder is empty.
   SceneCache cache;
   /// Written into the scene's provenance: "palpable 0.1.0".
@@ -68,7 +71,8 @@ using TakeScene = std::function<void(recipes::MadeScene)>;
 
 /// Makes the scenes for a touch that begins as early as possible. If no stereo method is chosen, a pair's
 /// scene is made with the fastest method first, then with the best one. For a large mesh whose field is not
-/// cached, a coarse field is delivered first, then the requested one. Errors: as make_scene(); scenes that
+/// cached, a coarse field is delivered first, then the requested one. For a video, that of a quick video is
+/// delivered first, unless it fails. Errors: as make_scene(); scenes that
 /// were made before an error have been delivered.
 Result<void> make_scenes(const MakeOptions& options, const TakeScene& take, const Work& work);
 

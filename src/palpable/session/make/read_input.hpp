@@ -52,6 +52,8 @@ struct InputOptions {
 struct VideoInput {
   std::vector<VideoFrame> frames;
   vision::VideoCamera camera;
+  /// Size of a frame here, as a share of that in the file.
+  double reduction = 1.0;
 };
 
 /// The values that were read from the files.

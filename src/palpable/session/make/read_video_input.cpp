@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace palpable::session {
 namespace {
 
@@ -57,9 +59,14 @@ Result<ReadInput> read_video_input(const sources::Input& input, const InputOptio
   auto video = sources::read_video(input.files, work);
   if (!video) return video.error();
   std::vector<Note> notes = input.notes;
+  if (video->lost > 0)
+    notes.emplace_back(
+        fmt::format("The file is damaged: {} of its pictures could not be read, and {} were used.",
+                    video->lost, video->frames.size()));
   const auto camera = camera_of(*video, options.calibration, notes, work);
   if (!camera) return camera.error();
-  return ReadInput{VideoInput{std::move(video->frames), *camera}, std::move(notes)};
+  const double reduction = static_cast<double>(video->frames.front().picture.width()) / video->full_width;
+  return ReadInput{VideoInput{std::move(video->frames), *camera, reduction}, std::move(notes)};
 }
 
 }  // namespace palpable::session

@@ -15,6 +15,8 @@ struct Video {
   /// Size of a frame in the file, upright; the frames here may be smaller.
   int full_width = 0;
   int full_height = 0;
+  /// Frames that a damaged file states or holds, and that could not be read.
+  int lost = 0;
   /// As the first picture of a folder states it, for a film of 36 x 24 mm.
   std::optional<double> focal_length_35mm = std::nullopt;
 };

@@ -144,21 +144,28 @@ class Film {
       if (auto taken = take_frames(); !taken) return taken.error();
     if (video_.frames.empty()) return damaged("none of its frames can be read");
     // Some programs state one frame too many.
-    const std::int64_t stated = format_->streams[stream_]->nb_frames;
-    if (!full() && number_ + 1 < stated)
-      return damaged(
-          ("it states " + std::to_string(stated) + " frames and holds " + std::to_string(number_)).c_str());
+    const std::int64_t stated = std::min<std::int64_t>(format_->streams[stream_]->nb_frames, kMostStated);
+    if (!full() && number_ + 1 < stated) video_.lost += static_cast<int>(stated) - number_;
     return std::move(video_);
   }
 
  private:
+  static constexpr std::int64_t kMostStated = 1000000;
+
   // If a file states fewer frames than it has, at most twice the limit is kept.
   bool full() const { return video_.frames.size() >= 2 * static_cast<std::size_t>(kMostVideoFrames); }
+
+  // FFmpeg fills damaged parts of a frame with those of others.
+  static bool is_damaged(const AVFrame& frame) {
+    return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || frame.decode_error_flags != 0;
+  }
 
   Result<void> take_frames() {
     const Owned<AVFrame, FreeFrame> frame(av_frame_alloc());
     for (; !full() && avcodec_receive_frame(codec_.get(), frame.get()) == 0; ++number_)
-      if (number_ % step_ == 0)
+      if (is_damaged(*frame))
+        ++video_.lost;
+      else if (number_ % step_ == 0)
         if (auto kept = keep(*frame); !kept) return kept;
     return {};
   }

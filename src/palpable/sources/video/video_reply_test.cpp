@@ -10,7 +10,7 @@ namespace palpable::sources::isolated {
 namespace {
 
 Video small_video() {
-  Video video{{}, 8, 4};
+  Video video{{}, 8, 4, 3};
   for (const int number : {0, 2, 4}) {
     VideoFrame frame{number, Raster<Rgb8>(4, 2)};
     frame.picture(1, 1) = {static_cast<std::uint8_t>(number), 7, 9};
@@ -25,6 +25,7 @@ TEST(VideoReply, RestoresEveryFrame) {
   ASSERT_TRUE(back);
   ASSERT_EQ(back->frames.size(), 3U);
   EXPECT_EQ(back->full_width, 8);
+  EXPECT_EQ(back->lost, 3);
   EXPECT_EQ(back->frames[2].number, 4);
   EXPECT_EQ(back->frames[2].picture, video.frames[2].picture);
 }
