@@ -87,7 +87,8 @@ Result<Answer> compare(const session::MakeOptions& options, const std::string& o
 /// Every file that the command line names, except the poses.
 std::vector<std::string> files_of(const MakeCommandArguments& arguments) {
   std::vector<std::string> files = arguments.make.inputs;
-  files.insert(files.end(), {arguments.output, arguments.make.stereo.calibration, arguments.video.structure});
+  files.insert(files.end(), {arguments.output, arguments.make.stereo.calibration, arguments.video.structure,
+                             arguments.video.report, arguments.video.mesh});
   std::erase(files, "");
   return files;
 }
@@ -126,7 +127,10 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   // None of them appears before all of them are on the disk.
   AtomicFiles files;
   if (made->video)
-    if (const auto added = add_video_outputs(arguments.video, *made->video, files); !added)
+    if (const auto added = add_video_outputs(
+            arguments.video, {film_name(arguments.make.inputs), *made->video, scene, made->notes}, files,
+            console.work());
+        !added)
       return added.error();
   const auto encoded = formats::encode_scene(scene);
   if (!encoded) return Error{encoded.error().code, encoded.error().message, arguments.output};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/make_options.hpp"
 
+#include "palpable/cli/known_length.hpp"
 #include "palpable/cli/parameter_groups.hpp"
 #include "palpable/cli/suggest.hpp"
 #include "palpable/cli/unused_options.hpp"
@@ -147,6 +148,10 @@ void add_field_options(Options& options, MakeArguments& arguments) {
                  "A video: the camera's path by bundle adjustment, or frame by frame by a Kalman filter");
   options.choice("--surface", arguments.surface, {"fused", "superquadrics"},
                  "A video: the depth maps fused, or superquadrics fitted to their points");
+  options.text(
+      "--length", arguments.length,
+      "A video: a known length, as '120 mm between 210,240 and 330,250 of frame 40'; default: by a printed "
+      "marker (palpable marker), else no true size");
   options.integer("--until", arguments.until, {1, 1e9}, "A video: frames after this one are not used");
   options.flag("--no-cache", arguments.no_cache,
                "Do not take a mesh's field from the cache, where it is kept after it was made "
@@ -363,6 +368,11 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   options.recipes.grid.occupancy.resolution = arguments.grid_points;
   if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
   options.recipes.video.until = arguments.until;
+  if (!arguments.length.empty()) {
+    const auto length = known_length_from(arguments.length);
+    if (!length) return length.error();
+    options.recipes.video.length = *length;
+  }
   if (arguments.motion == "filter") options.recipes.video.motion_method = recipes::VideoMotion::filter;
   if (arguments.surface == "superquadrics")
     options.recipes.video.surface = recipes::VideoSurface::superquadrics;

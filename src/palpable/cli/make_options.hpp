@@ -56,6 +56,8 @@ struct MakeArguments {
   bool dense = false;
   bool no_cache = false;
   std::string poses;
+  /// A length in a frame of a video (known_length.hpp).
+  std::string length;
   /// The last frame of a video that is used.
   std::optional<int> until;
   /// "batch", "filter".

@@ -168,6 +168,7 @@ void describe(Program& program) {
   add_common(options, program.common);
   add_touch(program);
   add_make(program);
+  add_marker(program);
   add_correct(program);
   add_depth(program);
   add_compare(program);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/video_outputs.hpp"
 
+#include "palpable/cli/film_mesh.hpp"
+#include "palpable/cli/film_report.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/formats/mesh/ply.hpp"
 #include "palpable/formats/picture/png.hpp"
@@ -129,8 +131,15 @@ Result<void> check_depth_folder(const fs::path& folder) {
 void add_video_outputs(Options& options, VideoOutputs& outputs) {
   options.under("Videos");
   options.output("--structure", outputs.structure, {".ply"}, "Write the points that were found, PLY");
+  options.output("--report", outputs.report, {".html"}, "Write a page about the film and its result, HTML");
+  options.output("--mesh", outputs.mesh, {".glb"}, "Write the surface in the film's colours, GLB");
   options.text("--depth-dir", outputs.depth_folder,
                "Write the depth maps that were computed, 16-bit PNG, and their scale");
+}
+
+std::string film_name(const std::vector<std::string>& inputs) {
+  fs::path path(inputs.front());
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
@@ -146,7 +155,8 @@ Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
                                  const std::vector<std::string>& files) {
   if (!video) {
     for (const auto& [name, value] :
-         {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder)})
+         {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder),
+          std::pair("--report", &outputs.report), std::pair("--mesh", &outputs.mesh)})
       if (!value->empty()) return Error{ErrorCode::usage, "only videos have this output", name};
     return {};
   }
@@ -155,12 +165,23 @@ Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
   return outputs.depth_folder.empty() ? Result<void>() : check_depth_folder(outputs.depth_folder);
 }
 
-Result<void> add_video_outputs(const VideoOutputs& outputs, const VideoReconstruction& video,
-                               AtomicFiles& files) {
+Result<void> add_video_outputs(const VideoOutputs& outputs, const FilmResult& film, AtomicFiles& files,
+                               const Work& work) {
+  const VideoReconstruction& video = film.video;
   if (!outputs.poses.empty())
     if (auto added = add_poses(outputs.poses, video, files); !added) return added;
   if (!outputs.structure.empty())
     if (auto added = add_structure(outputs.structure, video, files); !added) return added;
+  if (!outputs.report.empty()) {
+    const auto page = film_report(film.name, video, film.scene, film.notes);
+    if (!page) return page.error();
+    if (auto added = add_text(outputs.report, *page, files); !added) return added;
+  }
+  if (!outputs.mesh.empty()) {
+    const auto glb = film_glb(video, film.scene, work);
+    if (!glb) return glb.error();
+    if (auto added = files.add(outputs.mesh, *glb); !added) return added;
+  }
   return outputs.depth_folder.empty() ? Result<void>() : add_depth_maps(outputs.depth_folder, video, files);
 }
 

@@ -20,8 +20,24 @@ struct VideoOutputs {
   std::string structure;
   /// A folder: depth maps as 16-bit PNG, and depth.json with their scale.
   std::string depth_folder;
+  /// A page about the film and its result, HTML.
+  std::string report;
+  /// The coloured surface, GLB.
+  std::string mesh;
 };
 void add_video_outputs(Options& options, VideoOutputs& outputs);
+
+/// What a film became.
+struct FilmResult {
+  /// Of the film's file or folder.
+  std::string name;
+  const recipes::VideoReconstruction& video;
+  const models::Scene& scene;
+  const std::vector<Note>& notes;
+};
+
+/// The name of the film's file or folder.
+std::string film_name(const std::vector<std::string>& inputs);
 
 /// Whether these inputs are one film, or the folder of a sequence. Then --poses is an output, else an input.
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
@@ -33,8 +49,9 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
                                  const std::vector<std::string>& files);
 
-/// Adds the outputs to the command's files, which appear together. Errors: failed, as AtomicFiles::add().
-Result<void> add_video_outputs(const VideoOutputs& outputs, const recipes::VideoReconstruction& video,
-                               AtomicFiles& files);
+/// Adds the outputs to the command's files, which appear together. Errors: failed, as AtomicFiles::add(),
+/// film_report() and film_glb().
+Result<void> add_video_outputs(const VideoOutputs& outputs, const FilmResult& film, AtomicFiles& files,
+                               const Work& work);
 
 }  // namespace palpable::cli

@@ -1,0 +1,20 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/models/scene/scene.hpp"
+#include "palpable/recipes/video_recipe.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace palpable::cli {
+
+/// The surface of a film's field as GLB, with the colours of the film's frames at its vertices. Errors: as
+/// sculpt::surface_of_field() and formats::encode_glb().
+Result<std::vector<std::byte>> film_glb(const recipes::VideoReconstruction& video, const models::Scene& scene,
+                                        const Work& work);
+
+}  // namespace palpable::cli

@@ -1,0 +1,194 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/core/raster.hpp"
+#include "palpable/core/vec3.hpp"
+#include "palpable/formats/picture/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <string>
+
+#include "program.hpp"
+#include <gmock/gmock.h>
+
+// Films: small ones that are rendered here, a textured box on a textured table.
+namespace palpable::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kWidth = 240, kHeight = 180;
+constexpr double kFocal_px = 220.0;
+
+// Smooth random grey levels, 0 … 1, of a place on a surface; lengths in metres.
+double texture_at(double u, double v, int surface) {
+  const auto random = [surface](int i, int j) {
+    auto h = static_cast<std::uint32_t>(i) * 73856093U ^ static_cast<std::uint32_t>(j) * 19349663U ^
+             static_cast<std::uint32_t>(surface) * 83492791U;
+    h = (h ^ (h >> 13U)) * 0x5bd1e995U;
+    return static_cast<double>((h ^ (h >> 15U)) & 0xFFFFU) / 65535.0;
+  };
+  double sum = 0.0, weight = 0.0;
+  for (const double cell : {0.02, 0.008}) {
+    const double x = u / cell + 1000, y = v / cell + 1000;
+    const int i = static_cast<int>(x), j = static_cast<int>(y);
+    const double a = x - i, b = y - j;
+    sum += cell * ((1 - b) * ((1 - a) * random(i, j) + a * random(i + 1, j)) +
+                   b * ((1 - a) * random(i, j + 1) + a * random(i + 1, j + 1)));
+    weight += cell;
+  }
+  return sum / weight;
+}
+
+// What a ray from `from` meets: a box of 120 x 100 x 60 mm on a table.
+double grey_of(Vec3 from, Vec3 direction) {
+  const Vec3 least{-0.06, -0.05, 0.0}, most{0.06, 0.05, 0.06};
+  double begin = 0.0, end = 1e9;
+  int axis = 2;
+  for (int i = 0; i < 3; ++i) {
+    const auto part = [i](const Vec3& p) { return i == 0 ? p.x : i == 1 ? p.y : p.z; };
+    const double a = (part(least) - part(from)) / part(direction),
+                 b = (part(most) - part(from)) / part(direction);
+    if (std::min(a, b) > begin) begin = std::min(a, b), axis = i;
+    end = std::min(end, std::max(a, b));
+  }
+  const bool box = begin < end;
+  const Vec3 p = from + (box ? begin : -from.z / direction.z) * direction;
+  const double shade = !box || axis == 2 ? 1.0 : axis == 0 ? 0.75 : 0.6;
+  const double level = axis == 0 && box   ? texture_at(p.y, p.z, 3)
+                       : axis == 1 && box ? texture_at(p.x, p.z, 2)
+                                          : texture_at(p.x, p.y, box ? 1 : 0);
+  return shade * (0.15 + 0.8 * level);
+}
+
+// The picture of a camera at `from` that looks at `at`.
+Raster<Rgb8> picture_from(Vec3 from, Vec3 at) {
+  const Vec3 z = unit(at - from), x = unit(cross(z, Vec3{0, 0, 1})), y = cross(z, x);
+  Raster<Rgb8> out(kWidth, kHeight);
+  for (int v = 0; v < kHeight; ++v)
+    for (int u = 0; u < kWidth; ++u) {
+      const Vec3 direction =
+          (u - (kWidth - 1) / 2.0) / kFocal_px * x + (v - (kHeight - 1) / 2.0) / kFocal_px * y + z;
+      const auto level =
+          static_cast<std::uint8_t>(std::lround(255 * std::clamp(grey_of(from, direction), 0.0, 1.0)));
+      out(u, v) = {level, static_cast<std::uint8_t>(level * 0.9), static_cast<std::uint8_t>(level * 0.8)};
+    }
+  return out;
+}
+
+Vec3 on_arc(double angle) { return {0.45 * std::sin(angle), -0.45 * std::cos(angle), 0.4}; }
+
+class Films : public InFolder {
+ protected:
+  /// A folder of pictures along an arc; returns its path.
+  std::string film(int frames = 14, double from = -0.35, double step = 0.05) const {
+    const std::filesystem::path to = folder_ / "film";
+    std::filesystem::create_directories(to);
+    for (int i = 0; i < frames; ++i)
+      (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
+                               picture_from(on_arc(from + step * i), {0, 0, 0.02}));
+    write_text(path("camera.json"),
+               R"({"fx": 220, "fy": 220, "cx": 119.5, "cy": 89.5, "width": 240, "height": 180})");
+    return to.string();
+  }
+  std::vector<std::string> make(const std::string& input, std::vector<std::string> more = {}) const {
+    std::vector<std::string> words{
+        "make",         input, "-o",    path("m.palp"),      "--calibration", path("camera.json"),
+        "--resolution", "64",  "--set", "video.depth.maps=5"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+};
+
+TEST_F(Films, GiveEveryOutputTogether) {
+  const std::string input = film();
+  Running running(make(input, {"--poses", path("p.csv"), "--structure", path("s.ply"), "--depth-dir",
+                               path("depth"), "--report", path("r.html"), "--mesh", path("m.glb"), "--length",
+                               "100 mm between 98.8,87.6 and 140.2,87.6 of frame 7", "--json"}));
+  // The report draws the solid, which takes a while.
+  const Outcome made = running.wait(std::chrono::seconds(600));
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(read_text(path("p.csv")), HasSubstr("frame,qw,qx,qy,qz,tx,ty,tz\n0,"));
+  EXPECT_THAT(read_text(path("s.ply")).substr(0, 3), "ply");
+  EXPECT_TRUE(std::filesystem::exists(path("depth") + "/depth.json"));
+  EXPECT_THAT(read_text(path("m.glb")).substr(0, 4), "glTF");
+  EXPECT_THAT(read_text(path("m.glb")), HasSubstr("COLOR_0"));
+  const std::string report = read_text(path("r.html"));
+  EXPECT_THAT(report, HasSubstr("<h2>What to do better</h2>"));
+  EXPECT_THAT(report, HasSubstr("The back was never seen"));
+  EXPECT_THAT(report, HasSubstr("data:image/png;base64,"));
+  EXPECT_THAT(made.err, HasSubstr("The known length of 100.0 mm gives the scale."));
+  // The scene keeps its metres: the box is 60 mm high.
+  const auto size = made.json()["size_m"];
+  EXPECT_GT(size[0], 0.11);
+  EXPECT_LT(size[0], 0.3);
+  EXPECT_NEAR(size[2].get<double>(), 0.07, 0.03);
+}
+
+TEST_F(Films, WithoutDepthGetAReasonAndNothingIsWritten) {
+  struct Case {
+    int frames;
+    double step;
+    const char* says;
+  };
+  for (const Case& c : {Case{1, 0.0, "fewer than two pictures"}, Case{6, 0.0, "the camera did not move"}}) {
+    std::filesystem::remove_all(folder_ / "film");
+    const Outcome made = palpable(make(film(c.frames, 0.0, c.step), {"--report", path("r.html")}));
+    EXPECT_EQ(made.exit_code, 3) << made.err;
+    EXPECT_THAT(made.err, HasSubstr(c.says));
+    EXPECT_TRUE(is_one_sentence(made.err)) << made.err;
+    EXPECT_FALSE(std::filesystem::exists(path("m.palp")));
+    EXPECT_FALSE(std::filesystem::exists(path("r.html")));
+  }
+}
+
+TEST_F(Films, OfACameraThatOnlyTurnsSayThatItMustWalk) {
+  const std::filesystem::path to = folder_ / "film";
+  std::filesystem::create_directories(to);
+  (void)film(0);
+  for (int i = 0; i < 10; ++i)
+    (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
+                             picture_from(on_arc(0.0), {0.02 * i - 0.1, 0, 0.02}));
+  const Outcome made = palpable(make(to.string()));
+  EXPECT_EQ(made.exit_code, 3) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("the camera only turned"));
+}
+
+TEST_F(Films, WithAWrongLengthAreRefusedBeforeAnyWork) {
+  const std::string input = film(4);
+  const Outcome words = palpable(make(input, {"--length", "long"}));
+  EXPECT_EQ(words.exit_code, 2);
+  EXPECT_THAT(words.err, HasSubstr("120 mm between"));
+  const Outcome frame = palpable(make(input, {"--length", "120 mm between 1,2 and 3,4 of frame 99"}));
+  EXPECT_EQ(frame.exit_code, 2) << frame.err;
+  EXPECT_THAT(frame.err, HasSubstr("frame 99"));
+}
+
+TEST_F(Films, EndAtOnceWhenInterrupted) {
+  const std::vector<std::string> words{"make",          film(40, -0.4, 0.02), "-o",       path("m.palp"),
+                                       "--calibration", path("camera.json"),  "--report", path("r.html"),
+                                       "--set",         "video.depth.maps=38"};
+  Running running(words);
+  ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
+  ASSERT_TRUE(running.works(std::chrono::seconds(1), std::chrono::seconds(60)));
+  running.send(SIGINT);
+  EXPECT_EQ(running.wait().exit_code, 130);
+  EXPECT_FALSE(std::filesystem::exists(path("m.palp")));
+  EXPECT_FALSE(std::filesystem::exists(path("r.html")));
+}
+
+TEST_F(Films, HaveMarkerSheetsAsSvgPdfAndPng) {
+  const Outcome sheet = palpable({"marker", "-o", path("sheet.svg"), "--side", "80"});
+  ASSERT_EQ(sheet.exit_code, 0) << sheet.err;
+  EXPECT_THAT(read_text(path("sheet.svg")), HasSubstr("<svg"));
+  EXPECT_EQ(palpable({"marker", "-o", path("sheet.pdf")}).exit_code, 0);
+  EXPECT_EQ(palpable({"marker", "-o", path("sheet.png")}).exit_code, 0);
+  const Outcome refused = palpable({"marker", "-o", path("other.svg"), "--side", "70"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("30, 40, 50, 60, 80, 100, 120, 150"));
+}
+
+}  // namespace
+}  // namespace palpable::test
