@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/command.hpp"
 #include "palpable/cli/scene_argument.hpp"
+#include "palpable/core/street_map.hpp"
 #include "palpable/describe/numbers.hpp"
+#include "palpable/formats/scene/map_codec.hpp"
 #include "palpable/formats/scene/superquadric_json.hpp"
 #include "palpable/haptics/law/laws.hpp"
 
+#include <algorithm>
+#include <set>
 #include <variant>
 
 #include <fmt/format.h>
@@ -163,13 +167,24 @@ void add_model(Answer& answer, const models::Contours& contours) {
                   map.edges().height(), 100.0 * map.origin().boundary_fraction, map.origin().threshold);
 }
 
+/// In pixels of the input picture.
+void add_map(Answer& answer, const StreetMap& map) {
+  answer.json.update(formats::json_of(map));
+  std::set<std::string> names;
+  for (const MapStreet& street : map.streets)
+    if (!street.name.empty()) names.insert(street.name);
+  answer.text += fmt::format(
+      "  {} pieces of streets with {} names, {} junctions, {} areas, on {} x {} pixels\n", map.streets.size(),
+      names.size(), map.junctions.size(), map.areas.size(), map.width_px, map.height_px);
+}
+
 Result<Answer> info(const std::string& path) {
   const auto file = read_scene_argument(path);
   if (!file) return file.error();
   const models::Scene& scene = file->scene;
   const Vec3 size = models::size_m(scene);
   const std::size_t memory = std::visit([](const auto& model) { return model->memory_bytes(); }, scene.model);
-  const std::string kind = models::kind_of(scene.model);
+  const std::string kind = scene.map != nullptr ? "map" : models::kind_of(scene.model);
 
   Answer answer;
   answer.json = {
@@ -195,6 +210,7 @@ Result<Answer> info(const std::string& path) {
   if (!scene.title.empty()) answer.text += fmt::format("  title: {}\n", scene.title);
   if (!scene.description.empty()) answer.text += fmt::format("  description: {}\n", scene.description);
   std::visit([&](const auto& model) { add_model(answer, *model); }, scene.model);
+  if (scene.map != nullptr) add_map(answer, *scene.map);
   answer.text += fmt::format("  {:.1f} MB in memory, {:.1f} MB on disk\n", static_cast<double>(memory) / 1e6,
                              static_cast<double>(file->file_bytes) / 1e6);
   for (const haptics::Law law : haptics::laws_for(scene))

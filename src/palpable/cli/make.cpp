@@ -139,7 +139,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
 
   const Vec3 size = models::size_m(scene);
-  const std::string kind = models::kind_of(scene.model);
+  const std::string kind = scene.map != nullptr ? "map" : models::kind_of(scene.model);
   Answer answer;
   answer.json = {{"output", arguments.output},         {"kind", kind},
                  {"size_m", {size.x, size.y, size.z}}, {"method", scene.source.method},

@@ -37,6 +37,7 @@ session::MakeAs make_as_from(const std::string& word) {
   if (word == "relief") return session::MakeAs::relief;
   if (word == "contours") return session::MakeAs::contours;
   if (word == "field") return session::MakeAs::field;
+  if (word == "map") return session::MakeAs::map;
   return word == "grid" ? session::MakeAs::grid : session::MakeAs::by_input;
 }
 
@@ -75,9 +76,9 @@ void add_input_options(Options& options, MakeArguments& arguments) {
   options.arguments("INPUT", arguments.inputs, kMostInputs,
                     "A pair (left first), a depth map, a mesh, points, shapes, a video, or a scene");
   options.under("How the scene is made");
-  options.choice("--as", arguments.as, {"relief", "contours", "field", "grid"},
+  options.choice("--as", arguments.as, {"relief", "contours", "field", "grid", "map"},
                  "Kind of scene; default: contours for a picture, a field for a solid or a video, a relief "
-                 "for the rest");
+                 "for the rest; map = the streets of a map's picture");
   options.text("--kind", arguments.kind,
                fmt::format("Kind of input: {}; default: by content", fmt::join(kInputKinds, ", ")));
   options.text(
@@ -335,6 +336,8 @@ Result<void> set_size(const std::string& text, session::Recipes& recipes) {
   recipes.grid.size_m = *size;
   recipes.contours.map.width_m = size->x;
   recipes.contours.map.height_m = size->y;
+  recipes.map.relief.width_m = size->x;
+  recipes.map.relief.height_m = size->y;
   return {};
 }
 
@@ -364,7 +367,7 @@ Result<session::MakeOptions> make_options(const MakeArguments& arguments) {
   if (!relief) return relief.error();
   const auto stereo = stereo_recipe(arguments);
   if (!stereo) return stereo.error();
-  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {}, {}};
+  options.recipes = {*stereo, *relief, contours_recipe(arguments), *field, {}, {}, {}, {}, {}};
   options.recipes.grid.occupancy.resolution = arguments.grid_points;
   if (arguments.grid_filling == "camera") options.recipes.grid.filling = recipes::GridFilling::from_camera;
   options.recipes.video.until = arguments.until;

@@ -23,7 +23,7 @@ struct MakeArguments {
   /// Returns the names of the options on the command line.
   std::function<std::vector<std::string>()> given;
   std::string kind, size, up;
-  /// "relief", "contours", "field", "grid"; empty: by the input.
+  /// "relief", "contours", "field", "grid", "map"; empty: by the input.
   std::string as;
   std::string lay = "auto";
   double sheet_mm = 1.0;

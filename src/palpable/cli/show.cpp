@@ -8,6 +8,7 @@
 #include "palpable/draw/field_view.hpp"
 #include "palpable/draw/force_view.hpp"
 #include "palpable/draw/height_view.hpp"
+#include "palpable/draw/map_view.hpp"
 #include "palpable/draw/marks_view.hpp"
 #include "palpable/draw/section_view.hpp"
 #include "palpable/draw/solid_view.hpp"
@@ -140,6 +141,13 @@ Result<draw::Figure> contours_picture(const ShowArguments& arguments, const mode
       heading_of(arguments, scene, fmt::format("contours from strength {:.2f}", map.origin().threshold)));
 }
 
+Result<draw::Figure> map_picture(const ShowArguments& arguments, const models::Scene& scene) {
+  if (scene.map == nullptr)
+    return Error{ErrorCode::usage, "only the scene of a street map has this view", "--view"};
+  return draw::map_figure(scene.map, scene.texture, models::size_m(scene).x,
+                          heading_of(arguments, scene, "street map"));
+}
+
 Result<draw::Figure> regions_picture(const ShowArguments& arguments, const models::Scene& scene) {
   if (scene.labels.empty())
     return Error{ErrorCode::usage, "this scene has no regions; make it with --ground or --background",
@@ -189,6 +197,7 @@ Result<draw::Figure> picture_of(const ShowArguments& arguments, const models::Sc
                                 const models::Relief& relief) {
   if (arguments.view == "solid") return solid_picture(arguments, scene);
   if (arguments.view == "contours") return contours_picture(arguments, scene);
+  if (arguments.view == "map") return map_picture(arguments, scene);
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
       field != nullptr && arguments.view == "section")
     return field_section(arguments, scene, *field);
@@ -242,7 +251,7 @@ void add_show(Program& program) {
   options.required_output("-o,--output", arguments->output, {".png", ".svg", ".pdf"},
                           "Picture to write (.png, .svg, .pdf)");
   options.choice("--view", arguments->view,
-                 {"relief", "depth", "force", "section", "solid", "contours", "regions"},
+                 {"relief", "depth", "force", "section", "solid", "contours", "regions", "map"},
                  "What to draw; default: the scene as it is touched");
   options.number(
       "--at", arguments->cut_mm, {-500.0, 500.0},

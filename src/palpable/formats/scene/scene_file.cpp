@@ -5,8 +5,10 @@
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/core/byte_reader.hpp"
 #include "palpable/core/read_file.hpp"
+#include "palpable/core/street_map.hpp"
 #include "palpable/formats/picture/jpeg.hpp"
 #include "palpable/formats/picture/png.hpp"
+#include "palpable/formats/scene/map_codec.hpp"
 #include "palpable/formats/scene/material_codec.hpp"
 #include "palpable/formats/scene/model_codec.hpp"
 #include "palpable/models/material/material_check.hpp"
@@ -14,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -29,6 +32,7 @@ constexpr const char* kFormat = "palpable-scene";
 constexpr const char* kDescription = "scene.json";
 constexpr const char* kTexture = "texture.png";
 constexpr const char* kLabels = "labels.png";
+constexpr const char* kMap = "map.json";
 constexpr std::size_t kMaxMaterials = 256;
 constexpr std::size_t kMaxDescriptionBytes = std::size_t{16} << 20U;
 
@@ -169,6 +173,13 @@ Result<SceneFile> scene_from(const json& description, ZipMembers members) {
   read_source(description, out.scene.source);
   if (auto pictures = read_pictures(description, members, out.scene); !pictures)
     return std::move(pictures).error();
+  auto map = member_named(description, "map", members);
+  if (!map) return std::move(map).error();
+  if (*map) {
+    auto decoded = decode_street_map(**map);
+    if (!decoded) return std::move(decoded).error();
+    out.scene.map = std::make_shared<const StreetMap>(*std::move(decoded));
+  }
   if (auto valid = check_scene(out.scene); !valid) return std::move(valid).error();
   for (const json& value : description.at("model")) {
     if (value.is_string()) members.erase(value.get<std::string>());
@@ -239,6 +250,10 @@ Result<Bytes> encode_scene(const models::Scene& scene, const ZipMembers& others)
   };
   if (auto added = add_picture("texture", kTexture, scene.texture); !added) return std::move(added).error();
   if (auto added = add_picture("labels", kLabels, scene.labels); !added) return std::move(added).error();
+  if (scene.map != nullptr) {
+    members[kMap] = encode_street_map(*scene.map);
+    description["map"] = kMap;
+  }
   // Names come from files and people: invalid UTF-8 in them is replaced, not refused.
   constexpr int kIndent = 1;
   const std::string text = description.dump(kIndent, ' ', false, json::error_handler_t::replace);

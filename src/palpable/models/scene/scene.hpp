@@ -16,6 +16,10 @@
 #include <variant>
 #include <vector>
 
+namespace palpable {
+struct StreetMap;
+}
+
 namespace palpable::models {
 
 /// The frame of the input: pixels of a picture (x right, y down, z = depth or disparity as read) or a mesh's
@@ -62,6 +66,8 @@ struct Scene {
   Raster<std::uint8_t> labels;
   Transform<SceneFrame, InputFrame> scene_from_input;
   SolidPose pose = SolidPose::upright;
+  /// The streets, places and words of a street map, in pixels of the input; null for other scenes.
+  std::shared_ptr<const StreetMap> map;
   Provenance source;
   /// The maker's title (one line) and description, which are spoken and shown before the scene is touched.
   /// UTF-8; both may be empty.

@@ -22,6 +22,8 @@ bool is_solid(InputKind kind) {
          kind == InputKind::level_set;
 }
 
+bool is_map(const MakeOptions& options) { return options.as == MakeAs::map; }
+
 bool is_contours(const MakeOptions& options, const sources::Input& input) {
   if (holds_depth_maps(options.input)) return false;
   return options.as == MakeAs::contours ||
@@ -59,6 +61,10 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
                  names_of(options.input.files)};
   }
   if (is_contours(options, input)) return {};
+  if (is_map(options))
+    return input.kind == InputKind::picture
+               ? Result<void>()
+               : Error{ErrorCode::usage, "a map is made of one picture", names_of(input.files)};
   const bool adaptive = options.recipes.field.storage == recipes::FieldStorage::adaptive;
   const bool becomes_field = is_solid(input.kind) || input.kind == InputKind::video;
   if (!adaptive && options.as != MakeAs::field && !becomes_field)
@@ -101,6 +107,7 @@ struct RunRecipe {
   const Work& work;
 
   Result<MadeScene> operator()(Image picture) const {
+    if (is_map(options)) return map_from_picture(std::move(picture), options.recipes.map, work);
     return contours_from_picture(std::move(picture), options.recipes.contours, work);
   }
   Result<MadeScene> operator()(const ReadyPair& ready) const {
@@ -165,7 +172,7 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
   if (!input) return input.error();
   if (const auto possible = check_kind(*input, options); !possible) return possible.error();
   Prepared out;
-  if (is_contours(options, *input)) {
+  if (is_contours(options, *input) || is_map(options)) {
     auto picture = read_one_picture(options.input);
     if (!picture) return picture.error();
     out.values = std::move(*picture);

@@ -8,6 +8,7 @@
 #include "palpable/recipes/fused_depth_recipe.hpp"
 #include "palpable/recipes/grid_recipe.hpp"
 #include "palpable/recipes/made_scene.hpp"
+#include "palpable/recipes/map_recipe.hpp"
 #include "palpable/recipes/relief_recipe.hpp"
 #include "palpable/recipes/sheet_recipe.hpp"
 #include "palpable/session/make/coarse_field.hpp"
@@ -28,7 +29,9 @@ enum class MakeAs {
   relief,
   contours,
   field,
-  grid
+  grid,
+  /// Of a street map's picture.
+  map
 };
 
 /// One recipe for each kind of scene; the one that fits the input is used.
@@ -44,6 +47,7 @@ struct Recipes {
   recipes::GridRecipe grid;
   /// Its field is fused as in `fusion` and stored as in `field`.
   recipes::VideoRecipe video;
+  recipes::MapRecipe map;
 };
 
 /// The input of a scene and the options for making it.

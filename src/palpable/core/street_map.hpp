@@ -1,0 +1,68 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace palpable {
+
+/// A point of a map, in pixels of its picture: x right, y down, pixel centres at integers. A map without a
+/// picture (from an extract) has pixels of its own.
+struct MapPoint {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// A piece of a street between two junctions or ends. A street with branches, or in several pieces, is
+/// several of these with the same name.
+struct MapStreet {
+  /// As it is written, UTF-8; empty if it was not read.
+  std::string name;
+  double width_px = 0.0;
+  /// The centre line, at least two points.
+  std::vector<MapPoint> points;
+};
+
+/// A place where three or more pieces of streets meet.
+struct MapJunction {
+  MapPoint at;
+  /// How many pieces begin there.
+  int degree = 0;
+  bool roundabout = false;
+};
+
+/// An area of one kind, by its outline.
+struct MapArea {
+  enum class Kind : std::uint8_t { building, water, green };
+  Kind kind = Kind::building;
+  /// The outer ring, not repeating its first point.
+  std::vector<MapPoint> outline;
+};
+
+/// Words that the map shows.
+struct MapLabel {
+  std::string text;
+  /// 0 ... 1.
+  double confidence = 0.0;
+  /// Direction in which it is read, degrees, counted from the x axis clockwise (y is down), -180 ... 180.
+  double angle_deg = 0.0;
+  /// The four corners of its box, beginning with the top left corner of the words.
+  std::vector<MapPoint> box;
+  /// Whether it is the name of a street; otherwise that of a place.
+  bool names_street = false;
+};
+
+/// What a street map shows. A value type; any thread.
+struct StreetMap {
+  /// Size of the picture that the points refer to.
+  int width_px = 0;
+  int height_px = 0;
+  std::vector<MapStreet> streets;
+  std::vector<MapJunction> junctions;
+  std::vector<MapArea> areas;
+  std::vector<MapLabel> labels;
+};
+
+}  // namespace palpable

@@ -1,0 +1,55 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/scene/map_codec.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace palpable::formats {
+namespace {
+
+StreetMap example_map() {
+  StreetMap map;
+  map.width_px = 300;
+  map.height_px = 200;
+  map.streets = {{"Große Straße", 12.5, {{1.25, 2.5}, {100, 50}, {200.75, 60}}}};
+  map.junctions = {{{100, 50}, 4, true}};
+  map.areas = {{MapArea::Kind::water, {{0, 0}, {10, 0}, {10, 10}}},
+               {MapArea::Kind::building, {{20, 0}, {30, 0}, {30, 10}}}};
+  map.labels = {{"Große Straße", 0.93, -12.5, {{1, 2}, {50, 2}, {50, 12}, {1, 12}}, true}};
+  return map;
+}
+
+TEST(MapCodec, ReadsWhatItWrote) {
+  const StreetMap map = example_map();
+  const auto read = decode_street_map(encode_street_map(map));
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->streets.size(), 1U);
+  EXPECT_EQ(read->streets[0].name, "Große Straße");
+  EXPECT_DOUBLE_EQ(read->streets[0].points[2].x, 200.75);
+  EXPECT_DOUBLE_EQ(read->streets[0].width_px, 12.5);
+  ASSERT_EQ(read->junctions.size(), 1U);
+  EXPECT_TRUE(read->junctions[0].roundabout);
+  EXPECT_EQ(read->areas.size(), 2U);
+  ASSERT_EQ(read->labels.size(), 1U);
+  EXPECT_DOUBLE_EQ(read->labels[0].angle_deg, -12.5);
+  EXPECT_TRUE(read->labels[0].names_street);
+  EXPECT_EQ(encode_street_map(*read), encode_street_map(map));
+}
+
+TEST(MapCodec, RefusesDamagedMaps) {
+  const Bytes whole = encode_street_map(example_map());
+  EXPECT_FALSE(decode_street_map(std::span(whole).first(whole.size() / 2)));
+  EXPECT_FALSE(decode_street_map(as_bytes("{}")));
+  std::string text(as_text(whole));
+  const auto at = text.find("[200.75,60.0]");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, 13, "[1e300,1]");
+  EXPECT_FALSE(decode_street_map(as_bytes(text)));
+}
+
+}  // namespace
+}  // namespace palpable::formats

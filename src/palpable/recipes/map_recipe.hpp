@@ -1,0 +1,29 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/recipes/made_scene.hpp"
+#include "palpable/sculpt/streets/street_relief.hpp"
+#include "palpable/vision/streets/street_map_from_picture.hpp"
+
+#include <cstddef>
+
+namespace palpable::recipes {
+
+/// How the picture of a street map becomes a map to touch.
+struct MapRecipe {
+  vision::StreetMapOptions streets;
+  sculpt::StreetReliefOptions relief;
+  /// Larger pictures are reduced to this number of pixels before streets are found.
+  std::size_t most_pixels = std::size_t{4} << 20U;
+};
+
+/// The streets of a map's picture as grooves between its buildings; the scene's `map` holds what was found,
+/// in pixels of the given picture. Long work: reports progress, polls cancel. Any thread. Errors: as
+/// vision::street_map_from_picture() and sculpt::relief_from_street_map(), without a place.
+Result<MadeScene> map_from_picture(Image picture, const MapRecipe& recipe, const Work& work);
+
+}  // namespace palpable::recipes

@@ -1,0 +1,57 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/parameters.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/street_map.hpp"
+#include "palpable/models/material/material.hpp"
+#include "palpable/models/relief/relief.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace palpable::sculpt {
+
+/// How a map becomes a relief. Sizes follow the rules for tactile maps (methods.md 8 and 9) and hold at any
+/// scale: what the map draws narrower is drawn as wide as a finger needs it.
+struct StreetReliefOptions {
+  /// Largest size of the map, metres; its proportions are kept.
+  double width_m = 0.1;
+  double height_m = 0.1;
+  /// Width of the narrowest and the widest groove, 0.5 ... 20 mm.
+  double narrowest_street_m = 0.003;
+  double widest_street_m = 0.006;
+  /// Depth of streets below the land, 0.1 ... 10 mm.
+  double street_depth_m = 0.0015;
+  /// Height of buildings above the land, 0 ... 20 mm.
+  double building_m = 0.0012;
+  /// Least distance from a building to a groove, and width of its sloping wall, 0.1 ... 10 mm.
+  double building_gap_m = 0.0008;
+  double building_wall_m = 0.0005;
+  /// Depth of water below the land, 0 ... 10 mm.
+  double water_depth_m = 0.0006;
+  /// Diameter of a junction's texture, as a part of the width of its streets.
+  double junction_part = 1.0;
+  /// Samples along the longer side, 64 ... 4096.
+  int samples = 1024;
+};
+std::vector<Parameter> parameters_of(StreetReliefOptions& options);
+
+/// A map to touch: its relief, and what is where.
+struct StreetRelief {
+  models::Relief relief;
+  /// Index into `materials` of each sample of the relief.
+  Raster<std::uint8_t> labels;
+  /// "street" or the street's name, "junction" or "junction of A and B", "building", "water"; the first is
+  /// that of the land.
+  std::vector<models::Material> materials;
+};
+
+/// Streets become grooves with rounded walls, buildings are raised, water is lower and rippled, junctions
+/// have bumps. Each named street has a material of its own name; beyond 200 names, the shortest streets share
+/// one. Errors: usage for options out of range; invalid_input for a map without streets or size.
+Result<StreetRelief> relief_from_street_map(const StreetMap& map, const StreetReliefOptions& options);
+
+}  // namespace palpable::sculpt

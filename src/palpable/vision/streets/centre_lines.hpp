@@ -1,0 +1,53 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/raster.hpp"
+#include "palpable/core/street_map.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace palpable::vision {
+
+/// A piece of a centre line between two nodes.
+struct CentreLine {
+  /// From node `first` to node `last`, about one point a pixel.
+  std::vector<MapPoint> points;
+  int first = 0;
+  int last = 0;
+  /// Mean distance from the line to the mask's border, pixels, and its standard deviation along the line.
+  double radius_px = 0.0;
+  double radius_spread_px = 0.0;
+};
+
+/// The lines in the middle of a mask, as a graph.
+struct CentreLines {
+  std::vector<MapPoint> nodes;
+  std::vector<CentreLine> lines;
+};
+
+/// How many lines end at each node.
+std::vector<int> degrees_of(const CentreLines& graph);
+
+/// Thins the set pixels of a mask to lines (Zhang & Suen 1984) and traces them. Branches that are shorter
+/// than the mask is wide there come from its border and are removed. Any thread.
+CentreLines centre_lines_of(const Raster<std::uint8_t>& mask);
+
+/// Length of a line, pixels.
+double length_px(const std::vector<MapPoint>& points);
+
+/// Removes leaves shorter than `least_px(line)` pixels, and joins lines at nodes where only two remain.
+/// Isolated lines are kept.
+void remove_spurs(CentreLines& graph, double radii, double more_px);
+
+/// Joins the two lines of each node that has only two.
+void join_lines(CentreLines& graph);
+
+/// The points as a moving mean over 2 * reach + 1 of them; the ends stay.
+std::vector<MapPoint> smoothed(const std::vector<MapPoint>& points, int reach);
+
+/// Fewer points, none of the left-out ones farther than `most_px` from the line (Douglas & Peucker 1973).
+std::vector<MapPoint> simplified(const std::vector<MapPoint>& points, double most_px);
+
+}  // namespace palpable::vision

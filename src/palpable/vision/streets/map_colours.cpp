@@ -1,0 +1,164 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/streets/map_colours.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+/// The histogram's bins: 64 values a channel.
+constexpr int kShift = 2;
+constexpr int kBins = 256 >> kShift;
+
+std::size_t bin_of(int r, int g, int b) { return static_cast<std::size_t>((r * kBins + g) * kBins + b); }
+
+int difference(Rgb8 a, Rgb8 b) {
+  return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+/// Typical difference between neighbours inside flat areas: the median difference of horizontal neighbours
+/// that differ little. 0 for a clean drawing.
+double noise_of(const Raster<Rgb8>& picture) {
+  std::array<std::size_t, 33> counts{};
+  std::size_t all = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 1; x < picture.width(); ++x) {
+      const int d = difference(picture(x, y), picture(x - 1, y));
+      if (d > 32) continue;
+      ++counts[static_cast<std::size_t>(d)];
+      ++all;
+    }
+  std::size_t sum = 0;
+  for (std::size_t d = 0; d < counts.size(); ++d)
+    if ((sum += counts[d]) * 2 >= all) return static_cast<double>(d);
+  return 0.0;
+}
+
+/// Finds the most frequent colours, the most frequent first; each takes the pixels around it.
+std::vector<MapColour> peaks_of(const Raster<Rgb8>& picture, double tolerance,
+                                const MapColourOptions& options) {
+  std::vector<int> histogram(bin_of(kBins - 1, kBins - 1, kBins - 1) + 1, 0);
+  for (const Rgb8 c : picture.values()) ++histogram[bin_of(c.r >> kShift, c.g >> kShift, c.b >> kShift)];
+  const double least = options.least_part * static_cast<double>(picture.count());
+  const int reach = std::max(1, static_cast<int>(std::ceil(tolerance)) >> kShift);
+  std::vector<MapColour> found;
+  while (found.size() < static_cast<std::size_t>(options.most_colours)) {
+    const auto top = std::max_element(histogram.begin(), histogram.end());
+    const int at = static_cast<int>(top - histogram.begin());
+    const int r = at / (kBins * kBins);
+    const int g = (at / kBins) % kBins;
+    const int b = at % kBins;
+    double sum = 0.0;
+    std::array<double, 3> mean{};
+    const auto around = [&](auto&& use) {
+      for (int i = std::max(0, r - reach); i <= std::min(kBins - 1, r + reach); ++i)
+        for (int j = std::max(0, g - reach); j <= std::min(kBins - 1, g + reach); ++j)
+          for (int k = std::max(0, b - reach); k <= std::min(kBins - 1, b + reach); ++k)
+            use(i, j, k, histogram[bin_of(i, j, k)]);
+    };
+    around([&](int i, int j, int k, int n) {
+      sum += n;
+      mean[0] += n * (i + 0.5);
+      mean[1] += n * (j + 0.5);
+      mean[2] += n * (k + 0.5);
+    });
+    if (sum < least) break;
+    const auto level = [&](double m) {
+      return static_cast<std::uint8_t>(std::clamp(std::lround(m / sum * (1 << kShift) - 0.5), 0L, 255L));
+    };
+    found.push_back({{level(mean[0]), level(mean[1]), level(mean[2])}, 0});
+    around([&](int i, int j, int k, int) { histogram[bin_of(i, j, k)] = 0; });
+  }
+  return found;
+}
+
+/// Area of the largest connected piece, pixels.
+int largest_piece(const cv::Mat& mask) {
+  cv::Mat labels, stats, centres;
+  const int n = cv::connectedComponentsWithStats(mask, labels, stats, centres, 8);
+  int most = 0;
+  for (int i = 1; i < n; ++i) most = std::max(most, stats.at<int>(i, cv::CC_STAT_AREA));
+  return most;
+}
+
+/// Adds to `mask`, the thick parts of `all`, its thin parts that are long: narrow streets, not lettering.
+void add_thin_lines(const cv::Mat& all, cv::Mat& mask, const MapColourOptions& options) {
+  cv::Mat thick;
+  cv::dilate(mask, thick, cv::Mat());
+  const cv::Mat thin = all & ~thick;
+  cv::Mat labels, stats, centres;
+  const int n = cv::connectedComponentsWithStats(thin, labels, stats, centres, 8);
+  std::vector<bool> is_long(static_cast<std::size_t>(n), false);
+  for (int i = 1; i < n; ++i)
+    is_long[static_cast<std::size_t>(i)] =
+        std::hypot(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) >=
+        options.thin_length_px;
+  for (int y = 0; y < mask.rows; ++y)
+    for (int x = 0; x < mask.cols; ++x)
+      if (is_long[static_cast<std::size_t>(labels.at<int>(y, x))]) mask.at<std::uint8_t>(y, x) = 255;
+}
+
+}  // namespace
+
+MapColours find_map_colours(const Raster<Rgb8>& picture, const MapColourOptions& options) {
+  const double tolerance = options.tolerance + 2.0 * noise_of(picture);
+  std::vector<MapColour> peaks = peaks_of(picture, tolerance, options);
+  const int width = picture.width();
+  const int height = picture.height();
+  cv::Mat nearest(height, width, CV_8U, cv::Scalar(MapColours::kNone));
+  const int most = static_cast<int>(std::lround(tolerance));
+  for (int y = 0; y < height; ++y) {
+    auto* row = nearest.ptr<std::uint8_t>(y);
+    for (int x = 0; x < width; ++x) {
+      int best = most + 1;
+      for (std::size_t k = 0; k < peaks.size(); ++k)
+        if (const int d = difference(picture(x, y), peaks[k].value); d < best) {
+          best = d;
+          row[x] = static_cast<std::uint8_t>(k);
+        }
+    }
+  }
+  MapColours out;
+  out.seen = Raster<std::uint8_t>(width, height);
+  cv::Mat seen(height, width, CV_8U, out.seen.data());
+  std::array<std::uint8_t, 256> index{};
+  const cv::Mat block = cv::getStructuringElement(cv::MORPH_RECT, {options.thinnest_px, options.thinnest_px});
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    const cv::Mat all = nearest == static_cast<double>(k);
+    cv::Mat mask;
+    cv::morphologyEx(all, mask, cv::MORPH_OPEN, block);
+    peaks[k].pixels = cv::countNonZero(mask);
+    constexpr double kInk = 0.1;
+    const double least = options.least_part * static_cast<double>(picture.count());
+    if (peaks[k].pixels < std::max(least, kInk * cv::countNonZero(all))) continue;
+    if (largest_piece(mask) < options.symbol_part * static_cast<double>(picture.count())) continue;
+    seen.setTo(MapColours::kArea, mask);
+    add_thin_lines(all, mask, options);
+    seen.setTo(MapColours::kThinLine, mask & (seen == 0));
+    index[k] = static_cast<std::uint8_t>(out.colours.size());
+    out.colours.push_back(peaks[k]);
+  }
+  out.of_pixel = Raster<std::uint8_t>(width, height, MapColours::kNone);
+  if (out.colours.empty()) return out;
+  cv::Mat distance, label;
+  cv::Mat away = seen == 0;
+  cv::distanceTransform(away, distance, label, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
+  std::vector<std::uint8_t> colour_of(static_cast<std::size_t>(width) * height + 1, 0);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (seen.at<std::uint8_t>(y, x) != 0)
+        colour_of[static_cast<std::size_t>(label.at<int>(y, x))] = index[nearest.at<std::uint8_t>(y, x)];
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      out.of_pixel(x, y) = colour_of[static_cast<std::size_t>(label.at<int>(y, x))];
+  return out;
+}
+
+}  // namespace palpable::vision

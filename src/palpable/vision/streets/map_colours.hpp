@@ -1,0 +1,52 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace palpable::vision {
+
+struct MapColourOptions {
+  /// Largest difference, in one channel (0 ... 255), between a pixel and its colour in a clean picture. Noise
+  /// of scans and JPEG widens it.
+  double tolerance = 8.0;
+  /// A colour that fills less than this part of the picture is not an area of the map.
+  double least_part = 0.0005;
+  /// Most colours that are distinguished, 2 ... 64.
+  int most_colours = 40;
+  /// Lines that are thinner than this are lettering and borders, pixels.
+  int thinnest_px = 3;
+  /// Thinner lines of an area's colour that are at least this long are narrow streets, pixels.
+  double thin_length_px = 24.0;
+  /// A colour whose largest piece is smaller than this part of the picture is one of symbols.
+  double symbol_part = 0.0004;
+};
+
+/// A colour that the map uses for areas.
+struct MapColour {
+  Rgb8 value;
+  /// Number of its pixels.
+  int pixels = 0;
+};
+
+/// The map without its lettering and borders: each pixel has the colour of the area in which it lies.
+struct MapColours {
+  static constexpr std::uint8_t kNone = 255;
+  std::vector<MapColour> colours;
+  /// Index of the colour of each pixel.
+  Raster<std::uint8_t> of_pixel;
+  /// Where the picture itself shows that colour, and how; elsewhere it is 0 and the colour is that of the
+  /// nearest such pixel.
+  static constexpr std::uint8_t kThinLine = 1;
+  static constexpr std::uint8_t kArea = 2;
+  Raster<std::uint8_t> seen;
+};
+
+/// The flat colours of a map picture: peaks of its histogram, learned from the picture. A picture without
+/// flat colours has none. Any thread.
+MapColours find_map_colours(const Raster<Rgb8>& picture, const MapColourOptions& options = {});
+
+}  // namespace palpable::vision

@@ -1,0 +1,143 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/streets/street_colours.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+/// Maps draw water blue and vegetation green in nearly every style.
+MapLayer layer_by_hue(Rgb8 c) {
+  constexpr int kBlue = 24;
+  constexpr int kGreen = 12;
+  if (c.b - c.r >= kBlue && c.b >= c.g - kGreen) return MapLayer::water;
+  if (c.g - std::max(c.r, c.b) >= kGreen) return MapLayer::green;
+  return MapLayer::land;
+}
+
+/// Number of connected pieces with an area of at least `least` pixels, and the area of the largest one.
+struct Pieces {
+  int count = 0;
+  int largest = 0;
+  int area = 0;
+};
+Pieces pieces_of(const Raster<std::uint8_t>& mask, int least) {
+  const cv::Mat view(mask.height(), mask.width(), CV_8U, const_cast<std::uint8_t*>(mask.data()));
+  cv::Mat labels, stats, centres;
+  const int n = cv::connectedComponentsWithStats(view, labels, stats, centres, 4);
+  Pieces out;
+  for (int i = 1; i < n; ++i) {
+    const int area = stats.at<int>(i, cv::CC_STAT_AREA);
+    out.area += area;
+    out.largest = std::max(out.largest, area);
+    out.count += area >= least ? 1 : 0;
+  }
+  return out;
+}
+
+/// Fills holes that are smaller than symbols on the street.
+void fill_holes(Raster<std::uint8_t>& mask, int most_px) {
+  cv::Mat view(mask.height(), mask.width(), CV_8U, mask.data());
+  cv::Mat labels, stats, centres;
+  const cv::Mat outside = view == 0;
+  const int n = cv::connectedComponentsWithStats(outside, labels, stats, centres, 4);
+  std::vector<bool> is_hole(static_cast<std::size_t>(n), false);
+  for (int i = 1; i < n; ++i) {
+    const int x = stats.at<int>(i, cv::CC_STAT_LEFT);
+    const int y = stats.at<int>(i, cv::CC_STAT_TOP);
+    const bool at_border = x == 0 || y == 0 || x + stats.at<int>(i, cv::CC_STAT_WIDTH) == view.cols ||
+                           y + stats.at<int>(i, cv::CC_STAT_HEIGHT) == view.rows;
+    is_hole[static_cast<std::size_t>(i)] = !at_border && stats.at<int>(i, cv::CC_STAT_AREA) <= most_px;
+  }
+  for (int y = 0; y < view.rows; ++y)
+    for (int x = 0; x < view.cols; ++x)
+      if (is_hole[static_cast<std::size_t>(labels.at<int>(y, x))]) mask(x, y) = 1;
+}
+
+/// Part of a line across which the picture itself shows the street: somewhere over its width, as lettering
+/// may cover its middle. A broad street must be seen as an area: the pale rims of a border are thin lines.
+double seen_part(const CentreLine& line, const MapColours& colours) {
+  constexpr double kBroad_px = 2.0;
+  const std::uint8_t least = line.radius_px >= kBroad_px ? MapColours::kArea : MapColours::kThinLine;
+  const auto& p = line.points;
+  int seen = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const MapPoint before = p[i - std::min<std::size_t>(i, 3)];
+    const MapPoint after = p[std::min(p.size() - 1, i + 3)];
+    const double length = std::max(1e-9, std::hypot(after.x - before.x, after.y - before.y));
+    const double nx = (before.y - after.y) / length;
+    const double ny = (after.x - before.x) / length;
+    const int reach = static_cast<int>(line.radius_px);
+    bool is_seen = false;
+    for (int k = -reach; k <= reach && !is_seen; ++k) {
+      const int x = static_cast<int>(std::lround(p[i].x + k * nx));
+      const int y = static_cast<int>(std::lround(p[i].y + k * ny));
+      is_seen = colours.seen.contains(x, y) && colours.seen(x, y) >= least;
+    }
+    seen += is_seen ? 1 : 0;
+  }
+  return seen / static_cast<double>(p.size());
+}
+
+double ribbon_length(const CentreLine& line, double most_width_px, const StreetColourOptions& options) {
+  const double length = length_px(line.points);
+  const bool is_ribbon = length > 2.0 * line.radius_px * options.least_length_widths &&
+                         line.radius_spread_px < options.most_width_spread * line.radius_px &&
+                         2.0 * line.radius_px < most_width_px;
+  return is_ribbon ? length : 0.0;
+}
+
+}  // namespace
+
+std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColourOptions& options) {
+  const Raster<std::uint8_t>& of_pixel = colours.of_pixel;
+  const double side = std::min(of_pixel.width(), of_pixel.height());
+  std::vector<LayerOfColour> out(colours.colours.size());
+  std::size_t background = 0;
+  for (std::size_t k = 0; k < out.size(); ++k)
+    if (colours.colours[k].pixels > colours.colours[background].pixels) background = k;
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    LayerOfColour& layer = out[k];
+    layer.layer = layer_by_hue(colours.colours[k].value);
+    if (layer.layer != MapLayer::land) continue;
+    Raster<std::uint8_t> mask(of_pixel.width(), of_pixel.height());
+    std::transform(of_pixel.values().begin(), of_pixel.values().end(), mask.values().begin(),
+                   [k](std::uint8_t c) { return static_cast<std::uint8_t>(c == k ? 1 : 0); });
+    fill_holes(mask, options.hole_px);
+    layer.lines = centre_lines_of(mask);
+    std::erase_if(layer.lines.lines,
+                  [&](const CentreLine& line) { return seen_part(line, colours) < options.least_seen_part; });
+    join_lines(layer.lines);
+    double length = 0.0;
+    double area = 0.0;
+    double widths = 0.0;
+    for (const CentreLine& line : layer.lines.lines) {
+      const double ribbon = ribbon_length(line, options.most_width_part * side, options);
+      length += ribbon;
+      area += 2.0 * line.radius_px * ribbon;
+      widths += ribbon / (2.0 * line.radius_px);
+    }
+    constexpr int kSmallest = 24;
+    const Pieces pieces = pieces_of(mask, kSmallest);
+    layer.ribbon_part = area / std::max(1, pieces.area);
+    if (layer.ribbon_part >= options.least_ribbon_part && length >= options.least_total_part * side &&
+        widths >= options.least_total_widths) {
+      layer.layer = MapLayer::street;
+      continue;
+    }
+    layer.lines = {};
+    // Buildings are many small pieces, none of which is a large part of the map.
+    constexpr int kFewest = 4;
+    constexpr double kLargest = 0.05;
+    if (k != background && pieces.count >= kFewest &&
+        pieces.largest < kLargest * static_cast<double>(of_pixel.count()))
+      layer.layer = MapLayer::building;
+  }
+  return out;
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,80 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/streets/street_map_from_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+std::optional<MapArea::Kind> area_kind(MapLayer layer) {
+  if (layer == MapLayer::building) return MapArea::Kind::building;
+  if (layer == MapLayer::water) return MapArea::Kind::water;
+  if (layer == MapLayer::green) return MapArea::Kind::green;
+  return std::nullopt;
+}
+
+/// The outlines of all areas of one colour.
+void add_areas(const MapColours& colours, std::size_t k, MapArea::Kind kind, const StreetMapOptions& options,
+               std::vector<MapArea>& areas) {
+  const Raster<std::uint8_t>& of_pixel = colours.of_pixel;
+  const cv::Mat view(of_pixel.height(), of_pixel.width(), CV_8U, const_cast<std::uint8_t*>(of_pixel.data()));
+  const cv::Mat mask = view == static_cast<double>(k);
+  std::vector<std::vector<cv::Point>> outlines;
+  cv::findContours(mask, outlines, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_SIMPLE);
+  for (const auto& outline : outlines) {
+    if (cv::contourArea(outline) < options.least_area_px) continue;
+    std::vector<cv::Point> corners;
+    cv::approxPolyDP(outline, corners, 1.0, true);
+    if (corners.size() < 3) continue;
+    MapArea area{kind, {}};
+    for (const cv::Point p : corners)
+      area.outline.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+    areas.push_back(std::move(area));
+  }
+}
+
+}  // namespace
+
+Result<FoundStreetMap> street_map_from_picture(const Image& picture, const StreetMapOptions& options,
+                                               const Work& work) {
+  work.report(0.0, "finding the map's colours");
+  const Raster<Rgb8> pixels = rgb8(picture);
+  const MapColours colours = find_map_colours(pixels, options.colours);
+  if (work.cancelled()) return Work::interrupted();
+  work.report(0.1, "finding streets");
+  const std::vector<LayerOfColour> layers = layers_of(colours, options.streets);
+  if (work.cancelled()) return Work::interrupted();
+  work.report(0.3, "joining streets");
+  const std::vector<TextLine> text = find_text_lines(pixels, options.text);
+  const CentreLines graph = join_streets(colours, layers, text, options.graph);
+  if (graph.lines.empty())
+    return invalid_input(
+        "no streets were found in this picture: it is not a street map drawn in flat colours");
+  FoundStreetMap out;
+  StreetMap& map = out.map;
+  map.width_px = picture.width;
+  map.height_px = picture.height;
+  for (const CentreLine& line : graph.lines) {
+    const int reach = std::max(2, static_cast<int>(0.5 * line.radius_px));
+    map.streets.push_back(
+        {{}, 2.0 * line.radius_px, simplified(smoothed(line.points, reach), options.line_error_px)});
+  }
+  const std::vector<int> degrees = degrees_of(graph);
+  for (std::size_t n = 0; n < degrees.size(); ++n)
+    if (degrees[n] > 2) map.junctions.push_back({graph.nodes[n], degrees[n], false});
+  for (std::size_t k = 0; k < layers.size(); ++k)
+    if (const auto kind = area_kind(layers[k].layer)) add_areas(colours, k, *kind, options, map.areas);
+  work.report(0.4, "reading names");
+  auto reading = read_text_lines(pixels, text, options.reading, work);
+  if (!reading) return reading.error();
+  add_names(map, text, reading->lines, options.names);
+  out.notes = std::move(reading->notes);
+  return out;
+}
+
+}  // namespace palpable::vision

@@ -1,0 +1,47 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/note.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/street_map.hpp"
+#include "palpable/core/work.hpp"
+#include "palpable/vision/streets/map_colours.hpp"
+#include "palpable/vision/streets/street_colours.hpp"
+#include "palpable/vision/streets/street_graph.hpp"
+#include "palpable/vision/streets/street_names.hpp"
+#include "palpable/vision/text/read_text.hpp"
+#include "palpable/vision/text/text_lines.hpp"
+
+#include <vector>
+
+namespace palpable::vision {
+
+struct StreetMapOptions {
+  MapColourOptions colours;
+  StreetColourOptions streets;
+  TextLineOptions text;
+  StreetGraphOptions graph;
+  ReadTextOptions reading;
+  StreetNameOptions names;
+  /// Areas smaller than this are left out, pixels.
+  double least_area_px = 40.0;
+  /// Largest distance of a simplified line from the original one, pixels.
+  double line_error_px = 0.4;
+};
+
+/// A map, and notes for the user about it.
+struct FoundStreetMap {
+  StreetMap map;
+  std::vector<Note> notes;
+};
+
+/// Finds the streets, junctions, buildings, water and green areas of a street map by the flat colours that it
+/// is drawn with, and reads its names; its style need not be known. Long work: reports progress, polls
+/// cancel. Errors: invalid_input, without a place, for a picture without streets (a photograph, an empty
+/// page); interrupted.
+Result<FoundStreetMap> street_map_from_picture(const Image& picture, const StreetMapOptions& options,
+                                               const Work& work);
+
+}  // namespace palpable::vision

@@ -1,0 +1,105 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/streets/street_map_from_picture.hpp"
+
+#include "palpable/vision/streets/drawn_map.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::vision {
+namespace {
+
+double distance_to_map(const StreetMap& map, MapPoint p) {
+  double least = 1e9;
+  for (const MapStreet& street : map.streets)
+    for (std::size_t i = 1; i < street.points.size(); ++i) {
+      const MapPoint a = street.points[i - 1];
+      const MapPoint b = street.points[i];
+      const double dx = b.x - a.x;
+      const double dy = b.y - a.y;
+      const double square = dx * dx + dy * dy;
+      const double t =
+          square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
+      least = std::min(least, std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy));
+    }
+  return least;
+}
+
+const std::vector<DrawnStreet>& crossing() {
+  static const std::vector<DrawnStreet> streets{
+      {{{0, 120}, {399, 150}}}, {{{200, 0}, {190, 399}}}, {{{195, 250}, {330, 320}}}};
+  return streets;
+}
+
+/// Part of the drawn streets' length whose centre line was found within two pixels.
+double found_part(const StreetMap& map, const std::vector<DrawnStreet>& streets) {
+  int found = 0;
+  int all = 0;
+  for (const DrawnStreet& s : streets)
+    for (std::size_t i = 1; i < s.points.size(); ++i)
+      for (int k = 0; k <= 100; ++k) {
+        const double t = k / 100.0;
+        const MapPoint p{s.points[i - 1].x + t * (s.points[i].x - s.points[i - 1].x),
+                         s.points[i - 1].y + t * (s.points[i].y - s.points[i - 1].y)};
+        ++all;
+        found += distance_to_map(map, p) <= 2.0 ? 1 : 0;
+      }
+  return static_cast<double>(found) / all;
+}
+
+TEST(StreetMapFromPicture, FindsCentreLinesAndJunctionsInStylesThatDifferInColour) {
+  const std::vector<DrawnStyle> styles{{},
+                                       {{255, 255, 255}, {255, 220, 120}, {190, 140, 60}, {225, 225, 225}},
+                                       {{40, 44, 52}, {110, 110, 120}, {70, 70, 80}, {58, 62, 70}},
+                                       {{232, 232, 228}, {250, 160, 130}, {200, 100, 80}, {200, 190, 210}}};
+  for (const DrawnStyle& style : styles) {
+    const auto found = street_map_from_picture(drawn_map(crossing(), style), {}, Work{});
+    ASSERT_TRUE(found) << style.street;
+    const StreetMap* map = &found->map;
+    EXPECT_GT(found_part(*map, crossing()), 0.97) << style.street;
+    ASSERT_EQ(map->junctions.size(), 2U) << style.street;
+    std::vector<int> degrees{map->junctions[0].degree, map->junctions[1].degree};
+    std::sort(degrees.begin(), degrees.end());
+    EXPECT_EQ(degrees, (std::vector<int>{3, 4})) << style.street;
+    for (const MapStreet& street : map->streets) EXPECT_NEAR(street.width_px, 15.0, 3.0);
+  }
+}
+
+TEST(StreetMapFromPicture, ClosesTheGapThatLetteringLeaves) {
+  Image picture = drawn_map({{{{0, 200}, {399, 200}}, 8}});
+  cv::Mat canvas(400, 400, CV_32FC3, picture.samples.data());
+  cv::putText(canvas, "Some Street", {120, 204}, cv::FONT_HERSHEY_SIMPLEX, 0.45, {1, 1, 1}, 3, cv::LINE_AA);
+  cv::putText(canvas, "Some Street", {120, 204}, cv::FONT_HERSHEY_SIMPLEX, 0.45, {0.1, 0.1, 0.1}, 1,
+              cv::LINE_AA);
+  const auto found = street_map_from_picture(picture, {}, Work{});
+  ASSERT_TRUE(found);
+  EXPECT_GT(found_part(found->map, {{{{0, 200}, {399, 200}}}}), 0.95);
+}
+
+TEST(StreetMapFromPicture, SeparatesBuildingsFromStreets) {
+  const auto found = street_map_from_picture(drawn_map(crossing()), {}, Work{});
+  ASSERT_TRUE(found);
+  const auto buildings = std::count_if(found->map.areas.begin(), found->map.areas.end(),
+                                       [](const MapArea& a) { return a.kind == MapArea::Kind::building; });
+  EXPECT_GT(buildings, 50);
+}
+
+TEST(StreetMapFromPicture, RefusesPicturesWithoutStreets) {
+  Image empty{200, 150, 3, 8, std::vector<float>(std::size_t{200} * 150 * 3, 1.0F)};
+  EXPECT_FALSE(street_map_from_picture(empty, {}, Work{}));
+  Image one{1, 1, 1, 8, {0.5F}};
+  EXPECT_FALSE(street_map_from_picture(one, {}, Work{}));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> level(0.0F, 1.0F);
+  Image noise = empty;
+  for (float& v : noise.samples) v = level(random);
+  const auto found = street_map_from_picture(noise, {}, Work{});
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::invalid_input);
+}
+
+}  // namespace
+}  // namespace palpable::vision

@@ -1,0 +1,29 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/street_map.hpp"
+#include "palpable/vision/text/read_text.hpp"
+#include "palpable/vision/text/text_lines.hpp"
+
+#include <span>
+
+namespace palpable::vision {
+
+struct StreetNameOptions {
+  /// A name lies on a street if at least this part of it is nearer to the street's centre line than
+  /// `aside` of its height.
+  double least_part_on_street = 0.6;
+  double aside = 0.75;
+  /// A name goes on over a junction to the unnamed street that continues in the same direction within this
+  /// angle, degrees, and whose width differs by at most this part.
+  double most_turn_deg = 30.0;
+  double most_width_change = 0.35;
+};
+
+/// Adds the map's lettering (`read` belongs to `lines`, one for one): a name that lies along a street becomes
+/// the name of that street and of its straight continuation; other words become labels of places.
+void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
+               const StreetNameOptions& options = {});
+
+}  // namespace palpable::vision
