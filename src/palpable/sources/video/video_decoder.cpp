@@ -136,6 +136,7 @@ class Film {
     step_ = std::max(1, static_cast<int>(std::ceil(std::min(stated_frames(), 1e6) / kMostVideoFrames)));
     const Owned<AVPacket, FreePacket> packet(av_packet_alloc());
     while (av_read_frame(format_.get(), packet.get()) >= 0 && !full()) {
+      if (packet->stream_index == stream_ && (packet->flags & AV_PKT_FLAG_DISCARD) != 0) ++hidden_;
       if (packet->stream_index == stream_ && avcodec_send_packet(codec_.get(), packet.get()) == 0)
         if (auto taken = take_frames(); !taken) return taken.error();
       av_packet_unref(packet.get());
@@ -144,13 +145,21 @@ class Film {
       if (auto taken = take_frames(); !taken) return taken.error();
     if (video_.frames.empty()) return damaged("none of its frames can be read");
     // Some programs state one frame too many.
-    const std::int64_t stated = std::min<std::int64_t>(format_->streams[stream_]->nb_frames, kMostStated);
+    const std::int64_t stated = std::min(frames_to_show(), kMostStated) - hidden_;
     if (!full() && number_ + 1 < stated) video_.lost += static_cast<int>(stated) - number_;
     return std::move(video_);
   }
 
  private:
   static constexpr std::int64_t kMostStated = 1000000;
+
+  // The frames that the file states, without those that it was trimmed by: an edit list hides them, and
+  // FFmpeg leaves them out of its index, or marks their packets to be discarded.
+  std::int64_t frames_to_show() const {
+    const AVStream& stream = *format_->streams[stream_];
+    const bool has_edits = std::strstr(format_->iformat->name, "mp4") != nullptr;
+    return has_edits ? avformat_index_get_entries_count(&stream) : stream.nb_frames;
+  }
 
   // If a file states fewer frames than it has, at most twice the limit is kept.
   bool full() const { return video_.frames.size() >= 2 * static_cast<std::size_t>(kMostVideoFrames); }
@@ -214,6 +223,8 @@ class Film {
   int turns_ = 0;
   int step_ = 1;
   int number_ = 0;
+  // Packets of trimmed frames, which are decoded for the others' sake.
+  int hidden_ = 0;
   int width_ = 0, height_ = 0, format_of_frames_ = 0;
   int scaled_width_ = 0, scaled_height_ = 0;
   Video video_;

@@ -1,0 +1,39 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/video/read_video.hpp"
+
+#include "palpable/core/read_file.hpp"
+#include "palpable/sources/isolated/isolated.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+namespace palpable::sources {
+namespace {
+
+// 12 frames of 48 x 32 pixels, of which an edit list shows 7, as phones trim films.
+const std::filesystem::path kTrimmed = std::filesystem::path(PALPABLE_VIDEO_EXAMPLES) / "trimmed.mp4";
+
+TEST(ReadVideo, FramesThatAFilmWasTrimmedByAreNotLost) {
+  const auto video = read_video({&kTrimmed, 1}, {});
+  ASSERT_TRUE(video) << video.error().sentence();
+  EXPECT_EQ(video->frames.size(), 7U);
+  EXPECT_EQ(video->lost, 0);
+}
+
+TEST(ReadVideo, FramesThatADamagedFilmStatesAreLost) {
+  auto bytes = read_file(kTrimmed);
+  ASSERT_TRUE(bytes);
+  // The pictures begin behind the first 48 bytes; the description of all frames is at the end.
+  constexpr std::ptrdiff_t kPictures = 48, kSome = 1500;
+  std::fill_n(bytes->begin() + kPictures + kSome / 2, kSome / 2, std::byte{0});
+  const auto video = isolated::decode_video(*bytes);
+  ASSERT_TRUE(video) << video.error().sentence();
+  EXPECT_GT(video->lost, 0);
+  EXPECT_EQ(static_cast<int>(video->frames.size()) + video->lost, 7);
+}
+
+}  // namespace
+}  // namespace palpable::sources
