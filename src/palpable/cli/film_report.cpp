@@ -160,7 +160,7 @@ Result<draw::ReportSection> model_section(const models::Scene& scene) {
 }
 
 draw::ReportSection figures_section(const VideoReconstruction& video, const std::vector<Note>& notes) {
-  const recipes::FilmFigures& f = video.figures;
+  const recipes::VideoFigures& f = video.figures;
   draw::ReportSection out{"Figures and notes", {}, {}, {}, {}};
   for (const Note& note : notes) out.items.push_back(note.sentence);
   const auto yes = [](bool seen) { return std::string(seen ? "yes" : "no"); };

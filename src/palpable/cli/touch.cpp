@@ -302,8 +302,7 @@ Result<void> check_options(const TouchArguments& arguments, const std::vector<se
 }
 
 /// Sets what is made and how it is touched. Errors: usage; invalid_input for files of names and materials.
-Result<void> fill_plan(const TouchArguments& arguments, const std::optional<Published>& published,
-                       Plan& plan) {
+Result<void> fill_plan(TouchArguments& arguments, const std::optional<Published>& published, Plan& plan) {
   const auto make = make_options(arguments.scene.make);
   if (!make) return make.error();
   plan.arguments = arguments.scene.make;

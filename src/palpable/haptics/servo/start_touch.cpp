@@ -25,7 +25,7 @@ Result<std::unique_ptr<ServoLoop>> start_touch(const models::Scene& scene,
                                                std::unique_ptr<device::Device> device,
                                                const ServoOptions& options) {
   PALPABLE_CHECK(device != nullptr);
-  if (!models::has_model(scene)) return usage_error("the scene has no model");
+  if (!models::has_model(scene)) return Error{ErrorCode::usage, "the scene has no model", {}};
   const auto place = fit_workspace(scene, device->traits());
   return ServoLoop::start(std::move(device), {std::move(touchable), place, 1}, options);
 }
