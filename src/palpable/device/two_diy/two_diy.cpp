@@ -193,8 +193,11 @@ std::string TwoDiy::fault() const {
 }
 
 std::optional<ZeroWrite> TwoDiy::zero_write() const {
-  const auto zero = zero_message();
-  return ZeroWrite{port_->descriptor(), {zero.begin(), zero.end()}};
+  // Twice, in case that the program was killed within a message. No reset: the servo may only stand still.
+  const auto zero = torque_message({0.0F, 0.0F});
+  ZeroWrite out{port_->descriptor(), {zero.begin(), zero.end()}};
+  out.bytes.insert(out.bytes.end(), zero.begin(), zero.end());
+  return out;
 }
 
 std::vector<std::string> two_diy_ports() {

@@ -1,21 +1,28 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 // Waits until the program that started it ends, for whatever reason, and then writes the bytes that set the
-// device to zero force. Descriptors: 3 is the read end of a pipe whose write end only that program holds, 4
-// is the device. Argument: the bytes in hexadecimal.
+// device to zero force; also while the program's servo stands still. Descriptors: 3 is the read end of a pipe
+// whose write end only that program holds, 4 is the device, 5 is shared memory with the servo's counter of
+// ticks (u64). Arguments: the bytes in hexadecimal, and the time without a tick that counts as stillness, ms.
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
 
+#include <poll.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 namespace {
 
-constexpr int kProgram = 3, kDevice = 4;
+constexpr int kProgram = 3, kDevice = 4, kBeats = 5;
+constexpr int kLook_ms = 3;
 
 int digit(char c) { return c >= 'a' ? c - 'a' + 10 : c - '0'; }
 
@@ -24,14 +31,6 @@ std::vector<unsigned char> bytes_in(std::string_view text) {
   for (std::size_t k = 0; k + 1 < text.size(); k += 2)
     bytes.push_back(static_cast<unsigned char>(16 * digit(text[k]) + digit(text[k + 1])));
   return bytes;
-}
-
-void wait_for_end() {
-  char byte = 0;
-  while (true) {
-    const ssize_t got = read(kProgram, &byte, 1);
-    if (got == 0 || (got < 0 && errno != EINTR)) return;
-  }
 }
 
 bool write_all(const std::vector<unsigned char>& bytes) {
@@ -45,11 +44,37 @@ bool write_all(const std::vector<unsigned char>& bytes) {
   return true;
 }
 
+/// Writes the bytes once each time that the counter, once it counts, stands still. Returns when the program
+/// has ended.
+void watch(const std::atomic<std::uint64_t>& beats, std::chrono::milliseconds still,
+           const std::vector<unsigned char>& bytes) {
+  using Clock = std::chrono::steady_clock;
+  std::uint64_t last = 0;
+  auto since = Clock::now();
+  bool written = true;
+  while (true) {
+    pollfd program{kProgram, POLLIN, 0};
+    const int ready = poll(&program, 1, kLook_ms);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return;
+    const std::uint64_t now = beats.load(std::memory_order_relaxed);
+    if (now != last) {
+      last = now;
+      since = Clock::now();
+      written = false;
+    } else if (!written && Clock::now() - since > still) {
+      write_all(bytes);
+      written = true;
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   constexpr int kWrongUsage = 2;
-  if (argc != 2) return kWrongUsage;
+  if (argc != 3) return kWrongUsage;
+  void* shared = mmap(nullptr, sizeof(std::atomic<std::uint64_t>), PROT_READ, MAP_SHARED, kBeats, 0);
+  if (shared == MAP_FAILED) return kWrongUsage;
   const auto bytes = bytes_in(argv[1]);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP, SIGPIPE}) std::signal(number, SIG_IGN);
   // Neither is always permitted; the program works without them.
@@ -58,6 +83,7 @@ int main(int argc, char** argv) {
   priority.sched_priority = kPriority;
   sched_setscheduler(0, SCHED_FIFO, &priority);
   mlockall(MCL_CURRENT | MCL_FUTURE);
-  wait_for_end();
+  watch(*static_cast<const std::atomic<std::uint64_t>*>(shared),
+        std::chrono::milliseconds(std::atoi(argv[2])), bytes);
   return write_all(bytes) ? 0 : 1;
 }

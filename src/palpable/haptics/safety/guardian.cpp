@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cerrno>
+#include <new>
 #include <string>
 #include <string_view>
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -33,14 +35,23 @@ Result<std::unique_ptr<Guardian>> Guardian::start(const device::ZeroWrite& zero)
   if (!pipe) return std::move(pipe).error();
   auto& [its, ours] = *pipe;
   const Descriptor device = passable(Descriptor(::dup(zero.descriptor)));
-  const auto process =
-      start_child(*program, {hexadecimal(zero.bytes)}, std::array{its.number(), device.number()});
+  const Descriptor shared = passable(Descriptor(::memfd_create("palpable-beats", MFD_CLOEXEC)));
+  void* memory = ::ftruncate(shared.number(), sizeof(Beats)) == 0
+                     ? ::mmap(nullptr, sizeof(Beats), PROT_READ | PROT_WRITE, MAP_SHARED, shared.number(), 0)
+                     : MAP_FAILED;
+  if (memory == MAP_FAILED) return Error{ErrorCode::failed, "no memory can be shared with the guardian", {}};
+  auto* beats = new (memory) Beats{};
+  const auto process = start_child(*program, {hexadecimal(zero.bytes), std::to_string(kStill_ms)},
+                                   std::array{its.number(), device.number(), shared.number()});
+  std::unique_ptr<Guardian> guardian(new Guardian(std::move(ours), beats, process ? *process : -1));
   if (!process) return process.error();
-  return std::unique_ptr<Guardian>(new Guardian(std::move(ours), *process));
+  return guardian;
 }
 
 Guardian::~Guardian() {
   alive_.close();
+  ::munmap(beats_, sizeof(Beats));
+  if (process_ < 0) return;
   while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }
 }

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
@@ -56,6 +57,21 @@ TEST_F(GuardianTest, WritesZeroWhenItsProgramIsKilled) {
   EXPECT_GT(wait(&status), 0);
   EXPECT_EQ(status, 0);
   EXPECT_TRUE(all_zero());
+}
+
+TEST_F(GuardianTest, WritesZeroWhileTheServoStandsStillAndNotBeforeItsFirstTick) {
+  const auto guardian = Guardian::start(motors->zero_write());
+  ASSERT_TRUE(guardian) << guardian.error().message;
+  motors->write({0.0, 0.0, 2.0});
+  const auto until = [](auto reached) {
+    while (!reached()) std::this_thread::yield();
+  };
+  for (int time = 0; time < 3; ++time) {
+    motors->write({0.0, 0.0, 2.0});
+    EXPECT_FALSE(all_zero());
+    (*guardian)->beat();
+    until([&] { return all_zero(); });
+  }
 }
 
 TEST_F(GuardianTest, WritesZeroAndEndsWithItsOwner) {

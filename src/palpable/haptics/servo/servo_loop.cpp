@@ -214,6 +214,7 @@ void ServoLoop::Impl::serve() {
     counts_out.put(counts);
     const std::int64_t done_ns = monotonic_ns();
     if (watchdog) watchdog->note_write(done_ns);
+    if (guardian) guardian->beat();
     if (!resting) timings.put({period_ns, done_ns - wake.now_ns});
   }
   if (watchdog) watchdog->stop();

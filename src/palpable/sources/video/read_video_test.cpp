@@ -3,7 +3,7 @@
 #include "palpable/sources/video/read_video.hpp"
 
 #include "palpable/core/read_file.hpp"
-#include "palpable/sources/isolated/isolated.hpp"
+#include "palpable/sources/video/video_reply.hpp"
 
 #include <algorithm>
 #include <filesystem>
