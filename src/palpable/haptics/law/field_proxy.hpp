@@ -60,7 +60,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     FieldProxy& proxy = state.proxy;
     const bool is_new = proxy.phase == FieldProxy::Phase::fresh;
-    const ProxyBefore before{proxy.place_m, proxy.phase == FieldProxy::Phase::touching};
+    const ProxyBefore before{proxy.place_m, proxy.phase == FieldProxy::Phase::touching, proxy.hand_m};
     // The material at the proxy is used, wherever the hand is below the surface.
     const Contact contact = eased_contact(this->materials(), is_new ? hand.position.v : proxy.place_m,
                                           before.touching, hand.dt_s, state.memory);

@@ -36,7 +36,7 @@ class ProxyLaw : public ContactLaw<Surface> {
 
   LawOutput evaluate(const Hand& hand, State& state) const noexcept {
     SurfaceProxy& proxy = state.proxy;
-    const ProxyBefore before{proxy.place_m, proxy.phase == SurfaceProxy::Phase::touching};
+    const ProxyBefore before{proxy.place_m, proxy.phase == SurfaceProxy::Phase::touching, proxy.hand_m};
     const Contact contact =
         eased_contact(this->materials(), proxy.place_m, before.touching, hand.dt_s, state.memory);
     ProxyFollower<Surface>(this->surface(), {contact.static_friction, contact.dynamic_friction})

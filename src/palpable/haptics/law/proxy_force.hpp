@@ -41,10 +41,11 @@ inline Contact eased_contact(const MaterialMap& materials, Vec3 place_m, bool in
   return memory.contact;
 }
 
-/// The proxy after the previous tick.
+/// The proxy after the previous tick, and the hand in it.
 struct ProxyBefore {
   Vec3 place_m;
   bool touching = false;
+  Vec3 hand_m{};
 };
 
 /// An outward direction of any length, and the reciprocal of its squared length, so that the force needs no
@@ -70,6 +71,37 @@ inline Vec3 friction_damper(const Hand& hand, const Contact& contact, Vec3 place
   return (-drag_N / speed) * along;
 }
 
+/// Damper for a spring whose direction turns against the movement, as under a crease, where the proxy stays
+/// while the hand moves below it. There the spring is one along the surface too. The motors hold an earlier
+/// direction, which pushes the hand on; the damper takes back what that gives, with the margin of the
+/// stiffness limit (stability.cpp) and as far as dynamic friction does not. At most the push. Tick path.
+inline Vec3 turning_damper(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
+                           const Outward& normal, double pressing_out) noexcept {
+  constexpr double kMargin = 1.0 / 0.65;
+  if (!before.touching || hand.acts_after_s <= 0.0 || pressing_out <= 0.0) return {};
+  const Vec3 spring_m = place_m - hand.position.v;
+  const Vec3 before_m = before.place_m - before.hand_m;
+  const double squares = squared_norm(spring_m) + squared_norm(before_m);
+  const double ticks = kMargin * hand.acts_after_s / hand.dt_s;
+  const double friction = contact.dynamic_friction;
+  // The angle is at most twice the change over the sum of both lengths: mostly, friction is more.
+  if (4.0 * ticks * ticks * squared_norm(spring_m - before_m) <= friction * friction * squares) return {};
+  const double length_m = norm(spring_m);
+  const double length_before_m = norm(before_m);
+  if (length_m <= 0.0 || length_before_m <= 0.0) return {};
+  const Vec3 out = (1.0 / length_m) * spring_m;
+  const Vec3 v = hand.velocity_m_per_s.v;
+  const Vec3 along = v - dot(v, out) * out;
+  const double speed = norm(along);
+  if (speed <= 0.0) return {};
+  const double turned_back = dot((1.0 / length_before_m) * before_m - out, along) / speed;
+  const double share = std::min(1.0, ticks * turned_back) - friction;
+  if (share <= 0.0) return {};
+  const double push_N =
+      std::min(contact.stiffness_N_per_m * length_m, pressing_out * std::sqrt(normal.per_length2));
+  return (-share * push_N / speed) * along;
+}
+
 /// The force of spring and dampers between the hand and a proxy at `place_m` on the surface. Tick path.
 inline Vec3 proxy_force(const Hand& hand, const Contact& contact, Vec3 place_m, const ProxyBefore& before,
                         const Outward& out) noexcept {
@@ -80,7 +112,8 @@ inline Vec3 proxy_force(const Hand& hand, const Contact& contact, Vec3 place_m, 
   // tick, only the spring acts.
   const double pressing_out = spring_out > 0.0 ? std::max(0.0, spring_out + damper_out) : spring_out;
   return spring + ((pressing_out - spring_out) * out.per_length2) * out.v +
-         friction_damper(hand, contact, place_m, before, out, pressing_out);
+         friction_damper(hand, contact, place_m, before, out, pressing_out) +
+         turning_damper(hand, contact, place_m, before, out, pressing_out);
 }
 
 }  // namespace palpable::haptics

@@ -50,7 +50,9 @@ TickTimes time_path(const Touchable& touchable, std::span<const PathSample> path
   for (const bool warm : {false, true}) {
     TouchState state;
     for (std::size_t i = 0; i < path.size(); ++i) {
-      const Hand hand = hand_at(path, i);
+      Hand hand = hand_at(path, i);
+      // As in a loop, whose motors hold the force for a tick.
+      hand.acts_after_s = 0.5 * hand.dt_s;
       const std::uint64_t start = TickClock::now();
       const LawOutput output = touchable.evaluate(hand, state);
       const std::uint64_t stop = TickClock::now();

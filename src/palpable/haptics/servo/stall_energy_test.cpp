@@ -184,7 +184,6 @@ class StalledTouch {
     step(late * kT_s);
     worst_.in_contact += in_contact_ ? 1 : 0;
     for (int n = 0; n < 600 && in_contact_; ++n) {
-      worst_.beyond_given_J = std::max(worst_.beyond_given_J, hand_.received_J());
       worst_.beyond_held_J = std::max(worst_.beyond_held_J, hand_.received_J() - before_J - held_J);
       step(kT_s);
     }
@@ -204,6 +203,7 @@ class StalledTouch {
     const auto risen = cap_rise(hand_.written_N(), before, 1.5 * kT_s * options_.max_force_rate_N_per_s);
     worst_.beyond_rise_N = std::max(worst_.beyond_rise_N, norm(risen.force_N - hand_.written_N()));
     in_contact_ = sample.has(flag::kContact);
+    worst_.beyond_given_J = std::max(worst_.beyond_given_J, hand_.received_J());
     if (!in_contact_ && hand_.written_N() == Vector<DeviceFrame>{}) hand_.begin_account();
   }
 
@@ -249,6 +249,23 @@ TEST_P(StallIn, ContactGivesNothingBackThatTheHandDidNotGive) {
     in_contact += worst.in_contact;
   }
   EXPECT_GT(in_contact, 150);
+}
+
+TEST(FrictionlessProxy, GivesNothingBackThatTheHandDidNotGiveAndIsNotSaidTo) {
+  // Without friction nothing hides what a spring gives whose direction turns under a crease.
+  Hands hands(29);
+  for (unsigned k = 1; k <= 12; ++k) {
+    device::HandOptions options = hands.next();
+    options.resolution_m = 1e-6;
+    options.explorer.script = device::ExplorerOptions::Script::random;
+    options.explorer.workspace_m = {0.04, 0.03, 0.03};
+    options.explorer.seed = k;
+    StalledTouch touch({"frictionless_proxy", on_hills<Law::proxy, 0>}, options, k);
+    touch.explore(8000);
+    const Outcome outcome = touch.worst();
+    EXPECT_LE(outcome.beyond_given_J, 1e-6) << "hand " << k;
+    EXPECT_LE(outcome.said_J, 1e-6) << "hand " << k;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
