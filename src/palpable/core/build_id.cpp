@@ -4,6 +4,7 @@
 
 #include "palpable/core/byte_reader.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -14,18 +15,20 @@
 namespace palpable {
 namespace {
 
-/// Searches the notes of one segment for the identifier.
+/// Searches the notes of one segment for the identifier. Name and content of a note begin at multiples of the
+/// alignment, counted from the note's beginning.
 std::string id_in(std::span<const std::byte> notes, std::size_t alignment) {
-  const auto padded = [alignment](std::size_t size) {
-    return (size + alignment - 1) / alignment * alignment;
+  const auto padding_after = [alignment](std::size_t size) {
+    return (alignment - size % alignment) % alignment;
   };
   ByteReader in(notes, std::endian::native);
   while (in.left() >= sizeof(ElfW(Nhdr))) {
     const std::size_t name_size = in.u32(), content_size = in.u32();
     const std::uint32_t type = in.u32();
-    const auto name = in.bytes(padded(name_size));
-    const auto content = in.bytes(padded(content_size));
+    const auto name = in.bytes(name_size + padding_after(sizeof(ElfW(Nhdr)) + name_size));
+    const auto content = in.bytes(content_size);
     if (!in.ok()) return {};
+    in.bytes(std::min(padding_after(content_size), in.left()));
     if (type != NT_GNU_BUILD_ID || !as_text(name).starts_with("GNU")) continue;
     std::string text;
     for (const std::byte byte : content.first(content_size)) {
@@ -45,8 +48,11 @@ int look(dl_phdr_info* object, std::size_t, void* found) {
     if (segment.p_type != PT_NOTE) continue;
     const auto* begin = reinterpret_cast<const std::byte*>(object->dlpi_addr + segment.p_vaddr);
     auto& text = *static_cast<std::string*>(found);
-    text = id_in({begin, segment.p_memsz}, segment.p_align >= 8 ? 8 : 4);
-    if (!text.empty()) break;
+    // Some linkers put notes of both alignments into one segment, and state the greater one.
+    for (const std::size_t alignment : {4U, 8U}) {
+      text = id_in({begin, segment.p_memsz}, alignment);
+      if (!text.empty()) return 1;
+    }
   }
   return 1;
 }
