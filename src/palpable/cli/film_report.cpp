@@ -142,12 +142,12 @@ Result<draw::ReportSection> model_section(const models::Scene& scene) {
     return added.error();
   // It lies on its table, z up and y to the back.
   constexpr draw::SolidViewOptions kFromTheFront{15.0, -35.0, 12.0};
-  const draw::Heading heading{"The model", "from the front, above; " + extent};
+  const draw::FigureTitle title{"The model", "from the front, above; " + extent};
   const auto figure = [&]() -> std::optional<draw::Figure> {
     if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
-      return draw::solid_figure(*field, kFromTheFront, heading);
+      return draw::solid_figure(*field, kFromTheFront, title);
     if (const auto* field = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
-      return draw::solid_figure(*field, kFromTheFront, heading);
+      return draw::solid_figure(*field, kFromTheFront, title);
     return std::nullopt;
   }();
   if (figure)

@@ -45,8 +45,8 @@ std::string origin_of(const models::Scene& scene) {
   return ", made from " + describe::listed(files);
 }
 
-draw::Heading heading_of(const ShowArguments& arguments, const models::Scene& scene,
-                         const std::string& what) {
+draw::FigureTitle title_of(const ShowArguments& arguments, const models::Scene& scene,
+                           const std::string& what) {
   const Vec3 size = models::size_m(scene);
   // Contours lie in a plane.
   const std::string height = size.z > 0.0 ? fmt::format(", {} {}", describe::length(size.z),
@@ -96,7 +96,7 @@ Result<draw::Figure> force_picture(const ShowArguments& arguments, const models:
   const double spacing_m = std::max(relief.width_m(), relief.depth_m()) / kArrowsAcross;
   return draw::force_figure(
       relief, scene.texture, forces_on(relief, **touchable, spacing_m), spacing_m,
-      heading_of(arguments, scene, fmt::format("force of the law {}", haptics::name_of(parameters->law))));
+      title_of(arguments, scene, fmt::format("force of the law {}", haptics::name_of(parameters->law))));
 }
 
 double height_of_row_m(const models::Relief& relief, std::ptrdiff_t row) {
@@ -138,14 +138,14 @@ Result<draw::Figure> contours_picture(const ShowArguments& arguments, const mode
   const models::BoundaryMap& map = (*contours)->boundaries;
   return draw::contours_figure(
       sculpt::boundary_lines(map), scene.texture, map.pixel_m(),
-      heading_of(arguments, scene, fmt::format("contours from strength {:.2f}", map.origin().threshold)));
+      title_of(arguments, scene, fmt::format("contours from strength {:.2f}", map.origin().threshold)));
 }
 
 Result<draw::Figure> map_picture(const ShowArguments& arguments, const models::Scene& scene) {
   if (scene.map == nullptr)
     return Error{ErrorCode::usage, "only the scene of a street map has this view", "--view"};
   return draw::map_figure(scene.map, scene.texture, models::size_m(scene).x,
-                          heading_of(arguments, scene, "street map"));
+                          title_of(arguments, scene, "street map"));
 }
 
 Result<draw::Figure> regions_picture(const ShowArguments& arguments, const models::Scene& scene) {
@@ -165,7 +165,7 @@ Result<draw::Figure> regions_picture(const ShowArguments& arguments, const model
         picture(x, y) =
             texture(x * texture.width() / picture.width(), y * texture.height() / picture.height());
   return draw::marks_figure(std::move(picture), scene.labels, std::move(kinds),
-                            heading_of(arguments, scene, "regions"),
+                            title_of(arguments, scene, "regions"),
                             "Tinted: the regions that were found. Not tinted: the objects.");
 }
 
@@ -181,15 +181,15 @@ Result<draw::Figure> field_section(const ShowArguments& arguments, const models:
                              1000.0 * field->most_m.y),
                  "--at"};
   return draw::field_section_figure(field, cut_m, arguments.section,
-                                    heading_of(arguments, scene, "cut from left to right"));
+                                    title_of(arguments, scene, "cut from left to right"));
 }
 
 Result<draw::Figure> solid_picture(const ShowArguments& arguments, const models::Scene& scene) {
-  const draw::Heading heading = heading_of(arguments, scene, "solid");
+  const draw::FigureTitle title = title_of(arguments, scene, "solid");
   if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
-    return draw::solid_figure(*field, arguments.solid, heading);
+    return draw::solid_figure(*field, arguments.solid, title);
   if (const auto* dense = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
-    return draw::solid_figure(*dense, arguments.solid, heading);
+    return draw::solid_figure(*dense, arguments.solid, title);
   return Error{ErrorCode::usage, "only a scene with a field has this view", "--view"};
 }
 
@@ -206,16 +206,16 @@ Result<draw::Figure> picture_of(const ShowArguments& arguments, const models::Sc
     return field_section(arguments, scene, *dense);
   if (arguments.view == "regions") return regions_picture(arguments, scene);
   if (arguments.view == "relief")
-    return draw::relief_figure(relief, heading_of(arguments, scene, "relief"),
+    return draw::relief_figure(relief, title_of(arguments, scene, "relief"),
                                arguments.picture ? scene.texture : Raster<Rgb8>());
-  if (arguments.view == "depth") return draw::height_figure(relief, heading_of(arguments, scene, "heights"));
+  if (arguments.view == "depth") return draw::height_figure(relief, title_of(arguments, scene, "heights"));
   if (arguments.view == "force") return force_picture(arguments, scene, relief);
   const double cut_m = arguments.cut_mm ? *arguments.cut_mm / 1000.0 : default_cut_m(scene, relief);
   if (std::abs(cut_m) > 0.5 * relief.depth_m())
     return Error{ErrorCode::usage,
                  fmt::format("the relief reaches from {0:.1f} to -{0:.1f} mm", 500.0 * relief.depth_m()),
                  "--at"};
-  return draw::section_figure(relief, cut_m, heading_of(arguments, scene, "cut from left to right"));
+  return draw::section_figure(relief, cut_m, title_of(arguments, scene, "cut from left to right"));
 }
 
 Result<Answer> show(ShowArguments arguments) {

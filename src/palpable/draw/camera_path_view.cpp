@@ -50,11 +50,11 @@ void draw_side(Canvas& canvas, const CameraPathView& view, Rect area, const std:
 
 }  // namespace
 
-Figure camera_path_figure(CameraPathView view, const Heading& heading) {
+Figure camera_path_figure(CameraPathView view, const FigureTitle& title) {
   const int width = static_cast<int>(2 * (kPathPlot_px + kPathBetween_px) + 20.0),
             height = static_cast<int>(kPathTop_px + kPathPlot_px + 70.0);
-  return {width, height, [view = std::move(view), heading, width](Canvas& canvas) {
-            draw_heading(canvas, heading, kPathLeft_px, width - 2 * kPathLeft_px);
+  return {width, height, [view = std::move(view), title, width](Canvas& canvas) {
+            draw_title(canvas, title, kPathLeft_px, width - 2 * kPathLeft_px);
             draw_side(canvas, view, {kPathLeft_px, kPathTop_px, kPathPlot_px, kPathPlot_px}, "From above",
                       "to the back", [](const Vec3& p) {
                         return CanvasPoint{p.x, p.y};

@@ -4,7 +4,7 @@
 
 #include "palpable/core/vec3.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 
 #include <string>
 #include <vector>
@@ -19,6 +19,6 @@ struct CameraPathView {
   std::vector<Vec3> cameras;
   std::string unit;
 };
-Figure camera_path_figure(CameraPathView view, const Heading& heading);
+Figure camera_path_figure(CameraPathView view, const FigureTitle& title);
 
 }  // namespace palpable::draw

@@ -16,7 +16,7 @@ namespace {
 constexpr int kColumns = 3;
 constexpr double kPanel_px = 380.0;
 constexpr double kMargin_px = 28.0;
-constexpr double kHeading_px = 96.0;
+constexpr double kTitle_px = 96.0;
 constexpr double kName_px = 26.0;
 constexpr double kLine_px = 18.0;
 
@@ -29,7 +29,7 @@ struct Grid {
   CanvasPoint corner(std::size_t i) const {
     const auto column = static_cast<double>(i % kColumns);
     const auto row = static_cast<double>(i / kColumns);
-    return {kMargin_px + column * (kPanel_px + kMargin_px), kHeading_px + row * (panel_height + kMargin_px)};
+    return {kMargin_px + column * (kPanel_px + kMargin_px), kTitle_px + row * (panel_height + kMargin_px)};
   }
 };
 
@@ -59,12 +59,12 @@ void draw_panel(Canvas& canvas, const ComparedRelief& compared, CanvasPoint corn
 
 }  // namespace
 
-Figure comparison_figure(std::vector<ComparedRelief> reliefs, const Heading& heading) {
+Figure comparison_figure(std::vector<ComparedRelief> reliefs, const FigureTitle& title) {
   const Grid grid = grid_for(reliefs);
   const int width = static_cast<int>(kMargin_px + kColumns * (kPanel_px + kMargin_px));
-  const int height = static_cast<int>(kHeading_px + grid.rows * (grid.panel_height + kMargin_px));
-  return {width, height, [reliefs = std::move(reliefs), heading, grid, width](Canvas& canvas) {
-            draw_heading(canvas, heading, kMargin_px, width - 2.0 * kMargin_px);
+  const int height = static_cast<int>(kTitle_px + grid.rows * (grid.panel_height + kMargin_px));
+  return {width, height, [reliefs = std::move(reliefs), title, grid, width](Canvas& canvas) {
+            draw_title(canvas, title, kMargin_px, width - 2.0 * kMargin_px);
             for (std::size_t i = 0; i < reliefs.size(); ++i)
               draw_panel(canvas, reliefs[i], grid.corner(i), grid.picture_height);
           }};

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <string>
@@ -19,6 +19,6 @@ struct ComparedRelief {
 };
 
 /// Reliefs side by side, three per row, each tinted by height and shaded as in relief_figure(). At least one.
-Figure comparison_figure(std::vector<ComparedRelief> reliefs, const Heading& heading);
+Figure comparison_figure(std::vector<ComparedRelief> reliefs, const FigureTitle& title);
 
 }  // namespace palpable::draw

@@ -32,10 +32,10 @@ Rgb8 pale_grey(const Raster<Rgb8>& picture, double u, double v) {
 
 }  // namespace
 
-Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m, const Heading& heading) {
+Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m, const FigureTitle& title) {
   const Sheet sheet = sheet_for(static_cast<double>(lines.width()) / lines.height());
   return {sheet.width_px, sheet.height_px,
-          [lines = std::move(lines), picture = std::move(picture), pixel_m, heading, sheet](Canvas& canvas) {
+          [lines = std::move(lines), picture = std::move(picture), pixel_m, title, sheet](Canvas& canvas) {
             Raster<Rgb8> pixels(lines.width(), lines.height());
             for (int y = 0; y < lines.height(); ++y)
               for (int x = 0; x < lines.width(); ++x)
@@ -49,8 +49,8 @@ Figure contours_figure(Raster<float> lines, Raster<Rgb8> picture, double pixel_m
             draw_axes(canvas, plot, "to the right, mm", "upwards, mm");
             draw_scale_bar(canvas, plot);
             draw_colour_bar(canvas, sheet.bar, 0.0, 1.0, "strength of\nthe boundary", line_colour);
-            draw_heading_and_caption(canvas, sheet, heading,
-                                     "Lines that a hand can follow, over the picture they were found in.");
+            draw_title_and_caption(canvas, sheet, title,
+                                   "Lines that a hand can follow, over the picture they were found in.");
           }};
 }
 

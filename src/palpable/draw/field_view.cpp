@@ -108,7 +108,7 @@ void draw_forces(Canvas& canvas, const Distance& field, double y_m, const Plot& 
 
 template <models::DistanceSurface Distance>
 Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, double y_m,
-                  const FieldSectionOptions& options, const Heading& heading) {
+                  const FieldSectionOptions& options, const FigureTitle& title) {
   const Vec3 origin = field->distance.origin_m(), size = field->distance.size_m();
   Plot plot;
   plot.left = kMm * origin.x;
@@ -123,7 +123,7 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
   const double note_y = std::max(plot.area.bottom(), bar.bottom()) + 70.0;
   return {static_cast<int>(bar.right() + 110.0), static_cast<int>(note_y + 60.0),
           [=, field = std::move(field)](Canvas& canvas) {
-            draw_heading(canvas, heading, kLeft_px, kWidth_px);
+            draw_title(canvas, title, kLeft_px, kWidth_px);
             canvas.picture(distances(field->distance, y_m, plot), plot.area);
             if (options.cells) draw_cells(canvas, field->distance, y_m, plot);
             draw_forces(canvas, field->distance, y_m, plot);
@@ -144,13 +144,13 @@ Figure section_of(std::shared_ptr<const models::SolidField<Distance>> field, dou
 }  // namespace
 
 Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m,
-                            const FieldSectionOptions& options, const Heading& heading) {
-  return section_of(std::move(field), y_m, options, heading);
+                            const FieldSectionOptions& options, const FigureTitle& title) {
+  return section_of(std::move(field), y_m, options, title);
 }
 
 Figure field_section_figure(std::shared_ptr<const models::FieldOnLattice> field, double y_m,
-                            const FieldSectionOptions& options, const Heading& heading) {
-  return section_of(std::move(field), y_m, options, heading);
+                            const FieldSectionOptions& options, const FigureTitle& title) {
+  return section_of(std::move(field), y_m, options, title);
 }
 
 }  // namespace palpable::draw

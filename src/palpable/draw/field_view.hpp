@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 #include "palpable/models/field/field.hpp"
 
 #include <memory>
@@ -18,8 +18,8 @@ struct FieldSectionOptions {
 /// A section through a solid in the plane y = `y_m`, seen from below: the signed distance near the surface in
 /// colours with iso-distance lines, and the force of a spring inside.
 Figure field_section_figure(std::shared_ptr<const models::Field> field, double y_m,
-                            const FieldSectionOptions& options, const Heading& heading);
+                            const FieldSectionOptions& options, const FigureTitle& title);
 Figure field_section_figure(std::shared_ptr<const models::FieldOnLattice> field, double y_m,
-                            const FieldSectionOptions& options, const Heading& heading);
+                            const FieldSectionOptions& options, const FigureTitle& title);
 
 }  // namespace palpable::draw

@@ -45,13 +45,13 @@ double full_force_N(const std::vector<ForceArrow>& arrows) {
 }  // namespace
 
 Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vector<ForceArrow> arrows,
-                    double spacing_m, const Heading& heading) {
+                    double spacing_m, const FigureTitle& title) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
   const double half_width = 0.5 * kMm * relief.width_m(), half_depth = 0.5 * kMm * relief.depth_m();
   const Plot plot{sheet.plot, -half_width, half_width, -half_depth, half_depth};
   return {
       sheet.width_px, sheet.height_px,
-      [backdrop = lightened(texture), arrows = std::move(arrows), spacing_m, heading, sheet,
+      [backdrop = lightened(texture), arrows = std::move(arrows), spacing_m, title, sheet,
        plot](Canvas& canvas) {
         const double longest_px = 0.95 * kMm * spacing_m / (plot.right - plot.left) * plot.area.width;
         const double full_N = full_force_N(arrows);
@@ -82,8 +82,8 @@ Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vec
           canvas.text(fmt::format("over {:.2g} N,\ndrawn short", full_N), {key.x + longest_px + 12.0, key.y},
                       {.size_px = 14.0});
         }
-        draw_heading_and_caption(
-            canvas, sheet, heading,
+        draw_title_and_caption(
+            canvas, sheet, title,
             "The middle of an arrow is the position of the hand; its length is the force in the "
             "picture's plane. No arrow: the force is too small to draw.");
       }};

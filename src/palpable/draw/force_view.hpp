@@ -4,7 +4,7 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 #include "palpable/models/relief/relief.hpp"
 
 #include <vector>
@@ -23,6 +23,6 @@ struct ForceArrow {
 /// `arrows` lie on a regular grid with `spacing_m`. A force whose arrow would cover its neighbours is drawn
 /// shortened and red; the legend gives that limit.
 Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vector<ForceArrow> arrows,
-                    double spacing_m, const Heading& heading);
+                    double spacing_m, const FigureTitle& title);
 
 }  // namespace palpable::draw

@@ -95,11 +95,11 @@ Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
 
 }  // namespace
 
-Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8> picture) {
+Figure relief_figure(models::Relief relief, const FigureTitle& title, Raster<Rgb8> picture) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
   return {
       sheet.width_px, sheet.height_px,
-      [relief = std::move(relief), picture = std::move(picture), heading, sheet](Canvas& canvas) {
+      [relief = std::move(relief), picture = std::move(picture), title, sheet](Canvas& canvas) {
         const Plot plot = plot_of(relief, sheet.plot);
         const double low = relief.lowest_m(), high = relief.highest_m();
         canvas.picture(rendered(relief, plot,
@@ -111,17 +111,17 @@ Figure relief_figure(models::Relief relief, const Heading& heading, Raster<Rgb8>
                        sheet.plot);
         draw_all_height_lines(canvas, relief, plot);
         draw_relief(canvas, relief, sheet, tint_colour);
-        draw_heading_and_caption(
-            canvas, sheet, heading,
+        draw_title_and_caption(
+            canvas, sheet, title,
             fmt::format("Lit from the upper left, with slopes exaggerated twice. A height line every "
                         "{} mm of height.",
                         label_of(line_step_mm(kMm * low, kMm * high), line_step_mm(kMm * low, kMm * high))));
       }};
 }
 
-Figure height_figure(models::Relief relief, const Heading& heading) {
+Figure height_figure(models::Relief relief, const FigureTitle& title) {
   const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
-  return {sheet.width_px, sheet.height_px, [relief = std::move(relief), heading, sheet](Canvas& canvas) {
+  return {sheet.width_px, sheet.height_px, [relief = std::move(relief), title, sheet](Canvas& canvas) {
             const double low = relief.lowest_m(), high = relief.highest_m();
             canvas.picture(rendered(relief, plot_of(relief, sheet.plot),
                                     [&](const models::HeightSample& s, double, double) {
@@ -129,16 +129,17 @@ Figure height_figure(models::Relief relief, const Heading& heading) {
                                     }),
                            sheet.plot);
             draw_relief(canvas, relief, sheet, depth_colour);
-            draw_heading_and_caption(
-                canvas, sheet, heading,
+            draw_title_and_caption(
+                canvas, sheet, title,
                 "Pale is high and near, dark is low and far. The colour scale is linear in the height.");
           }};
 }
 
-Figure depth_figure(Raster<float> values, const std::string& value_name, Near near, const Heading& heading) {
+Figure depth_figure(Raster<float> values, const std::string& value_name, Near near,
+                    const FigureTitle& title) {
   const Sheet sheet = sheet_for(static_cast<double>(values.width()) / values.height());
   return {sheet.width_px, sheet.height_px,
-          [values = std::move(values), value_name, near, heading, sheet](Canvas& canvas) {
+          [values = std::move(values), value_name, near, title, sheet](Canvas& canvas) {
             const auto [low, high] = display_range(values);
             const auto colour = near == Near::high ? depth_colour : reversed_depth_colour;
             Raster<Rgb8> pixels(values.width(), values.height());
@@ -163,8 +164,8 @@ Figure depth_figure(Raster<float> values, const std::string& value_name, Near ne
                 100.0 * static_cast<double>(unknown_count) / static_cast<double>(values.count());
             canvas.text(fmt::format("unknown, {:.1f} %", share), {key.right() + 8.0, key.y + 1.0},
                         {.size_px = 13.0});
-            draw_heading_and_caption(canvas, sheet, heading,
-                                     "Pale is near, dark is far. The colour scale is linear in the value.");
+            draw_title_and_caption(canvas, sheet, title,
+                                   "Pale is near, dark is far. The colour scale is linear in the value.");
           }};
 }
 

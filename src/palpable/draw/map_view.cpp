@@ -30,11 +30,11 @@ Raster<Rgb8> pale(Raster<Rgb8> picture) {
 }  // namespace
 
 Figure map_figure(std::shared_ptr<const StreetMap> map, Raster<Rgb8> picture, double width_m,
-                  const Heading& heading) {
+                  const FigureTitle& title) {
   const Sheet sheet = sheet_for(static_cast<double>(map->width_px) / map->height_px);
   return {
       sheet.width_px, sheet.height_px,
-      [map = std::move(map), picture = pale(std::move(picture)), width_m, heading, sheet](Canvas& canvas) {
+      [map = std::move(map), picture = pale(std::move(picture)), width_m, title, sheet](Canvas& canvas) {
         if (!picture.empty()) canvas.picture(picture, sheet.plot);
         const double scale = sheet.plot.width / map->width_px;
         const auto on_sheet = [&](const std::vector<MapPoint>& points) {
@@ -71,9 +71,9 @@ Figure map_figure(std::shared_ptr<const StreetMap> map, Raster<Rgb8> picture, do
         const Plot plot{sheet.plot, -half_width, half_width, -half_height, half_height};
         draw_axes(canvas, plot, "to the right, mm", "upwards, mm");
         draw_scale_bar(canvas, plot);
-        draw_heading_and_caption(canvas, sheet, heading,
-                                 "Red: streets with a name; orange: streets without; blue dots: junctions; "
-                                 "tinted: buildings, water and green areas.");
+        draw_title_and_caption(canvas, sheet, title,
+                               "Red: streets with a name; orange: streets without; blue dots: junctions; "
+                               "tinted: buildings, water and green areas.");
       }};
 }
 

@@ -6,7 +6,7 @@
 #include "palpable/core/raster.hpp"
 #include "palpable/core/street_map.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 
 #include <memory>
 
@@ -15,6 +15,6 @@ namespace palpable::draw {
 /// What was found in a street map, over a pale version of its picture: centre lines, junctions, outlines of
 /// buildings and water, and the words that were read. The picture may be empty. `map` must not be null.
 Figure map_figure(std::shared_ptr<const StreetMap> map, Raster<Rgb8> picture, double width_m,
-                  const Heading& heading);
+                  const FigureTitle& title);
 
 }  // namespace palpable::draw

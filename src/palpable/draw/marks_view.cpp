@@ -30,7 +30,7 @@ Rgb8 tinted(Rgb8 pixel, Rgb8 colour, int x, int y, int kind) {
 }  // namespace
 
 Figure marks_figure(Raster<Rgb8> picture, Raster<std::uint8_t> marks, std::vector<Mark> kinds,
-                    const Heading& heading, const std::string& caption) {
+                    const FigureTitle& title, const std::string& caption) {
   PALPABLE_CHECK(picture.width() == marks.width() && picture.height() == marks.height());
   const Sheet sheet = sheet_for(static_cast<double>(picture.width()) / picture.height());
   return {
@@ -63,7 +63,7 @@ Figure marks_figure(Raster<Rgb8> picture, Raster<std::uint8_t> marks, std::vecto
               14.0 + canvas.text(fmt::format("{}, {:.0f} %", kinds[k].meaning, share), {key.right() + 8.0, y},
                                  {.size_px = 13.0, .wrap_px = sheet.width_px - key.right() - 16.0});
         }
-        draw_heading_and_caption(canvas, sheet, heading, caption);
+        draw_title_and_caption(canvas, sheet, title, caption);
       }};
 }
 

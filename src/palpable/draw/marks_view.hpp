@@ -4,7 +4,7 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 
 #include <cstdint>
 #include <string>
@@ -21,6 +21,6 @@ struct Mark {
 /// A picture with tinted parts: where `marks` (same size as the picture) is k > 0, in the colour of kinds[k -
 /// 1]. The legend names each kind with its share of the picture. Axes in pixels; `caption` is written below.
 Figure marks_figure(Raster<Rgb8> picture, Raster<std::uint8_t> marks, std::vector<Mark> kinds,
-                    const Heading& heading, const std::string& caption);
+                    const FigureTitle& title, const std::string& caption);
 
 }  // namespace palpable::draw

@@ -59,7 +59,7 @@ std::pair<float, float> range_of(const std::vector<Panel>& panels) {
 
 }  // namespace
 
-Figure panels_figure(std::vector<Panel> panels, const Heading& heading) {
+Figure panels_figure(std::vector<Panel> panels, const FigureTitle& title) {
   PALPABLE_CHECK(!panels.empty());
   const auto count = static_cast<int>(panels.size());
   const int columns = std::min(kColumns, count), rows = (count + columns - 1) / columns;
@@ -67,7 +67,7 @@ Figure panels_figure(std::vector<Panel> panels, const Heading& heading) {
   const double width = 2.0 * kMargin_px + columns * kPanel_px + (columns - 1) * kBetween_px + kBar_px;
   return {static_cast<int>(width), static_cast<int>(kAbove_px + rows * (height + kBetween_px) + 16.0),
           [=, panels = std::move(panels)](Canvas& canvas) {
-            draw_heading(canvas, heading, kMargin_px, width - 2.0 * kMargin_px);
+            draw_title(canvas, title, kMargin_px, width - 2.0 * kMargin_px);
             const auto range = range_of(panels);
             for (int i = 0; i < count; ++i)
               draw_panel(canvas, panels[static_cast<std::size_t>(i)], range,

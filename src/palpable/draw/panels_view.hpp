@@ -4,7 +4,7 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 
 #include <string>
 #include <variant>
@@ -23,6 +23,6 @@ struct Panel {
 
 /// All panels at one size, three per row. The maps share one colour scale (pale is near) over the display
 /// range of the first map. At least one panel.
-Figure panels_figure(std::vector<Panel> panels, const Heading& heading);
+Figure panels_figure(std::vector<Panel> panels, const FigureTitle& title);
 
 }  // namespace palpable::draw

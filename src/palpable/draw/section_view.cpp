@@ -64,7 +64,7 @@ void draw_profile(Canvas& canvas, const models::Relief& relief, double y_m, cons
 
 }  // namespace
 
-Figure section_figure(models::Relief relief, double y_m, const Heading& heading) {
+Figure section_figure(models::Relief relief, double y_m, const FigureTitle& title) {
   const double width_mm = kMm * relief.width_m();
   const double high_mm = std::max(kMm * relief.highest_m() * 1.08, 0.1),
                low_mm = std::min(0.0, kMm * relief.lowest_m());
@@ -77,7 +77,7 @@ Figure section_figure(models::Relief relief, double y_m, const Heading& heading)
   const int page_width = static_cast<int>(kBeside_px + kSection_px + 50.0),
             page_height = static_cast<int>(map.bottom() + 30.0);
   return {page_width, page_height, [=, relief = std::move(relief)](Canvas& canvas) {
-            draw_heading(canvas, heading, kBeside_px, kSection_px);
+            draw_title(canvas, title, kBeside_px, kSection_px);
             draw_profile(canvas, relief, y_m, plot);
             canvas.picture(
                 small_map(relief, static_cast<int>(map.width) * 2, static_cast<int>(map.height) * 2), map);

@@ -22,7 +22,7 @@ Sheet sheet_for(double aspect) {
   const double height = std::round(ratio >= 1.0 ? kLargest_px / ratio : kLargest_px);
   Sheet sheet;
   sheet.plot = {kSheetLeft_px, kSheetTop_px, width, height};
-  // Wide enough for the heading even if the plot is narrow.
+  // Wide enough for the title even if the plot is narrow.
   sheet.width_px = static_cast<int>(std::max(kSheetLeft_px + width + kSheetRight_px, 640.0));
   sheet.height_px = static_cast<int>(kSheetTop_px + height + kSheetBelow_px);
   const double bar_height = std::min(320.0, height - 60.0);
@@ -31,15 +31,15 @@ Sheet sheet_for(double aspect) {
   return sheet;
 }
 
-void draw_heading(Canvas& canvas, const Heading& heading, double left_px, double width_px) {
-  canvas.text(heading.title, {left_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = width_px});
-  canvas.text(heading.subtitle, {left_px, 58.0},
+void draw_title(Canvas& canvas, const FigureTitle& title, double left_px, double width_px) {
+  canvas.text(title.title, {left_px, 22.0}, {.size_px = 23.0, .bold = true, .wrap_px = width_px});
+  canvas.text(title.subtitle, {left_px, 58.0},
               {.size_px = 14.0, .colour = {80, 80, 80}, .wrap_px = width_px});
 }
 
-void draw_heading_and_caption(Canvas& canvas, const Sheet& sheet, const Heading& heading,
-                              const std::string& caption) {
-  draw_heading(canvas, heading, sheet.plot.x, sheet.width_px - sheet.plot.x - 30.0);
+void draw_title_and_caption(Canvas& canvas, const Sheet& sheet, const FigureTitle& title,
+                            const std::string& caption) {
+  draw_title(canvas, title, sheet.plot.x, sheet.width_px - sheet.plot.x - 30.0);
   canvas.text(caption, {sheet.caption.x, sheet.caption.y},
               {.size_px = 13.0, .colour = {80, 80, 80}, .wrap_px = sheet.caption.width});
 }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 #include "palpable/draw/plot.hpp"
 
 #include <string>
 
 namespace palpable::draw {
 
-/// The layout of a page with one plot: heading above, legend on the right, caption below.
+/// The layout of a page with one plot: title above, legend on the right, caption below.
 struct Sheet {
   int width_px = 0;
   int height_px = 0;
@@ -23,10 +23,10 @@ struct Sheet {
 Sheet sheet_for(double aspect);
 
 /// Draws title and subtitle from `left_px` on.
-void draw_heading(Canvas& canvas, const Heading& heading, double left_px, double width_px);
+void draw_title(Canvas& canvas, const FigureTitle& title, double left_px, double width_px);
 
-/// Draws heading and caption.
-void draw_heading_and_caption(Canvas& canvas, const Sheet& sheet, const Heading& heading,
-                              const std::string& caption);
+/// Draws a title and a caption.
+void draw_title_and_caption(Canvas& canvas, const Sheet& sheet, const FigureTitle& title,
+                            const std::string& caption);
 
 }  // namespace palpable::draw

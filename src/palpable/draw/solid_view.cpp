@@ -205,17 +205,17 @@ void draw_box(Canvas& canvas, const View& view, const Raster<float>& depth_m, Ve
 
 template <models::DistanceSurface Distance>
 Figure figure_of(std::shared_ptr<const models::SolidField<Distance>> field, const SolidViewOptions& options,
-                 const Heading& heading) {
+                 const FigureTitle& title) {
   constexpr double kRight_px = 60.0, kBelow_px = 80.0;
   return {static_cast<int>(kPlot.right() + kRight_px), static_cast<int>(kPlot.bottom() + kBelow_px),
-          [field = std::move(field), options, heading](Canvas& canvas) {
+          [field = std::move(field), options, title](Canvas& canvas) {
             const Vec3 least = field->least_m, most = field->most_m;
             const View view = view_of(0.5 * (least + most), 0.5 * norm(most - least), options);
             // A margin beyond the box, so that rays meet a face in the box's plane from outside.
             const double beyond_m = 2.0 * field->distance.cell_m();
             const Vec3 margin{beyond_m, beyond_m, beyond_m};
             const Rendered solid = rendered(field->distance, view, least - margin, most + margin);
-            draw_heading(canvas, heading, kPlot.x, kPlot.width);
+            draw_title(canvas, title, kPlot.x, kPlot.width);
             canvas.picture(solid.picture, kPlot);
             draw_box(canvas, view, solid.depth_m, least, most);
             canvas.text(
@@ -240,13 +240,13 @@ std::vector<Parameter> parameters_of(SolidViewOptions& o) {
 }
 
 Figure solid_figure(std::shared_ptr<const models::Field> field, const SolidViewOptions& options,
-                    const Heading& heading) {
-  return figure_of(std::move(field), options, heading);
+                    const FigureTitle& title) {
+  return figure_of(std::move(field), options, title);
 }
 
 Figure solid_figure(std::shared_ptr<const models::FieldOnLattice> field, const SolidViewOptions& options,
-                    const Heading& heading) {
-  return figure_of(std::move(field), options, heading);
+                    const FigureTitle& title) {
+  return figure_of(std::move(field), options, title);
 }
 
 }  // namespace palpable::draw

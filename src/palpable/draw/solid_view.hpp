@@ -4,7 +4,7 @@
 
 #include "palpable/core/parameters.hpp"
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 #include "palpable/models/field/field.hpp"
 
 #include <memory>
@@ -26,8 +26,8 @@ std::vector<Parameter> parameters_of(SolidViewOptions& options);
 /// A solid rendered in perspective from its field: lit from the upper left, darker in hollows and at the rim,
 /// paler with the distance. The bounding box's edges are labelled in millimetres. Options must be in range.
 Figure solid_figure(std::shared_ptr<const models::Field> field, const SolidViewOptions& options,
-                    const Heading& heading);
+                    const FigureTitle& title);
 Figure solid_figure(std::shared_ptr<const models::FieldOnLattice> field, const SolidViewOptions& options,
-                    const Heading& heading);
+                    const FigureTitle& title);
 
 }  // namespace palpable::draw

@@ -30,7 +30,7 @@ void draw_trace(Canvas& canvas, const Trace& trace, const Plot& plot, const std:
 }  // namespace
 
 Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& value_name,
-                     const Heading& heading) {
+                     const FigureTitle& title) {
   const int rows = (static_cast<int>(traces.size()) + columns - 1) / columns;
   double most = kLeast;
   for (const Trace& trace : traces)
@@ -39,7 +39,7 @@ Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& 
   return {static_cast<int>(kTraceLeft_px + width_px),
           static_cast<int>(kTraceTop_px + rows * (kTraceHeight_px + kTraceGap_px)),
           [=, traces = std::move(traces)](Canvas& canvas) {
-            draw_heading(canvas, heading, kTraceLeft_px, width_px - kTraceGap_px);
+            draw_title(canvas, title, kTraceLeft_px, width_px - kTraceGap_px);
             for (std::size_t k = 0; k < traces.size(); ++k) {
               const int row = static_cast<int>(k) / columns, column = static_cast<int>(k) % columns;
               const Trace& trace = traces[k];

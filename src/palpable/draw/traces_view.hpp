@@ -3,7 +3,7 @@
 #pragma once
 
 #include "palpable/draw/figure.hpp"
-#include "palpable/draw/heading.hpp"
+#include "palpable/draw/figure_title.hpp"
 
 #include <string>
 #include <vector>
@@ -21,6 +21,6 @@ struct Trace {
 /// Small plots side by side, `columns` (at least 1) per row, all with the same scale, symmetric about 0.
 /// `value_name` with its unit labels the first plot of each row.
 Figure traces_figure(std::vector<Trace> traces, int columns, const std::string& value_name,
-                     const Heading& heading);
+                     const FigureTitle& title);
 
 }  // namespace palpable::draw

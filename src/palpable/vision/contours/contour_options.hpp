@@ -25,8 +25,9 @@ enum class ContourMethod {
 struct ChannelOptions {
   /// Weight of CIELAB's a and b relative to L. 0 … 10.
   float chroma_weight = 2.0F;
-  /// Pictures of more than 8 bits are stretched between these quantiles. 0 <= low < high <= 1.
+  /// Pictures of more than 8 bits are stretched: this quantile becomes black. 0 … 1, below high_quantile.
   double low_quantile = 0.001;
+  /// This quantile becomes white. 0 … 1.
   double high_quantile = 0.999;
 };
 
@@ -38,24 +39,26 @@ struct StandardContourOptions {
   float second_derivative_weight = 1.0F;
   /// Weights of the four scales, finest first: the finest keeps corners in place. Each > 0.
   std::array<float, 4> scale_weights{0.4F, 0.2F, 0.2F, 0.2F};
-  /// A scale's weight is multiplied by 1 - grain_factor · median / 95th percentile of its energy, at least by
-  /// least_scale_share: energy everywhere means grain or texture. 0 … 10; > 0 … 1.
+  /// A scale's weight is multiplied by 1 - grain_factor · median / 95th percentile of its energy: energy
+  /// everywhere means grain or texture. 0 … 10.
   float grain_factor = 2.0F;
+  /// Least value of that factor. > 0 … 1.
   float least_scale_share = 0.05F;
   /// Gaussian that averages the structure tensor of scale 2, px. 0.5 … 32.
   double tensor_blur_px = 2.0;
   /// Energy (in the picture's range 0 … 1) that maps to strength one half. > 0 … 1.
   float half_contrast = 0.12F;
-  /// Texture suppression: the mean strength between Gaussians of these sizes is subtracted. 1 … 64 px, inner
-  /// < outer.
+  /// Texture suppression: the mean strength in a ring is subtracted, the difference of two Gaussians. Size of
+  /// the inner one. 1 … 64 px, below texture_outer_px.
   double texture_inner_px = 2.0;
+  /// Size of the outer one. 1 … 64 px.
   double texture_outer_px = 12.0;
   /// In grainy pictures the strength is weighted by the distinctness of the two sides (at 8, 16 and 32 px),
   /// with at most this exponent. 0 … 2.
   float distinctness_exponent = 0.5F;
-  /// Window of the local standard deviation for derivatives of scale 2 px, and its lower bound, which avoids
-  /// amplifying faint noise. 0.5 … 32 px; > 0 … 1.
+  /// Window of the local standard deviation for derivatives of scale 2 px. 0.5 … 32 px.
   double spread_window_px = 3.0;
+  /// Lower bound of that deviation, which avoids amplifying faint noise. > 0 … 1.
   float least_spread = 0.05F;
 };
 
@@ -63,9 +66,9 @@ struct StandardContourOptions {
 struct BestContourOptions {
   /// Directions of the pair of boxes over half a turn. 4 … 64.
   int directions = 8;
-  /// Heights of a box as shares of the picture's diagonal, each > 0 … 0.25; and its width (along the edge)
-  /// over its height, 0.25 … 16.
+  /// Heights of a box as shares of the picture's diagonal. Each > 0 … 0.25.
   std::array<double, 3> box_heights{0.007, 0.014, 0.028};
+  /// A box's width (along the edge) over its height. 0.25 … 16.
   double box_aspect = 2.0;
   /// Lower bound of a box's standard deviation, in the picture's range. > 0 … 1.
   float least_spread = 0.1F;
@@ -73,9 +76,10 @@ struct BestContourOptions {
   float half_difference = 1.0F;
   /// The least threshold in grain: a difference of this many standard deviations at every height. 0 … 10.
   float boundary_difference = 1.5F;
-  /// If the trust in the standard method's finest scale is below grain_trust, boxes alone decide; above
-  /// clear_trust, the standard method decides. 0 … 1, grain_trust < clear_trust.
+  /// If the trust in the standard method's finest scale is below this, boxes alone decide. 0 … 1, below
+  /// clear_trust.
   float grain_trust = 0.58F;
+  /// If it is above this, the standard method decides. 0 … 1.
   float clear_trust = 0.70F;
   /// Gaussian over each direction's responses, px, so that a line is one ridge. 0.5 … 8.
   double smooth_px = 1.0;
@@ -83,18 +87,20 @@ struct BestContourOptions {
 
 /// Restores corners that blurring has rounded off (contour_corners.hpp).
 struct CornerOptions {
-  /// The straight pieces of a corner lie between these distances from it, px: nearer, blur rounds them;
-  /// farther, they may be curved. 1 … 32, near < far.
+  /// The straight pieces of a corner begin at this distance from it: nearer, blur rounds them. 1 … 32 px,
+  /// below far_px.
   double near_px = 3.5;
+  /// They end at this distance: farther, they may be curved. 1 … 32 px.
   double far_px = 10.0;
   /// Least number of pixels of a piece. 3 … 32.
   int least_pixels = 5;
-  /// A piece is straight if its RMS distance from a line is at most straight_px and its bend at most this
-  /// share of the corner's turn (an arc bends by a third). > 0 … 4; > 0 … 1.
+  /// A piece is straight if its RMS distance from a line is at most this. > 0 … 4 px.
   double straight_px = 0.25;
+  /// And if its bend is at most this share of the corner's turn (an arc bends by a third). > 0 … 1.
   double bend_share = 1.0 / 6.0;
-  /// Turns of the line that are corners, radians. 0 … π, least < most.
+  /// Least turn of the line that is a corner, radians. 0 … π, below most_turn.
   double least_turn = std::numbers::pi / 6.0;
+  /// Greatest turn of the line that is a corner, radians. 0 … π.
   double most_turn = std::numbers::pi * 5.0 / 6.0;
   /// A corner lies at most this far from the line's rounded pixels. > 0 … 16 px.
   double longest_px = 3.0;

@@ -24,9 +24,9 @@ struct PlaneCostOptions {
   float conflict_cost = 0.7F;
   /// Cost per pixel beyond the range of disparities; units, 0 … 5.
   float beyond_range_per_px = 0.5F;
-  /// Disparities of the two views that differ by less agree; px, 0.1 … 5. Beyond that hidden_cost and
-  /// conflict_cost increase linearly over ramp_px; px, 0.01 … 5.
+  /// Disparities of the two views that differ by less agree; px, 0.1 … 5.
   float agreement_px = kLeftRightTolerance_px;
+  /// Beyond that hidden_cost and conflict_cost increase linearly over this difference; px, 0.01 … 5.
   float ramp_px = 0.5F;
 };
 std::vector<Parameter> parameters_of(PlaneCostOptions& options);

@@ -7,7 +7,7 @@
 namespace palpable::draw {
 
 /// Title and subtitle above a figure, which make it readable on its own.
-struct Heading {
+struct FigureTitle {
   std::string title;
   std::string subtitle;
 };
