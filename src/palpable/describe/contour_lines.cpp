@@ -267,11 +267,11 @@ std::optional<double> ridge_offset(const Raster<models::BoundaryPixel>& edges, i
   if (std::max(before, after) < (1.0 - kSame) * here)
     return 0.5 * (before - after) / (before - 2.0 * here + after);
   std::array<double, 2> ends{};
-  for (const double way : {-1.0, 1.0}) {
+  for (const double side : {-1.0, 1.0}) {
     double t = kStep_px;
-    while (t < kHalfWidth_px && across(way * t) >= (1.0 - kSame) * here) t += kStep_px;
-    if (across(way * t) > (1.0 + kSame) * here) return std::nullopt;
-    ends[way < 0.0 ? 0 : 1] = way * t;
+    while (t < kHalfWidth_px && across(side * t) >= (1.0 - kSame) * here) t += kStep_px;
+    if (across(side * t) > (1.0 + kSame) * here) return std::nullopt;
+    ends[side < 0.0 ? 0 : 1] = side * t;
   }
   return 0.5 * (ends[0] + ends[1]);
 }

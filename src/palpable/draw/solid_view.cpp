@@ -26,9 +26,9 @@ constexpr Rect kPlot{40.0, 100.0, 900.0, 700.0};
 constexpr int kRaysAcross = 2;
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-/// A pinhole camera that sees all of a ball about the target.
+/// A pinhole camera that sees all of a ball about the target: its centre and axes.
 struct View {
-  Vec3 eye, right, up, forward;
+  Vec3 centre, right, up, forward;
   /// Plot pixels per unit of x / depth.
   double focal_px = 0.0;
 
@@ -38,7 +38,7 @@ struct View {
   }
   /// The projection of `p`, in pixels of the figure.
   CanvasPoint at(Vec3 p) const {
-    const Vec3 v = p - eye;
+    const Vec3 v = p - centre;
     const double depth = dot(v, forward);
     return {kPlot.x + 0.5 * kPlot.width + focal_px * dot(v, right) / depth,
             kPlot.y + 0.5 * kPlot.height - focal_px * dot(v, up) / depth};
@@ -49,7 +49,7 @@ View view_of(Vec3 target, double radius, const SolidViewOptions& options) {
   const double a = options.azimuth_deg * kDegree, e = options.elevation_deg * kDegree;
   const Vec3 back{std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
   View view;
-  view.eye = target + (radius / std::sin(options.half_angle_deg * kDegree)) * back;
+  view.centre = target + (radius / std::sin(options.half_angle_deg * kDegree)) * back;
   view.forward = -back;
   view.right = {std::cos(a), 0.0, -std::sin(a)};
   view.up = cross(view.right, view.forward);
@@ -78,19 +78,19 @@ std::optional<std::pair<double, double>> clip_to_box(Vec3 origin, Vec3 ray, Vec3
 /// Sphere tracing (Hart 1996): the distance along the ray to the surface, kNothing if the ray misses it.
 template <models::DistanceSurface Distance>
 double surface_along(const Distance& field, const View& view, Vec3 ray, Vec3 least, Vec3 most) {
-  const auto span = clip_to_box(view.eye, ray, least, most);
+  const auto span = clip_to_box(view.centre, ray, least, most);
   if (!span) return kNothing;
   constexpr double kShare = 0.9;
   const double shortest_m = 0.1 * field.cell_m();
   double before = span->first;
   for (double t = span->first; t <= span->second;) {
-    const double distance_m = field.sample(view.eye + t * ray).distance_m;
+    const double distance_m = field.sample(view.centre + t * ray).distance_m;
     if (distance_m <= 0.0) {
       constexpr int kHalvings = 8;
       double inside = t;
       for (int k = 0; k < kHalvings; ++k) {
         const double middle = 0.5 * (before + inside);
-        (field.sample(view.eye + middle * ray).distance_m > 0.0 ? before : inside) = middle;
+        (field.sample(view.centre + middle * ray).distance_m > 0.0 ? before : inside) = middle;
       }
       return 0.5 * (before + inside);
     }
@@ -125,7 +125,7 @@ Rendered rendered(const Distance& field, const View& view, Vec3 least, Vec3 most
             height = static_cast<int>(kPlot.height) * kRaysAcross;
   Rendered out{Raster<Rgb8>(width, height, kBackground), Raster<float>(width, height, kNothing)};
   const Vec3 light = unit(-1.0 * view.right + 1.2 * view.up - 1.1 * view.forward);
-  const double radius_m = 0.5 * norm(most - least), middle_m = norm(0.5 * (least + most) - view.eye);
+  const double radius_m = 0.5 * norm(most - least), middle_m = norm(0.5 * (least + most) - view.centre);
   constexpr int kRows = 8;
   parallel_for({}, height, kRows, [&](int begin, int end) {
     for (int j = begin; j < end; ++j)
@@ -134,7 +134,7 @@ Rendered rendered(const Distance& field, const View& view, Vec3 least, Vec3 most
         const double t = surface_along(field, view, ray, least, most);
         if (t == static_cast<double>(kNothing)) continue;
         out.depth_m(i, j) = static_cast<float>(t);
-        const Vec3 place = view.eye + t * ray;
+        const Vec3 place = view.centre + t * ray;
         const Vec3 normal = unit(field.sample(place).gradient);
         const double lit = 0.35 + 0.75 * std::max(0.0, dot(normal, light));
         const double rim = std::clamp(0.55 + 1.5 * std::abs(dot(normal, ray)), 0.0, 1.0);
@@ -167,7 +167,7 @@ void draw_edge(Canvas& canvas, const View& view, const Raster<float>& depth_m, V
     const int i = static_cast<int>((at.x - kPlot.x) * kRaysAcross),
               j = static_cast<int>((at.y - kPlot.y) * kRaysAcross);
     const bool hidden =
-        depth_m.contains(i, j) && static_cast<double>(depth_m(i, j)) < norm(middle - view.eye) - 1e-4;
+        depth_m.contains(i, j) && static_cast<double>(depth_m(i, j)) < norm(middle - view.centre) - 1e-4;
     if (!hidden) canvas.line(view.at(a), view.at(b), {{90, 90, 110}, 1.0, 0.7});
   }
 }
@@ -180,7 +180,7 @@ void draw_box(Canvas& canvas, const View& view, const Raster<float>& depth_m, Ve
         draw_edge(canvas, view, depth_m, corner_of(least, most, k), corner_of(least, most, k | axis));
   unsigned nearest = 0;
   for (const unsigned k : {0U, 1U, 4U, 5U})
-    if (norm(corner_of(least, most, k) - view.eye) < norm(corner_of(least, most, nearest) - view.eye))
+    if (norm(corner_of(least, most, k) - view.centre) < norm(corner_of(least, most, nearest) - view.centre))
       nearest = k;
   const Vec3 size_mm = kMm * (most - least);
   const auto label = [&](unsigned axis, double length_mm, const char* direction) {

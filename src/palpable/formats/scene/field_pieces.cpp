@@ -20,10 +20,10 @@ std::int32_t held(double v) { return static_cast<std::int32_t>(std::clamp(v, -1e
 /// The quadratic of the leaf at `from`, extrapolated to the leaf at `to`.
 QuadraticValues continued(const QuadraticValues& piece, const LeafPosition& from, const LeafPosition& to) {
   const double scale = to.half() / from.half();
-  const auto way = [&](std::size_t axis) {
+  const auto offset = [&](std::size_t axis) {
     return (to.corner[axis] + to.half() - from.corner[axis] - from.half()) / from.half();
   };
-  const double x = way(0), y = way(1), z = way(2);
+  const double x = offset(0), y = offset(1), z = offset(2);
   const auto [lx, ly, lz, xx, yy, zz, xy, xz, yz] = piece.numbers;
   const double middle =
       piece.middle + x * (lx + xx * x + xy * y + xz * z) + y * (ly + yy * y + yz * z) + z * (lz + zz * z);

@@ -28,8 +28,8 @@ TEST(EncodeHeightLines, DrawsClosedRingsAroundACone) {
        from = svg->find("<path", from + 1)) {
     const std::size_t begin = svg->find("d=\"M", from) + 4;
     const std::size_t end = svg->find('"', begin);
-    const std::string way = svg->substr(begin, end - begin);
-    EXPECT_EQ(way.substr(0, way.find('L')), way.substr(way.rfind('L') + 1)) << "it closes";
+    const std::string path = svg->substr(begin, end - begin);
+    EXPECT_EQ(path.substr(0, path.find('L')), path.substr(path.rfind('L') + 1)) << "it closes";
     ++rings;
   }
   EXPECT_EQ(rings, 5U);

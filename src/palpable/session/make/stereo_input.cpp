@@ -29,12 +29,12 @@ Result<std::optional<sources::Calibration>> calibration_of(const StereoInput& in
   return Found(std::move(*fitted));
 }
 
-void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy way) {
+void take(ReadyPair& ready, vision::RectifiedPair rectified, RectifiedBy rectified_by) {
   ready.pair = std::move(rectified.pair);
   ready.residual_before_px = rectified.residual_before_px;
   ready.residual_px = rectified.residual_px;
   ready.features = rectified.features;
-  if (rectified.changed) ready.rectified_by = way;
+  if (rectified.changed) ready.rectified_by = rectified_by;
   ready.notes.insert(ready.notes.end(), rectified.notes.begin(), rectified.notes.end());
 }
 
@@ -100,9 +100,9 @@ Result<void> rectify(const StereoInput& input, const std::optional<sources::Cali
 
 }  // namespace
 
-std::string_view name_of(RectifiedBy way) {
+std::string_view name_of(RectifiedBy rectified_by) {
   constexpr std::array<std::string_view, 4> kNames{"nothing", "calibration", "features", "movement"};
-  return kNames[static_cast<std::size_t>(way)];
+  return kNames[static_cast<std::size_t>(rectified_by)];
 }
 
 Result<ReadyPair> read_stereo_pair(const StereoInput& input, const Work& work) {

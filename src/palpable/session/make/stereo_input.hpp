@@ -38,7 +38,7 @@ struct StereoInput {
 
 /// How a pair was rectified.
 enum class RectifiedBy { nothing, calibration, features, movement };
-std::string_view name_of(RectifiedBy way);
+std::string_view name_of(RectifiedBy rectified_by);
 
 /// A rectified pair, ready for matching.
 struct ReadyPair {
