@@ -27,7 +27,7 @@ const std::vector<std::string> kInputKinds{"picture", "stereo", "depth", "mesh",
 
 /// A kind of scene is given by another option.
 std::string unknown_kind(const std::string& typed) {
-  for (const char* const scene : {"relief", "contours", "field", "grid"})
+  for (const char* const scene : {"relief", "contours", "field", "grid", "map"})
     if (typed == scene)
       return fmt::format("'{0}' is a kind of scene, not of input: did you mean --as {0}?", typed);
   return unknown_word(typed, kInputKinds);

@@ -49,6 +49,12 @@ constexpr std::array kSteps{
     StepUse{"detail", [](const MadeFrom& m) { return m.is_seen(); }},
     StepUse{"ground", [](const MadeFrom& m) { return m.is_seen(); }},
     StepUse{"background", [](const MadeFrom& m) { return m.is_seen(); }},
+    StepUse{"placement",
+            [](const MadeFrom& m) {
+              return m.input == InputKind::mesh || m.input == InputKind::points ||
+                     m.input == InputKind::shapes || m.input == InputKind::level_set ||
+                     m.input == InputKind::video || m.has_several_depth_maps();
+            }},
     // The field of a scene may have been made from its relief.
     StepUse{"field",
             [](const MadeFrom& m) {
@@ -119,8 +125,10 @@ UnusedParameters unused_parameters(const MakeArguments& arguments, const session
     const auto* const use = std::find_if(kSteps.begin(), kSteps.end(),
                                          [&](const StepUse& step) { return step.step == first_part(name); });
     // A parameter of the stereo method has no prefix, and `background` is also the name of a part of one.
-    const bool of_stereo = use == kSteps.end() || is_parameter_of_stereo(name, from);
-    const bool used = of_stereo ? input == InputKind::stereo && !from.is_contours() : use->is_used(from);
+    const bool of_stereo = is_parameter_of_stereo(name, from);
+    const bool used = of_stereo             ? input == InputKind::stereo && !from.is_contours()
+                      : use != kSteps.end() ? use->is_used(from)
+                                            : true;
     if (!used)
       unused.of_other_scenes.push_back(name);
     else if (const auto choice = of_stereo ? std::nullopt : excluding_choice(name, from))
