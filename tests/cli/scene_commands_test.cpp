@@ -238,9 +238,9 @@ TEST_F(SceneCommands, APictureInsteadOfASceneIsNamedWithAdvice) {
 }
 
 TEST_F(SceneCommands, AnOutputsNameIsOnOneLineAndOneSampleIsCountedAsOne) {
-  const Outcome made = palpable({"make", in("a.palp"), "-o", in("two\nlines.palp")});
-  ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_THAT(made.out, HasSubstr("two lines.palp: relief"));
+  const Outcome outcome = palpable({"make", in("a.palp"), "-o", in("two\nlines.palp")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("two lines.palp: "));
   write_text(in("path.csv"), "t_s,x_m,y_m,z_m\n0,0,0,0.05\n");
   EXPECT_THAT(palpable({"probe", in("a.palp"), "--path", in("path.csv"), "-o", in("f.csv")}).out,
               HasSubstr("1 sample with "));

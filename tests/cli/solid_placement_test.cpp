@@ -157,16 +157,16 @@ TEST_F(SolidPlacement, ALowSolidSeenFromTheFrontComesWithAdvice) {
 TEST_F(SolidPlacement, ATableOnTheOriginIsDescribedByItsOwnBox) {
   // A board on four legs; its foot is at the origin's height.
   write_text(path("m.obj"), boxes_obj({{-0.04, 0.0375, -0.025, 0.04, 0.0425, 0.025},
-                                       {-0.0375, 0.0, -0.0225, -0.0325, 0.038, -0.0175},
-                                       {0.0325, 0.0, -0.0225, 0.0375, 0.038, -0.0175},
-                                       {-0.0375, 0.0, 0.0175, -0.0325, 0.038, 0.0225},
-                                       {0.0325, 0.0, 0.0175, 0.0375, 0.038, 0.0225}}));
+                                       {-0.0375, 0.0, -0.022, -0.0325, 0.038, -0.017},
+                                       {0.0325, 0.0, -0.022, 0.0375, 0.038, -0.017},
+                                       {-0.0375, 0.0, 0.017, -0.0325, 0.038, 0.022},
+                                       {0.0325, 0.0, 0.017, 0.0375, 0.038, 0.022}}));
   ASSERT_EQ(make(path("m.obj"), {"--resolution", "128"}).exit_code, 0);
   write_text(path("keys"), "dddq");
   Running touch({"touch", path("out.palp"), "--headless", "--keys", "--seconds", "20"}, path("keys"));
   const std::string words = touch.wait().out;
   EXPECT_THAT(words, HasSubstr("Nearest place: upper middle, 50 millimetres from its back."));
-  EXPECT_THAT(words, HasSubstr("Middle third, left to right: 48, nothing, 48."));
+  EXPECT_THAT(words, HasSubstr("Middle third, left to right: 47, nothing, 47."));
 }
 
 TEST_F(SolidPlacement, ADeepMeshFillsTheFaceOfAReliefAndIsFlattened) {

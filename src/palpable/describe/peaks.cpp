@@ -160,7 +160,7 @@ std::vector<Summit> summits_of(const Raster<float>& height_m, double least_m) {
   return summits;
 }
 
-/// The highest of the surface's own samples within a cell of `near`.
+/// The highest of the surface's own samples within a cell of `near`; of those on a level top, the nearest.
 Peak highest_near(const models::Relief& surface, const HeightGrid& grid, Place near, double sign) {
   const auto& samples = surface.samples_m();
   const auto column_of = [&](double x_m) {
@@ -172,12 +172,18 @@ Peak highest_near(const models::Relief& surface, const HeightGrid& grid, Place n
                       0, samples.height() - 1);
   };
   Peak best{near, -1e9};
+  double best_away_m = 0.0;
   for (int j = row_of(near.y_m + grid.cell_y_m); j <= row_of(near.y_m - grid.cell_y_m); ++j)
     for (int i = column_of(near.x_m - grid.cell_x_m); i <= column_of(near.x_m + grid.cell_x_m); ++i) {
       const Place place{((i + 0.5) / samples.width() - 0.5) * surface.width_m(),
                         (0.5 - (j + 0.5) / samples.height()) * surface.depth_m()};
       const double z_m = sign * surface.sample(place.x_m, place.y_m).z_m;
-      if (z_m > best.height_m) best = {place, z_m};
+      const double away_m = std::hypot(place.x_m - near.x_m, place.y_m - near.y_m);
+      const bool is_level = std::abs(z_m - best.height_m) < kLevel_m;
+      if (is_level ? away_m < best_away_m : z_m > best.height_m) {
+        best = {place, z_m};
+        best_away_m = away_m;
+      }
     }
   return best;
 }

@@ -79,7 +79,7 @@ TEST(SolidWords, AreRelativeToTheSolidsOwnBoxWhereverItIs) {
   const auto parts = solid_parts(view, "Table.", {});
   EXPECT_THAT(parts[0], HasSubstr("Nearest place: upper middle, 50 millimetres from its back."));
   EXPECT_THAT(parts[1], HasSubstr("From the probe to the nearest place: 33 millimetres up."));
-  EXPECT_THAT(parts[1], HasSubstr("Upper middle: front 50 millimetres from its back, 16 millimetres up from "
+  EXPECT_THAT(parts[1], HasSubstr("Upper middle: front 50 millimetres from its back, 15 millimetres up from "
                                   "the middle."));
   EXPECT_EQ(parts[2],
             "Average distances of its front from its back in millimetres, where the solid is. Upper third, "

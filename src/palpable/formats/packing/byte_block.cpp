@@ -9,8 +9,10 @@
 namespace palpable::formats {
 
 Result<std::vector<std::byte>> pack_bytes(std::span<const std::uint8_t> bytes) {
-  constexpr int kLevel = 17;
-  return zstd_frame(std::as_bytes(bytes), kLevel);
+  // Above level 12 a scan's field takes six times as long for 5 % less; small ones take no time anyway.
+  constexpr int kThorough = 17, kFast = 12;
+  constexpr std::size_t kSmall = std::size_t{1} << 20U;
+  return zstd_frame(std::as_bytes(bytes), bytes.size() <= kSmall ? kThorough : kFast);
 }
 
 Result<std::vector<std::uint8_t>> unpack_bytes(std::span<const std::byte> packed, std::size_t most) {

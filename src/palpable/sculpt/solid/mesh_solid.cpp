@@ -85,12 +85,12 @@ struct SeparatedSheets {
 };
 
 /// Orients the parts of a mesh and removes its open sheets. `holes` are those of the rest.
-SeparatedSheets separate_sheets(Mesh& whole, std::vector<Hole>& holes, MeshRepair& repair,
+SeparatedSheets separate_sheets(Mesh& whole, std::vector<Hole>& holes, MeshRepair& repair, double touching_m,
                                 const OpenSheetOptions& options, std::uint64_t seed) {
   const auto given = whole.triangles;
   repair.turned_parts = orient_outwards(whole, seed);
   holes = holes_of(whole.vertices_m, whole.triangles);
-  const OpenSheets found = open_sheets_of(whole, holes, options);
+  const OpenSheets found = open_sheets_of(whole, holes, touching_m, options);
   SeparatedSheets separated;
   if (found.count == 0) return separated;
   separated.count = found.count;
@@ -146,7 +146,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   solid.repair.degenerate -= solid.repair.not_finite;
   solid.repair.triangles = whole.triangles.size();
   std::vector<Hole> holes;
-  const SeparatedSheets open = separate_sheets(whole, holes, solid.repair, sheets, work.seed);
+  const SeparatedSheets open = separate_sheets(whole, holes, solid.repair, finest_m, sheets, work.seed);
   if (work.cancelled()) return Work::interrupted();
   if (whole.triangles.empty()) {
     thicken(solid, whole, whole, 0, open, finest_m, walls, work);

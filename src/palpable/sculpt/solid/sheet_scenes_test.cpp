@@ -311,6 +311,35 @@ TEST(SheetScenes, SayWhatBecameOfSheets) {
   EXPECT_FALSE(solid_from_mesh(stage, kCell_m, {}));
 }
 
+TEST(SheetScenes, FillAMouldingWhoseRimLiesOnAWall) {
+  // A ledge in front of a box and around its sides, open at the back.
+  const Vec3 low{-0.02, -0.015, 0.0}, high{0.02, 0.015, 0.04};
+  const Mesh ledge_box = box_mesh({-0.023, -0.018, 0.02}, {0.023, -0.005, 0.026});
+  Mesh ledge = ledge_box;
+  std::erase_if(ledge.triangles, [&](const auto& t) {
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return ledge.vertices_m[v].y == -0.005; });
+  });
+  // Half a tube on the box, its curved ends on two posts.
+  const Mesh tube = grid_sheet(1, 16, [](double u, double v) {
+    return Vec3{0.03 * u - 0.015, -0.006 * std::cos(v * std::numbers::pi),
+                0.04 + 0.006 * std::sin(v * std::numbers::pi)};
+  });
+  Mesh mesh = together(together(box_mesh(low, high), ledge), tube);
+  const Mesh posts = together(box_mesh({-0.018, -0.008, 0.035}, {-0.015, 0.008, 0.05}),
+                              box_mesh({0.015, -0.008, 0.035}, {0.018, 0.008, 0.05}));
+  const auto open_ends = solid_from_mesh(mesh, kCell_m, {}, {}, kTwoCellWalls);
+  ASSERT_TRUE(open_ends);
+  EXPECT_EQ(open_ends->repair.open_sheets, 1U);
+  const auto solid = solid_from_mesh(together(mesh, posts), kCell_m, {}, {}, kTwoCellWalls);
+  ASSERT_TRUE(solid);
+  EXPECT_EQ(solid->repair.open_sheets, 0U);
+  DistanceSource::Hint hint;
+  EXPECT_LT(solid->distance->at({0.0, 0.0, 0.043}, hint).distance_m, -0.0029);
+  DistanceSource::Hint other;
+  EXPECT_GT(open_ends->distance->at({0.0, 0.0, 0.043}, other).distance_m, 0.0);
+  EXPECT_LT(solid->distance->at({0.0, -0.0165, 0.023}, hint).distance_m, -0.0014);
+}
+
 TEST(SheetScenes, KeepHousesWithoutAFloorAndMapsWithABaseClosed) {
   // Five faces of a hall of 100 x 50 x 10 mm.
   const Vec3 low{-0.05, -0.025, 0.0}, high{0.05, 0.025, 0.01};

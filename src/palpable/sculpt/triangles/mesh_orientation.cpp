@@ -123,15 +123,15 @@ int inward_votes(const Mesh& mesh, const std::vector<std::uint32_t>& part, const
 }
 
 /// Whether a part is to be turned. Where bodies overlap, rays are ambiguous: then the volume that a part
-/// encloses decides. Only if all rays agree, a part is the wall of a cavity.
+/// encloses decides. A part that encloses a negative volume is the wall of a cavity if all rays agree.
 bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
                    double lift_m, std::mt19937_64& random) {
-  const int inwards = inward_votes(mesh, part, tree, lift_m, random);
   const double volume_m3 = certain_volume_m3(mesh, part);
+  if (volume_m3 > 0.0) return false;
+  const int inwards = inward_votes(mesh, part, tree, lift_m, random);
   // A ray through an edge may be counted wrongly.
   constexpr int kAll = kRays - 2;
-  if (std::abs(inwards) >= kAll || volume_m3 == 0.0) return inwards > 0;
-  return volume_m3 < 0.0;
+  return volume_m3 == 0.0 ? inwards > 0 : inwards > -kAll;
 }
 
 }  // namespace

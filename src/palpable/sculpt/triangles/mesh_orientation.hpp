@@ -14,11 +14,11 @@ namespace palpable::sculpt {
 /// missing or not finite. `removed` counts them.
 Mesh welded(const Mesh& mesh, std::size_t& removed);
 
-/// Orients neighbouring triangles consistently, then turns each connected part outwards if most rays from its
-/// front side cross an odd number of triangles (Takayama et al. 2014). Where rays disagree, since bodies
-/// overlap, parts are turned so that the volume that they enclose is positive. Rays cannot decide about walls
-/// that two bodies share. So parts that meet in edges of more than two triangles are then oriented such that
-/// the open length of these edges is least. Returns the number of turned parts.
+/// Orients neighbouring triangles consistently, then turns connected parts outwards. A part that encloses a
+/// volume is turned if the volume is negative, unless it is the wall of a cavity; the others, if most rays
+/// from their front side cross an odd number of triangles (Takayama et al. 2014). Rays cannot decide about
+/// walls that two bodies share. So parts that meet in edges of more than two triangles are then oriented such
+/// that the open length of these edges is least. Returns the number of turned parts.
 std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed);
 
 /// For a mesh whose holes are closed: turns the connected parts in front of which the winding number is

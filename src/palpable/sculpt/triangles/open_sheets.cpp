@@ -4,6 +4,7 @@
 
 #include "palpable/core/check.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
+#include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>
@@ -175,6 +176,71 @@ class Candidates {
   std::vector<char> closed_;
 };
 
+/// Which triangles are of sheets, as numbers: the first triangle of each sheet, or kNone.
+std::vector<std::uint32_t> numbered(const Mesh& mesh, const std::vector<char>& is_sheet) {
+  std::vector<std::uint32_t> chosen;
+  std::vector<IndexTriple> triangles;
+  for (std::uint32_t t = 0; t < is_sheet.size(); ++t)
+    if (is_sheet[t] != 0) chosen.push_back(t), triangles.push_back(mesh.triangles[t]);
+  const auto first = connected_by_edges(triangles.size(), edge_uses(triangles));
+  std::vector<std::uint32_t> sheet(is_sheet.size(), OpenSheets::kNone);
+  for (std::size_t i = 0; i < chosen.size(); ++i) sheet[chosen[i]] = chosen[first[i]];
+  return sheet;
+}
+
+/// The length of each sheet's rim, and of its part that lies neither on nor in `bodies`.
+struct RimLength {
+  double all_m = 0.0, free_m = 0.0;
+};
+std::map<std::uint32_t, RimLength> rim_lengths(const Mesh& mesh, const std::vector<std::uint32_t>& sheet,
+                                               const TriangleTree& bodies, double touching_m) {
+  std::vector<std::uint32_t> chosen;
+  std::vector<IndexTriple> triangles;
+  for (std::uint32_t t = 0; t < sheet.size(); ++t)
+    if (sheet[t] != OpenSheets::kNone) chosen.push_back(t), triangles.push_back(mesh.triangles[t]);
+  std::map<std::uint32_t, RimLength> lengths;
+  visit_edges(edge_uses(triangles), [&](std::span<const EdgeUse> edge) {
+    int sum = 0;
+    for (const EdgeUse& use : edge) sum += use.step;
+    if (sum == 0) return;
+    const Vec3 from = mesh.vertices_m[edge.front().key >> 32U],
+               way = mesh.vertices_m[static_cast<std::uint32_t>(edge.front().key)] - from;
+    RimLength& length = lengths[sheet[chosen[edge.front().triangle]]];
+    length.all_m += norm(way);
+    constexpr std::array kShares{0.1, 0.5, 0.9};
+    for (const double share : kShares) {
+      const Vec3 place = from + share * way;
+      const bool is_hidden =
+          bodies.any_within(place, touching_m, OpenSheets::kNone) || std::abs(bodies.winding(place)) > 0.5;
+      if (!is_hidden) length.free_m += norm(way) / kShares.size();
+    }
+  });
+  return lengths;
+}
+
+/// Returns sheets whose rims are hidden to the bodies, until no more are found.
+void return_hidden(const Mesh& mesh, double touching_m, std::vector<char>& is_sheet) {
+  for (bool any = true; any;) {
+    any = false;
+    Mesh bodies;
+    for (std::size_t t = 0; t < is_sheet.size(); ++t)
+      if (is_sheet[t] == 0) bodies.triangles.push_back(mesh.triangles[t]);
+    if (bodies.triangles.empty() || bodies.triangles.size() == is_sheet.size()) return;
+    bodies.vertices_m = mesh.vertices_m;
+    close_holes(bodies);
+    const std::vector<std::uint32_t> sheet = numbered(mesh, is_sheet);
+    const auto lengths = rim_lengths(mesh, sheet, TriangleTree(bodies), touching_m);
+    constexpr double kMostFree = 0.02;
+    for (std::size_t t = 0; t < is_sheet.size(); ++t) {
+      if (sheet[t] == OpenSheets::kNone) continue;
+      const auto length = lengths.find(sheet[t]);
+      if (length == lengths.end() || length->second.free_m > kMostFree * length->second.all_m) continue;
+      is_sheet[t] = 0;
+      any = true;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Parameter> parameters_of(OpenSheetOptions& o) {
@@ -193,7 +259,8 @@ std::vector<Parameter> parameters_of(OpenSheetOptions& o) {
       {"most_lids", &o.most_lids, {0.0, 10.0}, "", "greatest share of all lids in a body's area"}};
 }
 
-OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, const OpenSheetOptions& options) {
+OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, double touching_m,
+                          const OpenSheetOptions& options) {
   PALPABLE_CHECK(check_ranges(options));
   OpenSheets sheets;
   if (holes.empty()) return sheets;
@@ -207,16 +274,15 @@ OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, const O
     Candidates candidates(mesh, std::move(rest));
     rest = candidates.remove_sheets(candidates.holes(), options, is_sheet);
   }
-  std::vector<std::uint32_t> chosen;
-  std::vector<IndexTriple> triangles;
-  for (std::uint32_t t = 0; t < count; ++t)
-    if (is_sheet[t] != 0) chosen.push_back(t), triangles.push_back(mesh.triangles[t]);
-  if (chosen.empty()) return sheets;
-  const auto first = connected_by_edges(triangles.size(), edge_uses(triangles));
-  sheets.of_triangle.assign(count, OpenSheets::kNone);
-  for (std::uint32_t i = 0; i < chosen.size(); ++i)
-    sheets.of_triangle[chosen[i]] =
-        first[i] == i ? static_cast<std::uint32_t>(sheets.count++) : sheets.of_triangle[chosen[first[i]]];
+  return_hidden(mesh, touching_m, is_sheet);
+  sheets.of_triangle = numbered(mesh, is_sheet);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    std::uint32_t& sheet = sheets.of_triangle[t];
+    if (sheet == OpenSheets::kNone) continue;
+    // The first triangle of a sheet comes before its others.
+    sheet = sheet == t ? static_cast<std::uint32_t>(sheets.count++) : sheets.of_triangle[sheet];
+  }
+  if (sheets.count == 0) sheets.of_triangle.clear();
   return sheets;
 }
 

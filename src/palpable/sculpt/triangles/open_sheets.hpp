@@ -41,7 +41,9 @@ struct OpenSheets {
 
 /// Finds the open sheets. `holes` are those of the mesh (holes_of()), whose neighbouring triangles face the
 /// same way. Where sheets and bodies share edges, the parts with a sheet's rim are removed first, and what
-/// remains is judged again. The options must be in range.
-OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, const OpenSheetOptions& options);
+/// remains is judged again. A surface whose rim lies wholly on or in bodies, within `touching_m`, is no
+/// sheet: nobody can reach behind it, as behind a moulding on a wall. The options must be in range.
+OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, double touching_m,
+                          const OpenSheetOptions& options);
 
 }  // namespace palpable::sculpt
