@@ -70,19 +70,23 @@ TEST_F(Materials, APropertyGivenTwiceOrANameThatActsOnATerminalIsRefused) {
 }
 
 TEST_F(Materials, LabelsAndTexturesMayComeFromPipes) {
-  Raster<std::uint8_t> labels(80, 60, 0);
+  Raster<std::uint8_t> labels(80, 60, 0), waves(80, 60, 0);
   labels(3, 4) = 1;
+  for (int y = 0; y < 60; ++y)
+    for (int x = 0; x < 80; ++x) waves(x, y) = static_cast<std::uint8_t>(100 + 100 * (x / 8 % 2));
   ASSERT_TRUE(formats::write_png(path("labels.png"), labels));
+  ASSERT_TRUE(formats::write_png(path("waves.png"), waves));
   const std::string pipe = path("pipe.png");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  for (const std::vector<std::string>& use :
-       {std::vector<std::string>{"--material", "1:name=box", "--labels", pipe},
-        std::vector<std::string>{"--material", "0:texture=" + pipe + ",size=20"}}) {
-    std::vector<std::string> all{"make", path("depth.png"), "--kind", "depth", "-o", path("a.palp")};
+  using Words = std::vector<std::string>;
+  for (const auto& [picture, use] :
+       {std::pair("labels.png", Words{"--material", "1:name=box", "--labels", pipe}),
+        std::pair("waves.png", Words{"--material", "0:texture=" + pipe + ",size=20"})}) {
+    Words all{"make", path("depth.png"), "--kind", "depth", "-o", path("a.palp")};
     all.insert(all.end(), use.begin(), use.end());
     Running running(all);
     // Waits until the program opens it.
-    std::ofstream(pipe, std::ios::binary) << read_text(path("labels.png"));
+    std::ofstream(pipe, std::ios::binary) << read_text(path(picture));
     const Outcome outcome = running.wait();
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   }

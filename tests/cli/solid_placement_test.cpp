@@ -32,8 +32,9 @@ std::string box_obj(double x, double y, double z, double left = 0.0, double bott
 
 class SolidPlacement : public InFolder {
  protected:
-  Outcome make(const std::string& input, const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments{"make", input, "-o", path("out.palp"), "--resolution", "32"};
+  Outcome make(const std::string& input, const std::vector<std::string>& more = {},
+               const std::string& resolution = "32") {
+    std::vector<std::string> arguments{"make", input, "-o", path("out.palp"), "--resolution", resolution};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return palpable(arguments);
   }
@@ -134,7 +135,7 @@ TEST_F(SolidPlacement, ASmallCityLiesFlatAndItsTowersAreCounted) {
                                        {-0.035, 0.002, -0.025, -0.025, 0.032, -0.015},
                                        {0.01, 0.002, 0.01, 0.03, 0.014, 0.03},
                                        {0.026, 0.002, -0.029, 0.034, 0.022, -0.021}}));
-  const Outcome outcome = make(path("m.obj"));
+  const Outcome outcome = make(path("m.obj"), {}, "128");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.err, HasSubstr("most of its surface is level: it lies flat, seen from above"));
   expect_size_mm(100.0, 80.0, 34.0);
@@ -161,7 +162,7 @@ TEST_F(SolidPlacement, ATableOnTheOriginIsDescribedByItsOwnBox) {
                                        {0.0325, 0.0, -0.022, 0.0375, 0.038, -0.017},
                                        {-0.0375, 0.0, 0.017, -0.0325, 0.038, 0.022},
                                        {0.0325, 0.0, 0.017, 0.0375, 0.038, 0.022}}));
-  ASSERT_EQ(make(path("m.obj"), {"--resolution", "128"}).exit_code, 0);
+  ASSERT_EQ(make(path("m.obj"), {}, "128").exit_code, 0);
   write_text(path("keys"), "dddq");
   Running touch({"touch", path("out.palp"), "--headless", "--keys", "--seconds", "20"}, path("keys"));
   const std::string words = touch.wait().out;
