@@ -144,6 +144,17 @@ TEST_F(Films, WithoutDepthGetAReasonAndNothingIsWritten) {
   }
 }
 
+TEST_F(Films, OfOnePlainColourAskForTexture) {
+  (void)film(0);
+  const std::filesystem::path to = folder_ / "film";
+  for (int i = 0; i < 5; ++i)
+    (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
+                             Raster<Rgb8>(kWidth, kHeight, Rgb8{235, 235, 235}));
+  const Outcome made = palpable(make(to.string()));
+  EXPECT_EQ(made.exit_code, 3) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("one plain colour"));
+}
+
 TEST_F(Films, OfACameraThatOnlyTurnsSayThatItMustWalk) {
   const std::filesystem::path to = folder_ / "film";
   std::filesystem::create_directories(to);

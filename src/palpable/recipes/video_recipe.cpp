@@ -40,6 +40,14 @@ double brightness_of(const std::vector<Raster<std::uint8_t>>& greys) {
   return count > 0 ? sum / count / 255 : 0.0;
 }
 
+// Whether grey levels differ by more than noise.
+bool shows_anything(const Raster<std::uint8_t>& grey) {
+  constexpr int kNoise = 24;
+  std::vector<std::uint8_t> levels(grey.values().begin(), grey.values().end());
+  const int low = quantile_of(levels, 0.01), high = quantile_of(levels, 0.99);
+  return high - low > kNoise;
+}
+
 // Keeps the frame of a known length, even if it is blurred.
 Result<void> keep_frame_of_length(const std::vector<VideoFrame>& given, const VideoRecipe& recipe,
                                   std::vector<int>& kept) {
@@ -136,9 +144,12 @@ void judge(const FilmedModel& model, const VideoAdviceOptions& options, VideoRec
   video.advice = advice_on(video.figures, options);
 }
 
-// A scene of known scale keeps its metres.
+// A scene of known scale keeps its metres. Cells that are smaller than the fused voxels would only follow
+// their noise, which takes most of the time.
 FieldRecipe placed(const VideoRecipe& recipe, bool metric) {
   FieldRecipe field = recipe.field;
+  if (recipe.surface == VideoSurface::fused)
+    field.field.resolution = std::min(field.field.resolution, recipe.fusion.resolution);
   sculpt::PlacementOptions& placement = field.placement;
   placement.convention = {AxisDirection::plus_z, metric ? LengthUnit::metre : LengthUnit::unknown};
   if (metric && !placement.size_m) {
@@ -294,6 +305,10 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
     return invalid_input(
         "a single picture shows no depth: film the model, or take several pictures, while you walk around "
         "it");
+  if (frames->figures.tried < 2 && !shows_anything(frames->greys.front()))
+    return invalid_input(
+        "the pictures show nothing but one plain colour: film the model on a printed cloth or a newspaper, "
+        "in even light");
   if (frames->figures.tried < 2)
     return invalid_input("the camera did not move: record it again, moving slowly around the model");
   auto motion = motion_of(*frames, camera, recipe, work);

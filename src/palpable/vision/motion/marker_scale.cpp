@@ -32,14 +32,30 @@ std::map<int, Corners> sightings_of_markers(std::span<const Raster<std::uint8_t>
   return out;
 }
 
+// The point of a corner, without the frames in which it was found somewhere else: at most a third of them.
+std::optional<Vec3> corner_of(std::vector<PosedSighting> seen, const Pinhole& camera, double outlier_px) {
+  constexpr double kAny_px = 1e9, kLeastAngle_deg = 1.0;
+  for (std::size_t left = seen.size() / 3 + 1; left > 0 && seen.size() >= 2; --left) {
+    const auto point = triangulated_point(seen, camera, {kLeastAngle_deg, kAny_px});
+    if (!point) return std::nullopt;
+    const auto error = [&](const PosedSighting& one) {
+      return projection_error_px(camera, one.pose, *point, one.place);
+    };
+    const auto worst = std::max_element(seen.begin(), seen.end(),
+                                        [&](const auto& a, const auto& b) { return error(a) < error(b); });
+    if (error(*worst) <= outlier_px) return Vec3{(*point)[0], (*point)[1], (*point)[2]};
+    seen.erase(worst);
+  }
+  return std::nullopt;
+}
+
 std::optional<MarkerScale> scale_of(int side_mm, const Corners& seen, const Pinhole& camera,
                                     const MarkerOptions& options) {
   std::array<Vec3, 4> corners;
-  constexpr TriangulationOptions kTriangulation{1.0, 3.0};
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto point = triangulated_point(seen[k], camera, kTriangulation);
+    const auto point = corner_of(seen[k], camera, options.outlier_px);
     if (!point) return std::nullopt;
-    corners[k] = {(*point)[0], (*point)[1], (*point)[2]};
+    corners[k] = *point;
   }
   // Both diagonals, divided by the square root of 2, are sides too.
   std::array<double, 6> sides{};

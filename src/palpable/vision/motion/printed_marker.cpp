@@ -100,13 +100,58 @@ std::optional<Read> read_code(const std::array<std::array<int, kCode>, kCode>& c
   return std::nullopt;
 }
 
-void refine(const cv::Mat& grey, Quad& quad) {
-  double shortest = grey.cols;
-  for (std::size_t i = 0; i < 4; ++i) shortest = std::min(shortest, cv::norm(quad[i] - quad[(i + 1) % 4]));
-  // Within the white cell around the square, and its black border.
-  const int reach = std::clamp(static_cast<int>(shortest / kMarkerCells / 1.5), 2, 8);
-  cv::cornerSubPix(grey, quad, {reach, reach}, {-1, -1},
-                   {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01});
+double grey_at(const cv::Mat& grey, const cv::Point2d& at) {
+  const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
+  if (x < 0 || y < 0 || x + 1 >= grey.cols || y + 1 >= grey.rows) return std::nan("");
+  const double a = at.x - x, b = at.y - y;
+  const auto level = [&](int u, int v) { return static_cast<double>(grey.at<std::uint8_t>(v, u)); };
+  return (1 - b) * ((1 - a) * level(x, y) + a * level(x + 1, y)) +
+         b * ((1 - a) * level(x, y + 1) + a * level(x + 1, y + 1));
+}
+
+// How far from `at` the edge from black to white lies along the outward direction, px: the centre of the
+// rise, which blur does not move. nullopt without an edge.
+std::optional<double> edge_from(const cv::Mat& grey, const cv::Point2d& at, const cv::Point2d& outward,
+                                double reach) {
+  constexpr double kStep = 0.5;
+  double moment = 0.0, rise = 0.0;
+  double before = grey_at(grey, at - reach * outward);
+  for (double t = -reach + kStep; t <= reach; t += kStep) {
+    const double here = grey_at(grey, at + t * outward);
+    const double up = std::max(0.0, here - before);
+    moment += up * (t - kStep / 2), rise += up;
+    before = here;
+  }
+  constexpr double kLeastRise = 25.0;
+  if (!(rise >= kLeastRise)) return std::nullopt;
+  return moment / rise;
+}
+
+// Moves each side onto its edge, by a line through points on it, and the corners to where the lines meet.
+bool refine(const cv::Mat& grey, Quad& quad) {
+  std::array<cv::Vec4d, 4> lines;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const cv::Point2d from = quad[i], to = quad[(i + 1) % 4];
+    const double length = cv::norm(to - from);
+    const cv::Point2d along = (to - from) / length, outward(along.y, -along.x);
+    const double reach = 0.7 * length / kMarkerCells;
+    std::vector<cv::Point2f> points;
+    constexpr int kSamples = 25;
+    for (int k = 0; k < kSamples; ++k) {
+      const cv::Point2d at = from + (0.12 + 0.76 * k / (kSamples - 1)) * (to - from);
+      if (const auto edge = edge_from(grey, at, outward, reach)) points.push_back(at + *edge * outward);
+    }
+    if (points.size() < kSamples / 2) return false;
+    cv::fitLine(points, lines[i], cv::DIST_HUBER, 0, 0.01, 0.01);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const cv::Vec4d &a = lines[(i + 3) % 4], &b = lines[i];
+    const double across = a[0] * b[1] - a[1] * b[0];
+    if (std::abs(across) < 0.1) return false;
+    const double t = ((b[2] - a[2]) * b[1] - (b[3] - a[3]) * b[0]) / across;
+    quad[i] = cv::Point2f(static_cast<float>(a[2] + t * a[0]), static_cast<float>(a[3] + t * a[1]));
+  }
+  return true;
 }
 
 }  // namespace
@@ -122,6 +167,7 @@ Raster<std::uint8_t> marker_cells(int side_mm) {
 std::vector<Parameter> parameters_of(MarkerOptions& o) {
   return {{"least_side_px", &o.least_side_px, {14, 200}, "px", "Least side of a marker in the picture"},
           {"most_frames", &o.most_frames, {2, 1000}, "", "Frames in which markers are searched"},
+          {"outlier_px", &o.outlier_px, {0.1, 20}, "px", "Greatest error of a corner in a frame"},
           {"most_difference",
            &o.most_difference,
            {0.005, 0.5},
@@ -143,7 +189,8 @@ std::vector<SeenMarker> find_markers(const Raster<std::uint8_t>& grey, const Mar
              options.least_side_px / 2;
     });
     if (again) continue;
-    refine(picture, quad);
+    // The second time from nearer, so that noise in the searched range counts less.
+    if (!refine(picture, quad) || !refine(picture, quad)) continue;
     SeenMarker marker{read->side_mm, {}};
     for (std::size_t i = 0; i < 4; ++i) {
       const cv::Point2f& corner = quad[(i + static_cast<std::size_t>(read->turns)) % 4];

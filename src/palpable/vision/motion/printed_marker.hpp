@@ -27,6 +27,8 @@ struct MarkerOptions {
   double least_side_px = 18.0;
   /// At most this many frames are searched, evenly spaced, 2 … 1000.
   int most_frames = 40;
+  /// A corner that is farther from where its point is projected is not used, px, 0.1 … 20.
+  double outlier_px = 2.5;
   /// Where the sides of the square differ by more than this share, its scale is not used, 0.005 … 0.5.
   double most_difference = 0.04;
 };
