@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include <opencv2/imgproc.hpp>
@@ -38,6 +39,46 @@ void add_areas(const MapColours& colours, std::size_t k, MapArea::Kind kind, con
   }
 }
 
+/// Part of the neighbouring pixels inside streets that differ by at most one grey level.
+double flat_part(const Raster<Rgb8>& pixels, const MapColours& colours,
+                 const std::vector<LayerOfColour>& layers) {
+  std::size_t flat = 0;
+  std::size_t all = 0;
+  const auto is_street = [&](int x, int y) {
+    return colours.seen(x, y) == MapColours::kArea &&
+           layers[colours.of_pixel(x, y)].layer == MapLayer::street;
+  };
+  for (int y = 0; y < pixels.height(); ++y)
+    for (int x = 1; x < pixels.width(); ++x) {
+      if (!is_street(x, y) || !is_street(x - 1, y) || colours.of_pixel(x, y) != colours.of_pixel(x - 1, y))
+        continue;
+      const Rgb8 a = pixels(x, y);
+      const Rgb8 b = pixels(x - 1, y);
+      ++all;
+      flat += std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) <= 1 ? 1 : 0;
+    }
+  return all == 0 ? 0.0 : static_cast<double>(flat) / static_cast<double>(all);
+}
+
+/// Whether what was found is a network of streets in a drawing, not stripes in a photograph.
+bool is_street_map(const Raster<Rgb8>& pixels, const MapColours& colours,
+                   const std::vector<LayerOfColour>& layers, const CentreLines& graph,
+                   const StreetMapOptions& options) {
+  if (graph.lines.empty()) return false;
+  if (flat_part(pixels, colours, layers) >= options.least_flat_part) return true;
+  double all = 0.0;
+  double ribbons = 0.0;
+  for (const CentreLine& line : graph.lines) {
+    const double length = length_px(line.points);
+    all += length;
+    const bool is_ribbon = length > 2.0 * options.streets.least_length_widths * line.radius_px &&
+                           line.radius_spread_px < options.streets.most_width_spread * line.radius_px;
+    ribbons += is_ribbon ? length : 0.0;
+  }
+  return all >= options.lossy_length * std::min(pixels.width(), pixels.height()) &&
+         ribbons >= options.lossy_ribbon_part * all;
+}
+
 }  // namespace
 
 Result<FoundStreetMap> street_map_from_picture(const Image& picture, const StreetMapOptions& options,
@@ -52,7 +93,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   work.report(0.3, "joining streets");
   const std::vector<TextLine> text = find_text_lines(pixels, options.text);
   const CentreLines graph = join_streets(colours, layers, text, options.graph);
-  if (graph.lines.empty())
+  if (!is_street_map(pixels, colours, layers, graph, options))
     return invalid_input(
         "no streets were found in this picture: it is not a street map drawn in flat colours");
   FoundStreetMap out;

@@ -25,6 +25,13 @@ struct StreetMapOptions {
   StreetGraphOptions graph;
   ReadTextOptions reading;
   StreetNameOptions names;
+  /// A drawing has flat colours: at least this part of the neighbouring pixels inside its streets differ by
+  /// at most one grey level. A lossy copy has not; it is taken for a map if its streets are this long in
+  /// total, in the picture's shorter side, and at least this part of their length is of nearly constant
+  /// width.
+  double least_flat_part = 0.9;
+  double lossy_length = 4.5;
+  double lossy_ribbon_part = 0.62;
   /// Areas smaller than this are left out, pixels.
   double least_area_px = 40.0;
   /// Largest distance of a simplified line from the original one, pixels.

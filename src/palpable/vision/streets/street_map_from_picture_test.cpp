@@ -79,6 +79,35 @@ TEST(StreetMapFromPicture, ClosesTheGapThatLetteringLeaves) {
   EXPECT_GT(found_part(found->map, {{{{0, 200}, {399, 200}}}}), 0.95);
 }
 
+TEST(StreetMapFromPicture, GivesAStreetItsNameAndItsStraightContinuation) {
+  Image picture = drawn_map({{{{0, 200}, {699, 200}}, 24}, {{{450, 0}, {450, 699}}, 24}}, {}, 700);
+  cv::Mat canvas(700, 700, CV_32FC3, picture.samples.data());
+  cv::putText(canvas, "Station Road", {120, 206}, cv::FONT_HERSHEY_DUPLEX, 0.6, {0.1, 0.1, 0.1}, 1,
+              cv::LINE_AA);
+  const auto found = street_map_from_picture(picture, {}, Work{});
+  ASSERT_TRUE(found);
+  if (!found->notes.empty()) GTEST_SKIP() << found->notes.front().sentence;
+  int named = 0;
+  for (const MapStreet& street : found->map.streets) {
+    const bool across = std::abs(street.points.front().y - street.points.back().y) < 40;
+    EXPECT_EQ(street.name, across ? "Station Road" : "") << street.points.front().x;
+    named += across ? 1 : 0;
+  }
+  EXPECT_EQ(named, 2);
+  ASSERT_EQ(found->map.labels.size(), 1U);
+  EXPECT_TRUE(found->map.labels[0].names_street);
+  EXPECT_NEAR(found->map.labels[0].angle_deg, 0.0, 3.0);
+}
+
+TEST(StreetMapFromPicture, RefusesStripesInAPhotograph) {
+  Image picture = drawn_map({{{{0, 200}, {399, 230}}}, {{{200, 0}, {190, 399}}}});
+  ASSERT_TRUE(street_map_from_picture(picture, {}, Work{}));
+  std::mt19937 random(7);
+  std::normal_distribution<float> grain(0.0F, 0.012F);
+  for (float& v : picture.samples) v = std::clamp(0.9F * v + grain(random), 0.0F, 1.0F);
+  EXPECT_FALSE(street_map_from_picture(picture, {}, Work{}));
+}
+
 TEST(StreetMapFromPicture, SeparatesBuildingsFromStreets) {
   const auto found = street_map_from_picture(drawn_map(crossing()), {}, Work{});
   ASSERT_TRUE(found);

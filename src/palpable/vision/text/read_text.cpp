@@ -3,6 +3,7 @@
 #include "palpable/vision/text/read_text.hpp"
 
 #include "palpable/core/child_process.hpp"
+#include "palpable/vision/text/ink.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -90,18 +91,11 @@ Result<void> run_to_end(const std::vector<std::string>& command, double most_sec
 
 /// The picture's dark lettering as black on white, whatever is behind it: grey levels 0 ... 255.
 cv::Mat lettering_of(const Raster<Rgb8>& picture) {
-  cv::Mat luma(picture.height(), picture.width(), CV_8U);
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) {
-      const Rgb8 c = picture(x, y);
-      luma.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>((299 * c.r + 587 * c.g + 114 * c.b) / 1000);
-    }
-  constexpr int kStroke_px = 7;
+  const TextLineOptions options;
   constexpr int kNear_px = 15;
   const auto disc = [](int k) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {k, k}); };
-  cv::Mat around, strongest, out(luma.size(), CV_8U);
-  cv::morphologyEx(luma, around, cv::MORPH_CLOSE, disc(kStroke_px));
-  const cv::Mat contrast = around - luma;
+  const cv::Mat contrast = darkness_of(picture, options.thickest_stroke_px);
+  cv::Mat strongest, out(contrast.size(), CV_8U);
   cv::dilate(contrast, strongest, disc(kNear_px));
   constexpr double kLeast = 60.0;
   for (int y = 0; y < out.rows; ++y)
@@ -205,7 +199,7 @@ std::vector<ReadLine> lines_of_table(const fs::path& path, std::size_t count,
     };
     if (!parse(cells[kPage], page) || !parse(cells[kConfidence], confidence)) continue;
     const std::string& word = cells[kText];
-    if (page < 1 || page > count || confidence < 100.0 * options.least_confidence) continue;
+    if (page < 1 || page > count || confidence < 0.0) continue;
     if (std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isspace(c) != 0; })) continue;
     ReadLine& line = out[page - 1];
     line.text += (line.text.empty() ? "" : " ") + word;
@@ -216,6 +210,7 @@ std::vector<ReadLine> lines_of_table(const fs::path& path, std::size_t count,
   for (std::size_t i = 0; i < count; ++i) {
     out[i].text = cleaned(out[i].text);
     out[i].confidence = out[i].text.empty() ? 0.0 : out[i].confidence / characters[i];
+    if (out[i].confidence < options.least_confidence) out[i] = {};
   }
   return out;
 }

@@ -19,8 +19,8 @@ struct ReadTextOptions {
   std::string languages;
   /// Height of the straightened letters, and the space around them in that height.
   int letter_px = 32;
-  double margin = 0.5;
-  /// Words that are read with less confidence are dropped, 0 ... 1.
+  double margin = 0.35;
+  /// Lines that are read with less confidence are dropped, 0 ... 1.
   double least_confidence = 0.4;
   /// Lines that are read with less confidence are also read upside down.
   double sure = 0.8;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/text/text_lines.hpp"
 
+#include "palpable/vision/text/ink.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,59 +14,6 @@
 
 namespace palpable::vision {
 namespace {
-
-/// A connected piece of ink: a letter, several that touch, or a part of one.
-struct Ink {
-  cv::Point2d centre;
-  double size_px = 0.0;
-  /// Mean colour.
-  cv::Vec3d colour{0.0, 0.0, 0.0};
-  std::vector<cv::Point> pixels;
-};
-
-cv::Mat luma_of(const Raster<Rgb8>& picture) {
-  cv::Mat out(picture.height(), picture.width(), CV_8U);
-  for (int y = 0; y < picture.height(); ++y)
-    for (int x = 0; x < picture.width(); ++x) {
-      const Rgb8 c = picture(x, y);
-      out.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>((299 * c.r + 587 * c.g + 114 * c.b) / 1000);
-    }
-  return out;
-}
-
-std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOptions& options) {
-  const cv::Mat luma = luma_of(picture);
-  cv::Mat around;
-  const int k = options.thickest_stroke_px;
-  cv::morphologyEx(luma, around, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_ELLIPSE, {k, k}));
-  // Letters that nearly touch are separated by the grey between them.
-  cv::Mat contrast = around - luma;
-  cv::Mat strongest;
-  cv::dilate(contrast, strongest, cv::getStructuringElement(cv::MORPH_ELLIPSE, {k + 2, k + 2}));
-  const cv::Mat is_ink = (contrast > options.contrast) & (contrast > options.separation * strongest);
-  cv::Mat labels, stats, centres;
-  const int n = cv::connectedComponentsWithStats(is_ink, labels, stats, centres, 8);
-  std::vector<int> index(static_cast<std::size_t>(n), -1);
-  std::vector<Ink> out;
-  for (int i = 1; i < n; ++i) {
-    const double size = std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
-    if (size < options.smallest_letter_px || size > options.largest_letter_px) continue;
-    index[static_cast<std::size_t>(i)] = static_cast<int>(out.size());
-    out.push_back({{centres.at<double>(i, 0), centres.at<double>(i, 1)}, size, {}, {}});
-  }
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (const int at = index[static_cast<std::size_t>(labels.at<int>(y, x))]; at >= 0)
-        out[static_cast<std::size_t>(at)].pixels.emplace_back(x, y);
-  for (Ink& ink : out) {
-    for (const cv::Point p : ink.pixels) {
-      const Rgb8 c = picture(p.x, p.y);
-      ink.colour += cv::Vec3d(c.r, c.g, c.b);
-    }
-    ink.colour *= 1.0 / static_cast<double>(ink.pixels.size());
-  }
-  return out;
-}
 
 /// Least distance between two pieces of ink, pixels.
 double gap_between(const Ink& a, const Ink& b) {

@@ -1,0 +1,69 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/text/ink.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include <opencv2/imgproc.hpp>
+
+namespace palpable::vision {
+namespace {
+
+cv::Mat ellipse_of(int side) { return cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side}); }
+
+/// Whether a piece is a thin line longer than a letter: its pixels hardly more than its length.
+bool is_thin_line(int pixels, double size_px) {
+  constexpr double kLongest_px = 14.0;
+  constexpr double kThickest_px = 2.2;
+  return size_px > kLongest_px && pixels < kThickest_px * size_px;
+}
+
+}  // namespace
+
+cv::Mat darkness_of(const Raster<Rgb8>& picture, int stroke_px) {
+  cv::Mat luma(picture.height(), picture.width(), CV_8U);
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) {
+      const Rgb8 c = picture(x, y);
+      luma.at<std::uint8_t>(y, x) = static_cast<std::uint8_t>((299 * c.r + 587 * c.g + 114 * c.b) / 1000);
+    }
+  cv::Mat around;
+  cv::morphologyEx(luma, around, cv::MORPH_CLOSE, ellipse_of(stroke_px));
+  return around - luma;
+}
+
+std::vector<Ink> pieces_of_ink(const Raster<Rgb8>& picture, const TextLineOptions& options) {
+  const cv::Mat contrast = darkness_of(picture, options.thickest_stroke_px);
+  // Letters that nearly touch are separated by the grey between them.
+  cv::Mat strongest;
+  cv::dilate(contrast, strongest, ellipse_of(options.thickest_stroke_px + 2));
+  cv::Mat scaled;
+  strongest.convertTo(scaled, CV_8U, options.separation);
+  const cv::Mat is_ink = (contrast > options.contrast) & (contrast > scaled);
+  cv::Mat labels, stats, centres;
+  const int n = cv::connectedComponentsWithStats(is_ink, labels, stats, centres, 8);
+  std::vector<int> index(static_cast<std::size_t>(n), -1);
+  std::vector<Ink> out;
+  for (int i = 1; i < n; ++i) {
+    const double size = std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+    if (size < options.smallest_letter_px || size > options.largest_letter_px) continue;
+    if (is_thin_line(stats.at<int>(i, cv::CC_STAT_AREA), size)) continue;
+    index[static_cast<std::size_t>(i)] = static_cast<int>(out.size());
+    out.push_back({{centres.at<double>(i, 0), centres.at<double>(i, 1)}, size, {}, {}});
+  }
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (const int at = index[static_cast<std::size_t>(labels.at<int>(y, x))]; at >= 0)
+        out[static_cast<std::size_t>(at)].pixels.emplace_back(x, y);
+  for (Ink& ink : out) {
+    for (const cv::Point p : ink.pixels) {
+      const Rgb8 c = picture(p.x, p.y);
+      ink.colour += cv::Vec3d(c.r, c.g, c.b);
+    }
+    ink.colour *= 1.0 / static_cast<double>(ink.pixels.size());
+  }
+  return out;
+}
+
+}  // namespace palpable::vision
