@@ -44,11 +44,11 @@ std::string few_names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 Error cannot_become(const sources::Input& input) {
-  const std::string what = input.kind == InputKind::map ? "street maps are not supported yet"
-                           : input.kind == InputKind::video
-                               ? "a video can only become a field so far"
-                               : "a " + std::string(sources::name_of(input.kind)) +
-                                     " cannot become the kind of scene that is asked for";
+  const std::string what =
+      input.kind == InputKind::map     ? "OpenStreetMap extracts cannot be read yet; the picture of a map can"
+      : input.kind == InputKind::video ? "a video can only become a field so far"
+                                       : "a " + std::string(sources::name_of(input.kind)) +
+                                             " cannot become the kind of scene that is asked for";
   return {ErrorCode::usage, what, few_names_of(input.files), Reason::unexpected_input_kind};
 }
 
@@ -61,10 +61,9 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
                  names_of(options.input.files)};
   }
   if (is_contours(options, input)) return {};
-  if (is_map(options))
-    return input.kind == InputKind::picture
-               ? Result<void>()
-               : Error{ErrorCode::usage, "a map is made of one picture", names_of(input.files)};
+  if (is_map(options) && input.kind == InputKind::picture) return {};
+  if (is_map(options) && input.kind != InputKind::map)
+    return Error{ErrorCode::usage, "a map is made of one picture", names_of(input.files)};
   const bool adaptive = options.recipes.field.storage == recipes::FieldStorage::adaptive;
   const bool becomes_field = is_solid(input.kind) || input.kind == InputKind::video;
   if (!adaptive && options.as != MakeAs::field && !becomes_field)

@@ -1,0 +1,86 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/formats/picture/picture.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "program.hpp"
+#include "test_pictures.hpp"
+#include <gmock/gmock.h>
+
+namespace palpable::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Two streets that cross at (200, 120), white with grey borders, between buildings.
+Raster<Rgb8> crossing_streets() {
+  constexpr int kWidth = 400;
+  constexpr int kHeight = 300;
+  Raster<Rgb8> map(kWidth, kHeight, {242, 239, 233});
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      if (x % 40 > 12 && x % 40 < 32 && y % 40 > 10 && y % 40 < 30) map(x, y) = {217, 208, 201};
+      const int nearest = std::min(std::abs(x - 200), std::abs(y - 120));
+      if (nearest <= 6) map(x, y) = {190, 190, 190};
+      if (nearest <= 5) map(x, y) = {255, 255, 255};
+    }
+  return map;
+}
+
+class MapCommands : public InFolder {
+ protected:
+  Outcome make() const {
+    return palpable({"make", path("map.png"), "-o", path("map.palp"), "--as", "map", "--json"});
+  }
+};
+
+TEST_F(MapCommands, MakeAStreetMapThatIsListedDrawnAndTouched) {
+  ASSERT_TRUE(formats::write_png(path("map.png"), crossing_streets()));
+  const auto made = make();
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(made.json()["kind"], "map");
+  const auto info = palpable({"info", path("map.palp"), "--json"}).json();
+  EXPECT_EQ(info["kind"], "map");
+  EXPECT_EQ(info["width_px"], 400);
+  EXPECT_EQ(info["streets"].size(), 4U);
+  ASSERT_EQ(info["crossings"].size(), 1U);
+  EXPECT_EQ(info["crossings"][0]["degree"], 4);
+  EXPECT_NEAR(info["crossings"][0]["x_px"].get<double>(), 200.0, 2.0);
+  EXPECT_NEAR(info["crossings"][0]["y_px"].get<double>(), 120.0, 2.0);
+  EXPECT_GT(info["buildings"].size(), 20U);
+  const auto shown = palpable({"show", path("map.palp"), "-o", path("shown.png"), "--view", "map"});
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  const auto touched = palpable({"touch", path("map.palp"), "--headless", "--seconds", "0.2", "--json"});
+  EXPECT_EQ(touched.exit_code, 0) << touched.err;
+}
+
+TEST_F(MapCommands, RefuseOtherPicturesWithOneSentence) {
+  ASSERT_TRUE(formats::write_png(path("map.png"), unrelated_picture(200, 150, 3)));
+  const auto refused = make();
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_TRUE(
+      is_one_sentence(palpable({"make", path("map.png"), "-o", path("map.palp"), "--as", "map"}).err));
+  EXPECT_THAT(refused.err, HasSubstr("no streets were found"));
+  EXPECT_FALSE(std::filesystem::exists(path("map.palp")));
+}
+
+TEST_F(MapCommands, RefuseTheMapViewOfOtherScenes) {
+  ASSERT_TRUE(formats::write_png(path("map.png"), unrelated_picture(60, 50, 3)));
+  ASSERT_EQ(palpable({"make", path("map.png"), "-o", path("lines.palp")}).exit_code, 0);
+  const auto shown = palpable({"show", path("lines.palp"), "-o", path("shown.png"), "--view", "map"});
+  EXPECT_EQ(shown.exit_code, 2);
+  EXPECT_THAT(shown.err, HasSubstr("only the scene of a street map has this view"));
+}
+
+TEST_F(MapCommands, SayThatExtractsCannotBeReadYet) {
+  write_text(path("map.osm"), "<?xml version='1.0'?><osm version=\"0.6\"></osm>");
+  const auto made = palpable({"make", path("map.osm"), "-o", path("map.palp"), "--as", "map"});
+  EXPECT_EQ(made.exit_code, 2);
+  EXPECT_THAT(made.err, HasSubstr("OpenStreetMap extracts cannot be read yet"));
+}
+
+}  // namespace
+}  // namespace palpable::test
