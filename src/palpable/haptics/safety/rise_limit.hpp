@@ -9,15 +9,13 @@
 
 namespace palpable::haptics {
 
-/// Lets a force grow only so fast (cap_rise) and brings it up and down under a ramp, without making energy.
-/// Where a spring stores U but its force was held back (by the limit, a ramp, a dropped force), the hand has
-/// given only P of it: what it gave in this contact, the time before a dropped force included, less what came
-/// back. A hand at rest meets the whole spring nevertheless. One that moves out meets, after a twentieth of
-/// the depth, a spring that begins further in: the potential
-///     V = (sqrt(U) - c)^2 = P, and the share dV/dU = 1 - c/sqrt(U) of the law's force,
-/// which is as stiff as the law's own, gives back P and no more, and is conservative itself. c shrinks as the
-/// hand leaves, so that nothing is left of it outside. Damping and friction, which are not the spring's, stay
-/// whole. A tick is account(), then limit(). Tick path; no allocation.
+/// Limits how fast a force grows (cap_rise) and ramps it up and down, without generating energy. If the force
+/// of a spring that stores U was held back (by the limit, a ramp, a dropped force), the hand has put only the
+/// input energy P into it: what it put in during this contact, also before a dropped force, less what it got
+/// back. A hand at rest meets the whole spring nevertheless. A hand that moves out meets, after a twentieth
+/// of the depth, a spring that begins deeper, with the potential V = (sqrt(U) - c)^2 = P and the share dV/dU
+/// = 1 - c / sqrt(U) of the law's force; docs/real-time.md ("Rise limit") derives it. Damping and friction,
+/// which are not the spring's, stay whole. A tick is account(), then limit(). Tick path; no allocation.
 class RiseLimit {
  public:
   struct Input {
@@ -39,7 +37,7 @@ class RiseLimit {
 
   /// The movement since the last call.
   void account(const Input& in) noexcept {
-    const double given_before_J = given_J();
+    const double input_before_J = input_energy_J();
     gain_ = in.gain;
     has_spring_ = in.stored_J > 0.0 && norm(in.spring_N) > 0.0;
     spring_N_ = in.spring_N;
@@ -47,21 +45,22 @@ class RiseLimit {
     root_ = std::sqrt(stored_J_);
     if (!has_spring_) {
       begins_ = false;
-      lent_ = offset_ = rendered_J_ = spare_J_ = given_J_ = 0.0;
+      release_left_ = spring_offset_ = rendered_J_ = surplus_J_ = input_energy_J_ = 0.0;
       return;
     }
-    given_J_ = std::clamp(given_before_J - in.received_J, 0.0, stored_J_);
-    // What the hand got while the force was on its way to zero is gone, and it gave nothing.
-    if (begins_) lend(std::min(given_before_J, given_J_));
+    input_energy_J_ = std::clamp(input_before_J - in.received_J, 0.0, stored_J_);
+    // While the force went to zero the hand may have received energy, but it put in none.
+    if (begins_) begin_release(std::min(input_before_J, input_energy_J_));
     begins_ = false;
-    if (lent_ > 0.0) {
-      take_back(in);
+    if (release_left_ > 0.0) {
+      release(in);
       return;
     }
     // The surface of another scene that comes up under a hand begins where the hand is.
-    if (offset_ > 0.0)
-      offset_ = std::max(0.0, offset_ + root_ - std::sqrt(std::max(0.0, stored_J_ - in.changed_J)));
-    begin_at(offset_);
+    if (spring_offset_ > 0.0)
+      spring_offset_ =
+          std::max(0.0, spring_offset_ + root_ - std::sqrt(std::max(0.0, stored_J_ - in.changed_J)));
+    set_offset(spring_offset_);
     follow_ramp(in.gain_rise);
   }
 
@@ -80,71 +79,79 @@ class RiseLimit {
 
   /// The spring was held back: its force by limit(), or another part of it, a torque, after it.
   void note_limited() noexcept {
-    if (has_spring_) lend(lent_ > 0.0 ? given_J_ : std::min(given_J_, given_J()));
+    if (has_spring_)
+      begin_release(release_left_ > 0.0 ? input_energy_J_ : std::min(input_energy_J_, input_energy_J()));
   }
 
-  /// The motors hold nothing any more, in the same touch; and in a new one, of which nothing is known.
+  /// The motors hold no force any more, in the same touch.
   void drop() noexcept {
-    lend(given_J());
+    begin_release(input_energy_J());
     force_N_ = {};
     begins_ = true;
   }
+  /// A new touch begins, of which nothing is known.
   void reset() noexcept { *this = {}; }
 
-  /// The part of the law's spring that is rendered now; the ramp where there is none.
+  /// The share of the spring's force that is rendered now; without a spring the ramp.
   double share() const noexcept {
     if (!has_spring_) return gain_;
-    return offset_ > 0.0 ? 1.0 - offset_ / root_ : 1.0;
+    return spring_offset_ > 0.0 ? 1.0 - spring_offset_ / root_ : 1.0;
   }
-  /// The spring gives back less than it stores.
-  bool is_weaker() const noexcept { return has_spring_ && (lent_ > 0.0 || offset_ > 0.0); }
-  double withheld_J() const noexcept { return std::max(0.0, stored_J_ - given_J()); }
-  /// What the hand gave and may get back, P.
-  double given_J() const noexcept { return lent_ > 0.0 ? given_J_ : rendered_J_ + spare_J_; }
+  /// Whether the rendered spring returns less energy than the law's spring stores.
+  bool is_weaker() const noexcept { return has_spring_ && (release_left_ > 0.0 || spring_offset_ > 0.0); }
+  double withheld_J() const noexcept { return std::max(0.0, stored_J_ - input_energy_J()); }
+  /// The energy that the hand put in and may get back, P.
+  double input_energy_J() const noexcept {
+    return release_left_ > 0.0 ? input_energy_J_ : rendered_J_ + surplus_J_;
+  }
 
  private:
-  /// The part of the depth over which what a hand at rest did not give is taken back.
-  static constexpr double kTakenBack = 0.05;
+  /// The share of the depth over which a spring that was held back changes from the whole one to the one that
+  /// returns P.
+  static constexpr double kReleaseDepth = 0.05;
 
-  void lend(double given_J) noexcept {
-    given_J_ = given_J;
-    lent_ = 1.0;
+  /// The spring was held back while the hand had put in this much.
+  void begin_release(double input_energy_J) noexcept {
+    input_energy_J_ = input_energy_J;
+    release_left_ = 1.0;
   }
 
-  void take_back(const Input& in) noexcept {
+  void release(const Input& in) noexcept {
     const double goal = root_ * (1.0 - gain_);
     // A spring that stores U at a force f is 2 U / f deep.
-    const double over_m = kTakenBack * 2.0 * stored_J_ / norm(spring_N_);
-    lent_ = std::max(0.0, lent_ - std::max(0.0, in.moved_out_m) / over_m);
+    const double over_m = kReleaseDepth * 2.0 * stored_J_ / norm(spring_N_);
+    release_left_ = std::max(0.0, release_left_ - std::max(0.0, in.moved_out_m) / over_m);
     // Stronger forces than the next ones are still on their way to the motors.
     const double coming_J = in.delay_ticks * std::max(0.0, in.received_J);
-    if (in.moved_out_m > 0.0 && given_J_ <= coming_J + std::max(0.0, in.received_J)) lent_ = 0.0;
-    if (gain_ >= 1.0 && given_J_ >= stored_J_) lent_ = 0.0;
-    if (lent_ > 0.0) {
-      const double paid = std::max(goal, root_ - std::sqrt(given_J_));
-      begin_at(goal + (1.0 - lent_) * (paid - goal));
+    if (in.moved_out_m > 0.0 && input_energy_J_ <= coming_J + std::max(0.0, in.received_J))
+      release_left_ = 0.0;
+    if (gain_ >= 1.0 && input_energy_J_ >= stored_J_) release_left_ = 0.0;
+    if (release_left_ > 0.0) {
+      const double last_offset = std::max(goal, root_ - std::sqrt(input_energy_J_));
+      set_offset(goal + (1.0 - release_left_) * (last_offset - goal));
       return;
     }
-    given_J_ = std::max(0.0, given_J_ - coming_J);
-    begin_at(std::max(goal, root_ - std::sqrt(given_J_)));
-    spare_J_ = std::max(0.0, given_J_ - rendered_J_);
+    input_energy_J_ = std::max(0.0, input_energy_J_ - coming_J);
+    set_offset(std::max(goal, root_ - std::sqrt(input_energy_J_)));
+    surplus_J_ = std::max(0.0, input_energy_J_ - rendered_J_);
   }
 
-  void begin_at(double offset) noexcept {
-    offset_ = std::min(offset, root_);
-    const double over = root_ - offset_;
-    rendered_J_ = offset_ > 0.0 ? over * over : stored_J_;
+  void set_offset(double offset) noexcept {
+    spring_offset_ = std::min(offset, root_);
+    const double over = root_ - spring_offset_;
+    rendered_J_ = spring_offset_ > 0.0 ? over * over : stored_J_;
   }
 
   void follow_ramp(double gain_rise) noexcept {
     const double goal = root_ * (1.0 - gain_);
     const double before_J = rendered_J_;
-    if (offset_ < goal) {
-      begin_at(goal);
-    } else if (spare_J_ > 0.0 && offset_ > 0.0) {
-      begin_at(std::max({goal, offset_ - gain_rise * root_, root_ - std::sqrt(rendered_J_ + spare_J_)}));
+    if (spring_offset_ < goal) {
+      set_offset(goal);
+    } else if (surplus_J_ > 0.0 && spring_offset_ > 0.0) {
+      set_offset(
+          std::max({goal, spring_offset_ - gain_rise * root_, root_ - std::sqrt(rendered_J_ + surplus_J_)}));
     }
-    spare_J_ = std::clamp(spare_J_ + before_J - rendered_J_, 0.0, stored_J_ - rendered_J_);
+    surplus_J_ = std::clamp(surplus_J_ + before_J - rendered_J_, 0.0, stored_J_ - rendered_J_);
   }
 
   Vector<DeviceFrame> rendered(Vector<DeviceFrame> law_N, Vector<DeviceFrame> rest_N) const noexcept {
@@ -162,15 +169,20 @@ class RiseLimit {
   double gain_ = 0.0;
   bool has_spring_ = false;
   bool begins_ = true;
-  /// U and its root, c, V, and what the hand gave beyond it, B, while a ramp is below.
+  /// U, the energy that the law's spring stores.
   double stored_J_ = 0.0;
+  /// sqrt(U).
   double root_ = 0.0;
-  double offset_ = 0.0;
+  /// c, by which the rendered spring begins deeper, in the unit of sqrt(U); 0: the whole spring.
+  double spring_offset_ = 0.0;
+  /// V, the energy that the rendered spring stores.
   double rendered_J_ = 0.0;
-  double spare_J_ = 0.0;
-  /// P and the part of what the hand did not give that is rendered nevertheless; 0: P = V + B.
-  double given_J_ = 0.0;
-  double lent_ = 0.0;
+  /// The input energy beyond V, while the ramp is below 1: P = V + this, if no release is going on.
+  double surplus_J_ = 0.0;
+  /// P during a release.
+  double input_energy_J_ = 0.0;
+  /// The part of a release that is still to come: 1 for a hand that has not moved out, 0 at its end.
+  double release_left_ = 0.0;
 };
 
 }  // namespace palpable::haptics

@@ -72,7 +72,7 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
 
 double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
   // Near the surface the spring's slope within the sensor's step may be a little below zero.
-  return is_accounted() && rise.is_weaker() ? rise.given_J() : stored_J_;
+  return is_accounted() && rise.is_weaker() ? rise.input_energy_J() : stored_J_;
 }
 
 void TickPipeline::observe(double dt_s) noexcept {
