@@ -94,7 +94,7 @@ TEST_F(BadInput, AFolderOfManyPicturesIsNamedByItsFirst) {
   const Outcome outcome = palpable({"make", path("many"), "-o", path("out.palp")});
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("100.png and 11 more"));
-  EXPECT_THAT(outcome.err, HasSubstr("the camera hardly moved"));
+  EXPECT_THAT(outcome.err, HasSubstr("the camera did not move"));
   EXPECT_THAT(outcome.err, Not(HasSubstr("111.png")));
 }
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 OPTION = r"(?<![\w-])--[a-z][a-z0-9-]*"
 # Lines about other programs.
-OTHERS = re.compile(r"cmake |diff --git|palpable_(stereo|video)_set|tools/|fuzz/|\./(test|run)|--table|--write FOLDER")
+OTHERS = re.compile(r"cmake |pkg-config |diff --git|palpable_(stereo|video)_set|tools/|fuzz/|\./(test|run)|--table|--write FOLDER")
 
 
 def help_of(*command):

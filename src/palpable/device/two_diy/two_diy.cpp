@@ -120,7 +120,9 @@ bool TwoDiy::is_plausible(std::array<float, 2> board_deg) const noexcept {
   // A hand at 3 m/s turns a link by at most this much; what goes beyond it was no answer.
   constexpr double kFastest_deg_per_s = 2500.0;
   constexpr double kLeast_deg = 2.0;
-  const double most_deg = kLeast_deg + kFastest_deg_per_s * since_answer_s_;
+  // However long ago the last answer was: parts of answers that are taken for one often say 0 degrees.
+  constexpr double kMost_deg = 45.0;
+  const double most_deg = std::min(kMost_deg, kLeast_deg + kFastest_deg_per_s * since_answer_s_);
   const auto turned = [&](std::size_t k) {
     return std::abs(static_cast<double>(board_deg[k]) - static_cast<double>(board_deg_[k]));
   };
