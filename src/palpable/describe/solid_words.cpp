@@ -199,7 +199,10 @@ std::string ninths_of(const SolidView& solid) {
 
 std::vector<std::string> solid_parts(const SolidView& solid, const std::string& heading, Place probe) {
   const SolidShape shape = solid_shape(*solid.surface, solid.base_m);
-  return {brief_of(shape, solid, heading), details_of(shape, solid, probe), ninths_of(solid)};
+  std::vector<std::string> parts{brief_of(shape, solid, heading), details_of(shape, solid, probe),
+                                 ninths_of(solid)};
+  std::erase(parts, std::string());
+  return parts;
 }
 
 }  // namespace palpable::describe

@@ -5,6 +5,7 @@
 #include "palpable/haptics/servo/pacing.hpp"
 
 #include <chrono>
+#include <string>
 #include <thread>
 #include <utility>
 
@@ -49,6 +50,7 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   const auto start = Clock::now();
   const auto end = start + std::chrono::duration<double>(options.seconds);
   std::size_t next_step = 0;
+  bool failed = false;
   while (Clock::now() < end && !work.cancelled()) {
     const auto before = Clock::now();
     const double t_s = std::chrono::duration<double>(before - start).count();
@@ -59,6 +61,10 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
     }
     if (const auto fault = session.take_recording_fault(); fault && options.on_notice)
       options.on_notice("The recording has ended: " + fault->sentence());
+    if (session.latest().status == device::Status::fault) {
+      failed = true;
+      break;
+    }
     for (const auto& missed : session.take_missed())
       if (options.on_missed) options.on_missed(missed);
     for (const auto& event : session.take_events())
@@ -67,8 +73,11 @@ Result<TouchStatistics> touch_headless(const SceneMaker& make, const HeadlessOpt
   }
   maker.cancel();
   auto recorded = session.stop_recording();
+  const std::string fault = session.device_fault();
   session.stop();
   if (!recorded) return std::move(recorded).error();
+  if (failed)
+    return Error{ErrorCode::device, fault.empty() ? "the device has failed" : fault, options.device_url};
   return session.statistics();
 }
 

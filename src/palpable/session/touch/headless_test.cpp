@@ -4,6 +4,7 @@
 
 #include "palpable/device/drivers/open.hpp"
 #include "palpable/device/recording/recording.hpp"
+#include "palpable/device/virtual/virtual_two_diy.hpp"
 #include "palpable/haptics/servo/start_touch.hpp"
 #include "palpable/haptics/servo/tick.hpp"
 #include "palpable/session/touch/haptic_scene.hpp"
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -51,6 +53,22 @@ TEST(TouchHeadless, ReplacesTheSceneByABetterOneDuringTheTouch) {
   const auto json = nlohmann::json::parse(to_json(*statistics));
   EXPECT_EQ(json["servo"]["ticks"], touch.ticks);
   EXPECT_EQ(json["allocations_in_ticks"], 0);
+}
+
+TEST(TouchHeadless, EndsWithASentenceWhenItsDeviceFails) {
+  device::VirtualTwoDiy board(device::kTwoDiyVariants[0]);
+  auto options = unprivileged(600.0);
+  options.device_url = "2diy:" + board.path();
+  std::thread breaks([&board] {
+    board.wait_for(200);
+    board.inject(device::VirtualTwoDiy::Fault::silent);
+  });
+  const auto statistics = touch_headless(two_scenes, options, {});
+  breaks.join();
+  ASSERT_FALSE(statistics);
+  EXPECT_EQ(statistics.error().code, ErrorCode::device);
+  EXPECT_NE(statistics.error().message.find("does not answer"), std::string::npos);
+  board.wait_until_free();
 }
 
 TEST(TouchHeadless, AnExplorerStandsInABetterSceneAsTheyStood) {

@@ -299,7 +299,12 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
   for (const TextLine& line : lines)
     pictures.push_back(straightened(lettering, line, leftwards(line), options));
   auto first = read_pictures(pictures, tesseract, languages, options, work);
-  if (!first) return first.error();
+  if (!first && first.error().code == ErrorCode::interrupted) return first.error();
+  if (!first) {
+    out.notes.emplace_back("Names were not read: " + first.error().message +
+                           "; check its language data (in Debian: tesseract-ocr-eng).");
+    return out;
+  }
   std::vector<std::size_t> unsure;
   pictures.clear();
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -46,8 +46,8 @@ struct TextReading {
 
 /// Reads lines of lettering: each is straightened along its middle, enlarged and given to the program
 /// `tesseract`, which runs in processes of its own; both ways up if needed. Without that program or its
-/// language data no line has a text, and a note says what to install. Long work: polls cancel. Errors:
-/// interrupted; failed, if no temporary files can be written.
+/// language data, or where it fails, no line has a text, and a note says why. Long work: polls cancel.
+/// Errors: interrupted.
 Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const TextLine> lines,
                                     const ReadTextOptions& options, const Work& work);
 
