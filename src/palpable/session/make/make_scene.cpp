@@ -63,7 +63,8 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
   if (is_contours(options, input)) return {};
   if (is_map(options) && input.kind == InputKind::picture) return {};
   if (is_map(options) && input.kind != InputKind::map)
-    return Error{ErrorCode::usage, "a map is made of a single picture that is no depth map", names_of(input.files)};
+    return Error{ErrorCode::usage, "a map is made of a single picture that is no depth map",
+                 names_of(input.files)};
   const bool adaptive = options.recipes.field.storage == recipes::FieldStorage::adaptive;
   const bool becomes_field = is_solid(input.kind) || input.kind == InputKind::video;
   if (!adaptive && options.as != MakeAs::field && !becomes_field)
