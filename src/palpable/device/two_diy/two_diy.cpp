@@ -131,9 +131,8 @@ bool TwoDiy::is_plausible(std::array<float, 2> board_deg) const noexcept {
 
 void TwoDiy::follow(std::array<float, 2> board_deg) noexcept {
   board_deg_ = board_deg;
-  const bool swapped = !ordered_by_motor_ && variant_.joints[0].port != 1;
   const auto rad = [&](std::size_t k) { return kRadians * static_cast<double>(board_deg[k]); };
-  angles_ = {rad(swapped ? 1 : 0), rad(swapped ? 0 : 1)};
+  angles_ = {rad(is_swapped() ? 1 : 0), rad(is_swapped() ? 0 : 1)};
   since_answer_s_ = 0.0;
   const auto handle = variant_.linkage.handle_at(angles_);
   has_place_ = handle.has_value();
@@ -141,9 +140,8 @@ void TwoDiy::follow(std::array<float, 2> board_deg) noexcept {
 }
 
 std::array<float, 2> TwoDiy::in_board_order(std::array<double, 2> by_motor_Nm) const noexcept {
-  const bool swapped = !ordered_by_motor_ && variant_.joints[0].port != 1;
   const auto torque = [&](std::size_t k) { return static_cast<float>(by_motor_Nm[k]); };
-  return swapped ? std::array{torque(1), torque(0)} : std::array{torque(0), torque(1)};
+  return is_swapped() ? std::array{torque(1), torque(0)} : std::array{torque(0), torque(1)};
 }
 
 Reading TwoDiy::read() noexcept {

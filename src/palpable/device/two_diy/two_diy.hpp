@@ -45,6 +45,8 @@ class TwoDiy final : public Device, public Guardable {
  private:
   TwoDiy(std::unique_ptr<SerialPort> port, const TwoDiyVariant& variant, double rate_hz);
   void begin(std::array<float, 2> first_deg) noexcept;
+  /// Whether the board's first angle and torque belong to the second motor.
+  bool is_swapped() const noexcept { return !ordered_by_motor_ && variant_.joints[0].port != 1; }
   bool is_plausible(std::array<float, 2> board_deg) const noexcept;
   void follow(std::array<float, 2> board_deg) noexcept;
   std::array<float, 2> in_board_order(std::array<double, 2> by_motor_Nm) const noexcept;

@@ -76,13 +76,15 @@ InPlane VirtualTwoDiy::handle() const {
   return place_;
 }
 
+std::array<double, 2> VirtualTwoDiy::torques_by_motor() const {
+  return {static_cast<double>(torques_[is_swapped() ? 1 : 0]),
+          static_cast<double>(torques_[is_swapped() ? 0 : 1])};
+}
+
 InPlane VirtualTwoDiy::force_N() const {
   const std::lock_guard lock(mutex_);
-  const bool swapped = !ordered_by_motor_ && variant_.joints[0].port != 1;
-  const std::array<double, 2> by_motor{static_cast<double>(torques_[swapped ? 1 : 0]),
-                                       static_cast<double>(torques_[swapped ? 0 : 1])};
   const auto angles = variant_.linkage.angles_at(place_);
-  return angles ? force_of(variant_.linkage, *angles, by_motor) : InPlane{};
+  return angles ? force_of(variant_.linkage, *angles, torques_by_motor()) : InPlane{};
 }
 
 std::vector<std::uint8_t> VirtualTwoDiy::setup() const {
@@ -189,10 +191,7 @@ bool VirtualTwoDiy::take_torques(std::uint8_t id) {
 
 void VirtualTwoDiy::move() {
   const auto angles = variant_.linkage.angles_at(place_);
-  const bool swapped = !ordered_by_motor_ && variant_.joints[0].port != 1;
-  const std::array<double, 2> by_motor{static_cast<double>(torques_[swapped ? 1 : 0]),
-                                       static_cast<double>(torques_[swapped ? 0 : 1])};
-  InPlane force = angles ? force_of(variant_.linkage, *angles, by_motor) : InPlane{};
+  InPlane force = angles ? force_of(variant_.linkage, *angles, torques_by_motor()) : InPlane{};
   force = plus(force, kStiffness_N_per_m, {goal_.x - place_.x, goal_.y - place_.y});
   force = plus(force, -kDamping_Ns_per_m, velocity_);
   velocity_ = plus(velocity_, kStep_s / kMass_kg, force);
@@ -203,9 +202,8 @@ void VirtualTwoDiy::move() {
 void VirtualTwoDiy::answer(std::uint8_t id) {
   std::uint8_t bytes[9] = {id};
   if (const auto angles = variant_.linkage.angles_at(place_); angles && fault_ != Fault::stuck) {
-    const bool swapped = !ordered_by_motor_ && variant_.joints[0].port != 1;
     for (std::size_t k = 0; k < 2; ++k)
-      last_answer_[swapped ? 1 - k : k] = static_cast<float>(kDegrees * (*angles)[k]);
+      last_answer_[is_swapped() ? 1 - k : k] = static_cast<float>(kDegrees * (*angles)[k]);
   }
   std::array<float, 2> sent = last_answer_;
   if (fault_ == Fault::not_finite) sent.fill(std::numeric_limits<float>::quiet_NaN());

@@ -63,6 +63,8 @@ class VirtualTwoDiy {
   bool read_into(std::uint8_t* bytes, std::size_t count);
   bool take_setup();
   bool take_torques(std::uint8_t id);
+  bool is_swapped() const { return !ordered_by_motor_ && variant_.joints[0].port != 1; }
+  std::array<double, 2> torques_by_motor() const;
   void move();
   void answer(std::uint8_t id);
 

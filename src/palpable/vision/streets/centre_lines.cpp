@@ -7,6 +7,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <numeric>
 
 #include <opencv2/imgproc.hpp>
 
@@ -283,6 +284,22 @@ void join_lines(CentreLines& graph) {
       ++next;
     }
   graph.lines.resize(next);
+}
+
+void remove_short_networks(CentreLines& graph, double least_px, double least_radii) {
+  std::vector<int> group(graph.nodes.size());
+  std::iota(group.begin(), group.end(), 0);
+  const auto root = [&group](int n) {
+    while (group[static_cast<std::size_t>(n)] != n) n = group[static_cast<std::size_t>(n)];
+    return static_cast<std::size_t>(n);
+  };
+  for (const CentreLine& line : graph.lines) group[root(line.first)] = static_cast<int>(root(line.last));
+  std::vector<double> length(graph.nodes.size(), 0.0);
+  for (const CentreLine& line : graph.lines) length[root(line.first)] += length_px(line.points);
+  std::erase_if(graph.lines, [&](const CentreLine& line) {
+    const double all = length[root(line.first)];
+    return all < least_px || all < least_radii * line.radius_px;
+  });
 }
 
 void remove_spurs(CentreLines& graph, double radii, double more_px) {

@@ -37,9 +37,13 @@ CentreLines centre_lines_of(const Raster<std::uint8_t>& mask);
 /// Length of a line, pixels.
 double length_px(const std::vector<MapPoint>& points);
 
-/// Removes leaves shorter than `least_px(line)` pixels, and joins lines at nodes where only two remain.
-/// Isolated lines are kept.
+/// Removes leaves shorter than `radii` times their radius plus `more_px` pixels, and joins lines at nodes
+/// where only two remain. Isolated lines are kept.
 void remove_spurs(CentreLines& graph, double radii, double more_px);
+
+/// Removes connected lines whose total length is below `least_px`, or below `least_radii` times a line's
+/// radius.
+void remove_short_networks(CentreLines& graph, double least_px, double least_radii);
 
 /// Joins the two lines of each node that has only two.
 void join_lines(CentreLines& graph);

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_graph.hpp"
 
+#include "palpable/vision/streets/point_grid.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 
 namespace palpable::vision {
@@ -28,42 +29,6 @@ struct FreeEnd {
   MapPoint at;
   MapPoint direction;
   double radius_px = 0.0;
-};
-
-/// Points of lines by place, so that those near a place are found quickly.
-class PointGrid {
- public:
-  struct Entry {
-    std::size_t line;
-    std::size_t point;
-  };
-  PointGrid(int width, int height)
-      : columns_(width / kCell + 1),
-        rows_(height / kCell + 1),
-        cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
-  void add(const CentreLines& graph) {
-    for (std::size_t i = 0; i < graph.lines.size(); ++i)
-      for (std::size_t k = 0; k < graph.lines[i].points.size(); ++k)
-        cell(column(graph.lines[i].points[k].x), row(graph.lines[i].points[k].y)).push_back({i, k});
-  }
-  template <class Use>
-  void near(MapPoint p, double reach, Use&& use) const {
-    for (int r = row(p.y - reach); r <= row(p.y + reach); ++r)
-      for (int c = column(p.x - reach); c <= column(p.x + reach); ++c)
-        for (const Entry& entry : cells_[index(c, r)]) use(entry);
-  }
-
- private:
-  static constexpr int kCell = 16;
-  int column(double x) const { return std::clamp(static_cast<int>(x) / kCell, 0, columns_ - 1); }
-  int row(double y) const { return std::clamp(static_cast<int>(y) / kCell, 0, rows_ - 1); }
-  std::size_t index(int c, int r) const {
-    return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
-  }
-  std::vector<Entry>& cell(int c, int r) { return cells_[index(c, r)]; }
-  int columns_;
-  int rows_;
-  std::vector<std::vector<Entry>> cells_;
 };
 
 class Joiner {
@@ -404,24 +369,9 @@ class Joiner {
     join_lines(graph_);
   }
 
-  /// Removes connected lines of small total length.
   void remove_fragments(double factor) {
-    std::vector<int> group(graph_.nodes.size());
-    std::iota(group.begin(), group.end(), 0);
-    const auto root = [&group](int n) {
-      while (group[static_cast<std::size_t>(n)] != n) n = group[static_cast<std::size_t>(n)];
-      return n;
-    };
-    for (const CentreLine& line : graph_.lines)
-      group[static_cast<std::size_t>(root(line.first))] = root(line.last);
-    std::vector<double> length(graph_.nodes.size(), 0.0);
-    for (const CentreLine& line : graph_.lines)
-      length[static_cast<std::size_t>(root(line.first))] += length_px(line.points);
-    const double side = std::min(width(), height());
-    std::erase_if(graph_.lines, [&](const CentreLine& line) {
-      const double all = length[static_cast<std::size_t>(root(line.first))];
-      return all < factor * options_.least_network_part * side || all < factor * 6.0 * line.radius_px;
-    });
+    remove_short_networks(graph_, factor * options_.least_network_part * std::min(width(), height()),
+                          factor * 6.0);
   }
 
   const MapColours& colours_;

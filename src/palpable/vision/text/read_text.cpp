@@ -17,11 +17,13 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
-#include <thread>
 
 #include <fmt/format.h>
 #include <opencv2/imgproc.hpp>
+#include <poll.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace palpable::vision {
 namespace {
@@ -68,25 +70,25 @@ Result<void> run_to_end(const std::vector<std::string>& command, double most_sec
   arguments.insert(arguments.end(), command.begin(), command.end());
   const auto child = start_child("/usr/bin/env", arguments, {});
   if (!child) return child.error();
+  // Readable when the child has ended; the wait is divided only so that a cancel is noticed.
+  const Descriptor end(static_cast<int>(::syscall(SYS_pidfd_open, *child, 0)));
   const auto begin = std::chrono::steady_clock::now();
-  for (;;) {
-    int status = 0;
-    const pid_t ended = waitpid(*child, &status, WNOHANG);
-    if (ended == *child)
-      return WIFEXITED(status) && WEXITSTATUS(status) == 0
-                 ? Result<void>()
-                 : Error{ErrorCode::failed, fmt::format("{} failed", command.front()), {}};
+  const auto takes_too_long = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    if (ended < 0 || work.cancelled() || passed.count() > most_seconds) {
-      kill(*child, SIGKILL);
-      waitpid(*child, &status, 0);
-      return work.cancelled()
-                 ? Work::interrupted()
-                 : Error{ErrorCode::failed, fmt::format("{} took too long", command.front()), {}};
-    }
-    constexpr auto kPoll = std::chrono::milliseconds(5);
-    std::this_thread::sleep_for(kPoll);
+    return passed.count() > most_seconds;
+  };
+  pollfd ended{end.number(), POLLIN, 0};
+  constexpr int kNotice_ms = 50;
+  while (::poll(&ended, 1, kNotice_ms) <= 0 && !work.cancelled() && !takes_too_long()) {
   }
+  const bool by_itself = ended.revents != 0;
+  if (!by_itself) kill(*child, SIGKILL);
+  int status = 0;
+  waitpid(*child, &status, 0);
+  if (work.cancelled()) return Work::interrupted();
+  if (!by_itself) return Error{ErrorCode::failed, fmt::format("{} took too long", command.front()), {}};
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+  return Error{ErrorCode::failed, fmt::format("{} failed", command.front()), {}};
 }
 
 /// The picture's dark lettering as black on white, whatever is behind it: grey levels 0 ... 255.
