@@ -25,6 +25,12 @@ class Raster {
   /// All values set to `fill`. Both sizes must be >= 0.
   Raster(int width, int height, T fill = T{})
       : width_(width), height_(height), values_(checked_count(width, height), fill) {}
+  /// Takes values that exist, row by row from the top left. Both sizes must be >= 0, and there must be width
+  /// x height values.
+  Raster(int width, int height, std::vector<T> values)
+      : width_(width), height_(height), values_(std::move(values)) {
+    PALPABLE_CHECK(values_.size() == checked_count(width, height));
+  }
 
   int width() const { return width_; }
   int height() const { return height_; }

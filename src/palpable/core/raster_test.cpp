@@ -3,6 +3,7 @@
 #include "palpable/core/raster.hpp"
 
 #include <numeric>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,15 @@ TEST(Raster, StartsWithItsFill) {
   const Raster<float> raster(4, 5, 2.5F);
   EXPECT_EQ(raster.count(), 20U);
   for (const float v : raster.values()) EXPECT_EQ(v, 2.5F);
+}
+
+TEST(Raster, TakesValuesThatExist) {
+  std::vector<float> values{1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F};
+  const float* const memory = values.data();
+  const Raster<float> raster(3, 2, std::move(values));
+  EXPECT_EQ(raster(2, 0), 3.0F);
+  EXPECT_EQ(raster(0, 1), 4.0F);
+  EXPECT_EQ(raster.data(), memory) << "without a copy";
 }
 
 TEST(Raster, ContainsItsPixelsOnly) {
@@ -51,6 +61,10 @@ TEST(Raster, MayBeEmptyInOneDirection) {
 }
 
 TEST(RasterDeathTest, RefusesANegativeSize) { EXPECT_DEATH(Raster<int>(-1, 3), "width >= 0"); }
+
+TEST(RasterDeathTest, RefusesAnotherNumberOfValues) {
+  EXPECT_DEATH(Raster<int>(2, 2, std::vector<int>{1, 2, 3}), "values_.size");
+}
 
 }  // namespace
 }  // namespace palpable

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <ImfChannelList.h>
@@ -105,7 +106,7 @@ Result<Image> decode_exr(std::span<const std::byte> file) {
 }
 
 Result<Raster<float>> decode_exr_depth(std::span<const std::byte> file) {
-  const auto image =
+  auto image =
       decode(file, "a channel Z", [](const std::vector<std::string>& names) -> std::vector<std::string> {
         for (const std::string& name : names)
           if (name == "Z" || name.ends_with(".Z")) return {name};
@@ -113,9 +114,7 @@ Result<Raster<float>> decode_exr_depth(std::span<const std::byte> file) {
         return {};
       });
   if (!image) return image.error();
-  Raster<float> values(image->width, image->height);
-  std::copy(image->samples.begin(), image->samples.end(), values.values().begin());
-  return values;
+  return Raster<float>(image->width, image->height, std::move(image->samples));
 }
 
 }  // namespace palpable::sources
