@@ -73,7 +73,7 @@ class Person(Visitor):
                       material={"stiffness_N_per_m": self.random.uniform(100, 900), "damping_Ns_per_m": None, "friction": self.random.uniform(0, 1),
                                 "stickiness": None, "texture": None})
         elif what == 2:
-            page.send(type="change", serial=serial, law=self.random.choice(LAWS), parameters=[], exaggeration=self.random.uniform(0.5, 1.5))
+            page.send(type="change", serial=serial, law=self.random.choice(LAWS), parameters=[], height_factor=self.random.uniform(0.5, 1.5))
         elif what == 3:
             page.send(type="save")
         elif what == 4:

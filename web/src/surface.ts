@@ -8,13 +8,13 @@ export interface Place {
 }
 
 export class Surface {
-  /** `heights`: metres, row-major, origin top-left; `width` and `depth`: metres along x and y. */
+  /** `heights`: metres, row-major, origin top-left; `sizeX` and `sizeY`: metres along x and y. */
   constructor(
     readonly columns: number,
     readonly rows: number,
     readonly heights: Float32Array,
-    readonly width: number,
-    readonly depth: number,
+    readonly sizeX: number,
+    readonly sizeY: number,
     /** Whether it is a solid that stands upright, y up: the camera is then above its front, not below it. */
     readonly isUpright = false,
   ) {}
@@ -24,17 +24,17 @@ export class Surface {
    * keys and of walking are multiplied by it.
    */
   get scale(): number {
-    const size = Math.max(this.width, this.depth) / 0.1;
+    const size = Math.max(this.sizeX, this.sizeY) / 0.1;
     const power = 10 ** Math.floor(Math.log10(size));
     const candidates = [1, 2, 5, 10].map((factor) => Number((factor * power).toPrecision(1)));
     return candidates.reduce((best, one) => (Math.abs(Math.log(one / size)) < Math.abs(Math.log(best / size)) ? one : best));
   }
 
   xOf(column: number): number {
-    return ((column + 0.5) / this.columns - 0.5) * this.width;
+    return ((column + 0.5) / this.columns - 0.5) * this.sizeX;
   }
   yOf(row: number): number {
-    return (0.5 - (row + 0.5) / this.rows) * this.depth;
+    return (0.5 - (row + 0.5) / this.rows) * this.sizeY;
   }
   at(column: number, row: number): number {
     const i = Math.min(this.columns - 1, Math.max(0, column));
@@ -44,8 +44,8 @@ export class Surface {
 
   /** Height at a place, interpolated bilinearly; constant beyond the border. */
   heightAt({ x, y }: Place): number {
-    const u = (x / this.width + 0.5) * this.columns - 0.5;
-    const v = (0.5 - y / this.depth) * this.rows - 0.5;
+    const u = (x / this.sizeX + 0.5) * this.columns - 0.5;
+    const v = (0.5 - y / this.sizeY) * this.rows - 0.5;
     const i = Math.floor(u);
     const j = Math.floor(v);
     const [s, t] = [u - i, v - j];
@@ -56,8 +56,8 @@ export class Surface {
 
   /** dz/dx and dz/dy, by central differences over two samples. */
   slopeAt({ x, y }: Place): Place {
-    const hx = this.width / this.columns;
-    const hy = this.depth / this.rows;
+    const hx = this.sizeX / this.columns;
+    const hy = this.sizeY / this.rows;
     return {
       x: (this.heightAt({ x: x + hx, y }) - this.heightAt({ x: x - hx, y })) / (2 * hx),
       y: (this.heightAt({ x, y: y + hy }) - this.heightAt({ x, y: y - hy })) / (2 * hy),
@@ -66,11 +66,11 @@ export class Surface {
 
   clamp({ x, y }: Place): Place {
     const within = (value: number, size: number) => Math.min(size / 2, Math.max(-size / 2, value));
-    return { x: within(x, this.width), y: within(y, this.depth) };
+    return { x: within(x, this.sizeX), y: within(y, this.sizeY) };
   }
 
   contains({ x, y }: Place): boolean {
-    return Math.abs(x) <= this.width / 2 && Math.abs(y) <= this.depth / 2;
+    return Math.abs(x) <= this.sizeX / 2 && Math.abs(y) <= this.sizeY / 2;
   }
 
   range(): { lowest: number; highest: number } {
@@ -83,15 +83,15 @@ export class Surface {
   }
 
   /**
-   * First intersection of a ray from above with the surface raised by `exaggeration`, or with the base plane
+   * First intersection of a ray from above with the surface raised by `heightFactor`, or with the base plane
    * if it misses. Null if the ray does not descend.
    */
-  hit(origin: [number, number, number], direction: [number, number, number], exaggeration: number): Place | null {
+  hit(origin: [number, number, number], direction: [number, number, number], heightFactor: number): Place | null {
     const [dx, dy, dz] = direction;
     if (dz >= 0) return null;
     const { lowest, highest } = this.range();
-    const top = Math.max(0, lowest * exaggeration, highest * exaggeration);
-    const bottom = Math.min(0, lowest * exaggeration, highest * exaggeration);
+    const top = Math.max(0, lowest * heightFactor, highest * heightFactor);
+    const bottom = Math.min(0, lowest * heightFactor, highest * heightFactor);
     const begin = Math.max(0, (top - origin[2]) / dz);
     const end = (bottom - origin[2]) / dz;
     const steps = 400;
@@ -99,7 +99,7 @@ export class Surface {
     for (let k = 0; k <= steps; ++k) {
       const t = begin + ((end - begin) * k) / steps;
       const place = at(t);
-      if (this.contains(place) && origin[2] + t * dz <= this.heightAt(place) * exaggeration) return place;
+      if (this.contains(place) && origin[2] + t * dz <= this.heightAt(place) * heightFactor) return place;
     }
     return at(-origin[2] / dz);
   }

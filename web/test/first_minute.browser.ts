@@ -69,7 +69,7 @@ it('on a touch screen the line of hints names gestures, not keys', async () => {
 
 it('a simple panel is shown first, and the rest is under "more"', async () => {
   const { page } = opened;
-  for (const name of ['Volume', 'Depth']) expect(await page.getByRole('slider', { name, exact: true }).isVisible()).toBe(true);
+  for (const name of ['Volume', 'Height']) expect(await page.getByRole('slider', { name, exact: true }).isVisible()).toBe(true);
   expect(await page.getByLabel('Force law').isVisible()).toBe(false);
   await openMore(page);
   expect(await page.getByLabel('Force law').isVisible()).toBe(true);
@@ -112,9 +112,9 @@ it('with "Speak aloud", each changed setting is spoken with its value', async ()
   const speech = page.getByRole('checkbox', { name: /^Speak aloud/ });
   await speech.focus();
   await page.keyboard.press('Space');
-  await page.getByRole('slider', { name: 'Depth', exact: true }).focus();
+  await page.getByRole('slider', { name: 'Height', exact: true }).focus();
   await page.keyboard.press('ArrowRight');
-  await spoken('Depth: × 1.05');
+  await spoken('Height: × 1.05');
   await page.getByLabel('Colours').focus();
   await page.keyboard.press('ArrowDown');
   await spoken('Colours: Light');
@@ -167,7 +167,7 @@ describe('a scene of contours', () => {
       await openMore(page);
       const law = page.getByLabel('Force law');
       expect(await law.inputValue()).not.toBe('');
-      expect(await page.getByRole('slider', { name: 'Depth' }).isDisabled()).toBe(true);
+      expect(await page.getByRole('slider', { name: 'Height' }).isDisabled()).toBe(true);
       expect(await page.locator('#parameters input').count()).toBeGreaterThan(0);
       await slidersSayWhatTheyHold(page);
       await keepPicture(page, 'contours');

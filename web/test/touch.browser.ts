@@ -73,7 +73,7 @@ describe('by pointer', () => {
 
   it('a changed setting reaches the program, and is undone and redone by keys', async () => {
     const { page } = opened;
-    const slider = page.getByRole('slider', { name: 'Depth' });
+    const slider = page.getByRole('slider', { name: 'Height' });
     const height = await settled(page, 'read-height');
     await slider.focus();
     for (let k = 0; k < 10; ++k) await page.keyboard.press('ArrowRight');

@@ -101,8 +101,8 @@ std::vector<haptics::PathSample> own_path(const models::Scene& scene) {
   path.reserve(kTicks);
   for (int i = 0; i < kTicks; ++i) {
     const double t = i * kTick_s;
-    const double x = 0.43 * relief.width_m() * std::sin(2.0 * std::numbers::pi * 0.31 * t);
-    const double y = 0.43 * relief.depth_m() * std::sin(2.0 * std::numbers::pi * 0.47 * t);
+    const double x = 0.43 * relief.size_x_m() * std::sin(2.0 * std::numbers::pi * 0.31 * t);
+    const double y = 0.43 * relief.size_y_m() * std::sin(2.0 * std::numbers::pi * 0.47 * t);
     path.push_back({t, {{x, y, relief.sample(x, y).z_m - kUnder_m}}});
   }
   return path;

@@ -78,7 +78,7 @@ Result<void> write_height_sidecar(const models::Relief& relief, const std::files
   const Json content{{"meaning", "nearness"},
                      {"metres_per_step", metres_per_step},
                      {"pixel_m", relief.pixel_m()},
-                     {"size_m", {relief.width_m(), relief.depth_m(), relief.highest_m()}}};
+                     {"size_m", {relief.size_x_m(), relief.size_y_m(), relief.highest_m()}}};
   const std::string text = content.dump(2) + "\n";
   return write_file_atomically(sidecar, std::as_bytes(std::span(text)));
 }

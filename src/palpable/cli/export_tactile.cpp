@@ -45,7 +45,7 @@ std::vector<Polyline> outlines_of(const models::Contours& contours) {
 
 Result<void> write_outlines(const models::Contours& contours, const TactileArguments& arguments,
                             const std::filesystem::path& output) {
-  const double width_m = contours.boundaries.width_m(), height_m = contours.boundaries.depth_m();
+  const double width_m = contours.boundaries.size_x_m(), height_m = contours.boundaries.size_y_m();
   if (output.extension() == ".svg") {
     formats::SwellPaperOptions options;
     options.width_m = arguments.width_mm / 1000.0;

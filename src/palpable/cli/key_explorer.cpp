@@ -41,20 +41,20 @@ bool is_move(const TerminalKey& key) {
   return key.name == Name::left || key.name == Name::right || key.name == Name::up || key.name == Name::down;
 }
 
-KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Scene& scene, double depth,
-                                        std::string& words) {
+KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Scene& scene,
+                                        double height_factor, std::string& words) {
   const double step_m = scale_of(scene) * (key.shift ? kLongStep_m : kStep_m);
   const std::size_t part = std::exchange(next_part_, 0);
   words.clear();
   switch (key.name) {
     case Name::left:
-      return words = move(-step_m, 0.0, scene, depth), Request::nothing;
+      return words = move(-step_m, 0.0, scene, height_factor), Request::nothing;
     case Name::right:
-      return words = move(step_m, 0.0, scene, depth), Request::nothing;
+      return words = move(step_m, 0.0, scene, height_factor), Request::nothing;
     case Name::up:
-      return words = move(0.0, step_m, scene, depth), Request::nothing;
+      return words = move(0.0, step_m, scene, height_factor), Request::nothing;
     case Name::down:
-      return words = move(0.0, -step_m, scene, depth), Request::nothing;
+      return words = move(0.0, -step_m, scene, height_factor), Request::nothing;
     case Name::page_down:
       return words = press_by(kPressStep_m, scene), Request::nothing;
     case Name::page_up:
@@ -69,11 +69,11 @@ KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Sc
   constexpr char kEndOfText = '\x04';
   switch (key.character) {
     case 'd':
-      words = describe::scene_part(scene, depth, place_, part);
+      words = describe::scene_part(scene, height_factor, place_, part);
       next_part_ = part + 1;
       break;
     case 'p':
-      words = describe::position_words(scene, depth, place_);
+      words = describe::position_words(scene, height_factor, place_);
       break;
     case 'h':
     case '?':
@@ -90,24 +90,25 @@ KeyExplorer::Request KeyExplorer::press(const TerminalKey& key, const models::Sc
   return Request::nothing;
 }
 
-std::string KeyExplorer::move(double dx_m, double dy_m, const models::Scene& scene, double depth) {
+std::string KeyExplorer::move(double dx_m, double dy_m, const models::Scene& scene, double height_factor) {
   const Vec3 size = models::size_m(scene);
   const describe::Place wanted{place_.x_m + dx_m, place_.y_m + dy_m};
   place_ = {std::clamp(wanted.x_m, -0.5 * size.x, 0.5 * size.x),
             std::clamp(wanted.y_m, -0.5 * size.y, 0.5 * size.y)};
   const bool at_rim = place_.x_m != wanted.x_m || place_.y_m != wanted.y_m;
-  const std::string words = describe::step_words(scene, depth, place_);
+  const std::string words = describe::step_words(scene, height_factor, place_);
   return describe::capitalised((at_rim ? "rim of the scene, " : "") + words) + ".";
 }
 
-std::string KeyExplorer::press_by(double depth_m, const models::Scene& scene) {
-  press_m_ = std::clamp(press_m_ + depth_m, kHighest_m, kDeepest_m);
+std::string KeyExplorer::press_by(double further_m, const models::Scene& scene) {
+  press_m_ = std::clamp(press_m_ + further_m, kHighest_m, kDeepest_m);
   return describe::capitalised(describe::press_words(press_scale_of(scene) * press_m_)) + ".";
 }
 
 Point<SceneFrame> KeyExplorer::hand(const models::Scene& scene,
                                     const session::TouchSettings& settings) const {
-  const double surface_m = settings.depth * models::relief_of(scene)->sample(place_.x_m, place_.y_m).z_m;
+  const double surface_m =
+      settings.height_factor * models::relief_of(scene)->sample(place_.x_m, place_.y_m).z_m;
   return {{place_.x_m, place_.y_m,
            surface_m + settings.law.radius_m.value_or(0.0) - press_scale_of(scene) * press_m_}};
 }

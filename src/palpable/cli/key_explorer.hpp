@@ -19,7 +19,7 @@ class KeyExplorer {
   enum class Request { nothing, pause, end };
 
   /// Executes a key. `words`: what to say now, or empty.
-  Request press(const TerminalKey& key, const models::Scene& scene, double depth, std::string& words);
+  Request press(const TerminalKey& key, const models::Scene& scene, double height_factor, std::string& words);
   /// The hand's position: the centre of the touching ball, on the surface or pressed below it.
   Point<SceneFrame> hand(const models::Scene& scene, const session::TouchSettings& settings) const;
 
@@ -27,8 +27,8 @@ class KeyExplorer {
   static std::string help(const models::Scene& scene);
 
  private:
-  std::string move(double dx_m, double dy_m, const models::Scene& scene, double depth);
-  std::string press_by(double depth_m, const models::Scene& scene);
+  std::string move(double dx_m, double dy_m, const models::Scene& scene, double height_factor);
+  std::string press_by(double further_m, const models::Scene& scene);
 
   describe::Place place_;
   double press_m_ = kRestingPress_m;

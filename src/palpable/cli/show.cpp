@@ -65,8 +65,8 @@ std::vector<draw::ForceArrow> forces_on(const models::Relief& relief, const hapt
                                         double spacing_m) {
   constexpr double kPress_m = 0.0005;
   std::vector<draw::ForceArrow> arrows;
-  const int columns = static_cast<int>(relief.width_m() / spacing_m),
-            rows = static_cast<int>(relief.depth_m() / spacing_m);
+  const int columns = static_cast<int>(relief.size_x_m() / spacing_m),
+            rows = static_cast<int>(relief.size_y_m() / spacing_m);
   for (int j = 0; j < rows; ++j) {
     for (int i = 0; i < columns; ++i) {
       const double x = (i - 0.5 * (columns - 1)) * spacing_m, y = (j - 0.5 * (rows - 1)) * spacing_m;
@@ -93,7 +93,7 @@ Result<draw::Figure> force_picture(const ShowArguments& arguments, const models:
   if (!parameters) return parameters.error();
   const auto touchable = haptics::make_touchable(scene, *parameters);
   if (!touchable) return touchable.error();
-  const double spacing_m = std::max(relief.width_m(), relief.depth_m()) / kArrowsAcross;
+  const double spacing_m = std::max(relief.size_x_m(), relief.size_y_m()) / kArrowsAcross;
   return draw::force_figure(
       relief, scene.texture, forces_on(relief, **touchable, spacing_m), spacing_m,
       title_of(arguments, scene, fmt::format("force of the law {}", haptics::name_of(parameters->law))));
@@ -211,9 +211,9 @@ Result<draw::Figure> picture_of(const ShowArguments& arguments, const models::Sc
   if (arguments.view == "depth") return draw::height_figure(relief, title_of(arguments, scene, "heights"));
   if (arguments.view == "force") return force_picture(arguments, scene, relief);
   const double cut_m = arguments.cut_mm ? *arguments.cut_mm / 1000.0 : default_cut_m(scene, relief);
-  if (std::abs(cut_m) > 0.5 * relief.depth_m())
+  if (std::abs(cut_m) > 0.5 * relief.size_y_m())
     return Error{ErrorCode::usage,
-                 fmt::format("the relief reaches from {0:.1f} to -{0:.1f} mm", 500.0 * relief.depth_m()),
+                 fmt::format("the relief reaches from {0:.1f} to -{0:.1f} mm", 500.0 * relief.size_y_m()),
                  "--at"};
   return draw::section_figure(relief, cut_m, title_of(arguments, scene, "cut from left to right"));
 }

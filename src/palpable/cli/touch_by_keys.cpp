@@ -60,7 +60,7 @@ Result<void> explore(session::TouchSession& session, session::MakerThread& maker
     const auto scene = session.scene();
     if (const auto key = keys.next(kBeat)) {
       std::string words;
-      const auto request = explorer.press(*key, *scene, session.settings().depth, words);
+      const auto request = explorer.press(*key, *scene, session.settings().height_factor, words);
       if (request == KeyExplorer::Request::end) return {};
       if (request == KeyExplorer::Request::pause) pause_or_go_on(session, mouth);
       // A key that is held down sends more moves than can be read, so only the last one is described.

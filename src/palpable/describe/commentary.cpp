@@ -23,9 +23,9 @@ double distance_m(Place a, Place b) { return std::hypot(a.x_m - b.x_m, a.y_m - b
 
 }  // namespace
 
-std::optional<std::string> Commentary::at(const models::Scene& scene, double depth, Place place,
+std::optional<std::string> Commentary::at(const models::Scene& scene, double height_factor, Place place,
                                           double now_s) {
-  const std::string edge = edge_at(scene, depth, place);
+  const std::string edge = edge_at(scene, height_factor, place);
   const std::string name = sweep_name(scene, place);
   if (name != candidate_) candidate_ = name, candidate_since_s_ = now_s;
   const bool is_calm = now_s - said_s_ >= options_.gap_s;
@@ -54,11 +54,11 @@ void Commentary::heard(const models::Scene& scene, Place place, double now_s) {
   on_edge_ = false;
 }
 
-std::string Commentary::edge_at(const models::Scene& scene, double depth, Place place) {
+std::string Commentary::edge_at(const models::Scene& scene, double height_factor, Place place) {
   // The lines of contours are its edges.
   if (std::holds_alternative<std::shared_ptr<const models::Contours>>(scene.model)) return {};
   const models::Relief& surface = *models::relief_of(scene);
-  const double height_m = depth * surface.sample(place.x_m, place.y_m).z_m;
+  const double height_m = height_factor * surface.sample(place.x_m, place.y_m).z_m;
   way_.push_back({place, height_m});
   constexpr std::size_t kMostSteps = 256;
   // The last step before edge_reach_m is kept, since a fast probe makes longer steps.
@@ -66,7 +66,7 @@ std::string Commentary::edge_at(const models::Scene& scene, double depth, Place 
          (distance_m(way_[1].place, place) > options_.edge_reach_m || way_.size() > kMostSteps))
     way_.pop_front();
   const double least_m =
-      std::max(options_.edge_share * std::abs(depth) * (surface.highest_m() - surface.lowest_m()),
+      std::max(options_.edge_share * std::abs(height_factor) * (surface.highest_m() - surface.lowest_m()),
                options_.edge_least_m);
   const double step_m = height_m - way_.front().height_m;
   const bool was_on_edge = on_edge_;

@@ -31,7 +31,7 @@ class Commentary {
 
   /// Updates the probe's place; `now_s` never decreases. Returns what to say now, or nothing. Call it at
   /// least 20 times per second while the probe moves.
-  std::optional<std::string> at(const models::Scene& scene, double depth, Place place, double now_s);
+  std::optional<std::string> at(const models::Scene& scene, double height_factor, Place place, double now_s);
   /// The user has just heard otherwise what is at `place`: it is not announced again.
   void heard(const models::Scene& scene, Place place, double now_s);
 
@@ -41,7 +41,7 @@ class Commentary {
     double height_m;
   };
   /// "Edge up" or "Edge down" if the probe meets an edge; also updates way_.
-  std::string edge_at(const models::Scene& scene, double depth, Place place);
+  std::string edge_at(const models::Scene& scene, double height_factor, Place place);
 
   CommentaryOptions options_;
   /// The probe's recent path, about edge_reach_m long.

@@ -303,9 +303,10 @@ ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourL
   const double pixel_m = step * map.pixel_m();
   // The border pixel does not belong to the map.
   const auto place_of = [&](PlacePx p) {
-    return Place{(p[0] - 0.5) * pixel_m - 0.5 * map.width_m(), 0.5 * map.depth_m() - (p[1] - 0.5) * pixel_m};
+    return Place{(p[0] - 0.5) * pixel_m - 0.5 * map.size_x_m(),
+                 0.5 * map.size_y_m() - (p[1] - 0.5) * pixel_m};
   };
-  const double side_px = std::max(map.width_m(), map.depth_m()) / pixel_m;
+  const double side_px = std::max(map.size_x_m(), map.size_y_m()) / pixel_m;
   const PathGraph graph(paths_of(mask), options.least_branch * side_px);
   const auto next = continuations_of(graph, options.greatest_turn_degrees * std::numbers::pi / 180.0);
   ContourDrawing drawing;
@@ -336,8 +337,8 @@ ContourDrawing find_contour_lines(const models::BoundaryMap& map, const ContourL
 std::optional<NearestLine> nearest_line(const models::BoundaryMap& map, Place place, double reach_m) {
   const auto& edges = map.edges();
   const double pixel_m = map.pixel_m();
-  const double column = (place.x_m + 0.5 * map.width_m()) / pixel_m - 0.5,
-               row = (0.5 * map.depth_m() - place.y_m) / pixel_m - 0.5;
+  const double column = (place.x_m + 0.5 * map.size_x_m()) / pixel_m - 0.5,
+               row = (0.5 * map.size_y_m() - place.y_m) / pixel_m - 0.5;
   const auto first = [](double centre, double reach) {
     return std::max(0, static_cast<int>(std::ceil(centre - reach)));
   };

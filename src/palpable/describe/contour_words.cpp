@@ -30,7 +30,7 @@ std::string junction_words(const ContourDrawing& drawing, const models::Boundary
   constexpr std::size_t kMostPlaces = 3;
   std::vector<std::string> places;
   for (const Place& place : drawing.junctions)
-    if (places.size() < kMostPlaces) places.push_back(region_words(place, map.width_m(), map.depth_m()));
+    if (places.size() < kMostPlaces) places.push_back(region_words(place, map.size_x_m(), map.size_y_m()));
   if (drawing.junctions.size() == 1) return fmt::format(", {} in 1 place: {}", who, places.front());
   if (drawing.junctions.size() > kMostPlaces)
     return fmt::format(", {} in {} places", who, drawing.junctions.size());
@@ -57,7 +57,7 @@ std::string extent_words(const ContourLine& line) {
 
 std::string line_part(const ContourLine& line, const models::BoundaryMap& map) {
   return fmt::format("{}, {} long, {}, {}", line.closed ? "closed" : "open", spoken_length(line.length_m),
-                     region_words(line.middle(), map.width_m(), map.depth_m()), extent_words(line));
+                     region_words(line.middle(), map.size_x_m(), map.size_y_m()), extent_words(line));
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ std::vector<std::string> contour_parts(const models::BoundaryMap& map, const std
                                        Place probe) {
   const ContourDrawing drawing = find_contour_lines(map);
   const auto& lines = drawing.lines;
-  const std::string size = capitalised(spoken_lengths(map.width_m(), "by", map.depth_m()));
+  const std::string size = capitalised(spoken_lengths(map.size_x_m(), "by", map.size_y_m()));
   if (lines.empty()) return {fmt::format("{} {}. No lines.", heading, size)};
   const bool one = lines.size() == 1;
   const std::string brief = fmt::format(
@@ -74,7 +74,7 @@ std::vector<std::string> contour_parts(const models::BoundaryMap& map, const std
       closed_words(lines), junction_words(drawing, map), area_words(drawing),
       one ? "The line" : "The longest", line_part(lines.front(), map));
   std::string more;
-  if (const auto near = nearest_line(map, probe, std::max(map.width_m(), map.depth_m())))
+  if (const auto near = nearest_line(map, probe, std::max(map.size_x_m(), map.size_y_m())))
     more = fmt::format("From the probe to the nearest line: {}. ", offset_words(near->dx_m, near->dy_m));
   // Further lines are only counted: nobody would remember them.
   constexpr std::size_t kMostListed = 8;

@@ -33,8 +33,8 @@ HeightGrid grid_of(const models::Relief& surface, double sign) {
   const double shrink = std::min(1.0, static_cast<double>(kLongestPeakSide) / longest);
   const auto side = [&](int n) { return std::max(2, static_cast<int>(std::lround(n * shrink))); };
   HeightGrid grid{Raster<float>(side(samples.width()), side(samples.height()))};
-  grid.cell_x_m = surface.width_m() / grid.height_m.width();
-  grid.cell_y_m = surface.depth_m() / grid.height_m.height();
+  grid.cell_x_m = surface.size_x_m() / grid.height_m.width();
+  grid.cell_y_m = surface.size_y_m() / grid.height_m.height();
   for (int row = 0; row < grid.height_m.height(); ++row)
     for (int column = 0; column < grid.height_m.width(); ++column) {
       const Place p = grid.place_of(column, row);
@@ -164,19 +164,20 @@ std::vector<Summit> summits_of(const Raster<float>& height_m, double least_m) {
 Peak highest_near(const models::Relief& surface, const HeightGrid& grid, Place near, double sign) {
   const auto& samples = surface.samples_m();
   const auto column_of = [&](double x_m) {
-    return std::clamp(static_cast<int>(std::lround((x_m / surface.width_m() + 0.5) * samples.width() - 0.5)),
+    return std::clamp(static_cast<int>(std::lround((x_m / surface.size_x_m() + 0.5) * samples.width() - 0.5)),
                       0, samples.width() - 1);
   };
   const auto row_of = [&](double y_m) {
-    return std::clamp(static_cast<int>(std::lround((0.5 - y_m / surface.depth_m()) * samples.height() - 0.5)),
-                      0, samples.height() - 1);
+    return std::clamp(
+        static_cast<int>(std::lround((0.5 - y_m / surface.size_y_m()) * samples.height() - 0.5)), 0,
+        samples.height() - 1);
   };
   Peak best{near, -1e9};
   double best_away_m = 0.0;
   for (int j = row_of(near.y_m + grid.cell_y_m); j <= row_of(near.y_m - grid.cell_y_m); ++j)
     for (int i = column_of(near.x_m - grid.cell_x_m); i <= column_of(near.x_m + grid.cell_x_m); ++i) {
-      const Place place{((i + 0.5) / samples.width() - 0.5) * surface.width_m(),
-                        (0.5 - (j + 0.5) / samples.height()) * surface.depth_m()};
+      const Place place{((i + 0.5) / samples.width() - 0.5) * surface.size_x_m(),
+                        (0.5 - (j + 0.5) / samples.height()) * surface.size_y_m()};
       const double z_m = sign * surface.sample(place.x_m, place.y_m).z_m;
       const double away_m = std::hypot(place.x_m - near.x_m, place.y_m - near.y_m);
       const bool is_level = std::abs(z_m - best.height_m) < kLevel_m;

@@ -48,10 +48,10 @@ bool is_beside_solid(const models::Scene& scene, Place place) {
 }
 
 /// Height and slope. Not for a place beside a solid.
-std::string surface_at(const models::Scene& scene, double depth, Place place) {
+std::string surface_at(const models::Scene& scene, double height_factor, Place place) {
   const models::HeightSample at = models::relief_of(scene)->sample(place.x_m, place.y_m);
-  return fmt::format("{}, {}", spoken_length(depth * (at.z_m - base_of(scene))),
-                     slope_words(depth * at.dzdx, depth * at.dzdy));
+  return fmt::format("{}, {}", spoken_length(height_factor * (at.z_m - base_of(scene))),
+                     slope_words(height_factor * at.dzdx, height_factor * at.dzdy));
 }
 
 constexpr const char* kBeside = "nothing here";
@@ -75,9 +75,9 @@ std::string where(const models::Scene& scene, Place place) {
 
 }  // namespace
 
-std::string region_words(Place place, double width_m, double depth_m) {
-  const char* const column = place.x_m < -width_m / 6.0 ? "left" : place.x_m > width_m / 6.0 ? "right" : "";
-  const char* const row = place.y_m > depth_m / 6.0 ? "upper" : place.y_m < -depth_m / 6.0 ? "lower" : "";
+std::string region_words(Place place, double size_x_m, double size_y_m) {
+  const char* const column = place.x_m < -size_x_m / 6.0 ? "left" : place.x_m > size_x_m / 6.0 ? "right" : "";
+  const char* const row = place.y_m > size_y_m / 6.0 ? "upper" : place.y_m < -size_y_m / 6.0 ? "lower" : "";
   if (*row == '\0' && *column == '\0') return "centre";
   if (*row == '\0') return fmt::format("middle {}", column);
   return fmt::format("{} {}", row, *column == '\0' ? "middle" : column);
@@ -133,21 +133,21 @@ std::string name_at(const models::Scene& scene, Place place) {
   return material.name == models::Material{}.name ? std::string() : material.name;
 }
 
-std::string position_words(const models::Scene& scene, double depth, Place place) {
+std::string position_words(const models::Scene& scene, double height_factor, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
-  const std::string what = map != nullptr ? capitalised(line_at(*map, place))
-                           : is_beside_solid(scene, place)
-                               ? capitalised(kBeside)
-                               : capitalised(height_name(scene)) + " " + surface_at(scene, depth, place);
+  const std::string what = map != nullptr                  ? capitalised(line_at(*map, place))
+                           : is_beside_solid(scene, place) ? capitalised(kBeside)
+                                                           : capitalised(height_name(scene)) + " " +
+                                                                 surface_at(scene, height_factor, place);
   const std::string name = name_at(scene, place);
   return fmt::format("{}. {}.{}", capitalised(where(scene, place)), what,
                      name.empty() ? "" : fmt::format(" {}.", capitalised(name)));
 }
 
-std::string step_words(const models::Scene& scene, double depth, Place place) {
+std::string step_words(const models::Scene& scene, double height_factor, Place place) {
   const models::BoundaryMap* const map = boundaries_of(scene);
   if (is_beside_solid(scene, place)) return kBeside;
-  const std::string what = map != nullptr ? line_at(*map, place) : surface_at(scene, depth, place);
+  const std::string what = map != nullptr ? line_at(*map, place) : surface_at(scene, height_factor, place);
   const std::string name = name_at(scene, place);
   return name.empty() ? what : fmt::format("{}, {}", name, what);
 }
@@ -157,9 +157,9 @@ std::string press_words(double press_m) {
                         : fmt::format("lifted by {}", spoken_length(-press_m));
 }
 
-std::string felt_words(const models::Scene& scene, double depth, Place place, double force_N) {
+std::string felt_words(const models::Scene& scene, double height_factor, Place place, double force_N) {
   const double height_m =
-      depth * (models::relief_of(scene)->sample(place.x_m, place.y_m).z_m - base_of(scene));
+      height_factor * (models::relief_of(scene)->sample(place.x_m, place.y_m).z_m - base_of(scene));
   const std::string what = is_beside_solid(scene, place)
                                ? std::string(kBeside)
                                : fmt::format("{} {}", height_name(scene), spoken_length(height_m));

@@ -7,13 +7,13 @@
 
 #include <string>
 
-// Describes in words where a probe is and what is there. `depth` is the user's factor on the height of a
-// relief: -4 ... 4, negative if the scene is engraved.
+// Describes in words where a probe is and what is there. `height_factor` is the user's factor on the height
+// of a relief: -4 ... 4, negative if the scene is engraved.
 
 namespace palpable::describe {
 
 /// Which ninth of a rectangle around the origin contains a place: "upper left", "centre", "middle right".
-std::string region_words(Place place, double width_m, double depth_m);
+std::string region_words(Place place, double size_x_m, double size_y_m);
 /// "32 millimetres left, 12 millimetres up"; "here" within half a millimetre.
 std::string offset_words(double dx_m, double dy_m);
 /// "at the middle", or the offset "from the middle".
@@ -31,12 +31,12 @@ std::string name_at(const models::Scene& scene, Place place);
 
 /// Everything about a place: region, offset from the middle, height and slope (for contours: the line), name.
 /// Heights of a solid are above its base, or from its back if it stands upright; beside it is "nothing".
-std::string position_words(const models::Scene& scene, double depth, Place place);
+std::string position_words(const models::Scene& scene, double height_factor, Place place);
 /// The place after a step, in short: name, height and slope; for contours, whether the probe is on a line.
-std::string step_words(const models::Scene& scene, double depth, Place place);
+std::string step_words(const models::Scene& scene, double height_factor, Place place);
 /// "pressed 1.5 millimetres deep", "lifted by 2 millimetres".
 std::string press_words(double press_m);
 /// What a probe feels at a place: region, offset from the middle, height, force in newtons, name.
-std::string felt_words(const models::Scene& scene, double depth, Place place, double force_N);
+std::string felt_words(const models::Scene& scene, double height_factor, Place place, double force_N);
 
 }  // namespace palpable::describe

@@ -67,8 +67,8 @@ std::vector<Object> named_objects(const models::Scene& scene, double least_area,
       ++seen;
       const std::size_t label = labels(i, j);
       if (label == ground || scene.materials[label].name == models::Material{}.name) continue;
-      const Place place{((i + 0.5) / labels.width() - 0.5) * surface.width_m(),
-                        (0.5 - (j + 0.5) / labels.height()) * surface.depth_m()};
+      const Place place{((i + 0.5) / labels.width() - 0.5) * surface.size_x_m(),
+                        (0.5 - (j + 0.5) / labels.height()) * surface.size_y_m()};
       Region& region = regions[label];
       ++region.pixels;
       const double z_m = sign * surface.sample(place.x_m, place.y_m).z_m;
@@ -86,9 +86,9 @@ std::vector<Object> named_objects(const models::Scene& scene, double least_area,
 
 /// The peaks with the names of their regions, the most prominent first, then named regions without a peak. A
 /// named object counts once.
-std::vector<Object> objects_of(const models::Scene& scene, double depth) {
+std::vector<Object> objects_of(const models::Scene& scene, double height_factor) {
   PeakOptions options;
-  options.turned_over = depth < 0.0;
+  options.turned_over = height_factor < 0.0;
   std::vector<Object> named = named_objects(scene, options.least_area, options.turned_over ? -1.0 : 1.0);
   std::vector<Object> objects;
   for (const Peak& peak : find_peaks(*models::relief_of(scene), options)) {
@@ -123,18 +123,18 @@ std::string at_region(const Object& object, const models::Scene& scene) {
 
 /// How many prominent peaks are too small to be objects, as the houses of a large map, and where most of them
 /// are: " 23 smaller ones, most of them upper right."; empty without any.
-std::string smaller_words(const models::Scene& scene, double depth) {
+std::string smaller_words(const models::Scene& scene, double height_factor) {
   const models::Relief& surface = *models::relief_of(scene);
   PeakOptions options;
-  options.turned_over = depth < 0.0;
-  const double least_m2 = options.least_area * surface.width_m() * surface.depth_m();
+  options.turned_over = height_factor < 0.0;
+  const double least_m2 = options.least_area * surface.size_x_m() * surface.size_y_m();
   options.least_area = 0.0;
   std::map<std::string, std::size_t> regions;
   std::size_t count = 0;
   for (const Peak& peak : find_peaks(surface, options)) {
     if (peak.area_m2 >= least_m2) continue;
     ++count;
-    ++regions[region_words(peak.place, surface.width_m(), surface.depth_m())];
+    ++regions[region_words(peak.place, surface.size_x_m(), surface.size_y_m())];
   }
   if (count == 0) return {};
   const auto most = std::max_element(regions.begin(), regions.end(),
@@ -146,9 +146,10 @@ std::string smaller_words(const models::Scene& scene, double depth) {
                      most->first);
 }
 
-std::string brief_of_surface(const models::Scene& scene, double depth, const std::vector<Object>& objects) {
+std::string brief_of_surface(const models::Scene& scene, double height_factor,
+                             const std::vector<Object>& objects) {
   const models::Relief& surface = *models::relief_of(scene);
-  const double ends_m[]{depth * surface.lowest_m(), depth * surface.highest_m()};
+  const double ends_m[]{height_factor * surface.lowest_m(), height_factor * surface.highest_m()};
   const auto [low_m, high_m] = std::minmax(ends_m[0], ends_m[1]);
   std::string words = fmt::format("{} {}, heights from {}. ", sentence(name_of(scene)),
                                   capitalised(size_words(scene)), spoken_lengths(low_m, "to", high_m));
@@ -158,18 +159,18 @@ std::string brief_of_surface(const models::Scene& scene, double depth, const std
   const bool one = objects.size() == 1;
   words += fmt::format("{} {} above the {}", capitalised(counted(objects.size(), "object", "objects")),
                        one ? "rises" : "rise", ground_name(scene));
-  const std::string smaller = smaller_words(scene, depth);
+  const std::string smaller = smaller_words(scene, height_factor);
   if (objects.empty()) return words + "." + smaller;
   const char* const most = objects.size() > kMostListed ? "; the most prominent" : "";
   return words + fmt::format("{}: {}.{}", most, fmt::join(places, "; "), smaller);
 }
 
-std::string objects_part(const std::vector<Object>& objects, double depth, Place probe,
+std::string objects_part(const std::vector<Object>& objects, double height_factor, Place probe,
                          const models::Scene& scene) {
   if (objects.empty()) return "No object rises above its surroundings.";
   const auto& highest =
-      *std::max_element(objects.begin(), objects.end(), [depth](const Object& a, const Object& b) {
-        return depth * a.peak.height_m < depth * b.peak.height_m;
+      *std::max_element(objects.begin(), objects.end(), [height_factor](const Object& a, const Object& b) {
+        return height_factor * a.peak.height_m < height_factor * b.peak.height_m;
       });
   const Place at = highest.peak.place;
   std::string words = fmt::format("From the probe to the highest point: {}.",
@@ -177,7 +178,8 @@ std::string objects_part(const std::vector<Object>& objects, double depth, Place
   for (std::size_t k = 0; k < std::min(objects.size(), kMostListed); ++k) {
     const Object& object = objects[k];
     words += fmt::format(" {}: top at {}, {}.", capitalised(at_region(object, scene)),
-                         spoken_length(depth * object.peak.height_m), from_middle_words(object.peak.place));
+                         spoken_length(height_factor * object.peak.height_m),
+                         from_middle_words(object.peak.place));
   }
   return words;
 }
@@ -189,12 +191,12 @@ double mean_height_m(const models::Relief& surface, int column, int row) {
     for (int i = 0; i < kPlaces; ++i) {
       const double x = (column + (i + 0.5) / kPlaces) / 3.0 - 0.5,
                    y = 0.5 - (row + (j + 0.5) / kPlaces) / 3.0;
-      sum_m += surface.sample(x * surface.width_m(), y * surface.depth_m()).z_m;
+      sum_m += surface.sample(x * surface.size_x_m(), y * surface.size_y_m()).z_m;
     }
   return sum_m / (kPlaces * kPlaces);
 }
 
-std::string nine_parts(const models::Scene& scene, double depth) {
+std::string nine_parts(const models::Scene& scene, double height_factor) {
   const models::Relief& surface = *models::relief_of(scene);
   constexpr std::array kRows{"Upper", "Middle", "Lower"};
   std::string words = "Average heights in millimetres.";
@@ -202,14 +204,14 @@ std::string nine_parts(const models::Scene& scene, double depth) {
     std::array<std::string, 3> heights;
     for (int column = 0; column < 3; ++column)
       heights[static_cast<std::size_t>(column)] =
-          figure(std::round(1e3 * depth * mean_height_m(surface, column, row)));
+          figure(std::round(1e3 * height_factor * mean_height_m(surface, column, row)));
     words += fmt::format(" {} third, left to right: {}.", kRows[static_cast<std::size_t>(row)],
                          fmt::join(heights, ", "));
   }
   return words;
 }
 
-std::vector<std::string> parts_of(const models::Scene& scene, double depth, Place probe) {
+std::vector<std::string> parts_of(const models::Scene& scene, double height_factor, Place probe) {
   if (const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model))
     return contour_parts((*contours)->boundaries, sentence(name_of(scene)), probe);
   const models::Relief& surface = *models::relief_of(scene);
@@ -219,12 +221,12 @@ std::vector<std::string> parts_of(const models::Scene& scene, double depth, Plac
                        sentence(name_of(scene)), probe);
   }
   constexpr double kFlat_m = 1e-5;
-  if (std::abs(depth) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)
+  if (std::abs(height_factor) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)
     return {fmt::format("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),
-                        spoken_length(depth * surface.highest_m()))};
-  const auto objects = objects_of(scene, depth);
-  return {brief_of_surface(scene, depth, objects), objects_part(objects, depth, probe, scene),
-          nine_parts(scene, depth)};
+                        spoken_length(height_factor * surface.highest_m()))};
+  const auto objects = objects_of(scene, height_factor);
+  return {brief_of_surface(scene, height_factor, objects), objects_part(objects, height_factor, probe, scene),
+          nine_parts(scene, height_factor)};
 }
 
 }  // namespace
@@ -246,13 +248,13 @@ std::string opening_words(const models::Scene& scene) {
                      scene.description.empty() ? "" : sentence(scene.description) + " ");
 }
 
-std::vector<std::string> scene_parts(const models::Scene& scene, double depth, Place probe) {
-  auto parts = parts_of(scene, depth, probe);
+std::vector<std::string> scene_parts(const models::Scene& scene, double height_factor, Place probe) {
+  auto parts = parts_of(scene, height_factor, probe);
   if (!scene.description.empty()) parts.insert(parts.begin() + 1, sentence(scene.description));
   return parts;
 }
-std::string scene_part(const models::Scene& scene, double depth, Place probe, std::size_t part) {
-  const auto parts = scene_parts(scene, depth, probe);
+std::string scene_part(const models::Scene& scene, double height_factor, Place probe, std::size_t part) {
+  const auto parts = scene_parts(scene, height_factor, probe);
   const std::size_t at = part % parts.size();
   if (parts.size() == 1) return parts.front();
   // After the last part there is nothing more: from then on the parts are repeated, and none offers more.

@@ -21,12 +21,12 @@ std::string opening_words(const models::Scene& scene);
 ///   - The maker's description, if there is one.
 ///   - Each object or line with place and size, and the offset from `probe` to the highest point or nearest
 ///   line.
-///   - For a surface, the average heights of its nine parts. A level scene has only the first two. `depth`:
-/// as in place_words.hpp. Takes some milliseconds.
-std::vector<std::string> scene_parts(const models::Scene& scene, double depth, Place probe);
+///   - For a surface, the average heights of its nine parts. A level scene has only the first two.
+/// `height_factor`: as in place_words.hpp. Takes some milliseconds.
+std::vector<std::string> scene_parts(const models::Scene& scene, double height_factor, Place probe);
 
 /// What the D key says when it is pressed for the time `part`, counted from 0: the parts one after another.
 /// Each ends by saying whether there is more. After the last one they are repeated, without these words.
-std::string scene_part(const models::Scene& scene, double depth, Place probe, std::size_t part);
+std::string scene_part(const models::Scene& scene, double height_factor, Place probe, std::size_t part);
 
 }  // namespace palpable::describe

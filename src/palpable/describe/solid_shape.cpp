@@ -124,8 +124,8 @@ class Openings {
     const auto at = [](double share, int count) {
       return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
     };
-    return {at(place.x_m / surface_.width_m() + 0.5, mask_.width()),
-            at(0.5 - place.y_m / surface_.depth_m(), mask_.height())};
+    return {at(place.x_m / surface_.size_x_m() + 0.5, mask_.width()),
+            at(0.5 - place.y_m / surface_.size_y_m(), mask_.height())};
   }
   Opening opening(const std::vector<Pixel>& pixels, double depth_m, bool through) const {
     const PixelBox box = box_of(pixels);

@@ -157,8 +157,8 @@ double nearest_sample_m(const models::Relief& surface, double x_m, double y_m) {
   const auto at = [](double share, int count) {
     return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
   };
-  return samples(at(x_m / surface.width_m() + 0.5, samples.width()),
-                 at(0.5 - y_m / surface.depth_m(), samples.height()));
+  return samples(at(x_m / surface.size_x_m() + 0.5, samples.width()),
+                 at(0.5 - y_m / surface.size_y_m(), samples.height()));
 }
 
 /// The mean height of a ninth of the box where the solid is; nullopt where there is hardly any.

@@ -38,7 +38,8 @@ Grid grid_for(const std::vector<ComparedRelief>& reliefs) {
   std::size_t lines = 0;
   for (const ComparedRelief& r : reliefs) lines = std::max(lines, r.lines.size());
   Grid grid;
-  grid.picture_height = std::round(kPanel_px / std::clamp(first.width_m() / first.depth_m(), 1.0 / 3.0, 3.0));
+  grid.picture_height =
+      std::round(kPanel_px / std::clamp(first.size_x_m() / first.size_y_m(), 1.0 / 3.0, 3.0));
   grid.panel_height = kName_px + grid.picture_height + 8.0 + kLine_px * static_cast<double>(lines);
   grid.rows = static_cast<int>((reliefs.size() + kColumns - 1) / kColumns);
   return grid;

@@ -73,7 +73,7 @@ TEST_F(Figures, NameAMissingFolderInTheError) {
 TEST(ReliefFigure, IsBrighterOnTheSlopeThatFacesTheLight) {
   const auto relief = hill();
   const Figure figure = relief_figure(relief, {});
-  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const Sheet sheet = sheet_for(relief.size_x_m() / relief.size_y_m());
   const auto place = [&sheet](double x, double y) {
     return CanvasPoint{sheet.plot.x + x / 160.0 * sheet.plot.width,
                        sheet.plot.y + y / 120.0 * sheet.plot.height};
@@ -84,7 +84,7 @@ TEST(ReliefFigure, IsBrighterOnTheSlopeThatFacesTheLight) {
 TEST(HeightFigure, IsPaleWhereItIsHigh) {
   const auto relief = hill();
   const Figure figure = height_figure(relief, {});
-  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const Sheet sheet = sheet_for(relief.size_x_m() / relief.size_y_m());
   const CanvasPoint top{sheet.plot.x + 60.5 / 160.0 * sheet.plot.width,
                         sheet.plot.y + 50.5 / 120.0 * sheet.plot.height};
   const CanvasPoint flat{sheet.plot.x + 0.05 * sheet.plot.width, sheet.plot.y + 0.06 * sheet.plot.height};
@@ -109,7 +109,7 @@ TEST(ForceFigure, DrawsAnArrowOnlyWhereThereIsAForce) {
   const auto relief = hill();
   const std::vector<ForceArrow> arrows{{-0.02, 0.0, 1.0, 0.0}, {0.02, 0.0, 0.0, 0.0}};
   const Figure figure = force_figure(relief, Raster<Rgb8>(4, 3, {255, 255, 255}), arrows, 0.01, {});
-  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const Sheet sheet = sheet_for(relief.size_x_m() / relief.size_y_m());
   const auto place = [&sheet](double x_mm) {
     return CanvasPoint{sheet.plot.x + (x_mm + 50.0) / 100.0 * sheet.plot.width,
                        sheet.plot.y + sheet.plot.height / 2.0};

@@ -46,9 +46,9 @@ double full_force_N(const std::vector<ForceArrow>& arrows) {
 
 Figure force_figure(models::Relief relief, const Raster<Rgb8>& texture, std::vector<ForceArrow> arrows,
                     double spacing_m, const FigureTitle& title) {
-  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
-  const double half_width = 0.5 * kMm * relief.width_m(), half_depth = 0.5 * kMm * relief.depth_m();
-  const Plot plot{sheet.plot, -half_width, half_width, -half_depth, half_depth};
+  const Sheet sheet = sheet_for(relief.size_x_m() / relief.size_y_m());
+  const double half_x = 0.5 * kMm * relief.size_x_m(), half_y = 0.5 * kMm * relief.size_y_m();
+  const Plot plot{sheet.plot, -half_x, half_x, -half_y, half_y};
   return {
       sheet.width_px, sheet.height_px,
       [backdrop = lightened(texture), arrows = std::move(arrows), spacing_m, title, sheet,

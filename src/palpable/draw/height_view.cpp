@@ -19,8 +19,8 @@ namespace palpable::draw {
 namespace {
 
 Plot plot_of(const models::Relief& relief, Rect area) {
-  const double half_width = 0.5 * kMm * relief.width_m(), half_depth = 0.5 * kMm * relief.depth_m();
-  return {area, -half_width, half_width, -half_depth, half_depth};
+  const double half_x = 0.5 * kMm * relief.size_x_m(), half_y = 0.5 * kMm * relief.size_y_m();
+  return {area, -half_x, half_x, -half_y, half_y};
 }
 
 /// Evaluates the surface at every pixel of the plot; the relief's samples are only its control values.
@@ -96,7 +96,7 @@ Rgb8 reversed_depth_colour(double t) { return depth_colour(1.0 - t); }
 }  // namespace
 
 Figure relief_figure(models::Relief relief, const FigureTitle& title, Raster<Rgb8> picture) {
-  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const Sheet sheet = sheet_for(relief.size_x_m() / relief.size_y_m());
   return {
       sheet.width_px, sheet.height_px,
       [relief = std::move(relief), picture = std::move(picture), title, sheet](Canvas& canvas) {
@@ -120,7 +120,7 @@ Figure relief_figure(models::Relief relief, const FigureTitle& title, Raster<Rgb
 }
 
 Figure height_figure(models::Relief relief, const FigureTitle& title) {
-  const Sheet sheet = sheet_for(relief.width_m() / relief.depth_m());
+  const Sheet sheet = sheet_for(relief.size_x_m() / relief.size_y_m());
   return {sheet.width_px, sheet.height_px, [relief = std::move(relief), title, sheet](Canvas& canvas) {
             const double low = relief.lowest_m(), high = relief.highest_m();
             canvas.picture(rendered(relief, plot_of(relief, sheet.plot),

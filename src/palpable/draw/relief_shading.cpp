@@ -29,8 +29,8 @@ Raster<Rgb8> shaded_relief(const models::Relief& relief, int width_px, int heigh
   const double range = relief.highest_m() - low;
   for (int y = 0; y < height_px; ++y)
     for (int x = 0; x < width_px; ++x) {
-      const auto s = relief.sample(((x + 0.5) / width_px - 0.5) * relief.width_m(),
-                                   (0.5 - (y + 0.5) / height_px) * relief.depth_m());
+      const auto s = relief.sample(((x + 0.5) / width_px - 0.5) * relief.size_x_m(),
+                                   (0.5 - (y + 0.5) / height_px) * relief.size_y_m());
       pixels(x, y) = shaded(tint_colour(range > 0.0 ? (s.z_m - low) / range : 0.5), shade_of(s));
     }
   return pixels;

@@ -36,8 +36,8 @@ Raster<Rgb8> small_map(const models::Relief& relief, int width, int height) {
   const double span = std::max(relief.highest_m() - relief.lowest_m(), 1e-9);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
-      const double x_m = ((x + 0.5) / width - 0.5) * relief.width_m(),
-                   y_m = (0.5 - (y + 0.5) / height) * relief.depth_m();
+      const double x_m = ((x + 0.5) / width - 0.5) * relief.size_x_m(),
+                   y_m = (0.5 - (y + 0.5) / height) * relief.size_y_m();
       map(x, y) = depth_colour((relief.sample(x_m, y_m).z_m - relief.lowest_m()) / span);
     }
   }
@@ -65,14 +65,14 @@ void draw_profile(Canvas& canvas, const models::Relief& relief, double y_m, cons
 }  // namespace
 
 Figure section_figure(models::Relief relief, double y_m, const FigureTitle& title) {
-  const double width_mm = kMm * relief.width_m();
+  const double width_mm = kMm * relief.size_x_m();
   const double high_mm = std::max(kMm * relief.highest_m() * 1.08, 0.1),
                low_mm = std::min(0.0, kMm * relief.lowest_m());
   const double stretch = stretch_of(width_mm, high_mm - low_mm);
   const double height_px = std::clamp(kSection_px / width_mm * stretch * (high_mm - low_mm), 60.0, 700.0);
   const Plot plot{
       {kBeside_px, kProfileTop_px, kSection_px, height_px}, -0.5 * width_mm, 0.5 * width_mm, low_mm, high_mm};
-  const double map_height = std::clamp(kMap_px * relief.depth_m() / relief.width_m(), 60.0, 380.0);
+  const double map_height = std::clamp(kMap_px * relief.size_y_m() / relief.size_x_m(), 60.0, 380.0);
   const Rect map{kBeside_px, plot.area.bottom() + 84.0, kMap_px, map_height};
   const int page_width = static_cast<int>(kBeside_px + kSection_px + 50.0),
             page_height = static_cast<int>(map.bottom() + 30.0);
@@ -82,7 +82,7 @@ Figure section_figure(models::Relief relief, double y_m, const FigureTitle& titl
             canvas.picture(
                 small_map(relief, static_cast<int>(map.width) * 2, static_cast<int>(map.height) * 2), map);
             canvas.frame(map, {{70, 70, 70}, 1.2});
-            const double cut_y = map.y + (0.5 - y_m / relief.depth_m()) * map.height;
+            const double cut_y = map.y + (0.5 - y_m / relief.size_y_m()) * map.height;
             canvas.line({map.x - 8.0, cut_y}, {map.right() + 8.0, cut_y}, {{255, 255, 255}, 4.0});
             canvas.line({map.x - 8.0, cut_y}, {map.right() + 8.0, cut_y}, {kCut, 2.0});
             const std::string stretched =

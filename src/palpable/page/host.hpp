@@ -18,8 +18,8 @@ namespace palpable::page {
 struct PageScene {
   /// Its field `scene` is the scene's number in the session: a new number means a new scene.
   protocol::Scene about;
-  /// Heights above the base in metres at exaggeration 1, row-major, origin top-left, covering the scene's
-  /// rectangle; at least 2 x 2, all finite.
+  /// Heights above the base in metres at a height factor of 1, row-major, origin top-left, covering the
+  /// scene's rectangle; at least 2 x 2, all finite.
   Raster<float> height_m;
   /// Covers the same rectangle; may be empty.
   Raster<Rgb8> picture;

@@ -22,9 +22,9 @@ Raster<float> sampled(const models::Relief& relief) {
   const auto side = [&](int n) { return std::max(2, static_cast<int>(n * shrink + 0.5)); };
   Raster<float> heights(side(relief.samples_m().width()), side(relief.samples_m().height()));
   for (int j = 0; j < heights.height(); ++j) {
-    const double y_m = (0.5 - (j + 0.5) / heights.height()) * relief.depth_m();
+    const double y_m = (0.5 - (j + 0.5) / heights.height()) * relief.size_y_m();
     for (int i = 0; i < heights.width(); ++i) {
-      const double x_m = ((i + 0.5) / heights.width() - 0.5) * relief.width_m();
+      const double x_m = ((i + 0.5) / heights.width() - 0.5) * relief.size_x_m();
       heights(i, j) = static_cast<float>(relief.sample(x_m, y_m).z_m);
     }
   }
@@ -51,8 +51,8 @@ std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uin
   if (!scene.description.empty()) about.description = scene.description;
   about.kind = models::kind_of(scene.model);
   about.upright = models::is_upright_solid(scene);
-  about.width_m = size.x;
-  about.depth_m = size.y;
+  about.size_x_m = size.x;
+  about.size_y_m = size.y;
   about.lowest_m = static_cast<double>(*lowest);
   about.highest_m = static_cast<double>(*highest);
   about.has_picture = !scene.texture.empty();

@@ -17,7 +17,7 @@ namespace palpable::page {
 std::shared_ptr<const PageScene> page_scene(const models::Scene& scene, std::uint32_t number,
                                             const std::string& name);
 
-/// Height of the surface at a place at exaggeration 1; 0 for models without heights.
+/// Height of the surface at a place at a height factor of 1; 0 for models without heights.
 double surface_height_m(const models::Scene& scene, double x_m, double y_m);
 
 /// The name that a user gave the material; nullopt if none did.

@@ -19,7 +19,7 @@ TEST(PageProtocol, ParsesEveryMessageOfThePage) {
   ASSERT_TRUE(pointer);
   EXPECT_EQ(std::get<Pointer>(*pointer), (Pointer{3, 0.01, -0.02, 0.002}));
   const auto change = parse_from_page(
-      R"({"type":"change","serial":4294967295,"law":"proxy","parameters":[{"name":"static_friction","value":0.3}],"exaggeration":1})");
+      R"({"type":"change","serial":4294967295,"law":"proxy","parameters":[{"name":"static_friction","value":0.3}],"height_factor":1})");
   ASSERT_TRUE(change);
   EXPECT_EQ(std::get<Change>(*change), (Change{4294967295, "proxy", {{"static_friction", 0.3}}, 1}));
   const auto edit = parse_from_page(
@@ -73,7 +73,7 @@ TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
                  {"serial", 1},
                  {"law", std::string(33, 'x')},
                  {"parameters", Json::array()},
-                 {"exaggeration", 1.0}};
+                 {"height_factor", 1.0}};
   EXPECT_FALSE(parse_from_page(change.dump()));
   change["law"] = std::string(32, 'x');
   EXPECT_TRUE(parse_from_page(change.dump()));
@@ -86,7 +86,7 @@ TEST(PageProtocol, RefusesALawNameThatIsTooLong) {
 TEST(PageProtocol, NamesTheWrongFieldInListsAndObjects) {
   const auto complaint = [](const Json& parameters) {
     const Json change = {
-        {"type", "change"}, {"serial", 1}, {"law", "x"}, {"parameters", parameters}, {"exaggeration", 1}};
+        {"type", "change"}, {"serial", 1}, {"law", "x"}, {"parameters", parameters}, {"height_factor", 1}};
     const auto read = parse_from_page(change.dump());
     return read ? std::string() : read.error().message;
   };

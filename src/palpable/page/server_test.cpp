@@ -27,15 +27,15 @@ TEST(PageServer, SendsTheSceneThenStatesAndHandlesMessages) {
   EXPECT_EQ(state["probes"][0]["x_m"], 0.03);
   const auto change = [](const std::string& law, int serial) {
     return R"({"type":"change","serial":)" + std::to_string(serial) + R"(,"law":")" + law +
-           R"(","parameters":[],"exaggeration":2})";
+           R"(","parameters":[],"height_factor":2})";
   };
   client.send(change("fly", 5));
   EXPECT_EQ(client.read_until("notice")["text"], "there is no such law");
   const Json refused = client.read_until("settings");
-  EXPECT_EQ(refused["exaggeration"], 0.0);
+  EXPECT_EQ(refused["height_factor"], 0.0);
   EXPECT_EQ(refused["answers"], 5);
   client.send(change("proxy", 6));
-  EXPECT_EQ(client.read_until("settings")["exaggeration"], 2.0);
+  EXPECT_EQ(client.read_until("settings")["height_factor"], 2.0);
   client.send(R"({"type":"ask","serial":7,"what":"step","probe":0,"x_m":0,"y_m":0,"press_m":0,"part":0})");
   const Json words = client.read_until("words");
   EXPECT_EQ(words["serial"], 7);

@@ -30,26 +30,28 @@ std::string sentence(std::string words) { return describe::capitalised(std::move
 
 std::string SpokenWords::answer(const protocol::Ask& ask) {
   const auto scene = session_.scene();
-  const double depth = session_.settings().depth;
+  const double height_factor = session_.settings().height_factor;
   const describe::Place place{ask.x_m, ask.y_m};
   const auto probe = static_cast<std::size_t>(ask.probe);
   if (ask.what == "opening") return describe::opening_words(*scene);
   if (ask.what == "scene")
-    return describe::scene_part(*scene, depth, place, static_cast<std::size_t>(ask.part));
+    return describe::scene_part(*scene, height_factor, place, static_cast<std::size_t>(ask.part));
   if (ask.what == "press") return sentence(describe::press_words(ask.press_m));
   if (ask.what == "position" || ask.what == "step") {
     commentaries_.at(probe).heard(*scene, place, now_s());
-    return ask.what == "position" ? describe::position_words(*scene, depth, place)
-                                  : sentence(describe::step_words(*scene, depth, place));
+    return ask.what == "position" ? describe::position_words(*scene, height_factor, place)
+                                  : sentence(describe::step_words(*scene, height_factor, place));
   }
   if (ask.what == "probe")
-    return describe::felt_words(*scene, depth, place, norm(session_.latest(probe).written_force_N.v)) + ".";
+    return describe::felt_words(*scene, height_factor, place,
+                                norm(session_.latest(probe).written_force_N.v)) +
+           ".";
   return {};
 }
 
 std::optional<std::string> SpokenWords::remark(const protocol::State& state) {
   const auto scene = session_.scene();
-  const double depth = session_.settings().depth, now = now_s();
+  const double height_factor = session_.settings().height_factor, now = now_s();
   if (scene->model != model_) {
     model_ = scene->model;
     commentaries_.fill(describe::Commentary());
@@ -60,8 +62,8 @@ std::optional<std::string> SpokenWords::remark(const protocol::State& state) {
   std::optional<std::string> remark;
   for (const auto& probe : state.probes) {
     if (!is_near_surface(probe)) continue;
-    auto words =
-        commentaries_.at(static_cast<std::size_t>(probe.probe)).at(*scene, depth, place_of(probe), now);
+    auto words = commentaries_.at(static_cast<std::size_t>(probe.probe))
+                     .at(*scene, height_factor, place_of(probe), now);
     if (!words || remark) continue;
     remark = state.probes.size() > 1 ? fmt::format("Probe {}: {}", probe.probe + 1, *words) : *words;
   }

@@ -24,16 +24,16 @@ constexpr double kLeastOutlined = 4.0;
 Raster<Leaf> leaves_of(const models::Field& field) {
   const models::Relief& top = *field.from_above;
   const models::FieldGrid& grid = field.distance.grid();
-  const double pixel_m = std::max(top.width_m(), top.depth_m()) / kLongestSide;
+  const double pixel_m = std::max(top.size_x_m(), top.size_y_m()) / kLongestSide;
   const auto count = [&](double length_m) { return std::max(2, static_cast<int>(length_m / pixel_m + 0.5)); };
   const auto cell = [&](double at_m, double origin_m, std::size_t axis) {
     return std::clamp(static_cast<int>((at_m - origin_m) / grid.cell_m), 0, grid.cells(axis) - 1);
   };
-  Raster<Leaf> leaves(count(top.width_m()), count(top.depth_m()));
+  Raster<Leaf> leaves(count(top.size_x_m()), count(top.size_y_m()));
   for (int j = 0; j < leaves.height(); ++j) {
-    const double y_m = (0.5 - (j + 0.5) / leaves.height()) * top.depth_m();
+    const double y_m = (0.5 - (j + 0.5) / leaves.height()) * top.size_y_m();
     for (int i = 0; i < leaves.width(); ++i) {
-      const double x_m = ((i + 0.5) / leaves.width() - 0.5) * top.width_m();
+      const double x_m = ((i + 0.5) / leaves.width() - 0.5) * top.size_x_m();
       leaves(i, j) = field.distance.leaf_of(cell(x_m, grid.origin_m.x, 0), cell(y_m, grid.origin_m.y, 1),
                                             cell(top.sample(x_m, y_m).z_m, grid.origin_m.z, 2));
     }
@@ -85,7 +85,7 @@ std::optional<SurfaceCells> surface_cells(const models::Scene& scene) {
   if (field == nullptr) return std::nullopt;
   const models::DistanceField& distance = (*field)->distance;
   const Raster<Leaf> leaves = leaves_of(**field);
-  const double pixels_a_cell = distance.cell_m() * leaves.width() / (*field)->from_above->width_m();
+  const double pixels_a_cell = distance.cell_m() * leaves.width() / (*field)->from_above->size_x_m();
   return SurfaceCells{picture_of(leaves, distance.grid().levels, pixels_a_cell), words_of(leaves, distance)};
 }
 

@@ -69,7 +69,7 @@ class FakeHost final : public PageHost {
   void change(const protocol::Change& change) override {
     settings_.answers = change.serial;
     if (change.law == "proxy") {
-      settings_.exaggeration = change.exaggeration;
+      settings_.height_factor = change.height_factor;
     } else {
       notice_ = protocol::Notice{"warning", "there is no such law"};
     }

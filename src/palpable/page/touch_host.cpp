@@ -126,7 +126,7 @@ protocol::Settings TouchHost::settings() {
   }
   now.law = haptics::name_of(law);
   now.parameters = parameter_values(*session_.scene(), law, touch.law);
-  now.exaggeration = touch.depth;
+  now.height_factor = touch.height_factor;
   now.paused = session_.paused();
   return now;
 }
@@ -134,10 +134,10 @@ protocol::Settings TouchHost::settings() {
 protocol::State TouchHost::state() {
   const auto sample = session_.latest();
   const auto scene = session_.scene();
-  const double depth = session_.settings().depth;
+  const double height_factor = session_.settings().height_factor;
   const auto add = [&](protocol::State& state, const haptics::TouchSample& probe) {
     const Vec3 place = probe.position.v;
-    state.probes.push_back(state_of(probe, depth * surface_height_m(*scene, place.x, place.y)));
+    state.probes.push_back(state_of(probe, height_factor * surface_height_m(*scene, place.x, place.y)));
   };
   protocol::State state;
   state.t_s = sample.t_s;
@@ -177,7 +177,8 @@ void TouchHost::place(const protocol::Pointer& pointer) {
   if (pointer.probe == 0 && !pointer_moves()) return;
   const auto touch = session_.settings();
   // The probe is the centre of the touching ball: at rest it is one radius above the surface.
-  const double surface_m = touch.depth * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
+  const double surface_m =
+      touch.height_factor * surface_height_m(*session_.scene(), pointer.x_m, pointer.y_m);
   const Vec3 middle{pointer.x_m, pointer.y_m, surface_m + touch.law.radius_m.value_or(0.0) - pointer.press_m};
   session_.move_pointer({middle}, static_cast<std::size_t>(pointer.probe));
 }
@@ -331,7 +332,7 @@ Result<void> TouchHost::attempt(const protocol::Change& change) {
   auto law = requested_parameters(touch.law, change);
   if (!law) return law.error();
   touch.law = *law;
-  touch.depth = change.exaggeration;
+  touch.height_factor = change.height_factor;
   return session_.change_settings(touch);
 }
 

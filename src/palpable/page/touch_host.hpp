@@ -23,8 +23,8 @@
 
 namespace palpable::page {
 
-/// The page's server's interface to a TouchSession. Long changes (a new law, another depth) run on a worker
-/// thread, so that the page keeps its rate; of several waiting changes, the last one counts.
+/// The page's server's interface to a TouchSession. Long changes (a new law, another height factor) run on a
+/// worker thread, so that the page keeps its rate; of several waiting changes, the last one counts.
 class TouchHost final : public PageHost {
  public:
   struct Options {

@@ -87,8 +87,8 @@ TEST_F(HostOnATouch, ShowsTheTouchedScene) {
   const auto scene = host->scene();
   EXPECT_EQ(scene->about.name, "cone left.png and cone right.png");
   EXPECT_EQ(scene->about.kind, "relief");
-  EXPECT_NEAR(scene->about.width_m, 0.040, 1e-9);
-  EXPECT_NEAR(scene->about.depth_m, 0.030, 1e-9);
+  EXPECT_NEAR(scene->about.size_x_m, 0.040, 1e-9);
+  EXPECT_NEAR(scene->about.size_y_m, 0.030, 1e-9);
   EXPECT_TRUE(scene->about.has_picture);
   ASSERT_EQ(scene->height_m.width(), 80);
   const auto& relief = *std::get<std::shared_ptr<const models::Relief>>(session->scene()->model);
@@ -147,12 +147,12 @@ TEST_F(HostOnATouch, FeelsWithSeveralProbesUntilTheyAreLifted) {
 
 TEST_F(HostOnATouch, ChangesSettingsAndReportsTheSerial) {
   auto change = change_of(7);
-  change.exaggeration = 2.0;
+  change.height_factor = 2.0;
   host->change(change);
   EXPECT_TRUE(comes_true([&] { return host->settings().answers == 7; }));
-  EXPECT_EQ(host->settings().exaggeration, 2.0);
+  EXPECT_EQ(host->settings().height_factor, 2.0);
   EXPECT_EQ(stiffness_in(host->settings()), 400.0);
-  EXPECT_NEAR(host->scene()->about.highest_m, 0.010, 0.001) << "heights are sent at exaggeration 1";
+  EXPECT_NEAR(host->scene()->about.highest_m, 0.010, 0.001) << "heights are sent at a height factor of 1";
 }
 
 TEST_F(HostOnATouch, RefusesAnUnknownLawAndKeepsTheCurrentOne) {

@@ -6,7 +6,7 @@ import { coarseStep, fineStep, keyRows, press, type KeyTarget } from './keys';
 describe('keys', () => {
   const calls: string[] = [];
   const target: KeyTarget = {
-    move: ({ x, y, press: depth }) => calls.push(`move ${x} ${y} ${depth}`),
+    move: ({ x, y, press }) => calls.push(`move ${x} ${y} ${press}`),
     describe: () => calls.push('describe'),
     where: () => calls.push('where'),
     recentre: () => calls.push('recentre'),

@@ -83,7 +83,7 @@ class TouchPage implements KeyTarget {
   private readonly motion = new ProbeMotion(this.probes, this.narrator, this.walking, this.feedback, {
     surface: () => this.surface,
     connected: () => this.connected,
-    exaggeration: () => this.exaggeration(),
+    heightFactor: () => this.heightFactor(),
     device: () => this.hello?.device ?? 'a device',
     say: (words, importance) => this.voice.say(words, importance),
     send: (message) => this.connection.send(message),
@@ -157,7 +157,7 @@ class TouchPage implements KeyTarget {
   // Settings.
 
   private follow(settings: Settings): void {
-    this.stage.set(settings.touch.exaggeration, settings.page);
+    this.stage.set(settings.touch.heightFactor, settings.page);
     this.voice.set(settings.page.speech);
     this.feedback.set(settings.page);
     this.readouts.redraw();
@@ -228,9 +228,9 @@ class TouchPage implements KeyTarget {
       case 'scene':
         this.loaded.scene = message;
         showHeading(message);
-        this.trace.scene(message.kind, message.width_m, message.depth_m);
+        this.trace.scene(message.kind, message.size_x_m, message.size_y_m);
         this.settings.controls.offerCells(message.cells !== null);
-        this.settings.controls.offerDepth(message.kind === 'relief');
+        this.settings.controls.offerHeight(message.kind === 'relief');
         return;
       case 'settings':
         return this.receiveSettings(message);
@@ -307,12 +307,12 @@ class TouchPage implements KeyTarget {
   private get scene(): Scene | null {
     return this.loaded.scene;
   }
-  private exaggeration(): number {
-    return this.settings.now.touch.exaggeration;
+  private heightFactor(): number {
+    return this.settings.now.touch.heightFactor;
   }
 
   private showProbes(): void {
-    if (this.surface) this.stage.probes(this.probes.views(this.surface, this.exaggeration()));
+    if (this.surface) this.stage.probes(this.probes.views(this.surface, this.heightFactor()));
     if (this.own.pending) this.frames.request();
   }
 

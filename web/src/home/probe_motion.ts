@@ -14,7 +14,7 @@ import type { Narrator } from './narrator';
 export interface MotionPage {
   surface(): Surface | null;
   connected(): boolean;
-  exaggeration(): number;
+  heightFactor(): number;
   /** The name of the device that moves the first probe, if this page does not. */
   device(): string;
   say(words: Words | string, importance: Importance): void;
@@ -72,11 +72,11 @@ export class ProbeMotion {
     const { own } = this.probes;
     if (own.several && now - this.sentAt < sendEvery) return true;
     this.sentAt = now;
-    const moved = own.advance(Math.min(0.1, (passed ?? 16) / 1000), surface, this.page.exaggeration());
+    const moved = own.advance(Math.min(0.1, (passed ?? 16) / 1000), surface, this.page.heightFactor());
     for (const probe of moved) {
       const { place, press: press_m } = own.at(probe)!;
       this.page.send({ type: 'pointer', probe, x_m: place.x, y_m: place.y, press_m });
-      this.feedback.moved(probe, place, surface, this.page.exaggeration());
+      this.feedback.moved(probe, place, surface, this.page.heightFactor());
     }
     if (moved.length > 0) this.page.draw();
     return moved.length > 0;
@@ -94,12 +94,12 @@ export class ProbeMotion {
     const { x, y } = this.heardAt;
     if (Math.hypot(place.x - x, place.y - y) < leastHeard * surface.scale) return;
     this.heardAt = place;
-    this.feedback.moved(0, place, surface, this.page.exaggeration());
+    this.feedback.moved(0, place, surface, this.page.heightFactor());
   }
 
   /** Plays the tone of the selected probe's place, as an example. */
   sample(): void {
     const surface = this.page.surface();
-    if (surface !== null) this.feedback.moved(this.probes.own.chosen, this.narrator.place(), surface, this.page.exaggeration());
+    if (surface !== null) this.feedback.moved(this.probes.own.chosen, this.narrator.place(), surface, this.page.heightFactor());
   }
 }

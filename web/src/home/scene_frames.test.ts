@@ -6,7 +6,7 @@ import type { Scene } from '../generated/protocol';
 import { SceneFrames } from './scene_frames';
 
 const scene: Scene = {
-  type: 'scene', scene: 2, name: 'cone', description: null, kind: 'relief', upright: false, width_m: 0.1, depth_m: 0.1, lowest_m: 0, highest_m: 0.01,
+  type: 'scene', scene: 2, name: 'cone', description: null, kind: 'relief', upright: false, size_x_m: 0.1, size_y_m: 0.1, lowest_m: 0, highest_m: 0.01,
   has_picture: true, cells: null, labels: [],
 };
 const heights: HeightsFrame = { kind: 'heights', scene: 2, columns: 2, rows: 2, heights: new Float32Array(4) };
@@ -18,7 +18,7 @@ it('a scene is complete with its own heights and picture', () => {
   frames.scene = scene;
   expect(frames.take({ ...heights, scene: 1 })).toBe(false);
   expect(frames.take(heights)).toBe(true);
-  expect(frames.surface?.width).toBe(0.1);
+  expect(frames.surface?.sizeX).toBe(0.1);
   expect(frames.isComplete).toBe(false);
   frames.take(picture);
   expect(frames.isComplete).toBe(true);

@@ -15,7 +15,7 @@ export class SceneFrames {
   take(frame: HeightsFrame | PictureFrame): boolean {
     if (this.scene === null || frame.scene !== this.scene.scene) return false;
     if (frame.kind === 'heights') {
-      this.surface = new Surface(frame.columns, frame.rows, frame.heights, this.scene.width_m, this.scene.depth_m, this.scene.upright);
+      this.surface = new Surface(frame.columns, frame.rows, frame.heights, this.scene.size_x_m, this.scene.size_y_m, this.scene.upright);
       this.picture = this.cells = null;
     } else {
       this[frame.kind] = frame;

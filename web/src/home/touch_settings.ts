@@ -24,7 +24,7 @@ export class TouchSettings {
   private readonly materials: MaterialPanel;
 
   constructor(private readonly page: SettingsPage) {
-    const initial: Settings = { touch: { law: '', set: {}, exaggeration: 1 }, page: readPreferences(document.cookie), materials: [] };
+    const initial: Settings = { touch: { law: '', set: {}, heightFactor: 1 }, page: readPreferences(document.cookie), materials: [] };
     this.store = new SettingsStore(initial, (change) => page.send(change));
     this.controls = new Controls(initial, (settings, what) => this.change(settings, what));
     this.materials = new MaterialPanel(initial, (settings, what) => this.change(settings, what));

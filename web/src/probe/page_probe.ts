@@ -84,10 +84,10 @@ export class PageProbe {
   }
 
   /** Advances the marble; true if its place must be sent. */
-  advance(seconds: number, surface: Surface, exaggeration: number): boolean {
+  advance(seconds: number, surface: Surface, heightFactor: number): boolean {
     const slope = surface.slopeAt(this.marblePlace);
     const before = this.marblePlace;
-    this.marblePlace = follow(before, this.target, { x: slope.x * exaggeration, y: slope.y * exaggeration }, seconds);
+    this.marblePlace = follow(before, this.target, { x: slope.x * heightFactor, y: slope.y * heightFactor }, seconds);
     const moved = this.changed || before.x !== this.marblePlace.x || before.y !== this.marblePlace.y;
     this.changed = false;
     return moved;
@@ -98,9 +98,9 @@ export class PageProbe {
     this.marblePlace = { ...place };
   }
 
-  private setPress(depth: number): void {
+  private setPress(press: number): void {
     const scale = pressScale(this.scale);
-    this.pressDepth = Math.min(deepest * scale, Math.max(highest * Math.max(1, this.scale), depth));
+    this.pressDepth = Math.min(deepest * scale, Math.max(highest * Math.max(1, this.scale), press));
     this.changed = true;
   }
 }

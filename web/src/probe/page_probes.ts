@@ -105,8 +105,8 @@ export class PageProbes {
   }
 
   /** Advances all marbles; returns the probes whose places must be sent. */
-  advance(seconds: number, surface: Surface, exaggeration: number): number[] {
-    return this.numbers.filter((probe) => this.movable(probe) && this.probes.get(probe)!.advance(seconds, surface, exaggeration));
+  advance(seconds: number, surface: Surface, heightFactor: number): number[] {
+    return this.numbers.filter((probe) => this.movable(probe) && this.probes.get(probe)!.advance(seconds, surface, heightFactor));
   }
 
   private put(probe: number, place: Place): void {

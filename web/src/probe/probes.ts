@@ -66,11 +66,11 @@ export class Probes {
   }
 
   /** The probes for drawing. */
-  views(surface: Surface, exaggeration: number): ProbeView[] {
+  views(surface: Surface, heightFactor: number): ProbeView[] {
     return this.numbers.map((probe) => {
       const [place, state, own] = [this.placeOf(probe), this.stateOf(probe), this.own.at(probe)];
       const isOurs = own !== undefined && this.own.movable(probe);
-      const z = isOurs ? surface.heightAt(place) * exaggeration + Math.max(0, -own.press) : Math.max(state?.z_m ?? 0, state?.surface_m ?? 0);
+      const z = isOurs ? surface.heightAt(place) * heightFactor + Math.max(0, -own.press) : Math.max(state?.z_m ?? 0, state?.surface_m ?? 0);
       return { ...place, z, force: state ? forceOf(state) : [0, 0, 0], number: probe + 1, chosen: probe === this.own.chosen };
     });
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A control's name and value in words, for people who hear the page without a screen reader.
 
-/** "Depth: × 1.5", "Sound: on"; null if the element is no setting. */
+/** "Height: × 1.5", "Sound: on"; null if the element is no setting. */
 export function controlWords(control: Element | null): string | null {
   if (control instanceof HTMLSelectElement) return named(control, control.selectedOptions[0]?.text ?? '');
   if (!(control instanceof HTMLInputElement)) return null;

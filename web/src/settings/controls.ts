@@ -27,11 +27,11 @@ const pageSlider = (id: 'volume' | 'tilt', words: Slider['words']): Slider => ({
 
 const sliders: Slider[] = [
   {
-    id: 'exaggeration',
+    id: 'height-factor',
     min: 0,
     max: 4,
-    read: ({ touch }) => touch.exaggeration,
-    write: (settings, exaggeration) => ({ ...settings, touch: { ...settings.touch, exaggeration } }),
+    read: ({ touch }) => touch.heightFactor,
+    write: (settings, heightFactor) => ({ ...settings, touch: { ...settings.touch, heightFactor } }),
     words: (value) => `× ${value}`,
   },
   pageSlider('volume', (value) => `${value} %`),
@@ -85,7 +85,7 @@ export class Controls {
     this.parameters.show(law?.parameters ?? [], used, settings.touch.set, settings.materials.length);
     const disabled: Record<string, string | null> = {
       volume: settings.page.sound ? null : 'sound is off',
-      exaggeration: this.isRelief ? null : 'reliefs only',
+      'height-factor': this.isRelief ? null : 'reliefs only',
       tilt: settings.page.view === 'flat' || element<HTMLSelectElement>('view').disabled ? 'in 3D only' : null,
     };
     sliders.forEach(({ id, min, max, read, words }, k) => this.ranges[k]!.show({ min, max, value: read(settings), words, disabled: disabled[id] ?? null }));
@@ -97,8 +97,8 @@ export class Controls {
     if (element<HTMLOptionElement>('surface-cells').disabled && settings.page.surface === 'cells') element<HTMLSelectElement>('surface').value = 'picture';
   }
 
-  /** Only a relief's depth can be changed. */
-  offerDepth(isRelief: boolean): void {
+  /** Only a relief's height can be changed. */
+  offerHeight(isRelief: boolean): void {
     this.isRelief = isRelief;
     this.show(this.settings, this.used);
   }

@@ -10,7 +10,7 @@ export interface TouchSettings {
   law: string;
   /** The law's parameters that are set, by name; the others come from the scene or the law. */
   set: Readonly<Record<string, number>>;
-  exaggeration: number;
+  heightFactor: number;
 }
 
 export interface Settings {
@@ -29,5 +29,5 @@ export function withLaw(touch: TouchSettings, from: Law | undefined, to: Law): T
 
 export function sameTouch(a: TouchSettings, b: TouchSettings): boolean {
   const names = new Set([...Object.keys(a.set), ...Object.keys(b.set)]);
-  return a.law === b.law && a.exaggeration === b.exaggeration && [...names].every((name) => a.set[name] === b.set[name]);
+  return a.law === b.law && a.heightFactor === b.heightFactor && [...names].every((name) => a.set[name] === b.set[name]);
 }

@@ -9,7 +9,7 @@ import { SettingsStore } from './settings_store';
 const parameter = (name: string, set: number | null, used: number) => ({ name, set, used });
 const answered = (answers: number, stiffness: number | null, used = stiffness ?? 500): ProgramSettings => ({
   type: 'settings', answers, law: 'proxy', parameters: [parameter('stiffness_N_per_m', stiffness, used), parameter('static_friction', null, 0.3)],
-  exaggeration: 1, paused: false,
+  height_factor: 1, paused: false,
 });
 const holds = answered(0, null);
 const material = (stiffness_N_per_m: number, kind: string) => ({
@@ -19,7 +19,7 @@ const made: Materials = {
   type: 'materials', answers: 0,
   materials: [{ name: null, material: material(500, 'none') }, { name: 'ground', material: material(400, 'grain') }],
 };
-const initial: Settings = { touch: { law: '', set: {}, exaggeration: 1 }, page: defaults, materials: [] };
+const initial: Settings = { touch: { law: '', set: {}, heightFactor: 1 }, page: defaults, materials: [] };
 
 function kept() {
   const sent: (Change | Edit)[] = [];
@@ -48,7 +48,7 @@ describe('the settings', () => {
     const { store, sent, stiffness } = kept();
     store.receive(holds);
     stiffness(800);
-    expect(sent).toEqual([{ type: 'change', serial: 11, law: 'proxy', parameters: [{ name: 'stiffness_N_per_m', value: 800 }], exaggeration: 1 }]);
+    expect(sent).toEqual([{ type: 'change', serial: 11, law: 'proxy', parameters: [{ name: 'stiffness_N_per_m', value: 800 }], height_factor: 1 }]);
     store.receive(answered(11, 800));
     expect(sent).toHaveLength(1);
     expect(store.undoOrRedo('undo')).toBe('stiffness');
@@ -96,11 +96,11 @@ describe('the settings', () => {
   it('are reset to the start, which can be undone', () => {
     const { store, touch } = kept();
     store.receive(holds);
-    touch({ set: { stiffness_N_per_m: 600 }, exaggeration: 2 });
+    touch({ set: { stiffness_N_per_m: 600 }, heightFactor: 2 });
     store.reset();
-    expect(store.settings.touch).toMatchObject({ set: {}, exaggeration: 1 });
+    expect(store.settings.touch).toMatchObject({ set: {}, heightFactor: 1 });
     store.undoOrRedo('undo');
-    expect(store.settings.touch).toMatchObject({ set: { stiffness_N_per_m: 600 }, exaggeration: 2 });
+    expect(store.settings.touch).toMatchObject({ set: { stiffness_N_per_m: 600 }, heightFactor: 2 });
   });
   it('send an edited material alone, and undo it by name', () => {
     const { store, sent, edit } = kept();
@@ -138,7 +138,7 @@ describe('another law', () => {
   });
   const [wall, ball] = [law('wall', ['stiffness', 'N/m'], ['damping', 'N·s/m']), law('ball', ['stiffness', 'N'], ['damping', 'N·s/m'])];
   it('keeps parameters with the same meaning only', () => {
-    const touch = { law: 'wall', set: { stiffness: 500, damping: 2 }, exaggeration: 1 };
-    expect(withLaw(touch, wall, ball)).toEqual({ law: 'ball', set: { damping: 2 }, exaggeration: 1 });
+    const touch = { law: 'wall', set: { stiffness: 500, damping: 2 }, heightFactor: 1 };
+    expect(withLaw(touch, wall, ball)).toEqual({ law: 'ball', set: { damping: 2 }, heightFactor: 1 });
   });
 });

@@ -10,7 +10,7 @@ import { sameTouch, type Settings, type TouchSettings } from './settings';
 /** Timeout for the answer to a change, after which the program's values are used (ms). */
 const answerTime = 3000;
 const titles: Record<string, string> = {
-  exaggeration: 'depth',
+  heightFactor: 'height',
   law: 'force law',
   damping_Ns_per_m: 'damping',
   stiffness_N_per_m: 'stiffness',
@@ -89,10 +89,10 @@ export class SettingsStore {
   }
 
   /** The effective values from the program. False if they answer an earlier change than the last, while a slider is dragged. */
-  receive({ answers, law, parameters, exaggeration }: ProgramSettings): boolean {
+  receive({ answers, law, parameters, height_factor: heightFactor }: ProgramSettings): boolean {
     if (this.waits(answers)) return false;
     const set = Object.fromEntries(parameters.flatMap((parameter) => (parameter.set === null ? [] : [[parameter.name, parameter.set]])));
-    const touch = { law, set, exaggeration };
+    const touch = { law, set, heightFactor };
     this.usedValues = Object.fromEntries(parameters.map(({ name, used }) => [name, used]));
     this.asked = touch;
     const settings = { ...this.settings, touch };
@@ -131,7 +131,7 @@ export class SettingsStore {
     if (!sameTouch(touch, this.asked ?? this.begun)) {
       this.asked = touch;
       const parameters = Object.entries(touch.set).map(([name, value]) => ({ name, value }));
-      this.send({ type: 'change', serial: this.next(), law: touch.law, parameters, exaggeration: touch.exaggeration });
+      this.send({ type: 'change', serial: this.next(), law: touch.law, parameters, height_factor: touch.heightFactor });
     }
     materials.forEach((material, label) => {
       const asked = this.askedMaterials[label];

@@ -24,7 +24,7 @@ function contactWith(preferences: Partial<Preferences>) {
   });
   const feedback = new Feedback();
   feedback.set({ ...defaults, sound: false, ...preferences });
-  for (const contact of [false, true, true]) feedback.reported({ probe: 1, contact, x_m: 0 } as ProbeState, { width: 0.1 } as Surface);
+  for (const contact of [false, true, true]) feedback.reported({ probe: 1, contact, x_m: 0 } as ProbeState, { sizeX: 0.1 } as Surface);
   return asked;
 }
 

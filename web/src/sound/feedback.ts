@@ -21,15 +21,15 @@ export class Feedback {
   }
 
   /** A probe has moved. */
-  moved(probe: number, place: Place, surface: Surface, exaggeration: number): void {
+  moved(probe: number, place: Place, surface: Surface, heightFactor: number): void {
     const { lowest, highest } = surface.range();
     const height = surface.heightAt(place);
-    const pan = panOf(place.x, surface.width);
+    const pan = panOf(place.x, surface.sizeX);
     // The pitch follows the height in engraved scenes too.
-    const [from, to] = exaggeration < 0 ? [-highest, -lowest] : [lowest, highest];
-    this.sound.height(probe, pitchOf(exaggeration < 0 ? -height : height, from, to), pan);
+    const [from, to] = heightFactor < 0 ? [-highest, -lowest] : [lowest, highest];
+    this.sound.height(probe, pitchOf(heightFactor < 0 ? -height : height, from, to), pan);
     const slope = surface.slopeAt(place);
-    if (!this.of(probe).edges.crossed(Math.hypot(slope.x, slope.y) * Math.abs(exaggeration))) return;
+    if (!this.of(probe).edges.crossed(Math.hypot(slope.x, slope.y) * Math.abs(heightFactor))) return;
     this.sound.edge(pan);
     this.pulse(15, 0.4);
   }
@@ -37,7 +37,7 @@ export class Feedback {
   /** A state of a probe from the program. */
   reported({ probe, contact, x_m }: ProbeState, surface: Surface): void {
     if (!this.of(probe).contact.rises(contact)) return;
-    this.sound.click(panOf(x_m, surface.width));
+    this.sound.click(panOf(x_m, surface.sizeX));
     this.pulse(25, 0.8);
   }
 

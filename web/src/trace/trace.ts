@@ -96,9 +96,9 @@ export function maskOf(points: readonly Place[], grid: Grid): Uint8Array {
 }
 
 /** A grid over a rectangle centred on the origin. */
-export function gridOver(width: number, depth: number, spacing: number): Grid {
-  const columns = Math.max(1, Math.round(width / spacing));
-  const rows = Math.max(1, Math.round(depth / spacing));
+export function gridOver(sizeX: number, sizeY: number, spacing: number): Grid {
+  const columns = Math.max(1, Math.round(sizeX / spacing));
+  const rows = Math.max(1, Math.round(sizeY / spacing));
   return { columns, rows, spacing, left: (-(columns - 1) * spacing) / 2, top: ((rows - 1) * spacing) / 2 };
 }
 
@@ -111,8 +111,8 @@ export interface Score {
 }
 
 /** The score of a closed trace against the nominal line, on pixels of 0.1 mm; null if either encloses nothing. */
-export function scoreOf(trace: readonly TracePoint[], nominal: readonly Place[], width: number, depth: number): Score | null {
-  const grid = gridOver(width, depth, 0.0001);
+export function scoreOf(trace: readonly TracePoint[], nominal: readonly Place[], sizeX: number, sizeY: number): Score | null {
+  const grid = gridOver(sizeX, sizeY, 0.0001);
   const [a, b] = [maskOf(trace, grid), maskOf(nominal, grid)];
   let [between, within] = [0, 0];
   for (let k = 0; k < a.length; ++k) {

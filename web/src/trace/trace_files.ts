@@ -25,10 +25,10 @@ export function readLine(csv: string): Place[] | string {
 }
 
 /** An SVG in millimetres, y downwards, over the scene's rectangle (m). */
-export function traceSvg(points: readonly TracePoint[], width: number, depth: number): string {
+export function traceSvg(points: readonly TracePoint[], sizeX: number, sizeY: number): string {
   const mm = (metres: number) => Number((metres * 1000).toFixed(3));
-  const [w, h] = [mm(width), mm(depth)];
-  const path = points.map(({ x, y }, k) => `${k === 0 ? 'M' : 'L'}${mm(x + width / 2)} ${mm(depth / 2 - y)}`).join(' ');
+  const [w, h] = [mm(sizeX), mm(sizeY)];
+  const path = points.map(({ x, y }, k) => `${k === 0 ? 'M' : 'L'}${mm(x + sizeX / 2)} ${mm(sizeY / 2 - y)}`).join(' ');
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${w}mm" height="${h}mm" viewBox="0 0 ${w} ${h}">`,
     `<path d="${path} Z" fill="none" stroke="black" stroke-width="0.3"/>`,
@@ -38,8 +38,8 @@ export function traceSvg(points: readonly TracePoint[], width: number, depth: nu
 }
 
 /** The inside as label 1, one slice, spacing in millimetres; rows go downwards, as pictures and LPS axes do. */
-export function traceNrrd(points: readonly TracePoint[], width: number, depth: number, spacing: number): Uint8Array<ArrayBuffer> {
-  const grid: Grid = gridOver(width, depth, spacing);
+export function traceNrrd(points: readonly TracePoint[], sizeX: number, sizeY: number, spacing: number): Uint8Array<ArrayBuffer> {
+  const grid: Grid = gridOver(sizeX, sizeY, spacing);
   const mm = spacing * 1000;
   const header = [
     'NRRD0004',

@@ -23,7 +23,7 @@ export class TracePanel {
   private tracer: Tracer | null = null;
   private trace: readonly TracePoint[] = [];
   private nominal: readonly Place[] = [];
-  private size = { width: 0.1, depth: 0.1 };
+  private size = { x: 0.1, y: 0.1 };
   private drawnAt = -Infinity;
 
   constructor(private readonly setting: TraceSetting) {
@@ -34,18 +34,18 @@ export class TracePanel {
     const save = (id: string, file: string, type: string, content: () => string | Uint8Array<ArrayBuffer>) =>
       element(id).addEventListener('click', () => download(file, new Blob([content()], { type })));
     save('trace-csv', 'trace.csv', 'text/csv', () => traceCsv(this.trace));
-    save('trace-svg', 'trace.svg', 'image/svg+xml', () => traceSvg(this.trace, this.size.width, this.size.depth));
-    element('trace-png').addEventListener('click', () => void maskPicture(this.trace, this.size.width, this.size.depth).then((png) => png && download('trace.png', png)));
+    save('trace-svg', 'trace.svg', 'image/svg+xml', () => traceSvg(this.trace, this.size.x, this.size.y));
+    element('trace-png').addEventListener('click', () => void maskPicture(this.trace, this.size.x, this.size.y).then((png) => png && download('trace.png', png)));
     save('trace-nrrd', 'trace.nrrd', 'application/octet-stream', () =>
-      traceNrrd(this.trace, this.size.width, this.size.depth, labelSpacing),
+      traceNrrd(this.trace, this.size.x, this.size.y, labelSpacing),
     );
   }
 
   /** Only scenes of contours are traced. */
-  scene(kind: string, width: number, depth: number): void {
-    this.size = { width, depth };
+  scene(kind: string, sizeX: number, sizeY: number): void {
+    this.size = { x: sizeX, y: sizeY };
     element('trace').hidden = kind !== 'contours';
-    this.canvas.style.aspectRatio = `${width} / ${depth}`;
+    this.canvas.style.aspectRatio = `${sizeX} / ${sizeY}`;
   }
 
   get running(): boolean {
@@ -92,7 +92,7 @@ export class TracePanel {
     const wanted = element<HTMLSelectElement>('trace-turn').value;
     const parts = [`${closed ? `Closed, ${turn}` : 'Not closed'}, ${last.t.toFixed(1)} seconds`];
     if (closed && wanted !== 'either' && wanted !== turn) parts.push(`in the opposite direction to the requested one (${wanted})`);
-    const score = closed && this.nominal.length > 2 ? scoreOf(this.trace, this.nominal, this.size.width, this.size.depth) : null;
+    const score = closed && this.nominal.length > 2 ? scoreOf(this.trace, this.nominal, this.size.x, this.size.y) : null;
     if (score) parts.push(`error ${(100 * score.error).toFixed(1)} percent, roughness ${score.roughness.toFixed(1)} degrees a millimetre`);
     return `${parts.join('; ')}.`;
   }
@@ -127,10 +127,10 @@ export class TracePanel {
     const pen = this.canvas.getContext('2d');
     if (pen === null || clientWidth === 0) return;
     const style = getComputedStyle(this.canvas);
-    const scale = this.canvas.width / this.size.width;
+    const scale = this.canvas.width / this.size.x;
     const line = (points: readonly Place[], colour: string, width: number) => {
       pen.beginPath();
-      points.forEach(({ x, y }, k) => pen[k === 0 ? 'moveTo' : 'lineTo']((x + this.size.width / 2) * scale, (this.size.depth / 2 - y) * scale));
+      points.forEach(({ x, y }, k) => pen[k === 0 ? 'moveTo' : 'lineTo']((x + this.size.x / 2) * scale, (this.size.y / 2 - y) * scale));
       pen.lineWidth = width * ratio;
       pen.strokeStyle = colour;
       pen.stroke();
@@ -141,8 +141,8 @@ export class TracePanel {
 }
 
 /** The inside white on black. */
-function maskPicture(trace: readonly Place[], width: number, depth: number): Promise<Blob | null> {
-  const grid = gridOver(width, depth, labelSpacing);
+function maskPicture(trace: readonly Place[], sizeX: number, sizeY: number): Promise<Blob | null> {
+  const grid = gridOver(sizeX, sizeY, labelSpacing);
   const canvas = document.createElement('canvas');
   [canvas.width, canvas.height] = [grid.columns, grid.rows];
   const pen = canvas.getContext('2d');

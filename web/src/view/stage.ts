@@ -34,7 +34,7 @@ export class Stage {
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
   private cells: PictureFrame | null = null;
-  private exaggeration = 1;
+  private heightFactor = 1;
   private canDo3d = true;
   private offered = false;
   private moving = false;
@@ -68,15 +68,15 @@ export class Stage {
     this.target.changed();
   }
 
-  set(exaggeration: number, look: Preferences): void {
-    this.exaggeration = exaggeration;
+  set(heightFactor: number, look: Preferences): void {
+    this.heightFactor = heightFactor;
     const covered = (look.surface === 'cells') !== (this.look.surface === 'cells');
     this.look = look;
     if (covered) this.lay();
     const wanted = this.canDo3d ? look.view : 'flat';
     document.documentElement.dataset.theme = themeOf(look.theme);
     if (wanted !== this.kind) this.build(wanted);
-    this.view?.set(exaggeration, look);
+    this.view?.set(heightFactor, look);
     this.target.changed();
   }
 
@@ -173,7 +173,7 @@ export class Stage {
     }
     this.lay();
     this.view.resize();
-    this.view.set(this.exaggeration, this.look);
+    this.view.set(this.heightFactor, this.look);
     this.view.aim(this.camera.pose);
   }
 

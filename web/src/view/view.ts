@@ -20,7 +20,7 @@ export interface View {
   readonly canvas: HTMLCanvasElement;
   show(surface: Surface, picture: PictureFrame | null): void;
   /** Sets the height factor and the look of the surface and the view. */
-  set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
+  set(heightFactor: number, look: Pick<Preferences, 'surface' | 'tilt'>): void;
   /** Sets all probes; numbers are shown if there are several. True if the view has changed. */
   probes(probes: readonly ProbeView[]): boolean;
   /** Sets a line on the surface; empty for none. */

@@ -53,7 +53,7 @@ export class View3d implements View {
   private surface: Surface | null = null;
   /** What the middle of the picture shows. */
   private readonly target = new Vector3();
-  private exaggeration = 1;
+  private heightFactor = 1;
   private look: Pick<Preferences, 'surface' | 'tilt'> = { surface: 'picture', tilt: 25 };
   private shown: readonly ProbeView[] = [];
   private pose: CameraPose = frontPose;
@@ -78,9 +78,9 @@ export class View3d implements View {
     this.build();
   }
 
-  set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void {
-    const rebuild = exaggeration !== this.exaggeration || look.surface !== this.look.surface;
-    this.exaggeration = exaggeration;
+  set(heightFactor: number, look: Pick<Preferences, 'surface' | 'tilt'>): void {
+    const rebuild = heightFactor !== this.heightFactor || look.surface !== this.look.surface;
+    this.heightFactor = heightFactor;
     this.look = { ...look };
     if (rebuild) this.build();
     this.place();
@@ -110,7 +110,7 @@ export class View3d implements View {
     const { surface } = this;
     if (surface === null) return;
     const above = 0.0004 * sizeOf(surface);
-    const places = points.map((place) => new Vector3(place.x, place.y, surface.heightAt(place) * this.exaggeration + above));
+    const places = points.map((place) => new Vector3(place.x, place.y, surface.heightAt(place) * this.heightFactor + above));
     this.traced.geometry.dispose();
     this.traced.geometry = new BufferGeometry().setFromPoints(places);
     this.traced.visible = places.length > 1;
@@ -122,7 +122,7 @@ export class View3d implements View {
     const { clientWidth, clientHeight } = this.canvas;
     const caster = new Raycaster();
     caster.setFromCamera(new Vector2((2 * left) / clientWidth - 1, 1 - (2 * top) / clientHeight), this.camera);
-    return this.surface.hit(caster.ray.origin.toArray(), caster.ray.direction.toArray(), this.exaggeration);
+    return this.surface.hit(caster.ray.origin.toArray(), caster.ray.direction.toArray(), this.heightFactor);
   }
 
   resize(): void {
@@ -184,7 +184,7 @@ export class View3d implements View {
     const size = sizeOf(this.surface);
     const upright = new Vector3(0, 0, 1);
     const { lowest, highest } = this.surface.range();
-    const top = Math.max(0, lowest * this.exaggeration, highest * this.exaggeration);
+    const top = Math.max(0, lowest * this.heightFactor, highest * this.heightFactor);
     this.target.set(this.pose.centre.x, this.pose.centre.y, top / 2);
     const outwards = new Vector3(0, -Math.sin(tilt), Math.cos(tilt)).applyAxisAngle(upright, turn);
     const upwards = new Vector3(0, Math.cos(tilt), Math.sin(tilt)).applyAxisAngle(upright, turn);
@@ -194,7 +194,7 @@ export class View3d implements View {
     for (const x of [-0.5, 0.5])
       for (const y of [-0.5, 0.5])
         for (const z of [-0.5, 0.5]) {
-          const corner = new Vector3(x * this.surface.width, y * this.surface.depth, z * (top + 2 * baseThickness * size));
+          const corner = new Vector3(x * this.surface.sizeX, y * this.surface.sizeY, z * (top + 2 * baseThickness * size));
           const needed = Math.max(Math.abs(corner.dot(sideways)) / this.camera.aspect, Math.abs(corner.dot(upwards))) / half;
           distance = Math.max(distance, corner.dot(outwards) + needed);
         }
@@ -231,8 +231,8 @@ export class View3d implements View {
     const map = this.look.surface === 'clay' ? null : this.texture;
     const material =
       this.look.surface === 'unlit' && map ? new MeshBasicMaterial({ map }) : new MeshStandardMaterial({ map, roughness: 0.85 });
-    this.ground = new Mesh(groundOf(this.surface, this.exaggeration), material);
-    this.walls = new Mesh(wallsOf(this.surface, this.exaggeration), new MeshStandardMaterial({ roughness: 0.9, side: DoubleSide }));
+    this.ground = new Mesh(groundOf(this.surface, this.heightFactor), material);
+    this.walls = new Mesh(wallsOf(this.surface, this.heightFactor), new MeshStandardMaterial({ roughness: 0.9, side: DoubleSide }));
     this.scene.add(this.ground, this.walls);
     this.showMarbles();
     this.place();
@@ -241,8 +241,8 @@ export class View3d implements View {
 }
 
 /** The scene's longer side in units of 0.1 m, which scales marbles, lines and the camera's range. */
-function sizeOf({ width, depth }: Surface): number {
-  return Math.max(width, depth) / 0.1;
+function sizeOf({ sizeX, sizeY }: Surface): number {
+  return Math.max(sizeX, sizeY) / 0.1;
 }
 
 function discard(mesh: Mesh | null): void {
@@ -268,7 +268,7 @@ function textureOf({ columns, rows, rgb }: PictureFrame, anisotropy: number): Da
   return texture;
 }
 
-function groundOf(surface: Surface, exaggeration: number): BufferGeometry {
+function groundOf(surface: Surface, heightFactor: number): BufferGeometry {
   const { columns, rows } = surface;
   const position = new Float32Array(columns * rows * 3);
   const uv = new Float32Array(columns * rows * 2);
@@ -276,7 +276,7 @@ function groundOf(surface: Surface, exaggeration: number): BufferGeometry {
   for (let j = 0; j < rows; ++j)
     for (let i = 0; i < columns; ++i) {
       const k = j * columns + i;
-      position.set([surface.xOf(i), surface.yOf(j), surface.at(i, j) * exaggeration], 3 * k);
+      position.set([surface.xOf(i), surface.yOf(j), surface.at(i, j) * heightFactor], 3 * k);
       uv.set([(i + 0.5) / columns, 1 - (j + 0.5) / rows], 2 * k);
     }
   let at = 0;
@@ -295,7 +295,7 @@ function groundOf(surface: Surface, exaggeration: number): BufferGeometry {
 }
 
 /** The sides of the block, from the surface's rim down to the base. */
-function wallsOf(surface: Surface, exaggeration: number): BufferGeometry {
+function wallsOf(surface: Surface, heightFactor: number): BufferGeometry {
   const { columns, rows } = surface;
   const rim: [number, number][] = [];
   for (let i = 0; i < columns - 1; ++i) rim.push([i, rows - 1]);
@@ -303,12 +303,12 @@ function wallsOf(surface: Surface, exaggeration: number): BufferGeometry {
   for (let i = columns - 1; i > 0; --i) rim.push([i, 0]);
   for (let j = 0; j < rows; ++j) rim.push([0, j]);
   const { lowest, highest } = surface.range();
-  const floor = Math.min(lowest * exaggeration, highest * exaggeration) - baseThickness * sizeOf(surface);
+  const floor = Math.min(lowest * heightFactor, highest * heightFactor) - baseThickness * sizeOf(surface);
   const position = new Float32Array(rim.length * 6);
   const index: number[] = [];
   rim.forEach(([i, j], k) => {
     const [x, y] = [surface.xOf(i), surface.yOf(j)];
-    position.set([x, y, surface.at(i, j) * exaggeration, x, y, floor], 6 * k);
+    position.set([x, y, surface.at(i, j) * heightFactor, x, y, floor], 6 * k);
     if (k > 0) index.push(2 * k - 2, 2 * k - 1, 2 * k, 2 * k, 2 * k - 1, 2 * k + 1);
   });
   const geometry = new BufferGeometry();

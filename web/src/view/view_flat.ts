@@ -15,7 +15,7 @@ export class FlatView implements View {
   readonly canvas = document.createElement('canvas');
   private surface: Surface | null = null;
   private picture: PictureFrame | null = null;
-  private exaggeration = 1;
+  private heightFactor = 1;
   private look: Preferences['surface'] = 'picture';
   private ground: HTMLCanvasElement | null = null;
   private drawn: readonly Place[] = [];
@@ -30,8 +30,8 @@ export class FlatView implements View {
     this.stale = true;
   }
 
-  set(exaggeration: number, look: Pick<Preferences, 'surface' | 'tilt'>): void {
-    this.exaggeration = exaggeration;
+  set(heightFactor: number, look: Pick<Preferences, 'surface' | 'tilt'>): void {
+    this.heightFactor = heightFactor;
     this.look = look.surface;
     this.ground = null;
     this.stale = true;
@@ -81,7 +81,7 @@ export class FlatView implements View {
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     this.ground ??= this.shaded(this.surface, colours.clay);
-    const [width, height] = [this.surface.width * frame.scale, this.surface.depth * frame.scale];
+    const [width, height] = [this.surface.sizeX * frame.scale, this.surface.sizeY * frame.scale];
     pen.imageSmoothingQuality = 'high';
     pen.drawImage(this.ground, frame.middleX - width / 2, frame.middleY - height / 2, width, height);
     pen.beginPath();
@@ -102,7 +102,7 @@ export class FlatView implements View {
     const { clientWidth, clientHeight } = this.canvas;
     const margin = 12;
     const { zoom, centre } = this.pose;
-    const scale = zoom * Math.min((clientWidth - 2 * margin) / this.surface.width, (clientHeight - 2 * margin) / this.surface.depth);
+    const scale = zoom * Math.min((clientWidth - 2 * margin) / this.surface.sizeX, (clientHeight - 2 * margin) / this.surface.sizeY);
     return { middleX: clientWidth / 2 - centre.x * scale, middleY: clientHeight / 2 + centre.y * scale, scale };
   }
 
@@ -132,9 +132,9 @@ export class FlatView implements View {
   }
 
   private light(surface: Surface, i: number, j: number): number {
-    const scale = this.exaggeration / 2;
-    const dx = ((surface.at(i + 1, j) - surface.at(i - 1, j)) * scale * surface.columns) / surface.width;
-    const dy = ((surface.at(i, j - 1) - surface.at(i, j + 1)) * scale * surface.rows) / surface.depth;
+    const scale = this.heightFactor / 2;
+    const dx = ((surface.at(i + 1, j) - surface.at(i - 1, j)) * scale * surface.columns) / surface.sizeX;
+    const dy = ((surface.at(i, j - 1) - surface.at(i, j + 1)) * scale * surface.rows) / surface.sizeY;
     const facing = (lightFrom.z - dx * lightFrom.x - dy * lightFrom.y) / Math.hypot(1, dx, dy);
     return 0.35 + 1.05 * Math.max(0, facing);
   }

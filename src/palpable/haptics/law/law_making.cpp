@@ -65,7 +65,7 @@ MaterialMap materials_of(const models::Scene& scene, const Relief& relief, const
   std::array<Contact, 256> contacts;
   for (std::size_t k = 0; k < contacts.size(); ++k)
     contacts[k] = contact_of(k < scene.materials.size() ? scene.materials[k] : first, parameters);
-  return {contacts, scene.labels, relief.width_m(), relief.depth_m()};
+  return {contacts, scene.labels, relief.size_x_m(), relief.size_y_m()};
 }
 
 Result<std::shared_ptr<const Relief>> dilated_surface(const std::shared_ptr<const Relief>& relief,

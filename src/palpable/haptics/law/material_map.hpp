@@ -24,14 +24,14 @@ class MaterialMap {
  public:
   /// One material everywhere.
   explicit MaterialMap(Contact everywhere) { contacts_.fill(everywhere); }
-  /// `labels` (empty: label 0 everywhere) cover the rectangle of width_m x depth_m around the origin. Label k
-  /// has the properties contacts[k].
-  MaterialMap(const std::array<Contact, 256>& contacts, Raster<std::uint8_t> labels, double width_m,
-              double depth_m)
+  /// `labels` (empty: label 0 everywhere) cover the rectangle of size_x_m x size_y_m around the origin. Label
+  /// k has the properties contacts[k].
+  MaterialMap(const std::array<Contact, 256>& contacts, Raster<std::uint8_t> labels, double size_x_m,
+              double size_y_m)
       : contacts_(contacts),
         labels_(std::move(labels)),
-        labels_per_m_x_(labels_.width() / width_m),
-        labels_per_m_y_(labels_.height() / depth_m) {}
+        labels_per_m_x_(labels_.width() / size_x_m),
+        labels_per_m_y_(labels_.height() / size_y_m) {}
 
   bool has_labels() const noexcept { return !labels_.empty(); }
   const Contact& contact(std::uint16_t label) const noexcept { return contacts_[label & 0xFFU]; }

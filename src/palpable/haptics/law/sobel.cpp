@@ -50,8 +50,8 @@ SobelSlopes::SobelSlopes(const models::Relief& relief) {
   const int w = half.width();
   const int h = half.height();
   slopes_ = Raster<ImageSlope>(w, h);
-  pixels_per_m_x_ = w / relief.width_m();
-  pixels_per_m_y_ = h / relief.depth_m();
+  pixels_per_m_x_ = w / relief.size_x_m();
+  pixels_per_m_y_ = h / relief.size_y_m();
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x) {
       double right = 0.0;

@@ -64,8 +64,9 @@ class BoundaryMap {
   const BoundaryOrigin& origin() const { return origin_; }
   double radius_px() const { return radius_px_; }
   double pixel_m() const { return pixel_m_; }
-  double width_m() const { return pixel_m_ * edges_.width(); }
-  double depth_m() const { return pixel_m_ * edges_.height(); }
+  /// Extents along x and y, including the outer half pixels.
+  double size_x_m() const { return pixel_m_ * edges_.width(); }
+  double size_y_m() const { return pixel_m_ * edges_.height(); }
   std::size_t memory_bytes() const { return 2 * edges_.count() * sizeof(BoundaryPixel); }
 
  private:

@@ -28,8 +28,8 @@ TEST(HeightBounds, BoundHeightAndSlopeOverAnyRectangle) {
         std::make_shared<const Relief>(*Relief::from_samples(noise(width, height, 8), 0.001));
     const Relief& relief = *samples;
     const BoundedRelief bounded(samples);
-    std::uniform_real_distribution<double> x(-0.7 * relief.width_m(), 0.7 * relief.width_m());
-    std::uniform_real_distribution<double> y(-0.7 * relief.depth_m(), 0.7 * relief.depth_m());
+    std::uniform_real_distribution<double> x(-0.7 * relief.size_x_m(), 0.7 * relief.size_x_m());
+    std::uniform_real_distribution<double> y(-0.7 * relief.size_y_m(), 0.7 * relief.size_y_m());
     for (int k = 0; k < 300; ++k) {
       const double x0 = x(random), x1 = x(random), y0 = y(random), y1 = y(random);
       const SurfaceBounds bounds = bounded.bounds_over(x0, y0, x1, y1);

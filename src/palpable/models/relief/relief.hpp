@@ -73,9 +73,9 @@ class Relief {
   double pixel_m() const noexcept { return pixel_m_; }
   /// An upper bound of the slope |grad z|, from the samples' greatest differences.
   double steepest_slope() const noexcept { return steepest_slope_; }
-  /// Size including the outer half pixels: width * pixel_m, height * pixel_m.
-  double width_m() const { return pixel_m_ * height_m_.width(); }
-  double depth_m() const { return pixel_m_ * height_m_.height(); }
+  /// Extents along x and y, including the outer half pixels: columns * pixel_m, rows * pixel_m.
+  double size_x_m() const { return pixel_m_ * height_m_.width(); }
+  double size_y_m() const { return pixel_m_ * height_m_.height(); }
   double lowest_m() const { return lowest_m_; }
   double highest_m() const { return highest_m_; }
   std::size_t memory_bytes() const;

@@ -84,7 +84,7 @@ std::vector<Start> local_minima(const Relief& relief, Vec3 p, double reach_m) {
 
 std::optional<ClosestPoint> closest_point(const Relief& relief, Point<SceneFrame> point) {
   const Vec3 p = point.v;
-  if (!is_finite(p) || std::abs(p.x) > 0.5 * relief.width_m() || std::abs(p.y) > 0.5 * relief.depth_m())
+  if (!is_finite(p) || std::abs(p.x) > 0.5 * relief.size_x_m() || std::abs(p.y) > 0.5 * relief.size_y_m())
     return std::nullopt;
   // The vertical distance is an upper bound, which also bounds the horizontal distance.
   const double height_m = relief.sample(p.x, p.y).z_m;

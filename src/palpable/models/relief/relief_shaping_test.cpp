@@ -19,8 +19,8 @@ double greatest_slope(const Raster<float>& samples, double pixel_m) {
   double greatest = 0.0;
   for (int j = 0; j < 5 * samples.height(); ++j)
     for (int i = 0; i < 5 * samples.width(); ++i) {
-      const auto s = relief->sample(-0.5 * relief->width_m() + 0.2 * i * pixel_m,
-                                    -0.5 * relief->depth_m() + 0.2 * j * pixel_m);
+      const auto s = relief->sample(-0.5 * relief->size_x_m() + 0.2 * i * pixel_m,
+                                    -0.5 * relief->size_y_m() + 0.2 * j * pixel_m);
       greatest = std::max(greatest, std::hypot(s.dzdx, s.dzdy));
     }
   return greatest;

@@ -39,7 +39,7 @@ Mesh solid_of(const Relief& relief, const SolidOptions& options) {
   const auto add = [&](double x, double y, double z) {
     mesh.vertices_m.push_back({x, y, z});
     mesh.picture_places.push_back(
-        {static_cast<float>(x / relief.width_m() + 0.5), static_cast<float>(0.5 - y / relief.depth_m())});
+        {static_cast<float>(x / relief.size_x_m() + 0.5), static_cast<float>(0.5 - y / relief.size_y_m())});
     return static_cast<std::uint32_t>(mesh.vertices_m.size() - 1);
   };
   // Rows run from the top of the picture downwards, that is, from +y to -y.

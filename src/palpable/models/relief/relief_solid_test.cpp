@@ -29,8 +29,8 @@ TEST(SolidOf, IsWatertightWithTheRightSizeAndVolume) {
       low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
       high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
     }
-    EXPECT_NEAR(high.x - low.x, relief.width_m(), 1e-12);
-    EXPECT_NEAR(high.y - low.y, relief.depth_m(), 1e-12);
+    EXPECT_NEAR(high.x - low.x, relief.size_x_m(), 1e-12);
+    EXPECT_NEAR(high.y - low.y, relief.size_y_m(), 1e-12);
     EXPECT_NEAR(low.z, -0.002, 1e-12);
     EXPECT_LE(high.z, relief.highest_m());
     double six_volumes = 0.0;
@@ -39,7 +39,7 @@ TEST(SolidOf, IsWatertightWithTheRightSizeAndVolume) {
     double mean = 0.0;
     for (const Vec3 v : solid.vertices_m) mean = std::max(mean, v.z);
     EXPECT_GT(six_volumes, 0.0) << "its faces are oriented outwards";
-    EXPECT_LT(six_volumes / 6.0, relief.width_m() * relief.depth_m() * (mean + 0.002));
+    EXPECT_LT(six_volumes / 6.0, relief.size_x_m() * relief.size_y_m() * (mean + 0.002));
   }
 }
 

@@ -62,16 +62,16 @@ Vec3 size_m(const Scene& scene) {
   return std::visit(
       Overloaded{
           [](const std::shared_ptr<const Relief>& relief) {
-            return Vec3{relief->width_m(), relief->depth_m(), relief->highest_m()};
+            return Vec3{relief->size_x_m(), relief->size_y_m(), relief->highest_m()};
           },
           [](const std::shared_ptr<const Contours>& contours) {
-            return Vec3{contours->boundaries.width_m(), contours->boundaries.depth_m(),
+            return Vec3{contours->boundaries.size_x_m(), contours->boundaries.size_y_m(),
                         contours->grooves->highest_m()};
           },
           [](const std::shared_ptr<const Field>& field) { return field->most_m - field->least_m; },
           [](const std::shared_ptr<const FieldOnLattice>& field) { return field->most_m - field->least_m; },
           [](const std::shared_ptr<const Grid>& grid) {
-            return Vec3{grid->from_above->width_m(), grid->from_above->depth_m(),
+            return Vec3{grid->from_above->size_x_m(), grid->from_above->size_y_m(),
                         grid->from_above->highest_m()};
           }},
       scene.model);

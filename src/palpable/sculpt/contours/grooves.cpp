@@ -51,7 +51,7 @@ Result<models::Relief> grooves_from_boundary_map(const models::BoundaryMap& map,
   const double scale =
       std::max(1.0, std::min(2.0 * options.samples_across_half * map.pixel_m() / options.width_m, finest));
   const cv::Mat distance = distance_to_lines(lines, scale);
-  const double sample_m = map.width_m() / distance.cols;
+  const double sample_m = map.size_x_m() / distance.cols;
   Raster<float> height(distance.cols, distance.rows);
   for (int y = 0; y < height.height(); ++y) {
     for (int x = 0; x < height.width(); ++x) {

@@ -35,7 +35,7 @@ TEST(Grooves, LieAlongTheLineWithTheGivenWidthAndDepth) {
   EXPECT_NEAR(relief->sample(line_x + 0.001, 0.0).z_m, 0.00075, 0.0002);
   EXPECT_NEAR(relief->sample(line_x + 0.003, 0.0).z_m, 0.0015, 1e-5);
   EXPECT_NEAR(relief->sample(line_x - 0.003, 0.01).z_m, 0.0015, 1e-5);
-  EXPECT_NEAR(relief->width_m(), 0.05, 1e-6);
+  EXPECT_NEAR(relief->size_x_m(), 0.05, 1e-6);
 }
 
 TEST(Grooves, PushTheHandTowardsTheLine) {

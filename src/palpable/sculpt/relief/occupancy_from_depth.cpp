@@ -53,7 +53,7 @@ Seen seen_by(const DepthView& view, const Transform<CameraFrame, SceneFrame>& ca
 
 Result<models::Occupancy> occupancy_from_relief(const models::Relief& relief,
                                                 const OccupancyOptions& options) {
-  const Vec3 half{0.5 * relief.width_m(), 0.5 * relief.depth_m(), 0.0};
+  const Vec3 half{0.5 * relief.size_x_m(), 0.5 * relief.size_y_m(), 0.0};
   const Vec3 top{half.x, half.y, std::max(relief.highest_m(), 1e-4)};
   auto made = lattice_over(-half, top, options);
   if (!made) return made;

@@ -188,7 +188,7 @@ Transform<SceneFrame, models::InputFrame> scene_from_picture(const models::Relie
                                                              int height) {
   Transform<SceneFrame, models::InputFrame> t;
   t.rotation = {1, 0, 0, 0, -1, 0, 0, 0, -1};
-  t.scale = relief.width_m() / width;
+  t.scale = relief.size_x_m() / width;
   t.translation_m = {-0.5 * t.scale * (width - 1), 0.5 * t.scale * (height - 1), 0.0};
   return t;
 }

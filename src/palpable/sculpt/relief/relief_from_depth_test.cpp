@@ -27,8 +27,8 @@ DepthMap hill(int width, int height) {
 TEST(ReliefFromDepth, RaisesNearPartsAndKeepsTheAspectRatio) {
   const auto relief = relief_from_depth(hill(200, 100), {}, {});
   ASSERT_TRUE(relief);
-  EXPECT_NEAR(relief->width_m(), 0.100, 1e-9);
-  EXPECT_NEAR(relief->depth_m(), 0.050, 1e-9);
+  EXPECT_NEAR(relief->size_x_m(), 0.100, 1e-9);
+  EXPECT_NEAR(relief->size_y_m(), 0.050, 1e-9);
   EXPECT_EQ(relief->lowest_m(), 0.0);
   EXPECT_NEAR(relief->highest_m(), 0.015, 1e-6);
   EXPECT_GT(relief->sample(0, 0).z_m, relief->sample(0.04, 0.02).z_m);
@@ -66,8 +66,8 @@ TEST(ReliefFromDepth, ObeysTheGivenSize) {
   options.size_m = Vec3{0.2, 0.05, 0.03};
   const auto relief = relief_from_depth(hill(200, 100), options, {});
   ASSERT_TRUE(relief);
-  EXPECT_NEAR(relief->width_m(), 0.100, 1e-9);
-  EXPECT_NEAR(relief->depth_m(), 0.050, 1e-9);
+  EXPECT_NEAR(relief->size_x_m(), 0.100, 1e-9);
+  EXPECT_NEAR(relief->size_y_m(), 0.050, 1e-9);
   EXPECT_NEAR(relief->highest_m(), 0.030, 1e-6);
 }
 
@@ -172,7 +172,7 @@ TEST(ReliefFromDepth, ReducesLargePictures) {
   const auto relief = relief_from_depth(hill(200, 100), options, {});
   ASSERT_TRUE(relief);
   EXPECT_EQ(relief->samples_m().width(), 50);
-  EXPECT_NEAR(relief->width_m(), 0.1, 1e-9);
+  EXPECT_NEAR(relief->size_x_m(), 0.1, 1e-9);
 }
 
 TEST(ReliefFromDisparity, TakesDisparityAsNearnessWithoutACamera) {

@@ -100,7 +100,7 @@ TEST(ReliefFromSheet, RaisesASheetOverItsBase) {
     mesh = add(mesh, sheet(0.002, 1, [](double, double) { return 0.0; }), {x, x, 0});
   const auto relief = relief_from_sheet(mesh, {}, {});
   ASSERT_TRUE(relief);
-  EXPECT_NEAR(relief->width_m(), 0.102, 1e-9);
+  EXPECT_NEAR(relief->size_x_m(), 0.102, 1e-9);
   EXPECT_NEAR(relief->sample(0.0, 0.0).z_m, 0.005, 2e-5);
   EXPECT_NEAR(relief->sample(0.02, 0.02).z_m, 0.001 + 0.004 * std::exp(-4.0), 2e-5);
   EXPECT_NEAR(relief->sample(0.045, 0.0).z_m, 0.0, 1e-6);

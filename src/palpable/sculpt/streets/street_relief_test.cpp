@@ -37,8 +37,8 @@ TEST(StreetRelief, LowersStreetsAndWaterAndRaisesBuildings) {
   const StreetReliefOptions options;
   const auto made = relief_from_street_map(small_map(), options);
   ASSERT_TRUE(made);
-  EXPECT_NEAR(made->relief.width_m(), 0.1, 1e-3);
-  EXPECT_NEAR(made->relief.depth_m(), 0.05, 1e-3);
+  EXPECT_NEAR(made->relief.size_x_m(), 0.1, 1e-3);
+  EXPECT_NEAR(made->relief.size_y_m(), 0.05, 1e-3);
   const double land = options.street_depth_m;
   EXPECT_NEAR(height_at(*made, 100, 100), 0.0, 5e-5);
   EXPECT_NEAR(height_at(*made, 260, 60), land, 1e-6);

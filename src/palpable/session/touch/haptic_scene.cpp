@@ -17,16 +17,17 @@
 
 namespace palpable::session {
 
-Result<models::Scene> with_depth(const models::Scene& scene, double depth) {
-  if (!(std::abs(depth) <= 4.0)) return Error{ErrorCode::usage, "the depth must be from -4 to 4", {}};
-  if (depth == 1.0) return scene;
+Result<models::Scene> with_height_factor(const models::Scene& scene, double height_factor) {
+  if (!(std::abs(height_factor) <= 4.0))
+    return Error{ErrorCode::usage, "the height factor must be from -4 to 4", {}};
+  if (height_factor == 1.0) return scene;
   const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
   if (relief == nullptr)
     return Error{ErrorCode::usage,
-                 "only a relief's depth can be changed, and this scene is a " + models::kind_of(scene.model),
+                 "only a relief's height can be changed, and this scene is a " + models::kind_of(scene.model),
                  {}};
   Raster<float> height_m = (*relief)->samples_m();
-  for (float& height : height_m.values()) height *= static_cast<float>(depth);
+  for (float& height : height_m.values()) height *= static_cast<float>(height_factor);
   auto changed = models::Relief::from_samples(std::move(height_m), (*relief)->pixel_m());
   if (!changed) return std::move(changed).error();
   models::Scene result = scene;
@@ -179,18 +180,18 @@ haptics::Law passive_planar_law(const std::vector<haptics::Law>& laws) {
   return found != laws.end() ? *found : laws.front();
 }
 
-Result<models::Scene> with_kept_depth(const models::Scene& scene, double depth, KeptSurfaces& kept) {
+Result<models::Scene> with_kept_height(const models::Scene& scene, double height_factor, KeptSurfaces& kept) {
   const auto* relief = std::get_if<std::shared_ptr<const models::Relief>>(&scene.model);
-  if (relief == nullptr || depth == 1.0) return with_depth(scene, depth);
-  if (kept.of != *relief || kept.depth != depth) {
-    auto deep = with_depth(scene, depth);
-    if (!deep) return deep;
+  if (relief == nullptr || height_factor == 1.0) return with_height_factor(scene, height_factor);
+  if (kept.of != *relief || kept.height_factor != height_factor) {
+    auto scaled = with_height_factor(scene, height_factor);
+    if (!scaled) return scaled;
     kept.of = *relief;
-    kept.depth = depth;
-    kept.deep = std::get<std::shared_ptr<const models::Relief>>(deep->model);
+    kept.height_factor = height_factor;
+    kept.scaled = std::get<std::shared_ptr<const models::Relief>>(scaled->model);
   }
   models::Scene result = scene;
-  result.model = kept.deep;
+  result.model = kept.scaled;
   return result;
 }
 
@@ -223,14 +224,14 @@ Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSetti
                                std::string(haptics::name_of(prepared.law.law)) + ".");
     replace_law(prepared.law, planar);
   }
-  auto deep = with_kept_depth(scene, settings.depth, kept);
-  if (!deep) return std::move(deep).error();
+  auto scaled = with_kept_height(scene, settings.height_factor, kept);
+  if (!scaled) return std::move(scaled).error();
   if (settings.limits == Limits::of_device) limit_slope_force(device, prepared);
   if (settings.limits == Limits::of_device)
-    make_safe(*deep, device, rate_hz, scene_from_device.scale, settings.hand_damping_Ns_per_m, prepared);
-  make_carried(*deep, device, rate_hz, scene_from_device.scale, prepared);
-  prepared.materials = deep->materials;
-  auto touchable = haptics::make_touchable(*deep, prepared.law, &kept.dilated);
+    make_safe(*scaled, device, rate_hz, scene_from_device.scale, settings.hand_damping_Ns_per_m, prepared);
+  make_carried(*scaled, device, rate_hz, scene_from_device.scale, prepared);
+  prepared.materials = scaled->materials;
+  auto touchable = haptics::make_touchable(*scaled, prepared.law, &kept.dilated);
   if (!touchable) return std::move(touchable).error();
   prepared.scene.touchable = std::move(*touchable);
   prepared.scene.scene_from_device = scene_from_device;

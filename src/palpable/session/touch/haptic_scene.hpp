@@ -27,21 +27,21 @@ struct PreparedScene {
   std::vector<std::string> notices;
 };
 
-/// The scene with its height multiplied by `depth`. Errors (usage): depth outside -4 ... 4, or not 1 for a
-/// scene that is not a relief.
-Result<models::Scene> with_depth(const models::Scene& scene, double depth);
+/// The scene with its height multiplied by `height_factor`. Errors (usage): a factor outside -4 ... 4, or not
+/// 1 for a scene that is not a relief.
+Result<models::Scene> with_height_factor(const models::Scene& scene, double height_factor);
 
 /// Results of expensive preparation of a scene, reused for all changes during one touch. Empty at first.
 struct KeptSurfaces {
   std::shared_ptr<const models::Relief> of;
-  double depth = 1.0;
-  std::shared_ptr<const models::Relief> deep;
+  double height_factor = 1.0;
+  std::shared_ptr<const models::Relief> scaled;
   haptics::DilatedRelief dilated;
 };
 
 /// Prepares a law on a scene for a device. Stiffness is limited to what the device can render at that rate
 /// (haptics/safety/stability.hpp). If only parameters changed, the surface is taken from `kept`. Errors: as
-/// make_touchable() and with_depth().
+/// make_touchable() and with_height_factor().
 Result<PreparedScene> prepare_scene(const models::Scene& scene, const TouchSettings& settings,
                                     const device::Traits& device, double rate_hz,
                                     const Transform<SceneFrame, DeviceFrame>& scene_from_device,

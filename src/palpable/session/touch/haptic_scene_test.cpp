@@ -56,14 +56,14 @@ TEST_F(PreparingAScene, MakesItsSurfaceOnceWhileOnlyParametersChange) {
   KeptSurfaces kept;
   TouchSettings settings;
   settings.law.radius_m = 0.002;
-  settings.depth = 2.0;
+  settings.height_factor = 2.0;
   const auto first = prepare(settings, kept);
-  const auto deep = kept.deep;
+  const auto scaled = kept.scaled;
   const auto dilated = kept.dilated.surface;
-  ASSERT_TRUE(deep && dilated);
+  ASSERT_TRUE(scaled && dilated);
   settings.law.stiffness_N_per_m = 100.0;
   const auto softer = prepare(settings, kept);
-  EXPECT_EQ(kept.deep, deep);
+  EXPECT_EQ(kept.scaled, scaled);
   EXPECT_EQ(kept.dilated.surface, dilated);
   EXPECT_EQ(softer.scene.touchable->state_family(), first.scene.touchable->state_family());
 }
@@ -72,18 +72,18 @@ TEST_F(PreparingAScene, NeverUsesACachedSurfaceOfAnotherScene) {
   KeptSurfaces kept;
   const Vec3 under{0.0073, 0.0041, 0.002};
   for (const double radius_m : {0.001, 0.003})
-    for (const double depth : {2.0, 1.5, 1.0}) {
+    for (const double height_factor : {2.0, 1.5, 1.0}) {
       TouchSettings settings;
       settings.law.radius_m = radius_m;
-      settings.depth = depth;
+      settings.height_factor = height_factor;
       KeptSurfaces fresh;
       EXPECT_EQ(force(prepare(settings, kept), under), force(prepare(settings, fresh), under))
-          << radius_m << " " << depth;
+          << radius_m << " " << height_factor;
     }
   scene_ = wave();
   TouchSettings settings;
   settings.law.radius_m = 0.003;
-  settings.depth = 1.5;
+  settings.height_factor = 1.5;
   static_cast<void>(prepare(settings, kept));
   EXPECT_EQ(kept.of, models::relief_of(scene_));
 }
@@ -109,7 +109,7 @@ TEST_F(PreparingAScene, LowersAStiffnessThatTheDeviceCannotRenderAndSaysSo) {
 
 TEST_F(PreparingAScene, RefusesAnInvalidDepthFactor) {
   TouchSettings settings;
-  settings.depth = std::nan("");
+  settings.height_factor = std::nan("");
   KeptSurfaces kept;
   EXPECT_FALSE(
       prepare_scene(scene_, settings, traits_, kRate_hz, haptics::fit_workspace(scene_, traits_), kept));

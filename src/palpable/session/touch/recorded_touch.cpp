@@ -86,7 +86,7 @@ RecordedTouch touch_from_json(const RecordedJson& json) {
   RecordedTouch touch;
   touch.law = law_from_json(json);
   touch.asked_for = json.contains("asked_for") ? law_from_json(json.at("asked_for")) : touch.law;
-  touch.depth = json.at("depth").get<double>();
+  touch.height_factor = json.at("depth").get<double>();
   const auto transient = haptics::transient_kind_from(json.value("transient", "none"));
   if (!transient) throw std::invalid_argument("contact transient");
   touch.transient = *transient;
@@ -105,7 +105,7 @@ std::string touch_json(const RecordedTouch& touch) {
   RecordedJson json = law_to_json(touch.law);
   const auto& place = touch.scene_from_device;
   json["asked_for"] = law_to_json(touch.asked_for);
-  json["depth"] = touch.depth;
+  json["depth"] = touch.height_factor;
   json["transient"] = haptics::name_of(touch.transient);
   json["materials"] = RecordedJson::array();
   for (const auto& material : touch.materials) json["materials"].push_back(material_to_json(material));
@@ -136,16 +136,16 @@ bool is_of(const RecordedTouch& touch, const SceneHash& hash) {
 
 Result<haptics::HapticScene> remade_scene(const RecordedTouch& touch, const models::Scene& scene,
                                           std::uint32_t id, haptics::DilatedRelief& kept) {
-  auto deep = with_depth(scene, touch.depth);
-  if (!deep) return std::move(deep).error();
-  if (deep->materials.size() != touch.materials.size())
+  auto scaled = with_height_factor(scene, touch.height_factor);
+  if (!scaled) return std::move(scaled).error();
+  if (scaled->materials.size() != touch.materials.size())
     return invalid_input("has another number of materials than the scene that was touched");
   for (std::size_t i = 0; i < touch.materials.size(); ++i) {
-    auto tile = std::move(deep->materials[i].texture.tile);
-    deep->materials[i] = touch.materials[i];
-    deep->materials[i].texture.tile = std::move(tile);
+    auto tile = std::move(scaled->materials[i].texture.tile);
+    scaled->materials[i] = touch.materials[i];
+    scaled->materials[i].texture.tile = std::move(tile);
   }
-  auto touchable = haptics::make_touchable(*deep, touch.law, &kept);
+  auto touchable = haptics::make_touchable(*scaled, touch.law, &kept);
   if (!touchable) return std::move(touchable).error();
   return haptics::HapticScene{std::move(*touchable), touch.scene_from_device, id,
                               haptics::transient_of(touch.transient)};

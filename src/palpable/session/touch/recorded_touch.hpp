@@ -22,7 +22,7 @@ struct RecordedTouch {
   haptics::LawParameters law;
   haptics::LawParameters asked_for;
   /// Height factor of a relief.
-  double depth = 1.0;
+  double height_factor = 1.0;
   haptics::TransientKind transient = haptics::TransientKind::none;
   /// One for each of the scene's; of a texture from a picture the forms are the scene's.
   std::vector<models::Material> materials;

@@ -26,7 +26,7 @@ RecordedTouch recorded_touch(const PreparedScene& prepared, const TouchSettings&
   RecordedTouch touch;
   touch.law = prepared.law;
   touch.asked_for = asked.law;
-  touch.depth = asked.depth;
+  touch.height_factor = asked.height_factor;
   touch.transient = prepared.transient;
   touch.materials = prepared.materials;
   touch.scene_from_device = prepared.scene.scene_from_device;

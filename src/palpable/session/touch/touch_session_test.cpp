@@ -49,7 +49,7 @@ TEST(TouchSession, KeepsThePointerAliveWhileSettingsOfALargeReliefAreDragged) {
   std::thread slider([&] {
     for (int step = 0; step < 12 && dragged; ++step) {
       settings.law.stiffness_N_per_m = 200.0 + 10.0 * step;
-      if (step % 4 == 3) settings.depth = 1.0 + 0.1 * step;
+      if (step % 4 == 3) settings.height_factor = 1.0 + 0.1 * step;
       dragged = session.change_settings(settings);
     }
     dragging = false;

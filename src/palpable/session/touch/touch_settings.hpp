@@ -36,7 +36,7 @@ struct TouchSettings {
   /// Only this law may be used, for example that of a paper: a scene that it does not support is refused.
   bool law_is_required = false;
   /// Factor of a relief's height, -4 ... 4; negative engraves, 0 is flat.
-  double depth = 1.0;
+  double height_factor = 1.0;
   Limits limits = Limits::of_device;
   /// Vibration of the surface after an impact (haptics/servo/transient_player.hpp).
   haptics::TransientKind transient = haptics::TransientKind::none;

@@ -39,8 +39,8 @@ class RandomHand {
   RandomHand(std::uint64_t seed, const models::Relief& surface, double fastest_m_per_s)
       : random_(seed),
         fastest_(fastest_m_per_s),
-        half_x_m_(0.48 * surface.width_m()),
-        half_y_m_(0.48 * surface.depth_m()),
+        half_x_m_(0.48 * surface.size_x_m()),
+        half_y_m_(0.48 * surface.size_y_m()),
         low_m_(surface.lowest_m() - 0.001),
         high_m_(surface.highest_m() + 0.003) {
     place_.x = between(random_, -half_x_m_, half_x_m_);
