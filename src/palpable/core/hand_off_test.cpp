@@ -43,7 +43,12 @@ TEST(LatestValue, NeverTearsNorGoesBackwardsBetweenThreads) {
   LatestValue<Wide> cell;
   std::atomic<bool> done{false};
   std::thread writer([&] {
-    for (std::uint64_t n = 1; !done.load(std::memory_order_relaxed); ++n) cell.put(Wide::of(n));
+    // Where both threads share a processor, one that never yields would exchange one value per time slice.
+    constexpr std::uint64_t kValuesAtOnce = 8;
+    for (std::uint64_t n = 1; !done.load(std::memory_order_relaxed); ++n) {
+      cell.put(Wide::of(n));
+      if (n % kValuesAtOnce == 0) std::this_thread::yield();
+    }
   });
   int exchanges = 0;
   std::uint64_t last = 0;

@@ -24,4 +24,15 @@ bool is_watertight(const Mesh& mesh) {
   });
 }
 
+std::vector<Vec3> vertex_normals(const Mesh& mesh) {
+  std::vector<Vec3> normals(mesh.vertices_m.size());
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.vertices_m[t[0]];
+    const Vec3 doubled_area = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
+    for (const std::uint32_t k : t) normals[k] += doubled_area;
+  }
+  for (Vec3& n : normals) n = squared_norm(n) > 0.0 ? unit(n) : Vec3{0, 0, 1};
+  return normals;
+}
+
 }  // namespace palpable

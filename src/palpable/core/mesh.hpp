@@ -23,4 +23,8 @@ struct Mesh {
 /// and no triangle repeats a vertex or refers to one that does not exist.
 bool is_watertight(const Mesh& mesh);
 
+/// A unit normal for each vertex: the mean of its triangles' normals, weighted by area; (0, 0, 1) where no
+/// triangle determines it. The triangles must refer to vertices that exist.
+std::vector<Vec3> vertex_normals(const Mesh& mesh);
+
 }  // namespace palpable

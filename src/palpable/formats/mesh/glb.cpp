@@ -58,17 +58,6 @@ class Parts {
   Json accessors_ = Json::array();
 };
 
-std::vector<Vec3> smooth_normals(const Mesh& mesh) {
-  std::vector<Vec3> normals(mesh.vertices_m.size());
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.vertices_m[t[0]];
-    const Vec3 area = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
-    for (const std::uint32_t k : t) normals[k] += area;
-  }
-  for (Vec3& n : normals) n = squared_norm(n) > 0.0 ? unit(n) : Vec3{0, 0, 1};
-  return normals;
-}
-
 // glTF's vertex colours are linear (glTF 2.0, 3.7.2.1), 16 bits each.
 std::uint16_t linear16(std::uint8_t srgb) {
   const double value = srgb / 255.0;
@@ -106,7 +95,7 @@ Json add_geometry(const Mesh& mesh, bool with_picture, std::span<const Rgb8> col
                                            {"type", "VEC3"},
                                            {"min", {single(low.x), single(low.y), single(low.z)}},
                                            {"max", {single(high.x), single(high.y), single(high.z)}}});
-  for (const Vec3 n : smooth_normals(mesh))
+  for (const Vec3 n : vertex_normals(mesh))
     for (const double c : {n.x, n.y, n.z}) write_float(parts.bytes(), c);
   attributes["NORMAL"] = parts.accessor({{"bufferView", parts.close(kVertexBuffer)},
                                          {"componentType", kFloat},

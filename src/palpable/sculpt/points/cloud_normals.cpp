@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/points/cloud_normals.hpp"
 
+#include "palpable/sculpt/points/plane_fit.hpp"
 #include "palpable/sculpt/points/point_index.hpp"
 #include "palpable/sculpt/triangles/box.hpp"
 
@@ -10,11 +11,10 @@
 #include <cmath>
 #include <cstdint>
 #include <queue>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
-
-#include <Eigen/Eigenvalues>
 
 namespace palpable::sculpt {
 namespace {
@@ -43,28 +43,13 @@ Neighbours nearest(const PointIndex& index, Vec3 p, std::uint32_t self, double g
   return neighbours;
 }
 
-/// The normal of the plane fitted to a point and its neighbours; its sign is undetermined.
+/// The normal of the plane through a point and its neighbours; its sign is undetermined.
 Vec3 normal_of(const std::vector<Vec3>& places, std::uint32_t self, const Neighbours& neighbours) {
-  Vec3 mean = places[self];
-  double count = 1.0;
+  std::array<Vec3, kNormalNeighbours + 1> around{places[self]};
+  std::size_t count = 1;
   for (const std::uint32_t i : neighbours)
-    if (i != kNoNeighbour) mean += places[i], count += 1.0;
-  mean = mean / count;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  const auto add = [&](Vec3 p) {
-    const Eigen::Vector3d d(p.x - mean.x, p.y - mean.y, p.z - mean.z);
-    spread += d * d.transpose();
-  };
-  add(places[self]);
-  for (const std::uint32_t i : neighbours)
-    if (i != kNoNeighbour) add(places[i]);
-  const double trace = spread.trace();
-  if (!(trace > 0.0)) return {0.0, 0.0, 1.0};
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(spread / trace);
-  const Eigen::Vector3d n = solver.eigenvectors().col(0);
-  const Vec3 normal = unit({n.x(), n.y(), n.z()});
-  return is_finite(normal) ? normal : Vec3{0.0, 0.0, 1.0};
+    if (i != kNoNeighbour) around[count++] = places[i];
+  return plane_through(std::span(around).first(count)).normal;
 }
 
 /// Orients the normals of each connected part consistently.

@@ -8,8 +8,6 @@
 #include <numbers>
 #include <random>
 
-#include <Eigen/Dense>
-
 namespace palpable::sculpt {
 namespace {
 
@@ -38,21 +36,6 @@ std::vector<Parameter> parameters_of(SlabOptions& o) {
           {"sampled_points", &o.sampled_points, {1, 1e6}, "", "points that a plane is compared with"},
           {"thickness", &o.thickness, {0.0001, 1.0}, "", "thickness of a slab over its longer side"},
           {"directions", &o.directions, {1, 1000}, "", "directions that are tried for its sides"}};
-}
-
-Plane plane_through(std::span<const Vec3> points_m) {
-  Vec3 middle;
-  for (const Vec3 p : points_m) middle += p;
-  middle = middle / static_cast<double>(points_m.size());
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Vec3 p : points_m) {
-    const Eigen::Vector3d d(p.x - middle.x, p.y - middle.y, p.z - middle.z);
-    moments += d * d.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments);
-  const Eigen::Vector3d n = solver.eigenvectors().col(0);
-  const Vec3 normal{n.x(), n.y(), n.z()};
-  return {normal, dot(normal, middle)};
 }
 
 double thickness_m(std::span<const Vec3> points_m) {

@@ -5,6 +5,7 @@
 #include "palpable/core/frame.hpp"
 #include "palpable/core/parameters.hpp"
 #include "palpable/models/field/superquadric.hpp"
+#include "palpable/sculpt/points/plane_fit.hpp"
 
 #include <optional>
 #include <span>
@@ -25,18 +26,7 @@ struct SlabOptions {
 
 std::vector<Parameter> parameters_of(SlabOptions& options);
 
-/// A plane n·p = offset, n a unit vector.
-struct Plane {
-  Vec3 normal{0.0, 0.0, 1.0};
-  double offset_m = 0.0;
-
-  double height_m(Vec3 p) const { return dot(normal, p) - offset_m; }
-};
-
-/// The least-squares plane of at least three points.
-Plane plane_through(std::span<const Vec3> points_m);
-
-/// Root mean square of the points' heights over their own plane.
+/// Root mean square of the points' heights over the plane through them.
 double thickness_m(std::span<const Vec3> points_m);
 
 /// The points within `reach_m` of the plane with most such points (RANSAC, deterministic for a seed); empty
