@@ -226,29 +226,29 @@ struct DistanceField::Descent {
   int last = kMostLevels + 1;
 };
 
-DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& way) const noexcept {
-  const auto differing = static_cast<unsigned>((x ^ way.cell[0]) | (y ^ way.cell[1]) | (z ^ way.cell[2]));
-  int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
+DistanceField::Leaf DistanceField::down_to(int x, int y, int z, Descent& path) const noexcept {
+  const auto differing = static_cast<unsigned>((x ^ path.cell[0]) | (y ^ path.cell[1]) | (z ^ path.cell[2]));
+  int level = std::max(path.last, static_cast<int>(std::bit_width(differing)));
   if (level > grid_.levels) {
     level = grid_.levels;
-    way.entries[static_cast<std::size_t>(level)] = tree_.roots[root_index(grid_, x, y, z)];
+    path.entries[static_cast<std::size_t>(level)] = tree_.roots[root_index(grid_, x, y, z)];
   }
-  std::uint32_t entry = way.entries[static_cast<std::size_t>(level)];
+  std::uint32_t entry = path.entries[static_cast<std::size_t>(level)];
   while ((entry & FieldTree::kLeaf) == 0) {
     --level;
     const int child = (x >> level & 1) | (y >> level & 1) << 1 | (z >> level & 1) << 2;
     entry = tree_.nodes[8 * static_cast<std::size_t>(entry) + static_cast<std::size_t>(child)];
-    way.entries[static_cast<std::size_t>(level)] = entry;
+    path.entries[static_cast<std::size_t>(level)] = entry;
   }
-  way.cell = {x, y, z};
-  way.last = level;
+  path.cell = {x, y, z};
+  path.last = level;
   const int mask = -(1 << level);
   return {{x & mask, y & mask, z & mask}, 1 << level, entry & ~FieldTree::kLeaf};
 }
 
 DistanceField::Leaf DistanceField::leaf_of(int x, int y, int z) const noexcept {
-  Descent way;
-  return down_to(x, y, z, way);
+  Descent path;
+  return down_to(x, y, z, path);
 }
 
 FieldSample DistanceField::leaf_sample(const Leaf& leaf, Vec3 cells) const noexcept {
@@ -265,15 +265,15 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   const int nx = grid_.cells(0), ny = grid_.cells(1), nz = grid_.cells(2);
   const Vec3 cells{held(wanted.x, nx), held(wanted.y, ny), held(wanted.z, nz)};
   const auto cell = [](double v, int n) { return std::min(static_cast<int>(v), n - 1); };
-  Descent way;
-  const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), way);
+  Descent path;
+  const Leaf home = down_to(cell(cells.x, nx), cell(cells.y, ny), cell(cells.z, nz), path);
   prefetch(&tree_.words[home.words]);
   const auto inside = [&](double v, std::size_t axis) {
     return v - 0.5 >= home.corner[axis] && v + 0.5 <= home.corner[axis] + home.side;
   };
   FieldSample sample = inside(cells.x, 0) && inside(cells.y, 1) && inside(cells.z, 2)
                            ? leaf_sample(home, cells)
-                           : mixed(cells, home, way);
+                           : mixed(cells, home, path);
   if (wanted != cells) {
     const Vec3 beyond = grid_.cell_m * (wanted - cells);
     const double length = norm(beyond);
@@ -283,16 +283,16 @@ FieldSample DistanceField::sample(Vec3 place_m) const noexcept {
   return sample;
 }
 
-FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept {
+FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept {
   const std::array<WindowSides, 3> sides{WindowSides(cells.x, grid_.cells(0)),
                                          WindowSides(cells.y, grid_.cells(1)),
                                          WindowSides(cells.z, grid_.cells(2))};
   // Most windows that leave their leaf leave it along one axis, to one other leaf.
   if (const std::size_t axis = only_axis_out_of(home, sides); axis < 3) {
     const WindowSide& side = sides[axis].out_of(home, axis);
-    std::array<int, 3> cell = way.cell;
+    std::array<int, 3> cell = path.cell;
     cell[axis] = side.cell;
-    const Leaf other = down_to(cell[0], cell[1], cell[2], way);
+    const Leaf other = down_to(cell[0], cell[1], cell[2], path);
     if (sides[(axis + 1) % 3].is_in(other, (axis + 1) % 3) &&
         sides[(axis + 2) % 3].is_in(other, (axis + 2) % 3))
       return blended(leaf_sample(home, cells), leaf_sample(other, cells), side, axis, cells_per_m_);
@@ -304,9 +304,9 @@ FieldSample DistanceField::mixed(Vec3 cells, const Leaf& home, Descent& way) con
   // The path to the middle leaf contains the last entry common to the paths to all eight.
   unsigned differing = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const int c : pairs[axis]) differing |= static_cast<unsigned>(c ^ way.cell[axis]);
-  const int level = std::max(way.last, static_cast<int>(std::bit_width(differing)));
-  const std::uint32_t from = level > grid_.levels ? 0 : way.entries[static_cast<std::size_t>(level)];
+    for (const int c : pairs[axis]) differing |= static_cast<unsigned>(c ^ path.cell[axis]);
+  const int level = std::max(path.last, static_cast<int>(std::bit_width(differing)));
+  const std::uint32_t from = level > grid_.levels ? 0 : path.entries[static_cast<std::size_t>(level)];
   const std::array<Leaf, 8> leaves = leaves_of(grid_, tree_, pairs, level, from);
   for (const Leaf& leaf : leaves) prefetch(&tree_.words[leaf.words]);
   // The distinct leaves under the window with their shares. Planes do not depend on the leaf's position, so

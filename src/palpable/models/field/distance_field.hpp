@@ -85,9 +85,9 @@ class DistanceField {
   /// The path down to a finest cell: the entry at each level.
   struct Descent;
   /// The leaf that contains a finest cell; reuses the entries that its path shares with the previous one.
-  Leaf down_to(int x, int y, int z, Descent& way) const noexcept;
-  /// The sample where the window reaches beyond the leaf `home`, whose path is `way`.
-  FieldSample mixed(Vec3 cells, const Leaf& home, Descent& way) const noexcept;
+  Leaf down_to(int x, int y, int z, Descent& path) const noexcept;
+  /// The sample where the window reaches beyond the leaf `home`, whose descent is `path`.
+  FieldSample mixed(Vec3 cells, const Leaf& home, Descent& path) const noexcept;
 
   FieldGrid grid_;
   FieldTree tree_;
