@@ -20,9 +20,8 @@
 
 // Runs stereo methods over the tuning set (stereo_scenes.hpp) and reports bad pixels by kind of scene:
 //
-//   palpable_stereo_set [--methods best,fast] [--seeds N] [--kinds rods,plain] [--set NAME=VALUE]… [--threads
-//   N]
-//                       [--json FILE] [--sheet FILE.png] [--sheet-method M]
+//   palpable_stereo_set [--methods best,fast] [--seeds N] [--kinds rods,plain] [--set NAME=VALUE]…
+//                       [--threads N] [--json FILE] [--sheet FILE.png] [--sheet-method M]
 //
 // --sheet writes a picture of all scenes, each with its truth and, with --sheet-method, that method's result.
 namespace palpable::bench {

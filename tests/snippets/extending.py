@@ -23,6 +23,9 @@ int main() {
 }
 """
 
+# Sources of core that are linked into test programs alone.
+OTHER_PROGRAMS = ("allocation_counter", "test_folder")
+
 
 def main() -> None:
     source, compiler, cmake = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
@@ -39,13 +42,14 @@ def main() -> None:
         subprocess.run(["git", "apply", "-"], input=diffs[0], text=True, cwd=copy, check=True)
         subprocess.run([cmake, f"-DSOURCE={copy}", "-P", copy / "cmake/CheckLayers.cmake"], check=True)
         subprocess.run([cmake, f"-DDOCUMENT={copy}/docs/architecture.md", "-P", copy / "cmake/CheckArchitecture.cmake"], check=True)
-        (copy / "main.cpp").write_text(PROGRAM, encoding="utf-8")
-        # What the copy's list of sources names, and what it uses of core.
+        # What the copy's list of sources names, and what it uses of core, as one file: headers are compiled once.
         listed = re.search(r"SOURCES(.*?)TESTS", (copy / "src/palpable/device/CMakeLists.txt").read_text(encoding="utf-8"), re.DOTALL)
-        devices = [copy / "src/palpable/device" / name for name in listed.group(1).split()]
-        core = [path for path in (copy / "src/palpable/core").glob("*.cpp") if not path.stem.endswith("_test") and path.stem != "allocation_counter"]
+        sources = [copy / "src/palpable/device" / name for name in listed.group(1).split()]
+        sources += [path for path in (copy / "src/palpable/core").rglob("*.cpp") if not path.stem.endswith("_test") and path.stem not in OTHER_PROGRAMS]
+        whole = "".join(f'#include "{path}"\n' for path in sources)
+        (copy / "main.cpp").write_text(whole + PROGRAM, encoding="utf-8")
         program = copy / "program"
-        subprocess.run([compiler, "-std=c++20", "-O0", f"-I{copy}/src", copy / "main.cpp", *devices, *core, "-pthread", "-lz", "-o", program], check=True)
+        subprocess.run([compiler, "-std=c++20", "-O0", f"-I{copy}/src", copy / "main.cpp", "-pthread", "-lz", "-o", program], check=True)
         subprocess.run([program], check=True)
 
 

@@ -83,10 +83,10 @@ std::size_t first_in_contact(const device::Recording& recording) {
   return n;
 }
 
-/// One touch of two seconds, made once for all tests.
+/// One touch of a second; each process of tests makes it once.
 const std::filesystem::path& one_touch() {
   static const std::filesystem::path file = [] {
-    const auto options = recorded_touch_of(2.0, "one-touch.rec");
+    const auto options = recorded_touch_of(1.0, "one-touch.rec");
     EXPECT_TRUE(touch_headless(makes({waves(0.010)}), options, {}));
     return options.recording;
   }();
