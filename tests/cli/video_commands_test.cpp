@@ -13,7 +13,7 @@
 #include "program.hpp"
 #include <gmock/gmock.h>
 
-// Films: small ones that are rendered here, a textured box on a textured table.
+// Videos: small ones that are rendered here, a textured box on a textured table.
 namespace palpable::test {
 namespace {
 
@@ -80,11 +80,11 @@ Raster<Rgb8> picture_from(Vec3 from, Vec3 at) {
 
 Vec3 on_arc(double angle) { return {0.45 * std::sin(angle), -0.45 * std::cos(angle), 0.4}; }
 
-class Films : public InFolder {
+class Videos : public InFolder {
  protected:
   /// A folder of pictures along an arc; returns its path.
-  std::string film(int frames = 14, double from = -0.35, double step = 0.05) const {
-    const std::filesystem::path to = folder_ / "film";
+  std::string video(int frames = 14, double from = -0.35, double step = 0.05) const {
+    const std::filesystem::path to = folder_ / "video";
     std::filesystem::create_directories(to);
     for (int i = 0; i < frames; ++i)
       (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
@@ -102,8 +102,8 @@ class Films : public InFolder {
   }
 };
 
-TEST_F(Films, GiveEveryOutputTogether) {
-  const std::string input = film();
+TEST_F(Videos, GiveEveryOutputTogether) {
+  const std::string input = video();
   Running running(make(input, {"--poses", path("p.csv"), "--structure", path("s.ply"), "--depth-dir",
                                path("depth"), "--report", path("r.html"), "--mesh", path("m.glb"), "--length",
                                "100 mm between 98.8,87.6 and 140.2,87.6 of frame 7", "--json"}));
@@ -127,15 +127,15 @@ TEST_F(Films, GiveEveryOutputTogether) {
   EXPECT_NEAR(size[2].get<double>(), 0.07, 0.03);
 }
 
-TEST_F(Films, WithoutDepthGetAReasonAndNothingIsWritten) {
+TEST_F(Videos, WithoutDepthGetAReasonAndNothingIsWritten) {
   struct Case {
     int frames;
     double step;
     const char* says;
   };
   for (const Case& c : {Case{1, 0.0, "fewer than two pictures"}, Case{6, 0.0, "the camera did not move"}}) {
-    std::filesystem::remove_all(folder_ / "film");
-    const Outcome made = palpable(make(film(c.frames, 0.0, c.step), {"--report", path("r.html")}));
+    std::filesystem::remove_all(folder_ / "video");
+    const Outcome made = palpable(make(video(c.frames, 0.0, c.step), {"--report", path("r.html")}));
     EXPECT_EQ(made.exit_code, 3) << made.err;
     EXPECT_THAT(made.err, HasSubstr(c.says));
     EXPECT_TRUE(is_one_sentence(made.err)) << made.err;
@@ -144,9 +144,9 @@ TEST_F(Films, WithoutDepthGetAReasonAndNothingIsWritten) {
   }
 }
 
-TEST_F(Films, OfOnePlainColourAskForTexture) {
-  (void)film(0);
-  const std::filesystem::path to = folder_ / "film";
+TEST_F(Videos, OfOnePlainColourAskForTexture) {
+  (void)video(0);
+  const std::filesystem::path to = folder_ / "video";
   for (int i = 0; i < 5; ++i)
     (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
                              Raster<Rgb8>(kWidth, kHeight, Rgb8{235, 235, 235}));
@@ -155,10 +155,10 @@ TEST_F(Films, OfOnePlainColourAskForTexture) {
   EXPECT_THAT(made.err, HasSubstr("one plain colour"));
 }
 
-TEST_F(Films, OfACameraThatOnlyTurnsSayThatItMustWalk) {
-  const std::filesystem::path to = folder_ / "film";
+TEST_F(Videos, OfACameraThatOnlyTurnsSayThatItMustWalk) {
+  const std::filesystem::path to = folder_ / "video";
   std::filesystem::create_directories(to);
-  (void)film(0);
+  (void)video(0);
   for (int i = 0; i < 10; ++i)
     (void)formats::write_png(to / (std::to_string(100 + i) + ".png"),
                              picture_from(on_arc(0.0), {0.02 * i - 0.1, 0, 0.02}));
@@ -167,8 +167,8 @@ TEST_F(Films, OfACameraThatOnlyTurnsSayThatItMustWalk) {
   EXPECT_THAT(made.err, HasSubstr("the camera only turned"));
 }
 
-TEST_F(Films, WithAWrongLengthAreRefusedBeforeAnyWork) {
-  const std::string input = film(4);
+TEST_F(Videos, WithAWrongLengthAreRefusedBeforeAnyWork) {
+  const std::string input = video(4);
   const Outcome words = palpable(make(input, {"--length", "long"}));
   EXPECT_EQ(words.exit_code, 2);
   EXPECT_THAT(words.err, HasSubstr("120 mm between"));
@@ -177,9 +177,9 @@ TEST_F(Films, WithAWrongLengthAreRefusedBeforeAnyWork) {
   EXPECT_THAT(frame.err, HasSubstr("frame 99"));
 }
 
-TEST_F(Films, EndAtOnceWhenInterrupted) {
-  const std::vector<std::string> words{"make",          film(40, -0.4, 0.02), "-o",       path("m.palp"),
-                                       "--calibration", path("camera.json"),  "--report", path("r.html"),
+TEST_F(Videos, EndAtOnceWhenInterrupted) {
+  const std::vector<std::string> words{"make",          video(40, -0.4, 0.02), "-o",       path("m.palp"),
+                                       "--calibration", path("camera.json"),   "--report", path("r.html"),
                                        "--set",         "video.depth.maps=38"};
   Running running(words);
   ASSERT_TRUE(running.catches(SIGINT, std::chrono::seconds(60)));
@@ -190,7 +190,7 @@ TEST_F(Films, EndAtOnceWhenInterrupted) {
   EXPECT_FALSE(std::filesystem::exists(path("r.html")));
 }
 
-TEST_F(Films, HaveMarkerSheetsAsSvgPdfAndPng) {
+TEST_F(Videos, HaveMarkerSheetsAsSvgPdfAndPng) {
   const Outcome sheet = palpable({"marker", "-o", path("sheet.svg"), "--side", "80"});
   ASSERT_EQ(sheet.exit_code, 0) << sheet.err;
   EXPECT_THAT(read_text(path("sheet.svg")), HasSubstr("<svg"));

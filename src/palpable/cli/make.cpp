@@ -102,8 +102,9 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   }
   const bool video = is_video(arguments.make.inputs, arguments.make.kind);
   if (video) arguments.video.poses = std::exchange(arguments.make.poses, {});
-  if (auto checked = check_video_outputs(arguments.video, video, files_of(arguments)); !checked)
-    return checked.error();
+  const auto checked = video ? check_video_outputs(arguments.video, files_of(arguments))
+                             : check_no_video_outputs(arguments.video);
+  if (!checked) return checked.error();
   auto options = make_options(arguments.make);
   if (!options) return options.error();
   if (*published && arguments.make.as.empty()) options->as = (*published)->as;
@@ -128,7 +129,7 @@ Result<Answer> make(MakeCommandArguments arguments, Console& console) {
   AtomicFiles files;
   if (made->video)
     if (const auto added = add_video_outputs(
-            arguments.video, {film_name(arguments.make.inputs), *made->video, scene, made->notes}, files,
+            arguments.video, {video_name(arguments.make.inputs), *made->video, scene, made->notes}, files,
             console.work());
         !added)
       return added.error();

@@ -45,7 +45,7 @@ Result<Answer> write_marker(const MarkerArguments& arguments) {
 void add_marker(Program& program) {
   const auto arguments = std::make_shared<MarkerArguments>();
   Options options =
-      add_command(program, "marker", "Write a sheet with a printed marker, which gives a film its scale",
+      add_command(program, "marker", "Write a sheet with a printed marker, which gives a video its scale",
                   "  palpable marker -o sheet.pdf\n"
                   "  palpable marker -o sheet.svg --side 100",
                   [arguments](Console&) { return write_marker(*arguments); });

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/cli/video_outputs.hpp"
 
-#include "palpable/cli/film_mesh.hpp"
-#include "palpable/cli/film_report.hpp"
+#include "palpable/cli/video_mesh.hpp"
+#include "palpable/cli/video_report.hpp"
 #include "palpable/core/atomic_file.hpp"
 #include "palpable/formats/mesh/ply.hpp"
 #include "palpable/formats/picture/png.hpp"
@@ -131,13 +131,13 @@ Result<void> check_depth_folder(const fs::path& folder) {
 void add_video_outputs(Options& options, VideoOutputs& outputs) {
   options.under("Videos");
   options.output("--structure", outputs.structure, {".ply"}, "Write the points that were found, PLY");
-  options.output("--report", outputs.report, {".html"}, "Write a page about the film and its result, HTML");
-  options.output("--mesh", outputs.mesh, {".glb"}, "Write the surface in the film's colours, GLB");
+  options.output("--report", outputs.report, {".html"}, "Write a page about the video and its result, HTML");
+  options.output("--mesh", outputs.mesh, {".glb"}, "Write the surface in the video's colours, GLB");
   options.text("--depth-dir", outputs.depth_folder,
                "Write the depth maps that were computed, 16-bit PNG, and their scale");
 }
 
-std::string film_name(const std::vector<std::string>& inputs) {
+std::string video_name(const std::vector<std::string>& inputs) {
   fs::path path(inputs.front());
   return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
@@ -151,34 +151,34 @@ bool is_video(const std::vector<std::string>& inputs, const std::string& kind) {
   return found && *found == sources::InputKind::video;
 }
 
-Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
-                                 const std::vector<std::string>& files) {
-  if (!video) {
-    for (const auto& [name, value] :
-         {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder),
-          std::pair("--report", &outputs.report), std::pair("--mesh", &outputs.mesh)})
-      if (!value->empty()) return Error{ErrorCode::usage, "only videos have this output", name};
-    return {};
-  }
+Result<void> check_no_video_outputs(const VideoOutputs& outputs) {
+  for (const auto& [name, value] :
+       {std::pair("--structure", &outputs.structure), std::pair("--depth-dir", &outputs.depth_folder),
+        std::pair("--report", &outputs.report), std::pair("--mesh", &outputs.mesh)})
+    if (!value->empty()) return Error{ErrorCode::usage, "only videos have this output", name};
+  return {};
+}
+
+Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& files) {
   if (!outputs.poses.empty())
     if (auto checked = check_poses_file(outputs.poses, files); !checked) return checked;
   return outputs.depth_folder.empty() ? Result<void>() : check_depth_folder(outputs.depth_folder);
 }
 
-Result<void> add_video_outputs(const VideoOutputs& outputs, const FilmResult& film, AtomicFiles& files,
+Result<void> add_video_outputs(const VideoOutputs& outputs, const VideoResult& result, AtomicFiles& files,
                                const Work& work) {
-  const VideoReconstruction& video = film.video;
+  const VideoReconstruction& video = result.video;
   if (!outputs.poses.empty())
     if (auto added = add_poses(outputs.poses, video, files); !added) return added;
   if (!outputs.structure.empty())
     if (auto added = add_structure(outputs.structure, video, files); !added) return added;
   if (!outputs.report.empty()) {
-    const auto page = film_report(film.name, video, film.scene, film.notes);
+    const auto page = video_report(result.name, video, result.scene, result.notes);
     if (!page) return page.error();
     if (auto added = add_text(outputs.report, *page, files); !added) return added;
   }
   if (!outputs.mesh.empty()) {
-    const auto glb = film_glb(video, film.scene, work);
+    const auto glb = video_glb(video, result.scene, work);
     if (!glb) return glb.error();
     if (auto added = files.add(outputs.mesh, *glb); !added) return added;
   }

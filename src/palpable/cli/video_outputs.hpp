@@ -20,38 +20,39 @@ struct VideoOutputs {
   std::string structure;
   /// A folder: depth maps as 16-bit PNG, and depth.json with their scale.
   std::string depth_folder;
-  /// A page about the film and its result, HTML.
+  /// A page about the video and its result, HTML.
   std::string report;
   /// The coloured surface, GLB.
   std::string mesh;
 };
 void add_video_outputs(Options& options, VideoOutputs& outputs);
 
-/// What a film became.
-struct FilmResult {
-  /// Of the film's file or folder.
+/// What a video became.
+struct VideoResult {
+  /// Of the video's file or folder.
   std::string name;
   const recipes::VideoReconstruction& video;
   const models::Scene& scene;
   const std::vector<Note>& notes;
 };
 
-/// The name of the film's file or folder.
-std::string film_name(const std::vector<std::string>& inputs);
+/// The name of the video's file or folder.
+std::string video_name(const std::vector<std::string>& inputs);
 
-/// Whether these inputs are one film, or the folder of a sequence. Then --poses is an output, else an input.
+/// Whether these inputs are one video, or the folder of a sequence. Then --poses is an output, else an input.
 bool is_video(const std::vector<std::string>& inputs, const std::string& kind);
 
 /// Checks before any work that all outputs can be written. `files`: the inputs and all other files of the
-/// command line, which must not be overwritten. Errors: usage for outputs if `video` is false (the input is
-/// not a video), for a file that is one of `files`, for a folder that is missing or contains other files;
-/// failed if the disk is full.
-Result<void> check_video_outputs(const VideoOutputs& outputs, bool video,
-                                 const std::vector<std::string>& files);
+/// command line, which must not be overwritten. Errors: usage for a file that is one of `files`, for a folder
+/// that is missing or contains other files; failed if the disk is full.
+Result<void> check_video_outputs(const VideoOutputs& outputs, const std::vector<std::string>& files);
+
+/// The check for other inputs, which have none of these outputs. Errors: usage for an output that is given.
+Result<void> check_no_video_outputs(const VideoOutputs& outputs);
 
 /// Adds the outputs to the command's files, which appear together. Errors: failed, as AtomicFiles::add(),
-/// film_report() and film_glb().
-Result<void> add_video_outputs(const VideoOutputs& outputs, const FilmResult& film, AtomicFiles& files,
+/// video_report() and video_glb().
+Result<void> add_video_outputs(const VideoOutputs& outputs, const VideoResult& result, AtomicFiles& files,
                                const Work& work);
 
 }  // namespace palpable::cli

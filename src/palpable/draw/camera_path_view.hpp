@@ -15,7 +15,7 @@ namespace palpable::draw {
 /// from the front side by side. `unit`: "mm", or "units" where the scale is unknown; values are in it.
 struct CameraPathView {
   std::vector<Vec3> points;
-  /// In the order of the film.
+  /// In the order of the video.
   std::vector<Vec3> cameras;
   std::string unit;
 };

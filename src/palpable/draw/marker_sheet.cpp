@@ -69,7 +69,7 @@ Figure marker_sheet(const Raster<std::uint8_t>& cells, int side_mm) {
             canvas.text(
                 "Lay the page flat on the table beside the model, with white paper all around the square. "
                 "Keep the "
-                "whole square in view in a part of the film. The film then shows how large the model is.",
+                "whole square in view in a part of the video. The video then shows how large the model is.",
                 {left, y}, {.size_px = 15.0, .wrap_px = width});
           }};
 }

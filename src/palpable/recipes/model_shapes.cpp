@@ -9,10 +9,10 @@
 namespace palpable::recipes {
 namespace {
 
-// The cells of the table, and the object that stands on each; 0 = none.
-class Ground {
+// The cells of the ground, and the object that stands on each; 0 = none.
+class GroundCells {
  public:
-  Ground(const FilmedModel& model, double cell_m)
+  GroundCells(const VideoModel& model, double cell_m)
       : least_(model.least),
         cell_m_(cell_m),
         width_(1 + static_cast<int>((model.most.x - model.least.x) / cell_m)),
@@ -69,11 +69,11 @@ struct LabelledPoints {
   std::size_t objects = 0;
 };
 
-// Points of the objects with their feet on the table; the largest objects first, at most 255.
-LabelledPoints objects_of(const FilmedModel& model, double extent, const ModelShapesOptions& options) {
+// Points of the objects with their feet on the ground; the largest objects first, at most 255.
+LabelledPoints objects_of(const VideoModel& model, double extent, const ModelShapesOptions& options) {
   const double area = (model.most.x - model.least.x) * (model.most.y - model.least.y);
   const double spacing = std::sqrt(area / std::max(1.0, static_cast<double>(model.raised.size())));
-  Ground ground(model, std::max(options.cell_share * extent, options.cell_spacings * spacing));
+  GroundCells ground(model, std::max(options.cell_share * extent, options.cell_spacings * spacing));
   for (const Vec3& p : model.raised) ground.add(p);
   const std::vector<std::size_t> counts =
       ground.find_objects(static_cast<std::size_t>(options.least_in_cell));
@@ -93,19 +93,19 @@ LabelledPoints objects_of(const FilmedModel& model, double extent, const ModelSh
   for (const Vec3& p : model.raised) {
     const std::uint8_t of = label[ground.object_at(p)];
     if (of == 0) continue;
-    for (const Vec3& place : {p, Vec3{p.x, p.y, model.table_height}})
+    for (const Vec3& place : {p, Vec3{p.x, p.y, model.ground_height}})
       out.points.push_back(place), out.labels.push_back(of);
   }
   return out;
 }
 
-models::Superquadric plate_of(const FilmedModel& model, double thickness) {
+models::Superquadric plate_of(const VideoModel& model, double thickness) {
   models::Superquadric plate;
   plate.e1 = plate.e2 = models::kLeastExponent;
   plate.size_m = {(model.most.x - model.least.x) / 2, (model.most.y - model.least.y) / 2, thickness / 2};
   plate.scene_from_shape.translation_m = {(model.most.x + model.least.x) / 2,
                                           (model.most.y + model.least.y) / 2,
-                                          model.table_height - thickness / 2};
+                                          model.ground_height - thickness / 2};
   return plate;
 }
 
@@ -126,7 +126,7 @@ std::vector<Parameter> parameters_of(ModelShapesOptions& o) {
   return out;
 }
 
-Result<ModelShapes> shapes_of_model(const FilmedModel& model, const ModelShapesOptions& options,
+Result<ModelShapes> shapes_of_model(const VideoModel& model, const ModelShapesOptions& options,
                                     const Work& work) {
   ModelShapesOptions checked_options = options;
   if (auto checked = check_ranges(checked_options); !checked) return checked.error();

@@ -6,7 +6,7 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/field/superquadric.hpp"
-#include "palpable/recipes/filmed_model.hpp"
+#include "palpable/recipes/video_model.hpp"
 #include "palpable/sculpt/superquadric/superquadric_set.hpp"
 
 #include <cstddef>
@@ -15,9 +15,9 @@
 
 namespace palpable::recipes {
 
-/// How superquadrics stand for a filmed model.
+/// How superquadrics approximate the model that a video shows.
 struct ModelShapesOptions {
-  /// Points belong to one object if they are connected above cells of the table with this share of the
+  /// Points belong to one object if they are connected above cells of the ground with this share of the
   /// model's extent, 0.001 … 0.1.
   double cell_share = 0.008;
   /// Objects with a smaller share of the points are left out, 0 … 0.5.
@@ -33,7 +33,7 @@ struct ModelShapesOptions {
 };
 std::vector<Parameter> parameters_of(ModelShapesOptions& options);
 
-/// Superquadrics of a filmed model, in the table's axes.
+/// Superquadrics of a video's model, in the ground's axes.
 struct ModelShapes {
   /// The base plate first.
   std::vector<models::Superquadric> shapes;
@@ -44,7 +44,7 @@ struct ModelShapes {
 /// more superquadrics. The points of an object and their feet on the table, which close its sides, are fitted
 /// (sculpt::fit_superquadrics()). A model without anything raised is its plate. Deterministic. Long work.
 /// Errors: usage for options out of range; as fit_superquadrics().
-Result<ModelShapes> shapes_of_model(const FilmedModel& model, const ModelShapesOptions& options,
+Result<ModelShapes> shapes_of_model(const VideoModel& model, const ModelShapesOptions& options,
                                     const Work& work);
 
 }  // namespace palpable::recipes

@@ -16,10 +16,10 @@ struct Block {
 };
 
 // Random points on the top and the sides of blocks on a table at height 0.
-FilmedModel model_of(const std::vector<Block>& blocks) {
+VideoModel model_of(const std::vector<Block>& blocks) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> unit(0, 1);
-  FilmedModel model;
+  VideoModel model;
   model.least = {-0.8, -0.5, -0.1}, model.most = {0.8, 0.5, 1};
   for (const Block& block : blocks)
     for (int i = 0; i < 4000; ++i) {
@@ -68,7 +68,7 @@ TEST(ModelShapes, GivesEachObjectItsOwnShapeOnThePlate) {
 }
 
 TEST(ModelShapes, IsThePlateWhereNothingIsRaised) {
-  FilmedModel model;
+  VideoModel model;
   model.least = {-1, -0.5, -0.1}, model.most = {1, 0.5, 0.1};
   const auto found = shapes_of_model(model, {}, {});
   ASSERT_TRUE(found);

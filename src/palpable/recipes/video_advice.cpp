@@ -43,8 +43,13 @@ std::vector<Parameter> parameters_of(VideoAdviceOptions& o) {
        {0, 1},
        "",
        "Advice on surfaces: least share of known depth"},
+      {"least_contrast",
+       &o.least_contrast,
+       {0, 255},
+       "levels",
+       "Least contrast of pictures that show something"},
       {"side_angle_deg", &o.side_angle_deg, {0, 90}, "degrees", "Least angle at which a side counts as seen"},
-      {"cut_share", &o.cut_share, {0, 1}, "", "Share of the points that stay, below which a film was cut"}};
+      {"cut_share", &o.cut_share, {0, 1}, "", "Share of the points that stay, below which a video was cut"}};
 }
 
 std::vector<int> shared_points(std::span<const vision::PointTrack> tracks, int frame_count) {
@@ -84,7 +89,7 @@ std::vector<Note> advice_on(const VideoFigures& f, const VideoAdviceOptions& opt
         "There are only {} pictures: film for at least five seconds, or take more pictures.", f.frames));
   if (!f.cuts.empty())
     out.emplace_back(fmt::format(
-        "The film was cut before frame {}: only one part of it could be used. Film the model in one go.",
+        "The video was cut before frame {}: only one part of it could be used. Film the model in one go.",
         f.cuts.front()));
   if (f.blurred > options.most_blurred * f.frames)
     out.emplace_back(fmt::format("{} of {} pictures are blurred: film more slowly, or in more light.",

@@ -13,13 +13,13 @@
 
 namespace palpable::recipes {
 
-/// Figures of a film and its reconstruction.
+/// Figures of a video and its reconstruction.
 struct VideoFigures {
   /// Frames that were read; of these, blurred ones and copies of the frame before, which were left out.
   int frames = 0, blurred = 0, copies = 0;
   /// Frames whose camera position was found, and the number of the frames that were tried.
   int posed = 0, tried = 0;
-  /// Numbers of the frames before which a film was cut.
+  /// Numbers of the frames before which a video was cut.
   std::vector<int> cuts;
   /// Median number of points that a frame shares with the next one.
   double followed_points = 0.0;
@@ -32,7 +32,7 @@ struct VideoFigures {
   bool left_seen = false, right_seen = false, front_seen = false, back_seen = false;
 };
 
-/// When a film gets advice. Every limit is one at which the result became visibly worse.
+/// When a video gets advice. Every limit is one at which the result became visibly worse.
 struct VideoAdviceOptions {
   /// Fewer frames than this, 0 … 1000.
   int least_frames = 12;
@@ -46,6 +46,9 @@ struct VideoAdviceOptions {
   double least_brightness = 0.18;
   /// Less known depth than this, 0 … 1.
   double least_known_depth = 0.5;
+  /// Pictures whose grey levels (1 % to 99 % of them) differ by less show one plain colour, levels of 255, 0
+  /// … 255.
+  int least_contrast = 25;
   /// A side is seen from this angle on, degrees, 0 … 90.
   double side_angle_deg = 10.0;
   /// A frame that shares fewer than this share of its points with the one before begins after a cut, 0 … 1.
@@ -66,7 +69,7 @@ void add_seen_sides(std::span<const Vec3> positions, Vec3 centre, const VideoAdv
                     VideoFigures& figures);
 
 /// What to do better, for people without technical knowledge; the most important first. Empty for a good
-/// film.
+/// video.
 std::vector<Note> advice_on(const VideoFigures& figures, const VideoAdviceOptions& options);
 
 }  // namespace palpable::recipes

@@ -41,11 +41,10 @@ double brightness_of(const std::vector<Raster<std::uint8_t>>& greys) {
 }
 
 // Whether grey levels differ by more than noise.
-bool shows_anything(const Raster<std::uint8_t>& grey) {
-  constexpr int kNoise = 24;
+bool shows_anything(const Raster<std::uint8_t>& grey, const VideoAdviceOptions& options) {
   std::vector<std::uint8_t> levels(grey.values().begin(), grey.values().end());
   const int low = quantile_of(levels, 0.01), high = quantile_of(levels, 0.99);
-  return high - low > kNoise;
+  return high - low >= options.least_contrast;
 }
 
 // Keeps the frame of a known length, even if it is blurred.
@@ -71,24 +70,24 @@ Result<Frames> frames_of(const std::vector<VideoFrame>& given, const VideoRecipe
     return !recipe.until || frame.number <= *recipe.until;
   });
   greys.resize(static_cast<std::size_t>(used));
-  auto chosen = vision::choose_frames(greys, recipe.frames, work);
-  if (!chosen) return chosen.error();
-  if (auto kept = keep_frame_of_length(given, recipe, chosen->kept); !kept) return kept.error();
+  auto usable = vision::usable_frames(greys, recipe.frames, work);
+  if (!usable) return usable.error();
+  if (auto kept = keep_frame_of_length(given, recipe, usable->kept); !kept) return kept.error();
   Frames out;
   out.figures.frames = static_cast<int>(used);
-  out.figures.blurred = chosen->blurred, out.figures.copies = chosen->copies;
-  out.figures.tried = static_cast<int>(chosen->kept.size());
+  out.figures.blurred = usable->blurred, out.figures.copies = usable->copies;
+  out.figures.tried = static_cast<int>(usable->kept.size());
   out.figures.brightness = brightness_of(greys);
-  for (const int i : chosen->kept) {
+  for (const int i : usable->kept) {
     if (recipe.length && given[static_cast<std::size_t>(i)].number == recipe.length->frame_number)
       out.of_length = static_cast<int>(out.frames.size());
     out.frames.push_back(&given[static_cast<std::size_t>(i)]);
     out.greys.push_back(std::move(greys[static_cast<std::size_t>(i)]));
   }
-  if (chosen->blurred + chosen->copies > 0)
+  if (usable->blurred + usable->copies > 0)
     out.notes.emplace_back(
         fmt::format("{} of {} frames were left out: {} blurred, {} the same as the one before.",
-                    chosen->blurred + chosen->copies, used, chosen->blurred, chosen->copies));
+                    usable->blurred + usable->copies, used, usable->blurred, usable->copies));
   return out;
 }
 
@@ -127,7 +126,7 @@ VideoReconstruction reconstruction_of(const Frames& frames, const CameraMotion& 
 }
 
 // What the maps show of the model, and the advice that follows from all figures.
-void judge(const FilmedModel& model, const VideoAdviceOptions& options, VideoReconstruction& video) {
+void judge(const VideoModel& model, const VideoAdviceOptions& options, VideoReconstruction& video) {
   const auto axes_from_world = model.axes.axes_from_world();
   std::vector<Vec3> positions;
   for (const auto& pose : video.poses)
@@ -162,7 +161,7 @@ FieldRecipe placed(const VideoRecipe& recipe, bool metric) {
   return field;
 }
 
-Result<MadeScene> fused_field(const FilmedModel& model, const std::vector<FrameDepth>& maps,
+Result<MadeScene> fused_field(const VideoModel& model, const std::vector<FrameDepth>& maps,
                               const VideoRecipe& recipe, const FieldRecipe& field, const Work& work) {
   std::vector<sculpt::DepthView> views;
   const auto axes_from_world = model.axes.axes_from_world();
@@ -171,7 +170,7 @@ Result<MadeScene> fused_field(const FilmedModel& model, const std::vector<FrameD
 }
 
 // The median distance of the model's points from the field's surface, metres of the scene.
-double distance_from(const models::Scene& scene, const FilmedModel& model) {
+double distance_from(const models::Scene& scene, const VideoModel& model) {
   const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model);
   if (field == nullptr || model.raised.empty()) return 0.0;
   std::vector<double> distances;
@@ -181,7 +180,7 @@ double distance_from(const models::Scene& scene, const FilmedModel& model) {
   return quantile_of(distances, 0.5);
 }
 
-Result<MadeScene> field_of_shapes(const FilmedModel& model, const VideoRecipe& recipe,
+Result<MadeScene> field_of_shapes(const VideoModel& model, const VideoRecipe& recipe,
                                   const FieldRecipe& field, const Work& work) {
   work.report(0.0, "fitting superquadrics");
   auto shapes = shapes_of_model(model, recipe.shapes, work);
@@ -193,14 +192,14 @@ Result<MadeScene> field_of_shapes(const FilmedModel& model, const VideoRecipe& r
   made->notes.insert(
       made->notes.begin(),
       Note(fmt::format(
-          "{} objects on the table became {} superquadrics, {:.2f} mm from the measured points (median).",
+          "{} objects on the ground became {} superquadrics, {:.2f} mm from the measured points (median).",
           shapes->objects, count, 1000 * before)));
   return made;
 }
 
 struct ScaledDepth {
   std::vector<FrameDepth> maps;
-  FilmScale scale;
+  VideoScale scale;
 };
 
 // Computes depth, and scales it and the motion to metres where a marker or a length is known.
@@ -239,8 +238,8 @@ Result<CameraMotion> motion_of(Frames& frames, const vision::VideoCamera& camera
              : vision::motion_from_tracks(*tracks, count, camera, recipe.motion, work);
 }
 
-// The field was made from values in the table's axes; its scene states the world of the poses as its input.
-void state_world(const FilmedModel& model, MadeScene& made, VideoReconstruction& video) {
+// The field was made from values in the ground's axes; its scene states the world of the poses as its input.
+void state_world(const VideoModel& model, MadeScene& made, VideoReconstruction& video) {
   const auto axes = model.axes.axes_from_world();
   Transform<models::InputFrame, models::InputFrame> axes_from_input;
   axes_from_input.rotation = axes.rotation, axes_from_input.translation_m = axes.translation_m;
@@ -250,7 +249,7 @@ void state_world(const FilmedModel& model, MadeScene& made, VideoReconstruction&
 }
 
 // All notes in the order in which a person needs them.
-std::vector<Note> notes_of(const Frames& frames, const VideoReconstruction& video, const FilmScale& scale,
+std::vector<Note> notes_of(const Frames& frames, const VideoReconstruction& video, const VideoScale& scale,
                            const std::vector<Note>& of_field) {
   std::vector<Note> out;
   out.emplace_back(fmt::format(
@@ -261,7 +260,7 @@ std::vector<Note> notes_of(const Frames& frames, const VideoReconstruction& vide
     out.insert(out.end(), notes->begin(), notes->end());
   if (!scale.metres_per_unit)
     out.emplace_back(
-        "No length is known, so the true size is not: show the printed marker in the film, or state a "
+        "No length is known, so the true size is not: show the printed marker in the video, or state a "
         "length.");
   return out;
 }
@@ -305,7 +304,7 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
     return invalid_input(
         "a single picture shows no depth: film the model, or take several pictures, while you walk around "
         "it");
-  if (frames->figures.tried < 2 && !shows_anything(frames->greys.front()))
+  if (frames->figures.tried < 2 && !shows_anything(frames->greys.front(), recipe.advice))
     return invalid_input(
         "the pictures show nothing but one plain colour: film the model on a printed cloth or a newspaper, "
         "in even light");
@@ -315,7 +314,7 @@ Result<MadeScene> field_from_video(const std::vector<VideoFrame>& given, const v
   if (!motion) return motion.error();
   auto depth = scaled_depth(*frames, recipe, *motion, work);
   if (!depth) return depth.error();
-  FilmedModel model = filmed_model(depth->maps, recipe.model, work.seed);
+  VideoModel model = video_model(depth->maps, recipe.model, work.seed);
   if (model.structure.places_m.empty())
     return invalid_input(
         "no surface looks the same from several directions: record it again, more slowly and in more light");

@@ -8,15 +8,15 @@
 #include "palpable/core/video_frame.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/recipes/field_recipe.hpp"
-#include "palpable/recipes/film_scale.hpp"
-#include "palpable/recipes/filmed_model.hpp"
 #include "palpable/recipes/made_scene.hpp"
 #include "palpable/recipes/model_shapes.hpp"
 #include "palpable/recipes/video_advice.hpp"
+#include "palpable/recipes/video_model.hpp"
+#include "palpable/recipes/video_scale.hpp"
 #include "palpable/sculpt/points/depth_fusion.hpp"
-#include "palpable/vision/motion/frame_choice.hpp"
 #include "palpable/vision/motion/photo_tracks.hpp"
 #include "palpable/vision/motion/recursive_motion.hpp"
+#include "palpable/vision/motion/usable_frames.hpp"
 #include "palpable/vision/motion/video_depth.hpp"
 
 #include <optional>
@@ -57,7 +57,7 @@ struct VideoRecipe {
   std::optional<int> until;
   /// Without it the scale is that of a printed marker, if one is seen, else arbitrary.
   std::optional<KnownLength> length;
-  vision::FrameChoiceOptions frames;
+  vision::UsableFrameOptions frames;
   vision::TrackOptions tracks;
   FollowingOptions following;
   /// Of pictures that were taken too far apart to be followed.
@@ -65,9 +65,9 @@ struct VideoRecipe {
   vision::BatchMotionOptions motion;
   vision::FilterMotionOptions filter;
   vision::VideoDepthOptions depth;
-  FilmedModelOptions model;
+  VideoModelOptions model;
   ModelShapesOptions shapes;
-  FilmScaleOptions scale;
+  VideoScaleOptions scale;
   VideoAdviceOptions advice;
   sculpt::FusionOptions fusion;
   FieldRecipe field;
@@ -106,7 +106,7 @@ std::vector<Parameter> parameters_of(VideoRecipe& recipe);
 /// where the pictures were taken too far apart, the camera's path is found
 /// (vision::motion_from_tracks()), the depth of frames along it is computed and fused. The plane on which
 /// most of it stands becomes the base, its upward direction points to the person. With a known scale the
-/// scene keeps its metres, centred, the table at z = 0; otherwise it is scaled to fit a hand. Frames in
+/// scene keeps its metres, centred, the ground at z = 0; otherwise it is scaled to fit a hand. Frames in
 /// order, all of the camera's size. Long work. Errors: usage for a known length in a frame that is not used;
 /// as vision::motion_from_tracks(), vision::depth_of_video(), sculpt::fused_depth() and
 /// field_from_level_set().

@@ -22,7 +22,7 @@ TEST(QuickVideo, HasFewerAndSmallerFramesAndTheirCamera) {
   EXPECT_EQ(quick.reduction, 0.5);
 }
 
-TEST(QuickVideo, KeepsASmallFilmAsItIs) {
+TEST(QuickVideo, KeepsASmallVideoAsItIs) {
   VideoInput video;
   for (int i = 0; i < 20; ++i) video.frames.push_back({i, Raster<Rgb8>(160, 120)});
   video.camera = {{150, 150, 79.5, 59.5, 160, 120}, false};

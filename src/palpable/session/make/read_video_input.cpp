@@ -19,10 +19,10 @@ namespace {
 // The focal length is refined from the video. It begins with the one that the pictures state, or a field of
 // view of 62 degrees across the longer side, as most phones have it.
 vision::VideoCamera unknown_camera(const sources::Video& video, std::vector<Note>& notes) {
-  constexpr double kUsual = 0.83, kFilmWidth_mm = 36.0;
+  constexpr double kUsual = 0.83, kFrameWidth_mm = 36.0;
   const int width = video.frames.front().picture.width(), height = video.frames.front().picture.height();
   const bool stated = video.focal_length_35mm.has_value();
-  const double of_longer_side = stated ? *video.focal_length_35mm / kFilmWidth_mm : kUsual;
+  const double of_longer_side = stated ? *video.focal_length_35mm / kFrameWidth_mm : kUsual;
   notes.emplace_back(stated ? "The camera's focal length was taken from the pictures and refined."
                             : "The camera's focal length is not given: it was estimated from the video.",
                      Reason::needs_calibration);

@@ -37,7 +37,7 @@ std::optional<InputKind> input_kind_from(std::string_view name);
 struct Input {
   InputKind kind = InputKind::picture;
   /// As given. picture, scene, mesh, points, shapes, level_set: one. stereo: two, left first, or one file
-  /// that holds both. depth: one, or its colour picture first and the depth second. video: one film, or the
+  /// that holds both. depth: one, or its colour picture first and the depth second. video: one video, or the
   /// pictures of a folder in the order of their names (numbers counted as numbers). map: one.
   std::vector<std::filesystem::path> files;
   /// Notes for the user.

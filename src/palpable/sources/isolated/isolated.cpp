@@ -162,7 +162,7 @@ Limits limits_of(Job job, std::size_t file_bytes) {
       limits.result_bytes = 16 * kMiB;
       break;
     case Job::video:
-      // Returned frames, and those that the codec keeps; a short file may contain a long film.
+      // Returned frames, and those that the codec keeps; a short file may contain a long video.
       limits.memory_bytes = kBase + 3072 * kMiB;
       limits.result_bytes = 1300 * kMiB;
       break;
@@ -175,8 +175,8 @@ Limits limits_of(Job job, std::size_t file_bytes) {
   if (const auto available = available_memory_bytes())
     limits.memory_bytes =
         std::min<std::uint64_t>(limits.memory_bytes, std::max<std::uint64_t>(*available, kBase));
-  constexpr std::uint64_t kStart = 8, kFilmStart = 60;
-  limits.processor_time = std::chrono::seconds((job == Job::video ? kFilmStart : kStart) + mebibytes);
+  constexpr std::uint64_t kStart = 8, kVideoStart = 60;
+  limits.processor_time = std::chrono::seconds((job == Job::video ? kVideoStart : kStart) + mebibytes);
   limits.time = 3 * limits.processor_time;
   return limits;
 }

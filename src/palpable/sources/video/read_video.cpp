@@ -51,7 +51,7 @@ Result<Video> read_pictures(std::span<const std::filesystem::path> files, const 
 
 Result<Video> read_video(std::span<const std::filesystem::path> files, const Work& work) {
   if (files.size() != 1) return read_pictures(files, work);
-  work.report(0.0, "reading the film");
+  work.report(0.0, "reading the video");
   const auto bytes = read_file(files.front());
   if (!bytes) return bytes.error();
   auto video = isolated::decode_video(*bytes);

@@ -13,17 +13,17 @@
 namespace palpable::sources {
 namespace {
 
-// 12 frames of 48 x 32 pixels, of which an edit list shows 7, as phones trim films.
+// 12 frames of 48 x 32 pixels, of which an edit list shows 7, as phones trim videos.
 const std::filesystem::path kTrimmed = std::filesystem::path(PALPABLE_VIDEO_EXAMPLES) / "trimmed.mp4";
 
-TEST(ReadVideo, FramesThatAFilmWasTrimmedByAreNotLost) {
+TEST(ReadVideo, FramesThatAVideoWasTrimmedByAreNotLost) {
   const auto video = read_video({&kTrimmed, 1}, {});
   ASSERT_TRUE(video) << video.error().sentence();
   EXPECT_EQ(video->frames.size(), 7U);
   EXPECT_EQ(video->lost, 0);
 }
 
-TEST(ReadVideo, FramesThatADamagedFilmStatesAreLost) {
+TEST(ReadVideo, FramesThatADamagedVideoStatesAreLost) {
   auto bytes = read_file(kTrimmed);
   ASSERT_TRUE(bytes);
   // The pictures begin behind the first 48 bytes; the description of all frames is at the end.

@@ -94,9 +94,9 @@ Raster<Rgb8> turned(const Raster<Rgb8>& picture, int turns) {
   return out;
 }
 
-class Film {
+class VideoFile {
  public:
-  explicit Film(std::span<const std::byte> file) : file_{file} {}
+  explicit VideoFile(std::span<const std::byte> file) : file_{file} {}
 
   Result<void> open() {
     av_log_set_level(AV_LOG_QUIET);
@@ -208,9 +208,9 @@ class Film {
     scaler_.reset(sws_getContext(
         width_, height_, static_cast<AVPixelFormat>(frame.format), scaled_width_, scaled_height_,
         AV_PIX_FMT_RGB24, SWS_AREA | SWS_FULL_CHR_H_INT | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
-    const bool lies = turns_ % 2 == 1;
-    video_.full_width = lies ? height_ : width_;
-    video_.full_height = lies ? width_ : height_;
+    const bool is_turned = turns_ % 2 == 1;
+    video_.full_width = is_turned ? height_ : width_;
+    video_.full_height = is_turned ? width_ : height_;
   }
 
   MemoryFile file_;
@@ -223,7 +223,7 @@ class Film {
   int turns_ = 0;
   int step_ = 1;
   int number_ = 0;
-  // Packets of trimmed frames, which are decoded for the others' sake.
+  // Packets of trimmed frames, which are decoded because later frames need them.
   int hidden_ = 0;
   int width_ = 0, height_ = 0, format_of_frames_ = 0;
   int scaled_width_ = 0, scaled_height_ = 0;
@@ -233,9 +233,9 @@ class Film {
 }  // namespace
 
 Result<Video> decode_video(std::span<const std::byte> file) {
-  Film film(file);
-  if (auto opened = film.open(); !opened) return opened.error();
-  return film.read();
+  VideoFile video(file);
+  if (auto opened = video.open(); !opened) return opened.error();
+  return video.read();
 }
 
 }  // namespace palpable::sources

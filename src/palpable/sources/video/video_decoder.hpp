@@ -10,8 +10,8 @@
 
 namespace palpable::sources {
 
-/// Decodes a film with FFmpeg. It may crash or hang on a malicious file: only for the decoder process and the
-/// fuzzers; all others call isolated::decode_video(). Errors, without a place: invalid_input.
+/// Decodes a video with FFmpeg. It may crash or hang on a malicious file: only for the decoder process and
+/// the fuzzers; all others call isolated::decode_video(). Errors, without a place: invalid_input.
 Result<Video> decode_video(std::span<const std::byte> file);
 
 }  // namespace palpable::sources

@@ -18,7 +18,7 @@ std::vector<std::byte> reply_of(const Video& video);
 /// invalid_input for an invalid reply.
 Result<Video> video_in(std::span<const std::byte> reply);
 
-/// Decodes a film in a separate process. Errors as video_decoder.hpp, and those of isolated::decode().
+/// Decodes a video in a separate process. Errors as video_decoder.hpp, and those of isolated::decode().
 Result<Video> decode_video(std::span<const std::byte> file);
 
 }  // namespace palpable::sources::isolated

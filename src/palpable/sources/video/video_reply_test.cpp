@@ -43,7 +43,7 @@ TEST(VideoReply, IsRefusedIfTruncatedTooLongOrWithInvalidNumbers) {
 }
 
 // YUV4MPEG2: a video format that is simple to write.
-std::string film(int width, int height, int frames) {
+std::string video_file(int width, int height, int frames) {
   std::string out =
       "YUV4MPEG2 W" + std::to_string(width) + " H" + std::to_string(height) + " F30:1 Ip A1:1 C420jpeg\n";
   const auto pixels = static_cast<std::size_t>(width * height);
@@ -57,8 +57,8 @@ std::string film(int width, int height, int frames) {
 
 std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-TEST(DecodeVideo, GivesTheFramesOfAFilm) {
-  const auto video = decode_video(bytes_of(film(32, 16, 5)));
+TEST(DecodeVideo, GivesTheFramesOfAVideo) {
+  const auto video = decode_video(bytes_of(video_file(32, 16, 5)));
   ASSERT_TRUE(video) << video.error().sentence();
   ASSERT_EQ(video->frames.size(), 5U);
   for (int i = 0; i < 5; ++i) {
@@ -69,7 +69,7 @@ TEST(DecodeVideo, GivesTheFramesOfAFilm) {
 }
 
 TEST(DecodeVideo, ReducesLongSides) {
-  const auto video = decode_video(bytes_of(film(1920, 40, 2)));
+  const auto video = decode_video(bytes_of(video_file(1920, 40, 2)));
   ASSERT_TRUE(video) << video.error().sentence();
   EXPECT_EQ(video->frames[0].picture.width(), kLongestVideoSide);
   EXPECT_EQ(video->frames[0].picture.height(), 20);
@@ -77,8 +77,8 @@ TEST(DecodeVideo, ReducesLongSides) {
 }
 
 TEST(DecodeVideo, RefusesOtherFiles) {
-  EXPECT_FALSE(decode_video(bytes_of(std::string("no film at all, but some words"))));
-  EXPECT_FALSE(decode_video(bytes_of(film(32, 16, 0))));
+  EXPECT_FALSE(decode_video(bytes_of(std::string("no video at all, but some words"))));
+  EXPECT_FALSE(decode_video(bytes_of(video_file(32, 16, 0))));
   EXPECT_FALSE(decode_video({}));
 }
 

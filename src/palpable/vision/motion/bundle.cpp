@@ -66,12 +66,12 @@ double projection_error_px(const Pinhole& camera, const BundlePose& pose, const 
 
 void adjust_bundle(Bundle& bundle, const Pinhole& camera, const BundleOptions& options, const Work& work) {
   ceres::Problem problem;
-  for (const Sighting& sighting : bundle.sightings) {
+  for (const Observation& observation : bundle.observations) {
     auto* cost = new ceres::AutoDiffCostFunction<ProjectionError, 2, 6, 3, 1>(
-        new ProjectionError{&camera, sighting.place});  // owned by the problem
+        new ProjectionError{&camera, observation.place});  // owned by the problem
     problem.AddResidualBlock(cost, new ceres::HuberLoss(options.robust_px),
-                             bundle.poses[static_cast<std::size_t>(sighting.pose)].data(),
-                             bundle.points[static_cast<std::size_t>(sighting.point)].data(),
+                             bundle.poses[static_cast<std::size_t>(observation.pose)].data(),
+                             bundle.points[static_cast<std::size_t>(observation.point)].data(),
                              &bundle.focal_scale);
   }
   if (problem.HasParameterBlock(bundle.poses[0].data()))

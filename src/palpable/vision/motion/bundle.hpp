@@ -18,7 +18,7 @@ BundlePose bundle_pose(const CameraPose& world_from_camera);
 CameraPose camera_pose(const BundlePose& pose);
 
 /// An observation of a point in a frame.
-struct Sighting {
+struct Observation {
   int pose = 0;
   int point = 0;
   ImagePoint place;
@@ -28,7 +28,7 @@ struct Sighting {
 struct Bundle {
   std::vector<BundlePose> poses;
   std::vector<std::array<double, 3>> points;
-  std::vector<Sighting> sightings;
+  std::vector<Observation> observations;
   /// Factor of both focal lengths.
   double focal_scale = 1.0;
 };

@@ -21,7 +21,7 @@ struct StructurePoint {
   std::size_t track = 0;
 };
 
-/// Structure and motion: camera poses and scene points. The scale is arbitrary, since the size of a filmed
+/// Structure and motion: camera poses and scene points. The scale is arbitrary, since the size of a
 /// scene cannot be determined without a known length.
 struct CameraMotion {
   /// The given camera, or one with the estimated focal length.
@@ -48,6 +48,17 @@ struct BatchMotionOptions {
   double robust_px = 0.7;
   /// Least number of points for a frame's pose, 6 … 1000.
   int least_points = 20;
+  /// A keyframe whose pose lost its points is added again at most this many times, 1 … 100.
+  int most_attempts = 8;
+  /// Everything is refined after this many added keyframes, 1 … 100 …
+  int refined_every = 3;
+  /// … with at most this many iterations; 1 … 1000 as the two below.
+  int early_iterations = 5;
+  /// Of the refinement when all keyframes are added, and of each of the two after it.
+  int keyframe_iterations = 20, final_iterations = 30;
+  /// Poses from which on an unknown focal length is refined, 2 … 100: with fewer views a longer one cannot be
+  /// distinguished from a greater distance.
+  int views_for_focal_length = 4;
 };
 std::vector<Parameter> parameters_of(BatchMotionOptions& options);
 

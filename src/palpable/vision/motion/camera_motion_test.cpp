@@ -25,17 +25,17 @@ CameraPose pose_at(double angle, bool turns_only) {
   return pose;
 }
 
-struct Filmed {
+struct SeenScene {
   std::vector<CameraPose> poses;
   std::vector<PointTrack> tracks;
 };
 
 // Points around the origin, observed by all cameras, with Gaussian noise.
-Filmed film(double arc, bool turns_only, double noise_px) {
+SeenScene seen_from_arc(double arc, bool turns_only, double noise_px) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> place(-0.25, 0.25);
   std::normal_distribution<double> noise(0.0, noise_px > 0 ? noise_px : 1.0);
-  Filmed out;
+  SeenScene out;
   for (int i = 0; i < kFrames; ++i) out.poses.push_back(pose_at(arc * i / (kFrames - 1), turns_only));
   for (int p = 0; p < 200; ++p) {
     const Point<WorldFrame> point{{place(random), place(random), place(random)}};
@@ -53,7 +53,7 @@ Filmed film(double arc, bool turns_only, double noise_px) {
 
 // Compares with the truth: the angle between the cameras of two frames, and the ratios of the path's length
 // between three frames.
-void expect_same_path(const CameraMotion& motion, const Filmed& truth, double tolerance) {
+void expect_same_path(const CameraMotion& motion, const SeenScene& truth, double tolerance) {
   const auto turned = [](const CameraPose& a, const CameraPose& b) {
     const auto between = a.inverse() * b;
     return std::acos(
@@ -73,7 +73,7 @@ void expect_same_path(const CameraMotion& motion, const Filmed& truth, double to
 }
 
 TEST(CameraMotion, IsExactForExactTracks) {
-  const Filmed truth = film(0.6, false, 0.0);
+  const SeenScene truth = seen_from_arc(0.6, false, 0.0);
   const auto motion = motion_from_tracks(truth.tracks, kFrames, {kCamera, true}, {}, {});
   ASSERT_TRUE(motion);
   EXPECT_LT(motion->reprojection_rms_px, 1e-3);
@@ -82,7 +82,7 @@ TEST(CameraMotion, IsExactForExactTracks) {
 }
 
 TEST(CameraMotion, ToleratesNoiseAndWrongTracks) {
-  Filmed truth = film(0.6, false, 0.3);
+  SeenScene truth = seen_from_arc(0.6, false, 0.3);
   for (std::size_t i = 0; i < truth.tracks.size(); i += 10)
     for (std::size_t k = 0; k < truth.tracks[i].places.size(); ++k)
       truth.tracks[i].places[k] = {3.0 * static_cast<double>(k) + static_cast<double>(i), 200};
@@ -93,7 +93,7 @@ TEST(CameraMotion, ToleratesNoiseAndWrongTracks) {
 }
 
 TEST(CameraMotion, FindsAnUnknownFocalLength) {
-  const Filmed truth = film(0.8, false, 0.1);
+  const SeenScene truth = seen_from_arc(0.8, false, 0.1);
   Pinhole wrong = kCamera;
   wrong.fx = wrong.fy = 620;
   const auto motion = motion_from_tracks(truth.tracks, kFrames, {wrong, false}, {}, {});
@@ -103,7 +103,7 @@ TEST(CameraMotion, FindsAnUnknownFocalLength) {
 }
 
 TEST(CameraMotion, ReportsACameraThatOnlyRotates) {
-  const Filmed truth = film(0.3, true, 0.1);
+  const SeenScene truth = seen_from_arc(0.3, true, 0.1);
   const auto motion = motion_from_tracks(truth.tracks, kFrames, {kCamera, true}, {}, {});
   ASSERT_FALSE(motion);
   EXPECT_EQ(motion.error().code, ErrorCode::invalid_input);
@@ -112,7 +112,7 @@ TEST(CameraMotion, ReportsACameraThatOnlyRotates) {
 
 TEST(CameraMotion, FailsWithoutTracksAndWithoutMovement) {
   EXPECT_FALSE(motion_from_tracks({}, kFrames, {kCamera, true}, {}, {}));
-  const Filmed still = film(0.0, false, 0.1);
+  const SeenScene still = seen_from_arc(0.0, false, 0.1);
   EXPECT_FALSE(motion_from_tracks(still.tracks, kFrames, {kCamera, true}, {}, {}));
 }
 

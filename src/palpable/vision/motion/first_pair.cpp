@@ -78,8 +78,8 @@ std::optional<FirstPair> relative_pose(const CommonPlaces& places, const Pinhole
   FirstPair out{0, 0, pose_of(rotation, translation), 0};
   for (std::size_t i = 0; i < places.first.size(); ++i) {
     if (inliers.at<std::uint8_t>(static_cast<int>(i)) == 0) continue;
-    const PosedSighting both[] = {{BundlePose{}, {places.first[i].x, places.first[i].y}},
-                                  {out.second_pose, {places.second[i].x, places.second[i].y}}};
+    const PosedObservation both[] = {{BundlePose{}, {places.first[i].x, places.first[i].y}},
+                                     {out.second_pose, {places.second[i].x, places.second[i].y}}};
     if (triangulated_point(both, camera, {options.least_angle_deg, options.outlier_px})) ++out.points;
   }
   return out;

@@ -14,12 +14,12 @@
 namespace palpable::vision {
 namespace {
 
-using Corners = std::array<std::vector<PosedSighting>, 4>;
+using Corners = std::array<std::vector<PosedObservation>, 4>;
 
-// The sightings of the corners of each marker.
-std::map<int, Corners> sightings_of_markers(std::span<const Raster<std::uint8_t>> greys,
-                                            const CameraMotion& motion, const MarkerOptions& options,
-                                            const Work& work) {
+// The observations of the corners of each marker.
+std::map<int, Corners> observations_of_markers(std::span<const Raster<std::uint8_t>> greys,
+                                               const CameraMotion& motion, const MarkerOptions& options,
+                                               const Work& work) {
   std::map<int, Corners> out;
   const std::size_t step = (greys.size() + static_cast<std::size_t>(options.most_frames) - 1) /
                            static_cast<std::size_t>(options.most_frames);
@@ -33,12 +33,12 @@ std::map<int, Corners> sightings_of_markers(std::span<const Raster<std::uint8_t>
 }
 
 // The point of a corner, without the frames in which it was found somewhere else: at most a third of them.
-std::optional<Vec3> corner_of(std::vector<PosedSighting> seen, const Pinhole& camera, double outlier_px) {
+std::optional<Vec3> corner_of(std::vector<PosedObservation> seen, const Pinhole& camera, double outlier_px) {
   constexpr double kAny_px = 1e9, kLeastAngle_deg = 1.0;
   for (std::size_t left = seen.size() / 3 + 1; left > 0 && seen.size() >= 2; --left) {
     const auto point = triangulated_point(seen, camera, {kLeastAngle_deg, kAny_px});
     if (!point) return std::nullopt;
-    const auto error = [&](const PosedSighting& one) {
+    const auto error = [&](const PosedObservation& one) {
       return projection_error_px(camera, one.pose, *point, one.place);
     };
     const auto worst = std::max_element(seen.begin(), seen.end(),
@@ -74,7 +74,7 @@ std::optional<MarkerScale> scale_from_markers(std::span<const Raster<std::uint8_
                                               const CameraMotion& motion, const MarkerOptions& options,
                                               const Work& work) {
   std::optional<MarkerScale> best;
-  for (const auto& [side_mm, seen] : sightings_of_markers(greys, motion, options, work)) {
+  for (const auto& [side_mm, seen] : observations_of_markers(greys, motion, options, work)) {
     if (seen[0].size() < 2 || (best && static_cast<int>(seen[0].size()) <= best->frames)) continue;
     if (const auto scale = scale_of(side_mm, seen, motion.camera, options)) best = scale;
   }

@@ -53,12 +53,12 @@ Raster<std::uint8_t> picture_of_marker(int side_mm, double side, const CameraPos
   return out;
 }
 
-struct MarkerFilm {
+struct MarkerVideo {
   CameraMotion motion;
   std::vector<Raster<std::uint8_t>> greys;
 };
-MarkerFilm film_of_marker(int side_mm, double side) {
-  MarkerFilm out;
+MarkerVideo video_of_marker(int side_mm, double side) {
+  MarkerVideo out;
   out.motion.camera = kMarkerCamera;
   for (int i = 0; i < 8; ++i) {
     const CameraPose pose = on_arc(0.08 * i - 0.3, 1.0);
@@ -97,8 +97,8 @@ TEST(FindMarkers, FindsNoneInAMirroredOrDamagedOne) {
 
 TEST(ScaleFromMarkers, IsThatOfThePrintedSide) {
   // 0.15 units are 60 mm.
-  const MarkerFilm film = film_of_marker(60, 0.15);
-  const auto scale = scale_from_markers(film.greys, film.motion, {}, {});
+  const MarkerVideo video = video_of_marker(60, 0.15);
+  const auto scale = scale_from_markers(video.greys, video.motion, {}, {});
   ASSERT_TRUE(scale);
   EXPECT_EQ(scale->side_mm, 60);
   EXPECT_EQ(scale->frames, 8);
@@ -106,24 +106,24 @@ TEST(ScaleFromMarkers, IsThatOfThePrintedSide) {
 }
 
 TEST(ScaleFromMarkers, IsUnknownWithoutAMarkerOrWithOnePoseOnly) {
-  MarkerFilm film = film_of_marker(60, 0.15);
-  for (std::size_t i = 1; i < film.motion.poses.size(); ++i) film.motion.poses[i].reset();
-  EXPECT_FALSE(scale_from_markers(film.greys, film.motion, {}, {}));
-  film = film_of_marker(60, 0.15);
-  for (auto& grey : film.greys) grey = Raster<std::uint8_t>(640, 480, 128);
-  EXPECT_FALSE(scale_from_markers(film.greys, film.motion, {}, {}));
+  MarkerVideo video = video_of_marker(60, 0.15);
+  for (std::size_t i = 1; i < video.motion.poses.size(); ++i) video.motion.poses[i].reset();
+  EXPECT_FALSE(scale_from_markers(video.greys, video.motion, {}, {}));
+  video = video_of_marker(60, 0.15);
+  for (auto& grey : video.greys) grey = Raster<std::uint8_t>(640, 480, 128);
+  EXPECT_FALSE(scale_from_markers(video.greys, video.motion, {}, {}));
 }
 
 TEST(ScaleFromMarkers, IsRefusedIfTheCornersFormNoSquare) {
-  MarkerFilm film = film_of_marker(60, 0.15);
+  MarkerVideo video = video_of_marker(60, 0.15);
   // The pictures are stretched, the camera is the same: no square.
-  for (auto& grey : film.greys) {
+  for (auto& grey : video.greys) {
     const cv::Mat from = grey_view_of(grey).clone();
     cv::Mat to(480, 640, CV_8U, grey.data());
     const cv::Matx23d wide(1.3, 0, -0.3 * 319.5, 0, 1, 0);
     cv::warpAffine(from, to, wide, to.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   }
-  EXPECT_FALSE(scale_from_markers(film.greys, film.motion, {}, {}));
+  EXPECT_FALSE(scale_from_markers(video.greys, video.motion, {}, {}));
 }
 
 TEST(ScaleMotion, MultipliesEveryLength) {

@@ -18,9 +18,6 @@ auto& at(T& values, int index) {
   return values[static_cast<std::size_t>(index)];
 }
 
-// So often a keyframe is added again after its pose lost its points.
-constexpr int kMostAttempts = 8;
-
 }  // namespace
 
 Reconstruction::Reconstruction(std::span<const PointTrack> tracks, std::vector<int> frames,
@@ -51,7 +48,7 @@ std::vector<std::size_t> Reconstruction::seen_points(int frame) const {
 int Reconstruction::next_keyframe() const {
   int best = -1, most = options_.least_points - 1;
   for (int k = 0; k < static_cast<int>(frames_.size()); ++k) {
-    if (at(poses_, k) || refused_.contains(k) || at(attempts_, k) >= kMostAttempts) continue;
+    if (at(poses_, k) || refused_.contains(k) || at(attempts_, k) >= options_.most_attempts) continue;
     const int seen = static_cast<int>(seen_points(at(frames_, k)).size());
     if (seen > most) most = seen, best = k;
   }
@@ -119,8 +116,8 @@ void Reconstruction::drop_unsupported_poses() {
   }
 }
 
-std::vector<PosedSighting> Reconstruction::sightings_of(std::size_t track) const {
-  std::vector<PosedSighting> out;
+std::vector<PosedObservation> Reconstruction::observations_of(std::size_t track) const {
+  std::vector<PosedObservation> out;
   for (int k = 0; k < static_cast<int>(frames_.size()); ++k)
     if (at(poses_, k) && tracks_[track].in_frame(at(frames_, k)))
       out.push_back({*at(poses_, k), tracks_[track].in(at(frames_, k))});
@@ -131,7 +128,7 @@ void Reconstruction::triangulate_all() {
   for (std::size_t i = 0; i < tracks_.size(); ++i)
     if (!points_[i])
       points_[i] =
-          triangulated_point(sightings_of(i), camera_, {options_.least_angle_deg, options_.outlier_px});
+          triangulated_point(observations_of(i), camera_, {options_.least_angle_deg, options_.outlier_px});
 }
 
 void Reconstruction::refine(int iterations, const Work& work) {
@@ -144,14 +141,13 @@ void Reconstruction::refine(int iterations, const Work& work) {
     if (!points_[i]) continue;
     for (std::size_t k = 0; k < frames_.size(); ++k)
       if (poses_[k] && tracks_[i].in_frame(frames_[k]))
-        bundle.sightings.push_back(
+        bundle.observations.push_back(
             {pose_index[k], static_cast<int>(bundle.points.size()), tracks_[i].in(frames_[k])});
     bundle.points.push_back(*points_[i]);
     point_tracks.push_back(i);
   }
-  // With fewer views a longer focal length cannot be distinguished from a greater distance.
-  constexpr std::size_t kViewsForFocalLength = 4;
-  const bool refine_focal = !focal_length_known_ && bundle.poses.size() >= kViewsForFocalLength;
+  const bool refine_focal =
+      !focal_length_known_ && std::ssize(bundle.poses) >= options_.views_for_focal_length;
   adjust_bundle(
       bundle, camera_,
       {.robust_px = options_.robust_px, .most_iterations = iterations, .refine_focal_length = refine_focal},
@@ -160,7 +156,7 @@ void Reconstruction::refine(int iterations, const Work& work) {
   for (std::size_t k = 0; k < frames_.size(); ++k)
     if (poses_[k]) poses_[k] = at(bundle.poses, pose_index[k]);
   std::vector<double> worst(bundle.points.size(), 0.0);
-  for (const Sighting& s : bundle.sightings)
+  for (const Observation& s : bundle.observations)
     at(worst, s.point) =
         std::max(at(worst, s.point),
                  projection_error_px(camera_, at(bundle.poses, s.pose), at(bundle.points, s.point), s.place));

@@ -41,7 +41,7 @@ class Reconstruction {
   std::vector<std::size_t> seen_points(int frame) const;
   const BundlePose* nearest_pose(int index) const;
   std::optional<BundlePose> pose_from_points(int frame, const BundlePose* guess) const;
-  std::vector<PosedSighting> sightings_of(std::size_t track) const;
+  std::vector<PosedObservation> observations_of(std::size_t track) const;
 
   std::span<const PointTrack> tracks_;
   std::vector<int> frames_;

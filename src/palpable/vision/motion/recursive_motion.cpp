@@ -72,7 +72,8 @@ bool FilterRun::begin(int first, int second, const BundlePose& second_pose) {
   std::vector<Start> starts;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     if (!tracks_[i].in_frame(first) || !tracks_[i].in_frame(second)) continue;
-    const PosedSighting both[] = {{BundlePose{}, tracks_[i].in(first)}, {second_pose, tracks_[i].in(second)}};
+    const PosedObservation both[] = {{BundlePose{}, tracks_[i].in(first)},
+                                     {second_pose, tracks_[i].in(second)}};
     const auto point =
         triangulated_point(both, filter_.camera(), {options_.least_angle_deg, options_.outlier_px});
     if (point) starts.push_back({i, (*point)[2]});
@@ -188,16 +189,16 @@ bool FilterRun::has_poses() const {
 std::optional<std::array<double, 3>> FilterRun::structure_point(std::size_t track,
                                                                 const Pinhole& camera) const {
   if (wrong_[track]) return std::nullopt;
-  std::vector<PosedSighting> sightings;
+  std::vector<PosedObservation> observations;
   for (int frame = tracks_[track].first_frame; frame < tracks_[track].end_frame(); ++frame)
     if (const auto& pose = poses_[static_cast<std::size_t>(frame)])
-      sightings.push_back({*pose, tracks_[track].in(frame)});
+      observations.push_back({*pose, tracks_[track].in(frame)});
   const auto& estimate = estimates_[track];
   if (!estimate)
-    return triangulated_point(sightings, camera, {options_.least_angle_deg, options_.outlier_px});
+    return triangulated_point(observations, camera, {options_.least_angle_deg, options_.outlier_px});
   if (estimate->relative_spread > options_.structure_spread) return std::nullopt;
   const std::array<double, 3> point{estimate->world.x, estimate->world.y, estimate->world.z};
-  const bool fits = std::all_of(sightings.begin(), sightings.end(), [&](const PosedSighting& s) {
+  const bool fits = std::all_of(observations.begin(), observations.end(), [&](const PosedObservation& s) {
     return projection_error_px(camera, s.pose, point, s.place) <= options_.outlier_px;
   });
   return fits ? std::optional(point) : std::nullopt;

@@ -13,8 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Pinhole kFilmCamera{500, 500, 319.5, 239.5, 640, 480};
-constexpr int kFilmFrames = 40;
+constexpr Pinhole kVideoCamera{500, 500, 319.5, 239.5, 640, 480};
+constexpr int kVideoFrames = 40;
 constexpr unsigned kSeeds = 3;
 
 // Fewer points than usual, which takes less time.
@@ -24,29 +24,29 @@ FilterMotionOptions quick_options() {
   return out;
 }
 
-struct SyntheticFilm {
+struct SyntheticVideo {
   std::vector<CameraPose> poses;
   std::vector<PointTrack> tracks;
 };
 
-struct FilmOptions {
+struct SyntheticVideoOptions {
   unsigned seed = 1;
   double noise_px = 0.3;
   double arc = 0.7;
   // Frames in which a point is followed.
-  int track_frames = kFilmFrames;
+  int track_frames = kVideoFrames;
   int points = 300;
   bool turns_only = false;
 };
 
 // A camera on an arc round a box of points, 1 away and looking at it, shaking a little.
-SyntheticFilm synthetic_film(const FilmOptions& options) {
+SyntheticVideo synthetic_video(const SyntheticVideoOptions& options) {
   std::mt19937 random(options.seed);
   std::uniform_real_distribution<double> place(-0.3, 0.3), share(0, 1);
   std::normal_distribution<double> noise(0, 1);
-  SyntheticFilm out;
-  for (int i = 0; i < kFilmFrames; ++i) {
-    const double angle = options.arc * i / (kFilmFrames - 1) + 0.002 * noise(random);
+  SyntheticVideo out;
+  for (int i = 0; i < kVideoFrames; ++i) {
+    const double angle = options.arc * i / (kVideoFrames - 1) + 0.002 * noise(random);
     const double c = std::cos(angle), s = std::sin(angle);
     CameraPose pose;
     pose.rotation = {c, 0, -s, 0, 1, 0, s, 0, c};
@@ -56,20 +56,20 @@ SyntheticFilm synthetic_film(const FilmOptions& options) {
   }
   for (int p = 0; p < options.points; ++p) {
     const Point<WorldFrame> point{{place(random), place(random), place(random)}};
-    // Tracks that began before the film or end after it are cut.
+    // Tracks that began before the video or end after it are cut.
     const int first =
-        options.track_frames < kFilmFrames
-            ? static_cast<int>(std::floor(share(random) * (kFilmFrames + options.track_frames))) -
+        options.track_frames < kVideoFrames
+            ? static_cast<int>(std::floor(share(random) * (kVideoFrames + options.track_frames))) -
                   options.track_frames
             : 0;
     PointTrack track;
     track.first_frame = std::max(0, first);
-    const int end = std::min(kFilmFrames, first + options.track_frames);
+    const int end = std::min(kVideoFrames, first + options.track_frames);
     for (int i = track.first_frame; i < end; ++i) {
       const Vec3 v = (out.poses[static_cast<std::size_t>(i)].inverse() * point).v;
       track.places.push_back(
-          {kFilmCamera.fx * v.x / v.z + kFilmCamera.cx + options.noise_px * noise(random),
-           kFilmCamera.fy * v.y / v.z + kFilmCamera.cy + options.noise_px * noise(random)});
+          {kVideoCamera.fx * v.x / v.z + kVideoCamera.cx + options.noise_px * noise(random),
+           kVideoCamera.fy * v.y / v.z + kVideoCamera.cy + options.noise_px * noise(random)});
     }
     if (track.places.size() < 2) continue;
     out.tracks.push_back(track);
@@ -84,7 +84,7 @@ struct PathErrors {
 
 // After the similarity that makes the first cameras equal and fits the scale of the positions seen from
 // there.
-PathErrors errors_of(const CameraMotion& motion, const SyntheticFilm& truth) {
+PathErrors errors_of(const CameraMotion& motion, const SyntheticVideo& truth) {
   const auto first = truth.poses.front().inverse();
   double product = 0, square = 0, path = 0, sum = 0;
   std::vector<Vec3> found, wanted;
@@ -110,13 +110,13 @@ bool has_all_poses(const CameraMotion& motion) {
 }
 
 TEST(RecursiveMotion, ConvergesToTheTruthForExactTracks) {
-  const auto film = synthetic_film({.noise_px = 0.0});
+  const auto video = synthetic_video({.noise_px = 0.0});
   FilterMotionOptions options = quick_options();
   options.noise_px = 0.05;
-  const auto motion = motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, options, {});
+  const auto motion = motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, options, {});
   ASSERT_TRUE(motion);
   ASSERT_TRUE(has_all_poses(*motion));
-  const auto errors = errors_of(*motion, film);
+  const auto errors = errors_of(*motion, video);
   EXPECT_LT(errors.position_percent, 0.02);
   EXPECT_LT(errors.most_rotation_deg, 0.02);
   EXPECT_LT(motion->reprojection_rms_px, 0.05);
@@ -124,29 +124,30 @@ TEST(RecursiveMotion, ConvergesToTheTruthForExactTracks) {
 
 TEST(RecursiveMotion, FollowsTheCameraWhileTracksComeAndGo) {
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-    const auto film = synthetic_film({.seed = seed, .track_frames = 16, .points = 600});
-    const auto motion = motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, quick_options(), {});
+    const auto video = synthetic_video({.seed = seed, .track_frames = 16, .points = 600});
+    const auto motion =
+        motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, quick_options(), {});
     ASSERT_TRUE(motion) << seed;
     ASSERT_TRUE(has_all_poses(*motion)) << seed;
-    const auto errors = errors_of(*motion, film);
+    const auto errors = errors_of(*motion, video);
     // Nothing is seen at the beginning and at the end: errors accumulate.
     EXPECT_LT(errors.position_percent, 2) << seed;
     EXPECT_LT(errors.most_rotation_deg, 3.0) << seed;
     EXPECT_LT(motion->reprojection_rms_px, 0.7) << seed;
-    EXPECT_GT(motion->points.size(), film.tracks.size() * 8 / 10) << seed;
+    EXPECT_GT(motion->points.size(), video.tracks.size() * 8 / 10) << seed;
   }
 }
 
 TEST(RecursiveMotion, IsNearlyAsAccurateAsTheBatchWherePointsStayInView) {
   double filter = 0, batch = 0;
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-    const auto film = synthetic_film({.seed = seed});
+    const auto video = synthetic_video({.seed = seed});
     const auto filtered =
-        motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, quick_options(), {});
-    const auto adjusted = motion_from_tracks(film.tracks, kFilmFrames, {kFilmCamera, true}, {}, {});
+        motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, quick_options(), {});
+    const auto adjusted = motion_from_tracks(video.tracks, kVideoFrames, {kVideoCamera, true}, {}, {});
     ASSERT_TRUE(filtered && adjusted) << seed;
-    filter += errors_of(*filtered, film).position_percent / kSeeds;
-    batch += errors_of(*adjusted, film).position_percent / kSeeds;
+    filter += errors_of(*filtered, video).position_percent / kSeeds;
+    batch += errors_of(*adjusted, video).position_percent / kSeeds;
   }
   RecordProperty("filter_position_percent", std::to_string(filter));
   RecordProperty("batch_position_percent", std::to_string(batch));
@@ -154,18 +155,18 @@ TEST(RecursiveMotion, IsNearlyAsAccurateAsTheBatchWherePointsStayInView) {
   EXPECT_LT(batch, filter);
 }
 
-// The batch's keyframes must be near enough for tracks that are shorter than the film.
+// The batch's keyframes must be near enough for tracks that are shorter than the video.
 TEST(RecursiveMotion, IsLessAccurateThanTheBatchWhileTracksComeAndGo) {
   double filter = 0, batch = 0;
   for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-    const auto film = synthetic_film({.seed = seed, .track_frames = 16, .points = 600});
+    const auto video = synthetic_video({.seed = seed, .track_frames = 16, .points = 600});
     const auto filtered =
-        motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, quick_options(), {});
-    const auto adjusted = motion_from_tracks(film.tracks, kFilmFrames, {kFilmCamera, true}, {}, {});
+        motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, quick_options(), {});
+    const auto adjusted = motion_from_tracks(video.tracks, kVideoFrames, {kVideoCamera, true}, {}, {});
     ASSERT_TRUE(filtered && adjusted) << seed;
     ASSERT_TRUE(has_all_poses(*filtered) && has_all_poses(*adjusted)) << seed;
-    filter += errors_of(*filtered, film).position_percent / kSeeds;
-    batch += errors_of(*adjusted, film).position_percent / kSeeds;
+    filter += errors_of(*filtered, video).position_percent / kSeeds;
+    batch += errors_of(*adjusted, video).position_percent / kSeeds;
   }
   RecordProperty("filter_position_percent", std::to_string(filter));
   RecordProperty("batch_position_percent", std::to_string(batch));
@@ -176,62 +177,62 @@ TEST(RecursiveMotion, IsLessAccurateThanTheBatchWhileTracksComeAndGo) {
 TEST(RecursiveMotion, NeedsOnePassToFollowTheCamera) {
   FilterMotionOptions options = quick_options();
   options.passes = 1;
-  const auto film = synthetic_film({.track_frames = 20, .points = 500});
-  const auto motion = motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, options, {});
+  const auto video = synthetic_video({.track_frames = 20, .points = 500});
+  const auto motion = motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, options, {});
   ASSERT_TRUE(motion);
   ASSERT_TRUE(has_all_poses(*motion));
-  EXPECT_LT(errors_of(*motion, film).position_percent, 2);
+  EXPECT_LT(errors_of(*motion, video).position_percent, 2);
 }
 
 TEST(RecursiveMotion, LeavesOutWrongTracks) {
-  auto film = synthetic_film({});
-  for (std::size_t i = 0; i < film.tracks.size(); i += 10)
-    for (std::size_t k = 0; k < film.tracks[i].places.size(); ++k)
-      film.tracks[i].places[k] = {static_cast<double>(i), 100 + 6.0 * static_cast<double>(k)};
-  const auto motion = motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, quick_options(), {});
+  auto video = synthetic_video({});
+  for (std::size_t i = 0; i < video.tracks.size(); i += 10)
+    for (std::size_t k = 0; k < video.tracks[i].places.size(); ++k)
+      video.tracks[i].places[k] = {static_cast<double>(i), 100 + 6.0 * static_cast<double>(k)};
+  const auto motion = motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, quick_options(), {});
   ASSERT_TRUE(motion);
   ASSERT_TRUE(has_all_poses(*motion));
-  EXPECT_LT(errors_of(*motion, film).position_percent, 0.5);
+  EXPECT_LT(errors_of(*motion, video).position_percent, 0.5);
   for (const StructurePoint& point : motion->points) EXPECT_NE(point.track % 10, 0U);
 }
 
 TEST(RecursiveMotion, GivesNoPoseToAFrameThatFitsNothing) {
-  auto film = synthetic_film({});
+  auto video = synthetic_video({});
   std::mt19937 random(9);
   std::uniform_real_distribution<double> anywhere(0, 640);
-  for (PointTrack& track : film.tracks) track.places[20] = {anywhere(random), anywhere(random)};
-  const auto motion = motion_by_filter(film.tracks, kFilmFrames, {kFilmCamera, true}, quick_options(), {});
+  for (PointTrack& track : video.tracks) track.places[20] = {anywhere(random), anywhere(random)};
+  const auto motion = motion_by_filter(video.tracks, kVideoFrames, {kVideoCamera, true}, quick_options(), {});
   ASSERT_TRUE(motion);
   for (std::size_t i = 0; i < motion->poses.size(); ++i)
     EXPECT_EQ(motion->poses[i].has_value(), i != 20) << i;
 }
 
 TEST(RecursiveMotion, FindsAnUnknownFocalLength) {
-  const auto film = synthetic_film({.noise_px = 0.1, .arc = 0.9});
-  Pinhole wrong = kFilmCamera;
+  const auto video = synthetic_video({.noise_px = 0.1, .arc = 0.9});
+  Pinhole wrong = kVideoCamera;
   wrong.fx = wrong.fy = 560;
-  const auto motion = motion_by_filter(film.tracks, kFilmFrames, {wrong, false}, quick_options(), {});
+  const auto motion = motion_by_filter(video.tracks, kVideoFrames, {wrong, false}, quick_options(), {});
   ASSERT_TRUE(motion);
   EXPECT_NEAR(motion->camera.fx, 500, 10);
 }
 
 TEST(RecursiveMotion, FailsAsTheBatchDoes) {
-  const auto turning = synthetic_film({.turns_only = true});
-  const auto refused = motion_by_filter(turning.tracks, kFilmFrames, {kFilmCamera, true}, {}, {});
+  const auto turning = synthetic_video({.turns_only = true});
+  const auto refused = motion_by_filter(turning.tracks, kVideoFrames, {kVideoCamera, true}, {}, {});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::invalid_input);
   EXPECT_THAT(refused.error().message, HasSubstr("slowly around"));
-  EXPECT_FALSE(motion_by_filter({}, kFilmFrames, {kFilmCamera, true}, {}, {}));
+  EXPECT_FALSE(motion_by_filter({}, kVideoFrames, {kVideoCamera, true}, {}, {}));
 }
 
 TEST(RecursiveMotion, RefusesOptionsOutOfRange) {
   FilterMotionOptions options;
   options.passes = 3;
-  EXPECT_EQ(motion_by_filter({}, kFilmFrames, {kFilmCamera, true}, options, {}).error().code,
+  EXPECT_EQ(motion_by_filter({}, kVideoFrames, {kVideoCamera, true}, options, {}).error().code,
             ErrorCode::usage);
   options = {};
   options.most_points = 10;
-  EXPECT_EQ(motion_by_filter({}, kFilmFrames, {kFilmCamera, true}, options, {}).error().code,
+  EXPECT_EQ(motion_by_filter({}, kVideoFrames, {kVideoCamera, true}, options, {}).error().code,
             ErrorCode::usage);
 }
 

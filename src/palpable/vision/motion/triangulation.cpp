@@ -16,22 +16,22 @@ struct Ray {
   Eigen::Vector3d direction;
 };
 
-Ray line_of_sight(const PosedSighting& sighting, const Pinhole& camera) {
-  const CameraPose pose = camera_pose(sighting.pose);
+Ray line_of_sight(const PosedObservation& observation, const Pinhole& camera) {
+  const CameraPose pose = camera_pose(observation.pose);
   const Vec3 direction = unit(pose.rotate(
-      {(sighting.place.x - camera.cx) / camera.fx, (sighting.place.y - camera.cy) / camera.fy, 1.0}));
+      {(observation.place.x - camera.cx) / camera.fx, (observation.place.y - camera.cy) / camera.fy, 1.0}));
   const Vec3& origin = pose.translation_m;
   return {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}};
 }
 
 }  // namespace
 
-std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedSighting> sightings,
+std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedObservation> observations,
                                                         const Pinhole& camera,
                                                         const TriangulationOptions& options) {
-  if (sightings.size() < 2) return std::nullopt;
+  if (observations.size() < 2) return std::nullopt;
   std::vector<Ray> rays;
-  for (const PosedSighting& sighting : sightings) rays.push_back(line_of_sight(sighting, camera));
+  for (const PosedObservation& observation : observations) rays.push_back(line_of_sight(observation, camera));
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double least_cosine = 1.0;
@@ -45,7 +45,7 @@ std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedSig
   const Eigen::Vector3d p = normal.ldlt().solve(right);
   const std::array<double, 3> point{p.x(), p.y(), p.z()};
   const bool fits =
-      p.allFinite() && std::all_of(sightings.begin(), sightings.end(), [&](const PosedSighting& s) {
+      p.allFinite() && std::all_of(observations.begin(), observations.end(), [&](const PosedObservation& s) {
         return projection_error_px(camera, s.pose, point, s.place) <= options.outlier_px;
       });
   return fits ? std::optional(point) : std::nullopt;

@@ -11,7 +11,7 @@
 namespace palpable::vision {
 
 /// An observation of a point and the pose of its camera.
-struct PosedSighting {
+struct PosedObservation {
   BundlePose pose;
   ImagePoint place;
 };
@@ -25,7 +25,7 @@ struct TriangulationOptions {
 
 /// The point with the least sum of squared distances to the viewing rays. nullopt if it is behind a camera,
 /// the rays are nearly parallel, or an error is too large.
-std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedSighting> sightings,
+std::optional<std::array<double, 3>> triangulated_point(std::span<const PosedObservation> observations,
                                                         const Pinhole& camera,
                                                         const TriangulationOptions& options);
 

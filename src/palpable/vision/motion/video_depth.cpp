@@ -28,7 +28,8 @@ struct Depths {
   DepthSpan span;
   double middle = 0.0;
 };
-Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames) {
+Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames,
+                 const VideoDepthOptions& options) {
   std::vector<double> depths;
   for (const int frame : frames) {
     const auto camera_from_world = pose_of(motion, frame).inverse();
@@ -36,9 +37,9 @@ Depths depths_of(const CameraMotion& motion, const std::vector<int>& frames) {
       if (const double z = (camera_from_world * point.position).v.z; z > 0) depths.push_back(z);
   }
   if (depths.empty()) return {};
-  constexpr double kOutliers = 0.005, kMargin = 0.2;
-  const double near = quantile_of(depths, kOutliers), far = quantile_of(depths, 1 - kOutliers);
-  return {{near * (1 - kMargin), far * (1 + kMargin)}, quantile_of(depths, 0.5)};
+  const double near = quantile_of(depths, options.range_outliers),
+               far = quantile_of(depths, 1 - options.range_outliers);
+  return {{near * (1 - options.range_margin), far * (1 + options.range_margin)}, quantile_of(depths, 0.5)};
 }
 
 // The nearest frame in one direction (+1, -1) in which the scene's centre is seen under the angle; -1 if the
@@ -87,7 +88,13 @@ std::vector<Parameter> parameters_of(VideoDepthOptions& o) {
   std::vector<Parameter> out{
       {"maps", &o.maps, {2, 200}, "", "Frames whose depth is computed"},
       {"near_angle_deg", &o.near_angle_deg, {0.2, 30}, "degrees", "Angle to the nearer frames compared"},
-      {"far_angle_deg", &o.far_angle_deg, {0.2, 30}, "degrees", "Angle to the farther frames compared"}};
+      {"far_angle_deg", &o.far_angle_deg, {0.2, 30}, "degrees", "Angle to the farther frames compared"},
+      {"range_outliers",
+       &o.range_outliers,
+       {0, 0.2},
+       "",
+       "Share of the points at each end left out of the depths"},
+      {"range_margin", &o.range_margin, {0, 0.9}, "", "Share by which the searched depths reach farther"}};
   append_parameters(out, "sweep", parameters_of(o.sweep));
   append_parameters(out, "consistency", parameters_of(o.consistency));
   return out;
@@ -98,7 +105,7 @@ Result<std::vector<FrameDepth>> depth_of_video(std::span<const Raster<Rgb8>* con
                                                const VideoDepthOptions& options, const Work& work) {
   if (auto checked = check_ranges(options); !checked) return checked.error();
   const std::vector<int> frames = posed_frames(motion);
-  const Depths depths = depths_of(motion, frames);
+  const Depths depths = depths_of(motion, frames, options);
   const std::set<std::size_t> wanted = references(frames, options);
   std::vector<FrameDepth> maps;
   std::size_t done = 0;

@@ -17,6 +17,10 @@ struct VideoDepthOptions {
   /// these angles, degrees, 0.2 … 30.
   double near_angle_deg = 3.5;
   double far_angle_deg = 7.0;
+  /// Depths are searched between those of the structure without this share at each end, 0 … 0.2 …
+  double range_outliers = 0.005;
+  /// … and this share of them nearer and farther, 0 … 0.9.
+  double range_margin = 0.2;
   /// Frames whose depth is computed in addition, indices.
   std::vector<int> also = {};
   MultiViewOptions sweep = {};

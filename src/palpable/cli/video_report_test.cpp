@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/film_report.hpp"
+#include "palpable/cli/video_report.hpp"
 
 #include "palpable/models/field/superquadric.hpp"
 #include "palpable/recipes/field_recipe.hpp"
@@ -32,17 +32,17 @@ recipes::VideoReconstruction small_reconstruction() {
   return out;
 }
 
-TEST(FilmReport, ShowsEveryStageWithAlternativeTextsAndTheAdvice) {
+TEST(VideoReport, ShowsEveryStageWithAlternativeTextsAndTheAdvice) {
   models::Superquadric ball;
   ball.size_m = {0.03, 0.03, 0.02};
   recipes::FieldRecipe recipe;
   recipe.field.resolution = 32;
   const auto made = recipes::field_from_superquadrics({ball}, recipe, {});
   ASSERT_TRUE(made) << made.error().sentence();
-  const auto page = film_report("model <1>.mp4", small_reconstruction(), made->scene, {Note("A note.")});
+  const auto page = video_report("model <1>.mp4", small_reconstruction(), made->scene, {Note("A note.")});
   ASSERT_TRUE(page) << page.error().sentence();
   for (const char* part : {"model &lt;1&gt;.mp4", "<h2>What to do better</h2>",
-                           "The left side was never seen", "alt=\"Picture 5 of the film",
+                           "The left side was never seen", "alt=\"Picture 5 of the video",
                            "alt=\"Two plots of the camera", "alt=\"The model from above, 60 x 60 x 40 mm",
                            "alt=\"The model, 60 x 60 x 40 mm", "A note.", "3 of 3"})
     EXPECT_THAT(*page, HasSubstr(part));

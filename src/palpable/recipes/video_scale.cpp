@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/film_scale.hpp"
+#include "palpable/recipes/video_scale.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +27,15 @@ std::optional<Vec3> surface_at(const vision::FrameDepth& map, vision::ImagePoint
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(FilmScaleOptions& o) {
+std::vector<Parameter> parameters_of(VideoScaleOptions& o) {
   std::vector<Parameter> out{
       {"reach_px", &o.reach_px, {0, 50}, "px", "Distance to the nearest known depth of a place"}};
   append_parameters(out, "marker", vision::parameters_of(o.marker));
   return out;
 }
 
-FilmScale scale_from_markers(std::span<const Raster<std::uint8_t>> greys, const vision::CameraMotion& motion,
-                             const FilmScaleOptions& options, const Work& work) {
+VideoScale scale_from_markers(std::span<const Raster<std::uint8_t>> greys, const vision::CameraMotion& motion,
+                              const VideoScaleOptions& options, const Work& work) {
   const auto found = vision::scale_from_markers(greys, motion, options.marker, work);
   if (!found) return {};
   return {
@@ -44,8 +44,8 @@ FilmScale scale_from_markers(std::span<const Raster<std::uint8_t>> greys, const 
                         found->side_mm, found->frames, 100 * found->difference))}};
 }
 
-FilmScale scale_from_length(const KnownLength& length, int frame_index,
-                            std::span<const vision::FrameDepth> maps, const FilmScaleOptions& options) {
+VideoScale scale_from_length(const KnownLength& length, int frame_index,
+                             std::span<const vision::FrameDepth> maps, const VideoScaleOptions& options) {
   const auto map = std::find_if(maps.begin(), maps.end(),
                                 [&](const vision::FrameDepth& one) { return one.frame == frame_index; });
   if (map == maps.end())

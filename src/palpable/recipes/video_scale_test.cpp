@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/film_scale.hpp"
+#include "palpable/recipes/video_scale.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/film_mesh.hpp"
+#include "palpable/cli/video_mesh.hpp"
 
 #include "palpable/formats/mesh/glb.hpp"
-#include "palpable/recipes/film_colours.hpp"
+#include "palpable/recipes/video_colours.hpp"
 #include "palpable/sculpt/field/field_surface.hpp"
 
 #include <variant>
@@ -23,8 +23,8 @@ Result<Mesh> surface_of(const models::Scene& scene, const Work& work) {
 
 }  // namespace
 
-Result<std::vector<std::byte>> film_glb(const recipes::VideoReconstruction& video, const models::Scene& scene,
-                                        const Work& work) {
+Result<std::vector<std::byte>> video_glb(const recipes::VideoReconstruction& video,
+                                         const models::Scene& scene, const Work& work) {
   const auto mesh = surface_of(scene, work);
   if (!mesh) return mesh.error();
   return formats::encode_glb(*mesh, {}, recipes::colours_of(*mesh, video, {}));

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/filmed_model.hpp"
+#include "palpable/recipes/video_model.hpp"
 
 #include "palpable/core/quantile.hpp"
 
@@ -30,7 +30,7 @@ PointCloud structure_of(std::span<const FrameDepth> maps, int step) {
 }
 
 // The middle of the narrowest interval with that share of the heights.
-double table_height(std::vector<double> heights, double share) {
+double height_of_ground(std::vector<double> heights, double share) {
   std::sort(heights.begin(), heights.end());
   const auto count = static_cast<std::size_t>(share * static_cast<double>(heights.size()));
   std::size_t best = 0;
@@ -39,20 +39,20 @@ double table_height(std::vector<double> heights, double share) {
   return heights[best + count / 2];
 }
 
-std::vector<Vec3> raised_of(const std::vector<Vec3>& places, double table,
-                            const FilmedModelOptions& options) {
+std::vector<Vec3> raised_of(const std::vector<Vec3>& places, double ground,
+                            const VideoModelOptions& options) {
   std::vector<double> across;
   for (const Vec3& p : places) across.push_back(p.x);
   const double extent =
       quantile_of(across, 1 - options.extent_outliers) - quantile_of(across, options.extent_outliers);
   std::vector<Vec3> out;
   std::copy_if(places.begin(), places.end(), std::back_inserter(out),
-               [&](const Vec3& p) { return p.z > table + options.least_rise * extent; });
+               [&](const Vec3& p) { return p.z > ground + options.least_rise * extent; });
   return static_cast<double>(out.size()) < options.least_raised * static_cast<double>(places.size()) ? places
                                                                                                      : out;
 }
 
-bool inside(const Vec3& p, const FilmedModel& model) {
+bool inside(const Vec3& p, const VideoModel& model) {
   return p.x >= model.least.x && p.x <= model.most.x && p.y >= model.least.y && p.y <= model.most.y &&
          p.z >= model.least.z && p.z <= model.most.z;
 }
@@ -65,20 +65,20 @@ Interval with_margin(std::vector<double> values, double below, double above, dou
   return {least - margin * (most - least), most + margin * (most - least)};
 }
 
-// Moves the origin of the axes to the middle of the model, on the table.
-void centre(FilmedModel& model) {
+// Moves the origin of the axes to the middle of the model, on the ground.
+void centre(VideoModel& model) {
   const Vec3 origin{(model.least.x + model.most.x) / 2, (model.least.y + model.most.y) / 2,
-                    model.table_height};
+                    model.ground_height};
   model.axes.translation = -origin;
   model.least = model.least - origin, model.most = model.most - origin;
   for (Vec3& p : model.raised) p = p - origin;
-  model.table_height = 0.0;
+  model.ground_height = 0.0;
 }
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(FilmedModelOptions& o) {
-  return {
+std::vector<Parameter> parameters_of(VideoModelOptions& o) {
+  std::vector<Parameter> all{
       {"structure_step_px",
        &o.structure_step_px,
        {1, 64},
@@ -90,12 +90,12 @@ std::vector<Parameter> parameters_of(FilmedModelOptions& o) {
        &o.least_rise,
        {0.001, 0.5},
        "",
-       "Height of the model above the table, share of the extent"},
+       "Height of the model above the ground, share of the extent"},
       {"outliers_below",
        &o.outliers_below,
        {0, 0.2},
        "",
-       "Share of points under the table that count as outliers"},
+       "Share of points under the ground that count as outliers"},
       {"outliers_above",
        &o.outliers_above,
        {0, 0.2},
@@ -106,18 +106,24 @@ std::vector<Parameter> parameters_of(FilmedModelOptions& o) {
        {0, 0.4},
        "",
        "Share of points at each end left out of the extent"},
-      {"least_raised", &o.least_raised, {0, 1}, "", "Share of the points above the table that a model needs"},
-      {"table_share", &o.table_share, {0.05, 0.9}, "", "Share of the points that lie on the table"}};
+      {"least_raised",
+       &o.least_raised,
+       {0, 1},
+       "",
+       "Share of the points above the ground that a model needs"},
+      {"ground_share", &o.ground_share, {0.05, 0.9}, "", "Share of the points that lie on the ground"}};
+  append_parameters(all, "axes", parameters_of(o.axes));
+  return all;
 }
 
-FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOptions& options,
-                         std::uint64_t seed) {
-  FilmedModel out;
+VideoModel video_model(std::span<const FrameDepth> maps, const VideoModelOptions& options,
+                       std::uint64_t seed) {
+  VideoModel out;
   out.structure = structure_of(maps, options.structure_step_px);
   if (out.structure.places_m.empty()) return out;
   std::vector<vision::CameraPose> poses;
   for (const FrameDepth& map : maps) poses.push_back(map.map.pose);
-  out.axes = table_axes(out.structure, poses, seed);
+  out.axes = ground_axes(out.structure, poses, options.axes, seed);
   const auto axes_from_world = out.axes.axes_from_world();
   std::vector<Vec3> places;
   std::vector<double> heights;
@@ -125,8 +131,8 @@ FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOpti
     places.push_back((axes_from_world * Point<WorldFrame>{place}).v);
     heights.push_back(places.back().z);
   }
-  out.table_height = table_height(std::move(heights), options.table_share);
-  out.raised = raised_of(places, out.table_height, options);
+  out.ground_height = height_of_ground(std::move(heights), options.ground_share);
+  out.raised = raised_of(places, out.ground_height, options);
   std::array<std::vector<double>, 2> across;
   for (const Vec3& p : out.raised) across[0].push_back(p.x), across[1].push_back(p.y);
   const Interval x = with_margin(std::move(across[0]), options.outliers, options.outliers, options.margin),
@@ -142,7 +148,7 @@ FilmedModel filmed_model(std::span<const FrameDepth> maps, const FilmedModelOpti
   return out;
 }
 
-void crop(std::span<FrameDepth> maps, const FilmedModel& model) {
+void crop(std::span<FrameDepth> maps, const VideoModel& model) {
   const auto axes_from_world = model.axes.axes_from_world();
   for (FrameDepth& map : maps)
     for (int y = 0; y < map.map.depth.depth_m.height(); ++y)

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/film_colours.hpp"
+#include "palpable/recipes/video_colours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ Mesh two_squares() {
   return out;
 }
 
-TEST(ColoursOfFilm, AreThoseOfTheFramesAndGreyWhereNothingWasSeen) {
+TEST(ColoursOfVideo, AreThoseOfTheFramesAndGreyWhereNothingWasSeen) {
   const auto colours = colours_of(two_squares(), seen_from_above(), {});
   EXPECT_EQ(colours[0], (Rgb8{200, 0, 0}));
   EXPECT_EQ(colours[1], (Rgb8{0, 0, 200}));
@@ -42,7 +42,7 @@ TEST(ColoursOfFilm, AreThoseOfTheFramesAndGreyWhereNothingWasSeen) {
   EXPECT_NE(colours[4], colours[0]);
 }
 
-TEST(ColoursOfFilm, SpreadToNeighboursThatNoFrameSaw) {
+TEST(ColoursOfVideo, SpreadToNeighboursThatNoFrameSaw) {
   Mesh mesh = two_squares();
   mesh.triangles.push_back({0, 4, 6});
   mesh.triangles.push_back({0, 4, 5});

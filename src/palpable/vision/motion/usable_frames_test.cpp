@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/motion/frame_choice.hpp"
+#include "palpable/vision/motion/usable_frames.hpp"
 
 #include <random>
 
@@ -26,27 +26,27 @@ Raster<std::uint8_t> patches(int shift, int blur) {
   return out;
 }
 
-TEST(FrameChoice, LeavesOutBlurredFramesAndCopies) {
+TEST(UsableFrames, LeavesOutBlurredFramesAndCopies) {
   std::vector<Raster<std::uint8_t>> frames;
   for (int i = 0; i < 9; ++i) frames.push_back(patches(2 * i, i == 4 ? 15 : 0));
   frames.push_back(frames.back());
-  const auto chosen = choose_frames(frames, {}, {});
+  const auto chosen = usable_frames(frames, {}, {});
   ASSERT_TRUE(chosen);
   EXPECT_THAT(chosen->kept, ElementsAre(0, 1, 2, 3, 5, 6, 7, 8));
   EXPECT_EQ(chosen->blurred, 1);
   EXPECT_EQ(chosen->copies, 1);
 }
 
-TEST(FrameChoice, KeepsAFilmThatIsBlurredThroughout) {
+TEST(UsableFrames, KeepsAVideoThatIsBlurredThroughout) {
   std::vector<Raster<std::uint8_t>> frames;
   for (int i = 0; i < 6; ++i) frames.push_back(patches(2 * i, 9));
-  const auto chosen = choose_frames(frames, {}, {});
+  const auto chosen = usable_frames(frames, {}, {});
   ASSERT_TRUE(chosen);
   EXPECT_EQ(chosen->kept.size(), frames.size());
 }
 
-TEST(FrameChoice, RefusesOptionsOutOfRange) {
-  const auto chosen = choose_frames({}, {.least_sharpness = 2.0}, {});
+TEST(UsableFrames, RefusesOptionsOutOfRange) {
+  const auto chosen = usable_frames({}, {.least_sharpness = 2.0}, {});
   ASSERT_FALSE(chosen);
   EXPECT_EQ(chosen.error().code, ErrorCode::usage);
 }

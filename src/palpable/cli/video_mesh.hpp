@@ -12,9 +12,9 @@
 
 namespace palpable::cli {
 
-/// The surface of a film's field as GLB, with the colours of the film's frames at its vertices. Errors: as
+/// The surface of a video's field as GLB, with the colours of the video's frames at its vertices. Errors: as
 /// sculpt::surface_of_field() and formats::encode_glb().
-Result<std::vector<std::byte>> film_glb(const recipes::VideoReconstruction& video, const models::Scene& scene,
-                                        const Work& work);
+Result<std::vector<std::byte>> video_glb(const recipes::VideoReconstruction& video,
+                                         const models::Scene& scene, const Work& work);
 
 }  // namespace palpable::cli

@@ -22,26 +22,26 @@ struct KnownLength {
   vision::ImagePoint from, to;
 };
 
-struct FilmScaleOptions {
+struct VideoScaleOptions {
   vision::MarkerOptions marker;
   /// Where the depth of a place is unknown, the nearest known one within this distance counts, px, 0 … 50.
   int reach_px = 8;
 };
-std::vector<Parameter> parameters_of(FilmScaleOptions& options);
+std::vector<Parameter> parameters_of(VideoScaleOptions& options);
 
 /// Metres per unit of a reconstruction, and a note on where it comes from; no scale: the note says why.
-struct FilmScale {
+struct VideoScale {
   std::optional<double> metres_per_unit;
   std::vector<Note> notes;
 };
 
 /// The scale from a printed marker in the frames; without a marker no scale and no note.
-FilmScale scale_from_markers(std::span<const Raster<std::uint8_t>> greys, const vision::CameraMotion& motion,
-                             const FilmScaleOptions& options, const Work& work);
+VideoScale scale_from_markers(std::span<const Raster<std::uint8_t>> greys, const vision::CameraMotion& motion,
+                              const VideoScaleOptions& options, const Work& work);
 
 /// The scale from a known length, by the depth at its two places. `maps`: among them one of its frame, which
 /// is the frame of this index.
-FilmScale scale_from_length(const KnownLength& length, int frame_index,
-                            std::span<const vision::FrameDepth> maps, const FilmScaleOptions& options);
+VideoScale scale_from_length(const KnownLength& length, int frame_index,
+                             std::span<const vision::FrameDepth> maps, const VideoScaleOptions& options);
 
 }  // namespace palpable::recipes

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/cli/film_report.hpp"
+#include "palpable/cli/video_report.hpp"
 
 #include "palpable/core/quantile.hpp"
 #include "palpable/draw/camera_path_view.hpp"
@@ -70,14 +70,15 @@ draw::ReportSection advice_section(const VideoReconstruction& video) {
   draw::ReportSection out{"What to do better", {}, {}, {}, {}};
   for (const Note& note : video.advice) out.items.push_back(note.sentence);
   if (out.items.empty())
-    out.paragraphs.emplace_back("Nothing: the film shows the model from all sides, sharp and in good light.");
+    out.paragraphs.emplace_back(
+        "Nothing: the video shows the model from all sides, sharp and in good light.");
   return out;
 }
 
 Result<draw::ReportSection> frames_section(const VideoReconstruction& video) {
   draw::ReportSection out{
-      "The film and the measured distances",
-      {"On the left a picture of the film, on the right how far each place was from the camera: "
+      "The video and the measured distances",
+      {"On the left a picture of the video, on the right how far each place was from the camera: "
        "pale is near, dark is far, grey could not be measured."},
       {},
       {},
@@ -88,10 +89,10 @@ Result<draw::ReportSection> frames_section(const VideoReconstruction& video) {
     const auto known = std::count_if(values.begin(), values.end(), [](float z) { return z > 0; });
     const double percent = 100.0 * static_cast<double>(known) / static_cast<double>(values.size());
     const std::string caption =
-        fmt::format("Picture {} of the film; {:.0f} % of it was measured.", depth.frame_number, percent);
+        fmt::format("Picture {} of the video; {:.0f} % of it was measured.", depth.frame_number, percent);
     if (auto added =
             add_picture(picture_and_depth(depth),
-                        fmt::format("Picture {} of the film, and a map of its distances from the camera.",
+                        fmt::format("Picture {} of the video, and a map of its distances from the camera.",
                                     depth.frame_number),
                         caption, out);
         !added)
@@ -140,7 +141,7 @@ Result<draw::ReportSection> model_section(const models::Scene& scene) {
                       "The model from above.", out);
       !added)
     return added.error();
-  // It lies on its table, z up and y to the back.
+  // It lies on the ground, z up and y to the back.
   constexpr draw::SolidViewOptions kFromTheFront{15.0, -35.0, 12.0};
   const draw::FigureTitle title{"The model", "from the front, above; " + extent};
   const auto figure = [&]() -> std::optional<draw::Figure> {
@@ -165,7 +166,7 @@ draw::ReportSection figures_section(const VideoReconstruction& video, const std:
   for (const Note& note : notes) out.items.push_back(note.sentence);
   const auto yes = [](bool seen) { return std::string(seen ? "yes" : "no"); };
   out.table = draw::ReportTable{
-      "Figures of the film",
+      "Figures of the video",
       {"what", "value"},
       {{"pictures read", fmt::format("{}", f.frames)},
        {"blurred pictures, left out", fmt::format("{}", f.blurred)},
@@ -185,11 +186,11 @@ draw::ReportSection figures_section(const VideoReconstruction& video, const std:
 
 }  // namespace
 
-Result<std::string> film_report(const std::string& film, const VideoReconstruction& video,
-                                const models::Scene& scene, const std::vector<Note>& notes) {
+Result<std::string> video_report(const std::string& name, const VideoReconstruction& video,
+                                 const models::Scene& scene, const std::vector<Note>& notes) {
   draw::ReportPage page{
-      "A touchable model from " + film,
-      "This page shows how the film became a model, step by step, and what would make it better.",
+      "A touchable model from " + name,
+      "This page shows how the video became a model, step by step, and what would make it better.",
       {}};
   page.sections.push_back(advice_section(video));
   for (auto section : {model_section(scene), frames_section(video), path_section(video)}) {

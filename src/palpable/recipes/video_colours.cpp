@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/film_colours.hpp"
+#include "palpable/recipes/video_colours.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,20 +24,9 @@ struct ColourSum {
   }
 };
 
-std::vector<Vec3> normals_of(const Mesh& mesh) {
-  std::vector<Vec3> out(mesh.vertices_m.size());
-  for (const auto& t : mesh.triangles) {
-    const Vec3 a = mesh.vertices_m[t[0]];
-    const Vec3 area = cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a);
-    for (const std::uint32_t k : t) out[k] += area;
-  }
-  for (Vec3& n : out) n = norm(n) > 0 ? unit(n) : Vec3{0, 0, 1};
-  return out;
-}
-
 // Adds what one frame shows of the vertices.
 void add_view(const Mesh& mesh, const std::vector<Vec3>& normals, const VideoReconstruction& video,
-              const VideoReconstruction::Depth& view, const FilmColourOptions& options,
+              const VideoReconstruction::Depth& view, const VideoColourOptions& options,
               std::vector<ColourSum>& sums) {
   const auto camera_from_scene = view.world_from_camera.inverse() * video.scene_from_world.inverse();
   const Pinhole& camera = *view.map.camera;
@@ -49,7 +38,7 @@ void add_view(const Mesh& mesh, const std::vector<Vec3>& normals, const VideoRec
     if (x < 0 || y < 0 || x >= view.picture.width() || y >= view.picture.height()) continue;
     const double facing = -dot(camera_from_scene.rotate(normals[i]), unit(p));
     const double depth = static_cast<double>(view.map.depth_m(x, y));
-    if (facing > 0.05 && std::abs(depth / p.z - 1) < options.depth_tolerance)
+    if (facing > options.least_facing && std::abs(depth / p.z - 1) < options.depth_tolerance)
       sums[i].add(view.picture(x, y), facing);
   }
 }
@@ -73,19 +62,24 @@ void spread(const Mesh& mesh, int times, std::vector<ColourSum>& sums) {
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(FilmColourOptions& o) {
+std::vector<Parameter> parameters_of(VideoColourOptions& o) {
   return {
       {"depth_tolerance",
        &o.depth_tolerance,
        {0.001, 0.2},
        "",
        "Difference of depth at which a frame shows a vertex, share"},
+      {"least_facing",
+       &o.least_facing,
+       {0, 1},
+       "",
+       "Cosine between normal and line of sight below which a frame does not count"},
       {"spread_times", &o.spread_times, {0, 1000}, "", "Edges over which colours spread to unseen vertices"}};
 }
 
 std::vector<Rgb8> colours_of(const Mesh& mesh, const VideoReconstruction& video,
-                             const FilmColourOptions& options) {
-  const std::vector<Vec3> normals = normals_of(mesh);
+                             const VideoColourOptions& options) {
+  const std::vector<Vec3> normals = vertex_normals(mesh);
   std::vector<ColourSum> sums(mesh.vertices_m.size());
   for (const auto& view : video.depth_maps) add_view(mesh, normals, video, view, options, sums);
   spread(mesh, options.spread_times, sums);

@@ -11,19 +11,21 @@
 
 namespace palpable::recipes {
 
-struct FilmColourOptions {
+struct VideoColourOptions {
   /// A vertex is visible in a frame if its depth there differs from the frame's by less than this share,
   /// 0.001 … 0.2.
   double depth_tolerance = 0.02;
+  /// It is not visible where the cosine between its normal and the line of sight is less than this, 0 … 1.
+  double least_facing = 0.05;
   /// Times that colours spread to neighbours that no frame saw, 0 … 1000.
   int spread_times = 60;
 };
-std::vector<Parameter> parameters_of(FilmColourOptions& options);
+std::vector<Parameter> parameters_of(VideoColourOptions& options);
 
 /// The colours of a scene's surface as the frames of its depth maps show it: for each vertex their mean,
 /// weighted by the cosine between viewing direction and normal. Vertices that no frame saw get the colours of
 /// their neighbours, the rest is grey. `mesh`: in the scene's frame.
 std::vector<Rgb8> colours_of(const Mesh& mesh, const VideoReconstruction& video,
-                             const FilmColourOptions& options);
+                             const VideoColourOptions& options);
 
 }  // namespace palpable::recipes

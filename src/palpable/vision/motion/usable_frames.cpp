@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/vision/motion/frame_choice.hpp"
+#include "palpable/vision/motion/usable_frames.hpp"
 
 #include "palpable/core/quantile.hpp"
 #include "palpable/vision/image/opencv_image.hpp"
@@ -31,7 +31,7 @@ double change_between(const Raster<std::uint8_t>& a, const Raster<std::uint8_t>&
   return cv::norm(grey_view_of(a), grey_view_of(b), cv::NORM_L1) / static_cast<double>(a.count());
 }
 
-bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const FrameChoiceOptions& options) {
+bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const UsableFrameOptions& options) {
   const auto reach = static_cast<std::size_t>(options.compared_frames);
   const std::size_t begin = frame > reach ? frame - reach : 0,
                     end = std::min(sharpness.size(), frame + reach + 1);
@@ -42,7 +42,7 @@ bool is_blurred(const std::vector<double>& sharpness, std::size_t frame, const F
 
 }  // namespace
 
-std::vector<Parameter> parameters_of(FrameChoiceOptions& o) {
+std::vector<Parameter> parameters_of(UsableFrameOptions& o) {
   return {{"least_sharpness",
            &o.least_sharpness,
            {0, 1},
@@ -60,15 +60,15 @@ std::vector<Parameter> parameters_of(FrameChoiceOptions& o) {
            "Mean grey levels of 255 by which a frame differs from a copy"}};
 }
 
-Result<ChosenFrames> choose_frames(std::span<const Raster<std::uint8_t>> frames,
-                                   const FrameChoiceOptions& options, const Work& work) {
+Result<UsableFrames> usable_frames(std::span<const Raster<std::uint8_t>> frames,
+                                   const UsableFrameOptions& options, const Work& work) {
   if (auto checked = check_ranges(options); !checked) return checked.error();
   std::vector<double> sharpness;
   for (const auto& frame : frames) {
     if (work.cancelled()) return Work::interrupted();
     sharpness.push_back(sharpness_of(frame));
   }
-  ChosenFrames out;
+  UsableFrames out;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!out.kept.empty() &&
         change_between(frames[static_cast<std::size_t>(out.kept.back())], frames[i]) < options.least_change)

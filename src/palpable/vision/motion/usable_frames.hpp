@@ -13,7 +13,7 @@
 
 namespace palpable::vision {
 
-struct FrameChoiceOptions {
+struct UsableFrameOptions {
   /// A frame whose sharpness is below this share of the median sharpness of the frames around it is left out,
   /// 0 (none) … 1.
   double least_sharpness = 0.35;
@@ -23,10 +23,10 @@ struct FrameChoiceOptions {
   /// left out, 0 (none) … 10.
   double least_change = 0.25;
 };
-std::vector<Parameter> parameters_of(FrameChoiceOptions& options);
+std::vector<Parameter> parameters_of(UsableFrameOptions& options);
 
 /// The frames that a video's motion is computed from.
-struct ChosenFrames {
+struct UsableFrames {
   /// Indices of the frames that are kept, ascending; never empty unless there were no frames.
   std::vector<int> kept;
   int blurred = 0;
@@ -36,7 +36,7 @@ struct ChosenFrames {
 /// Leaves out blurred frames and copies. Sharpness is the variance of the Laplacian (Pech-Pacheco et al.
 /// 2000) over that of the grey levels. Frames are 8-bit grey, all of one size. Polls cancel. Errors: usage
 /// for options out of range; interrupted.
-Result<ChosenFrames> choose_frames(std::span<const Raster<std::uint8_t>> frames,
-                                   const FrameChoiceOptions& options, const Work& work);
+Result<UsableFrames> usable_frames(std::span<const Raster<std::uint8_t>> frames,
+                                   const UsableFrameOptions& options, const Work& work);
 
 }  // namespace palpable::vision

@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/recipes/table_axes.hpp"
+#include "palpable/recipes/ground_axes.hpp"
 
 #include <cmath>
 #include <random>
@@ -10,11 +10,11 @@
 namespace palpable::recipes {
 namespace {
 
-// A camera that looks down at a slope onto a table: its world is its own frame, so the table's normal is (0,
-// -c, -s).
+// A camera that looks down at a slope onto the ground: its world is its own frame, so the ground's normal is
+// (0, -c, -s).
 constexpr double kDown = 0.7;
 
-TEST(TableAxes, PointZOutOfThePlaneThatMostPointsLieOnAndYAway) {
+TEST(GroundAxes, PointZOutOfThePlaneThatMostPointsLieOnAndYAway) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> side(-1, 1), height(0, 0.4);
   const double c = std::cos(kDown), s = std::sin(kDown);
@@ -25,17 +25,17 @@ TEST(TableAxes, PointZOutOfThePlaneThatMostPointsLieOnAndYAway) {
     cloud.places_m.push_back(Vec3{0, 0, 3} + side(random) * right + side(random) * away + h * normal);
   }
   const vision::CameraPose pose;
-  const TableAxes axes = table_axes(cloud, std::span(&pose, 1), 1);
+  const GroundAxes axes = ground_axes(cloud, std::span(&pose, 1), {}, 1);
   const Vec3 z = axes.axes_from_world().rotate(normal), y = axes.axes_from_world().rotate(away);
   EXPECT_NEAR(z.z, 1.0, 1e-3);
   EXPECT_NEAR(y.y, 1.0, 1e-3);
 }
 
-TEST(TableAxes, OfATableSeenFromStraightAboveHaveThePicturesUpAsY) {
+TEST(GroundAxes, OfGroundSeenFromStraightAboveHaveThePicturesUpAsY) {
   PointCloud cloud;
   for (int i = 0; i < 100; ++i) cloud.places_m.push_back({0.1 * (i % 10), 0.1 * (i / 10), 2.0});
   const vision::CameraPose pose;
-  const TableAxes axes = table_axes(cloud, std::span(&pose, 1), 1);
+  const GroundAxes axes = ground_axes(cloud, std::span(&pose, 1), {}, 1);
   const Vec3 up = axes.axes_from_world().rotate({0, -1, 0}),
              towards = axes.axes_from_world().rotate({0, 0, -1});
   EXPECT_NEAR(up.y, 1.0, 1e-9);
