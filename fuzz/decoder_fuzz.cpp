@@ -10,7 +10,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using palpable::sources::isolated::Job;
   if (size < 2) return 0;
-  constexpr int kJobs = static_cast<int>(Job::opencv_calibration) + 1;
+  constexpr int kJobs = static_cast<int>(Job::map_extract) + 1;
   const auto job = static_cast<Job>(data[0] % kJobs);
   static_cast<void>(palpable::sources::decoder::run(job, std::as_bytes(std::span(data + 1, size - 1))));
   return 0;

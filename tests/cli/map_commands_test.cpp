@@ -75,11 +75,28 @@ TEST_F(MapCommands, RefuseTheMapViewOfOtherScenes) {
   EXPECT_THAT(shown.err, HasSubstr("only the scene of a street map has this view"));
 }
 
-TEST_F(MapCommands, SayThatExtractsCannotBeReadYet) {
-  write_text(path("map.osm"), "<?xml version='1.0'?><osm version=\"0.6\"></osm>");
-  const auto made = palpable({"make", path("map.osm"), "-o", path("map.palp"), "--as", "map"});
-  EXPECT_EQ(made.exit_code, 2);
-  EXPECT_THAT(made.err, HasSubstr("OpenStreetMap extracts cannot be read yet"));
+TEST_F(MapCommands, MakeAMapOfAnExtract) {
+  write_text(path("map.osm"),
+             "<?xml version='1.0'?><osm version=\"0.6\">"
+             "<node id='1' lat='47.1' lon='9.5'/><node id='2' lat='47.1' lon='9.502'/>"
+             "<node id='3' lat='47.101' lon='9.502'/><node id='4' lat='47.1' lon='9.504'/>"
+             "<way id='1'><nd ref='1'/><nd ref='2'/><nd ref='4'/><tag k='highway' v='residential'/>"
+             "<tag k='name' v='Lindenweg'/></way>"
+             "<way id='2'><nd ref='2'/><nd ref='3'/><tag k='highway' v='residential'/></way></osm>");
+  const auto made = palpable(
+      {"make", path("map.osm"), "-o", path("map.palp"), "--center", "47.1002,9.502", "--width", "300"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const auto info = palpable({"info", path("map.palp"), "--json"}).json();
+  EXPECT_EQ(info["kind"], "map");
+  EXPECT_EQ(info["streets"].size(), 3U);
+  EXPECT_EQ(info["crossings"].size(), 1U);
+  const auto far = palpable({"make", path("map.osm"), "-o", path("far.palp"), "--center", "12,13"});
+  EXPECT_EQ(far.exit_code, 2);
+  EXPECT_THAT(far.err, HasSubstr("outside this extract"));
+  write_text(path("empty.osm"), "<?xml version='1.0'?><osm version=\"0.6\"></osm>");
+  const auto empty = palpable({"make", path("empty.osm"), "-o", path("empty.palp")});
+  EXPECT_EQ(empty.exit_code, 3);
+  EXPECT_THAT(empty.err, HasSubstr("is an extract without streets"));
 }
 
 }  // namespace

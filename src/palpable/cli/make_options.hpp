@@ -65,6 +65,11 @@ struct MakeArguments {
   /// "fused", "superquadrics".
   std::string surface = "fused";
   bool paper = false;
+  /// The window of an OpenStreetMap extract: "LAT,LON" and metres.
+  std::string center;
+  std::optional<double> window_m;
+  /// A file of street names, one a line.
+  std::string gazetteer;
   std::string background = "keep";
   std::string texture = "left";
 };

@@ -31,8 +31,9 @@ const std::vector<Effect>& effects() {
       posed{InputKind::depth, InputKind::video},
       with_camera{InputKind::stereo, InputKind::depth, InputKind::video},
       solid{InputKind::mesh, InputKind::points, InputKind::shapes, InputKind::level_set};
-  static const Inputs made{InputKind::picture, InputKind::stereo, InputKind::depth,     InputKind::mesh,
-                           InputKind::points,  InputKind::shapes, InputKind::level_set, InputKind::video};
+  static const Inputs made{InputKind::picture,   InputKind::stereo, InputKind::depth,
+                           InputKind::mesh,      InputKind::points, InputKind::shapes,
+                           InputKind::level_set, InputKind::video,  InputKind::map};
   static const std::vector<std::string_view> all{}, contours{"contours"}, fields{"field", "dense-field"};
   static const std::vector<Effect> table{{"--size", made, all},
                                          {"--depth-scale", depth, all},
@@ -63,6 +64,9 @@ const std::vector<Effect>& effects() {
                                          {"--max-disparity", pair, all},
                                          {"--rectify", pair, all},
                                          {"--moved", pair, all},
+                                         {"--center", {InputKind::map}, all},
+                                         {"--width", {InputKind::map}, all},
+                                         {"--gazetteer", {InputKind::picture}, {"relief"}},
                                          {"--up", solid, all},
                                          {"--lay", solid, all},
                                          {"--sheet", {InputKind::mesh}, {"relief"}},

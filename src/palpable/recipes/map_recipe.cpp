@@ -31,6 +31,19 @@ void enlarge(StreetMap& map, int width, int height) {
   map.height_px = height;
 }
 
+Result<MadeScene> scene_of(StreetMap map, const MapRecipe& recipe, const char* method) {
+  auto made = sculpt::relief_from_street_map(map, recipe.relief);
+  if (!made) return made.error();
+  models::Scene scene;
+  scene.scene_from_input = sculpt::scene_from_picture(made->relief, map.width_px, map.height_px);
+  scene.model = std::make_shared<const models::Relief>(std::move(made->relief));
+  scene.labels = std::move(made->labels);
+  scene.materials = std::move(made->materials);
+  scene.source.method = method;
+  scene.map = std::make_shared<const StreetMap>(std::move(map));
+  return MadeScene{std::move(scene), {}};
+}
+
 }  // namespace
 
 Result<MadeScene> map_from_picture(Image picture, const MapRecipe& recipe, const Work& work) {
@@ -45,19 +58,16 @@ Result<MadeScene> map_from_picture(Image picture, const MapRecipe& recipe, const
   auto found = vision::street_map_from_picture(picture, recipe.streets, work);
   if (!found) return found.error();
   notes.insert(notes.end(), found->notes.begin(), found->notes.end());
-  StreetMap& map = found->map;
-  enlarge(map, width, height);
-  auto made = sculpt::relief_from_street_map(map, recipe.relief);
-  if (!made) return made.error();
-  models::Scene scene;
-  scene.scene_from_input = sculpt::scene_from_picture(made->relief, width, height);
-  scene.model = std::make_shared<const models::Relief>(std::move(made->relief));
-  scene.labels = std::move(made->labels);
-  scene.materials = std::move(made->materials);
-  scene.texture = rgb8(picture);
-  scene.source.method = "street map";
-  scene.map = std::make_shared<const StreetMap>(std::move(map));
-  return MadeScene{std::move(scene), std::move(notes)};
+  enlarge(found->map, width, height);
+  auto made = scene_of(std::move(found->map), recipe, "street map");
+  if (!made) return made;
+  made->scene.texture = rgb8(picture);
+  made->notes.insert(made->notes.begin(), notes.begin(), notes.end());
+  return made;
+}
+
+Result<MadeScene> map_from_extract(StreetMap map, const MapRecipe& recipe) {
+  return scene_of(std::move(map), recipe, "map extract");
 }
 
 }  // namespace palpable::recipes

@@ -26,4 +26,8 @@ struct MapRecipe {
 /// vision::street_map_from_picture() and sculpt::relief_from_street_map(), without a place.
 Result<MadeScene> map_from_picture(Image picture, const MapRecipe& recipe, const Work& work);
 
+/// The same of a map that is known without a picture. Errors: as sculpt::relief_from_street_map(), without a
+/// place.
+Result<MadeScene> map_from_extract(StreetMap map, const MapRecipe& recipe);
+
 }  // namespace palpable::recipes

@@ -24,6 +24,11 @@ bool is_solid(InputKind kind) {
 
 bool is_map(const MakeOptions& options) { return options.as == MakeAs::map; }
 
+/// An extract becomes a map without being asked for one.
+bool is_extract(const MakeOptions& options, const sources::Input& input) {
+  return input.kind == InputKind::map && (is_map(options) || options.as == MakeAs::by_input);
+}
+
 bool is_contours(const MakeOptions& options, const sources::Input& input) {
   if (holds_depth_maps(options.input)) return false;
   return options.as == MakeAs::contours ||
@@ -44,11 +49,10 @@ std::string few_names_of(const std::vector<std::filesystem::path>& files) {
 }
 
 Error cannot_become(const sources::Input& input) {
-  const std::string what =
-      input.kind == InputKind::map     ? "OpenStreetMap extracts cannot be read yet; the picture of a map can"
-      : input.kind == InputKind::video ? "a video can only become a field so far"
-                                       : "a " + std::string(sources::name_of(input.kind)) +
-                                             " cannot become the kind of scene that is asked for";
+  const std::string what = input.kind == InputKind::video
+                               ? "a video can only become a field so far"
+                               : "a " + std::string(sources::name_of(input.kind)) +
+                                     " cannot become the kind of scene that is asked for";
   return {ErrorCode::usage, what, few_names_of(input.files), Reason::unexpected_input_kind};
 }
 
@@ -61,9 +65,9 @@ Result<void> check_kind(const sources::Input& input, const MakeOptions& options)
                  names_of(options.input.files)};
   }
   if (is_contours(options, input)) return {};
-  if (is_map(options) && input.kind == InputKind::picture) return {};
-  if (is_map(options) && input.kind != InputKind::map)
-    return Error{ErrorCode::usage, "a map is made of a single picture that is no depth map",
+  if (is_extract(options, input) || (is_map(options) && input.kind == InputKind::picture)) return {};
+  if (is_map(options))
+    return Error{ErrorCode::usage, "a map is made of a single picture that is no depth map, or of an extract",
                  names_of(input.files)};
   const bool adaptive = options.recipes.field.storage == recipes::FieldStorage::adaptive;
   const bool becomes_field = is_solid(input.kind) || input.kind == InputKind::video;
@@ -148,6 +152,9 @@ struct RunRecipe {
   Result<MadeScene> operator()(const LevelSet& set) const {
     return field_from_level_set(set, options.recipes.field, work);
   }
+  Result<MadeScene> operator()(StreetMap map) const {
+    return map_from_extract(std::move(map), options.recipes.map);
+  }
   Result<MadeScene> operator()(models::Scene scene) const {
     const bool is_it = (options.as == MakeAs::field && models::is_field(scene.model)) ||
                        (options.as == MakeAs::grid &&
@@ -172,7 +179,7 @@ Result<Prepared> prepared(const MakeOptions& options, const Work& work) {
   if (!input) return input.error();
   if (const auto possible = check_kind(*input, options); !possible) return possible.error();
   Prepared out;
-  if (is_contours(options, *input) || is_map(options)) {
+  if (is_contours(options, *input) || (is_map(options) && input->kind == InputKind::picture)) {
     auto picture = read_one_picture(options.input);
     if (!picture) return picture.error();
     out.values = std::move(*picture);

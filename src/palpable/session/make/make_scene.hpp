@@ -24,13 +24,14 @@ namespace palpable::session {
 /// The kind of scene that is made.
 enum class MakeAs {
   /// Chosen by the input: contours for one picture; a field for a mesh, points, superquadrics or a level set;
+  /// a map for an extract;
   /// otherwise a relief, also for a mesh that is an open sheet.
   by_input,
   relief,
   contours,
   field,
   grid,
-  /// Of a street map's picture.
+  /// Of a street map's picture, or of an OpenStreetMap extract.
   map
 };
 

@@ -43,6 +43,16 @@ Result<ReadInput> read_pair(const InputOptions& options, const Work& work) {
   return ReadInput{std::move(*pair), std::move(notes)};
 }
 
+Result<ReadInput> read_extract(const std::filesystem::path& file, const InputOptions& options,
+                               const Work& work) {
+  work.report(0.0, "reading the extract");
+  const auto extract = sources::read_map_extract(file);
+  if (!extract) return extract.error();
+  auto window = sources::street_map_of(*extract, options.window);
+  if (!window) return at_place(window.error(), file.string());
+  return ReadInput{std::move(window->map), std::move(window->notes)};
+}
+
 Result<ReadInput> read_scene_file(const InputOptions& options) {
   if (options.files.size() != 1) return Error{ErrorCode::usage, "a scene is one file", {}};
   auto file = formats::read_scene(options.files.front());
@@ -87,10 +97,9 @@ Result<ReadInput> read_input(const sources::Input& input, const InputOptions& op
     case InputKind::video:
       return read_video_input(input, options, work);
     case InputKind::map:
-      break;
+      return read_extract(file, options, work);
   }
-  return Error{ErrorCode::usage, "a " + std::string(sources::name_of(input.kind)) + " cannot be read yet",
-               names_of(input.files)};
+  return Error{ErrorCode::usage, "this kind of file cannot be read", names_of(input.files)};
 }
 
 Result<Image> read_one_picture(const InputOptions& options) {

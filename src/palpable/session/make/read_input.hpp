@@ -7,6 +7,7 @@
 #include "palpable/core/note.hpp"
 #include "palpable/core/point_cloud.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/core/street_map.hpp"
 #include "palpable/core/video_frame.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/models/field/superquadric.hpp"
@@ -17,6 +18,7 @@
 #include "palpable/session/make/stereo_input.hpp"
 #include "palpable/sources/depth/depth_picture.hpp"
 #include "palpable/sources/input/input.hpp"
+#include "palpable/sources/map/extract_window.hpp"
 #include "palpable/sources/solid/mesh_file.hpp"
 
 #include <filesystem>
@@ -46,6 +48,8 @@ struct InputOptions {
   /// For a pair: whether to rectify it, and the distance in metres by which one camera was moved.
   Rectification rectification = Rectification::automatic;
   std::optional<double> moved_m;
+  /// For an OpenStreetMap extract: the part that is shown.
+  sources::ExtractWindow window;
 };
 
 /// The frames of a video, and its camera.
@@ -57,9 +61,9 @@ struct VideoInput {
 };
 
 /// The values that were read from the files.
-using InputValues =
-    std::variant<Image, VideoInput, ReadyPair, recipes::DepthInput, std::vector<recipes::PosedDepth>,
-                 sources::MeshFile, PointCloud, std::vector<models::Superquadric>, LevelSet, models::Scene>;
+using InputValues = std::variant<Image, VideoInput, ReadyPair, recipes::DepthInput,
+                                 std::vector<recipes::PosedDepth>, sources::MeshFile, PointCloud,
+                                 std::vector<models::Superquadric>, LevelSet, StreetMap, models::Scene>;
 
 struct ReadInput {
   InputValues values;
@@ -73,8 +77,8 @@ bool holds_depth_maps(const InputOptions& options);
 Result<sources::Input> recognise(const InputOptions& options);
 
 /// Reads files of a kind that recognise() returned, or those of holds_depth_maps(), as values in memory; a
-/// pair is rectified. Long work. Errors: invalid_input, naming the file; usage for options that do not fit
-/// and for kinds that cannot be read here (map); interrupted.
+/// pair is rectified. Long work. Errors: invalid_input, naming the file; usage for options that do not fit;
+/// interrupted.
 Result<ReadInput> read_input(const sources::Input& input, const InputOptions& options, const Work& work);
 
 /// Reads the single file as a picture, whatever its kind. Errors: usage for more than one file; as

@@ -6,6 +6,8 @@
 #include "palpable/sources/calibration/calibration_formats.hpp"
 #include "palpable/sources/calibration/calibration_reply.hpp"
 #include "palpable/sources/isolated/flat.hpp"
+#include "palpable/sources/map/extract_parser.hpp"
+#include "palpable/sources/map/extract_reply.hpp"
 #include "palpable/sources/picture/decoders.hpp"
 #include "palpable/sources/picture/exr.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
@@ -58,6 +60,8 @@ std::vector<std::byte> decoded(Job job, Bytes file) {
       return announcement(heif_announces_depth(file));
     case Job::opencv_calibration:
       return reply_to(calibration_from_opencv(as_text(file)));
+    case Job::map_extract:
+      return reply_to(parse_map_extract(file));
     case Job::video:
       // Done by palpable-video-decoder.
       break;

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<Job, std::string_view>, 12> kJobNames{
+constexpr std::array<std::pair<Job, std::string_view>, 13> kJobNames{
     {{Job::obj, "obj"},
      {Job::stl, "stl"},
      {Job::glb, "glb"},
@@ -41,6 +41,7 @@ constexpr std::array<std::pair<Job, std::string_view>, 12> kJobNames{
      {Job::heif_depth, "heif-depth"},
      {Job::heif_announces_depth, "heif-announces-depth"},
      {Job::opencv_calibration, "opencv-calibration"},
+     {Job::map_extract, "map-extract"},
      {Job::video, "video"}}};
 
 constexpr std::uint64_t kMiB = std::uint64_t{1} << 20U;

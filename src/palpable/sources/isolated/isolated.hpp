@@ -26,6 +26,7 @@ enum class Job : std::uint8_t {
   heif_depth,
   heif_announces_depth,
   opencv_calibration,
+  map_extract,
   video
 };
 

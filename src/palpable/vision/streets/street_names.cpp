@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/vision/streets/street_names.hpp"
 
+#include "palpable/vision/streets/gazetteer.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -146,6 +148,12 @@ MapLabel label_of(const TextLine& line, const ReadLine& read, bool names_street)
           names_street};
 }
 
+/// What is read as a street's name, spelled as in the gazetteer; nullopt if that has no such name.
+std::optional<std::string> name_of(const ReadLine& read, const StreetNameOptions& options) {
+  if (options.gazetteer.empty()) return read.text;
+  return nearest_name(read.text, options.gazetteer, options.least_similarity);
+}
+
 }  // namespace
 
 void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const ReadLine> read,
@@ -155,16 +163,18 @@ void add_names(StreetMap& map, std::span<const TextLine> lines, std::span<const 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (read[i].text.empty()) continue;
     const Votes votes = votes_of(map, lines[i], options);
-    const bool names_street = votes.part >= options.least_part_on_street;
-    map.labels.push_back(label_of(lines[i], read[i], names_street));
-    if (!names_street) continue;
+    const std::optional<std::string> name =
+        votes.part >= options.least_part_on_street ? name_of(read[i], options) : std::nullopt;
+    map.labels.push_back(label_of(lines[i], read[i], name.has_value()));
+    if (!name) continue;
+    map.labels.back().text = *name;
     int most = 0;
     for (const auto& [street, count] : votes.of_street) most = std::max(most, count);
     for (const auto& [street, count] : votes.of_street) {
       // A few points at a junction belong to the street that crosses.
       if (3 * count < most || read[i].confidence <= confidence[street]) continue;
       confidence[street] = read[i].confidence;
-      map.streets[street].name = read[i].text;
+      map.streets[street].name = *name;
     }
   }
   continue_names(map, options);

@@ -7,6 +7,8 @@
 #include "palpable/vision/text/text_lines.hpp"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace palpable::vision {
 
@@ -19,6 +21,11 @@ struct StreetNameOptions {
   /// angle, degrees, and whose width differs by at most this part.
   double most_turn_deg = 30.0;
   double most_width_change = 0.35;
+  /// Names of the streets of the place, UTF-8; what is read becomes the most similar of them. Empty: none.
+  std::vector<std::string> gazetteer;
+  /// Least similarity of a name with that of the gazetteer, 0 ... 1: one minus their edit distance
+  /// (Levenshtein 1966) as a part of the longer one's letters.
+  double least_similarity = 0.7;
 };
 
 /// Adds the map's lettering (`read` belongs to `lines`, one for one): a name that lies along a street becomes

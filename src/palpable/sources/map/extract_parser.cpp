@@ -1,0 +1,165 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/map/extract_parser.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <osmium/area/assembler.hpp>
+#include <osmium/area/multipolygon_manager.hpp>
+#include <osmium/handler.hpp>
+#include <osmium/handler/node_locations_for_ways.hpp>
+#include <osmium/index/map/sparse_mem_array.hpp>
+#include <osmium/io/pbf_input.hpp>
+#include <osmium/io/xml_input.hpp>
+#include <osmium/visitor.hpp>
+
+namespace palpable::sources {
+namespace {
+
+using Locations = osmium::index::map::SparseMemArray<osmium::unsigned_object_id_type, osmium::Location>;
+
+std::string_view value_of(const osmium::TagList& tags, const char* key) {
+  const char* value = tags.get_value_by_key(key);
+  return value != nullptr ? value : std::string_view();
+}
+
+/// The kinds of areas by their tags; "*" is every value but "no".
+struct AreaTag {
+  const char* key;
+  const char* value;
+  ExtractArea::Kind kind;
+};
+using Kind = ExtractArea::Kind;
+constexpr std::array<AreaTag, 15> kAreaTags{{{"building", "*", Kind::building},
+                                             {"natural", "water", Kind::water},
+                                             {"waterway", "riverbank", Kind::water},
+                                             {"landuse", "reservoir", Kind::water},
+                                             {"landuse", "basin", Kind::water},
+                                             {"leisure", "park", Kind::green},
+                                             {"leisure", "garden", Kind::green},
+                                             {"landuse", "grass", Kind::green},
+                                             {"landuse", "forest", Kind::green},
+                                             {"landuse", "meadow", Kind::green},
+                                             {"landuse", "cemetery", Kind::green},
+                                             {"landuse", "recreation_ground", Kind::green},
+                                             {"natural", "wood", Kind::green},
+                                             {"natural", "scrub", Kind::green},
+                                             {"natural", "grassland", Kind::green}}};
+
+bool fits(const osmium::TagList& tags, const AreaTag& tag) {
+  const std::string_view value = value_of(tags, tag.key);
+  if (value.empty() || value == "no") return false;
+  return std::string_view(tag.value) == "*" || value == tag.value;
+}
+
+/// Ways under the ground that are no tunnels for traffic, planned ones and races are no streets.
+std::optional<std::string> way_kind(const osmium::TagList& tags) {
+  const std::string_view highway = value_of(tags, "highway");
+  constexpr std::array<std::string_view, 12> kNone{"proposed",  "construction", "raceway",  "corridor",
+                                                   "platform",  "elevator",     "razed",    "abandoned",
+                                                   "rest_area", "services",     "bus_stop", "no"};
+  if (!highway.empty())
+    return std::find(kNone.begin(), kNone.end(), highway) == kNone.end() ? std::optional<std::string>(highway)
+                                                                         : std::nullopt;
+  const std::string_view railway = value_of(tags, "railway");
+  if (railway == "rail" || railway == "tram" || railway == "light_rail" || railway == "narrow_gauge")
+    return "rail";
+  return std::nullopt;
+}
+
+/// Metres: a number, which a unit may follow; 0 for anything else.
+double metres_of(std::string_view text) {
+  double value = 0.0;
+  double unit = 1.0;
+  bool point = false;
+  for (const char c : text) {
+    if (c == '.' && !point) {
+      point = true;
+    } else if (c >= '0' && c <= '9') {
+      value = 10.0 * value + (c - '0');
+      if (point) unit *= 10.0;
+    } else if (c == ' ' || c == 'm') {
+      break;
+    } else {
+      return 0.0;
+    }
+  }
+  constexpr double kWidest_m = 100.0;
+  const double metres = value / unit;
+  return metres <= kWidest_m ? metres : 0.0;
+}
+
+GeoPoint point_of(const osmium::NodeRef& node) { return {node.location().lat(), node.location().lon()}; }
+
+/// Takes the ways and areas of an extract.
+class Collector : public osmium::handler::Handler {
+ public:
+  void way(const osmium::Way& way) {
+    const osmium::TagList& tags = way.tags();
+    auto kind = way_kind(tags);
+    if (!kind || value_of(tags, "area") == "yes") return;
+    ExtractWay out;
+    out.kind = *std::move(kind);
+    out.name = std::string(value_of(tags, "name"));
+    out.width_m = metres_of(value_of(tags, "width"));
+    out.tunnel = !value_of(tags, "tunnel").empty() && value_of(tags, "tunnel") != "no";
+    const std::string_view junction = value_of(tags, "junction");
+    out.roundabout = junction == "roundabout" || junction == "circular";
+    for (const osmium::NodeRef& node : way.nodes()) {
+      if (!node.location().valid()) continue;
+      out.nodes.push_back(node.ref());
+      out.points.push_back(point_of(node));
+    }
+    if (out.points.size() >= 2) extract.ways.push_back(std::move(out));
+  }
+
+  void area(const osmium::Area& area) {
+    const auto tag = std::find_if(kAreaTags.begin(), kAreaTags.end(),
+                                  [&area](const AreaTag& t) { return fits(area.tags(), t); });
+    if (tag == kAreaTags.end()) return;
+    for (const osmium::OuterRing& ring : area.outer_rings()) {
+      ExtractArea out{tag->kind, {}};
+      for (const osmium::NodeRef& node : ring)
+        if (node.location().valid()) out.ring.push_back(point_of(node));
+      if (!out.ring.empty()) out.ring.pop_back();
+      if (out.ring.size() >= 3) extract.areas.push_back(std::move(out));
+    }
+  }
+
+  MapExtract extract;
+};
+
+}  // namespace
+
+Result<MapExtract> parse_map_extract(std::span<const std::byte> file) {
+  const std::string_view text = as_text(file);
+  const osmium::io::File input(text.data(), text.size(), has_magic(file, "OSMHeader", 6) ? "pbf" : "osm");
+  osmium::TagsFilter filter{false};
+  for (const AreaTag& tag : kAreaTags) {
+    if (std::string_view(tag.value) == "*")
+      filter.add_rule(true, tag.key);
+    else
+      filter.add_rule(true, tag.key, tag.value);
+  }
+  const osmium::area::Assembler::config_type config;
+  osmium::area::MultipolygonManager<osmium::area::Assembler> areas{config, filter};
+  osmium::relations::read_relations(input, areas);
+  Locations index;
+  osmium::handler::NodeLocationsForWays<Locations> locations{index};
+  locations.ignore_errors();
+  Collector collector;
+  osmium::io::Reader reader{input};
+  osmium::apply(reader, locations, collector, areas.handler([&collector](osmium::memory::Buffer&& buffer) {
+    osmium::apply(buffer, collector);
+  }));
+  reader.close();
+  return std::move(collector.extract);
+}
+
+}  // namespace palpable::sources

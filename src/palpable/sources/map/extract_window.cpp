@@ -1,0 +1,313 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/map/extract_window.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace palpable::sources {
+namespace {
+
+/// The kinds of streets, and their usual widths.
+struct StreetKind {
+  std::string_view name;
+  double width_m;
+  /// Whether it is one without a name, too.
+  bool unnamed;
+};
+constexpr std::array<StreetKind, 16> kStreetKinds{{{"motorway", 12.0, true},
+                                                   {"motorway_link", 6.0, true},
+                                                   {"trunk", 11.0, true},
+                                                   {"trunk_link", 6.0, true},
+                                                   {"primary", 10.0, true},
+                                                   {"primary_link", 6.0, true},
+                                                   {"secondary", 9.0, true},
+                                                   {"secondary_link", 6.0, true},
+                                                   {"tertiary", 8.0, true},
+                                                   {"tertiary_link", 6.0, true},
+                                                   {"unclassified", 6.0, true},
+                                                   {"residential", 6.0, true},
+                                                   {"living_street", 5.0, true},
+                                                   {"road", 6.0, true},
+                                                   {"pedestrian", 5.0, false},
+                                                   {"service", 4.0, false}}};
+
+/// Equirectangular with true scale at the window's centre: pixels, y down.
+class Projection {
+ public:
+  Projection(GeoPoint center, const ExtractWindow& window)
+      : center_(center),
+        px_per_degree_(kMetresPerDegree * window.side_px / window.width_m),
+        shrink_(std::cos(center.latitude * std::numbers::pi / 180.0)),
+        middle_(0.5 * (window.side_px - 1)) {}
+
+  MapPoint operator()(GeoPoint p) const {
+    return {middle_ + (p.longitude - center_.longitude) * shrink_ * px_per_degree_,
+            middle_ - (p.latitude - center_.latitude) * px_per_degree_};
+  }
+
+ private:
+  static constexpr double kMetresPerDegree = 111195.0;
+  GeoPoint center_;
+  double px_per_degree_;
+  double shrink_;
+  double middle_;
+};
+
+/// A piece of a street between two nodes of the network.
+struct StreetPiece {
+  const ExtractWay* way;
+  std::vector<std::int64_t> nodes;
+  std::vector<GeoPoint> points;
+};
+
+/// How many pieces of streets begin at each node.
+std::map<std::int64_t, int> ends_at_nodes(const std::vector<const ExtractWay*>& streets) {
+  std::map<std::int64_t, int> ends;
+  for (const ExtractWay* way : streets)
+    for (std::size_t i = 0; i < way->nodes.size(); ++i)
+      ends[way->nodes[i]] += i > 0 && i + 1 < way->nodes.size() ? 2 : 1;
+  return ends;
+}
+
+std::vector<StreetPiece> pieces_of(const std::vector<const ExtractWay*>& streets,
+                                   const std::map<std::int64_t, int>& ends) {
+  std::vector<StreetPiece> pieces;
+  for (const ExtractWay* way : streets) {
+    StreetPiece piece{way, {}, {}};
+    for (std::size_t i = 0; i < way->nodes.size(); ++i) {
+      piece.nodes.push_back(way->nodes[i]);
+      piece.points.push_back(way->points[i]);
+      const bool is_last = i + 1 == way->nodes.size();
+      if (piece.nodes.size() < 2 || (!is_last && ends.at(way->nodes[i]) < 3)) continue;
+      pieces.push_back(std::exchange(piece, {way, {way->nodes[i]}, {way->points[i]}}));
+    }
+  }
+  return pieces;
+}
+
+/// Joins pieces with one name that meet where no other street is: extracts divide streets at bridges, speed
+/// limits and so on.
+void join_pieces(std::vector<StreetPiece>& pieces, const std::map<std::int64_t, int>& ends) {
+  std::multimap<std::int64_t, std::size_t> at;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (const std::int64_t node : {pieces[i].nodes.front(), pieces[i].nodes.back()})
+      if (ends.at(node) == 2) at.emplace(node, i);
+  std::vector<std::size_t> moved_to(pieces.size());
+  for (std::size_t i = 0; i < moved_to.size(); ++i) moved_to[i] = i;
+  const auto where = [&moved_to](std::size_t i) {
+    while (moved_to[i] != i) i = moved_to[i];
+    return i;
+  };
+  const auto reverse = [](StreetPiece& p) {
+    std::reverse(p.nodes.begin(), p.nodes.end());
+    std::reverse(p.points.begin(), p.points.end());
+  };
+  for (auto it = at.begin(); it != at.end();) {
+    const auto [begin, end] = at.equal_range(it->first);
+    const std::int64_t node = it->first;
+    it = end;
+    if (std::distance(begin, end) != 2) continue;
+    const std::size_t first = where(begin->second);
+    const std::size_t second = where(std::next(begin)->second);
+    StreetPiece& a = pieces[first];
+    StreetPiece& b = pieces[second];
+    if (first == second || a.way->name != b.way->name || width_m_of(*a.way) != width_m_of(*b.way)) continue;
+    if (a.nodes.back() != node) reverse(a);
+    if (b.nodes.front() != node) reverse(b);
+    a.nodes.insert(a.nodes.end(), b.nodes.begin() + 1, b.nodes.end());
+    a.points.insert(a.points.end(), b.points.begin() + 1, b.points.end());
+    b.nodes.clear();
+    moved_to[second] = first;
+  }
+  std::erase_if(pieces, [](const StreetPiece& p) { return p.nodes.empty(); });
+}
+
+/// The part of a segment inside 0 ... most in both coordinates (Liang & Barsky 1984).
+std::optional<std::pair<MapPoint, MapPoint>> inside_part(MapPoint a, MapPoint b, double most) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  double first = 0.0;
+  double last = 1.0;
+  for (const auto& [p, q] : {std::pair{-dx, a.x}, {dx, most - a.x}, {-dy, a.y}, {dy, most - a.y}}) {
+    if (p == 0.0 && q < 0.0) return std::nullopt;
+    if (p < 0.0) first = std::max(first, q / p);
+    if (p > 0.0) last = std::min(last, q / p);
+  }
+  if (first > last) return std::nullopt;
+  return std::pair{MapPoint{a.x + first * dx, a.y + first * dy}, MapPoint{a.x + last * dx, a.y + last * dy}};
+}
+
+/// The parts of a line in the window.
+std::vector<std::vector<MapPoint>> inside_parts(const std::vector<MapPoint>& line, double most) {
+  std::vector<std::vector<MapPoint>> parts;
+  bool goes_on = false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const auto part = inside_part(line[i - 1], line[i], most);
+    if (!part) {
+      goes_on = false;
+      continue;
+    }
+    if (!goes_on) parts.push_back({part->first});
+    parts.back().push_back(part->second);
+    goes_on = part->second.x == line[i].x && part->second.y == line[i].y;
+  }
+  constexpr double kShortest_px = 1.0;
+  std::erase_if(parts, [](const std::vector<MapPoint>& part) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < part.size(); ++i)
+      length += std::hypot(part[i].x - part[i - 1].x, part[i].y - part[i - 1].y);
+    return length < kShortest_px;
+  });
+  return parts;
+}
+
+/// The part of a ring in the window (Sutherland & Hodgman 1974).
+std::vector<MapPoint> inside_ring(std::vector<MapPoint> ring, double most) {
+  using Side = std::function<double(MapPoint)>;
+  const std::array<Side, 4> sides{[](MapPoint p) { return p.x; }, [most](MapPoint p) { return most - p.x; },
+                                  [](MapPoint p) { return p.y; }, [most](MapPoint p) { return most - p.y; }};
+  for (const Side& inside : sides) {
+    std::vector<MapPoint> kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const MapPoint a = ring[i];
+      const MapPoint b = ring[(i + 1) % ring.size()];
+      const double of_a = inside(a);
+      const double of_b = inside(b);
+      if (of_a >= 0.0) kept.push_back(a);
+      if ((of_a >= 0.0) == (of_b >= 0.0)) continue;
+      const double t = of_a / (of_a - of_b);
+      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+    ring = std::move(kept);
+  }
+  return ring;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// The window's centre; in the extract.
+Result<GeoPoint> center_of(const std::vector<const ExtractWay*>& streets, const ExtractWindow& window) {
+  std::vector<double> latitudes;
+  std::vector<double> longitudes;
+  for (const ExtractWay* way : streets)
+    for (const GeoPoint& p : way->points) {
+      latitudes.push_back(p.latitude);
+      longitudes.push_back(p.longitude);
+    }
+  if (!window.center) return GeoPoint{median_of(latitudes), median_of(longitudes)};
+  const auto [south, north] = std::minmax_element(latitudes.begin(), latitudes.end());
+  const auto [west, east] = std::minmax_element(longitudes.begin(), longitudes.end());
+  const GeoPoint c = *window.center;
+  if (c.latitude >= *south && c.latitude <= *north && c.longitude >= *west && c.longitude <= *east) return c;
+  return Error{ErrorCode::usage,
+               fmt::format("the centre {:.5f},{:.5f} is outside this extract, whose streets reach from "
+                           "{:.5f},{:.5f} to {:.5f},{:.5f}",
+                           c.latitude, c.longitude, *south, *west, *north, *east),
+               {}};
+}
+
+void add_streets(StreetMap& map, std::vector<const ExtractWay*> streets, const Projection& project,
+                 double px_per_m) {
+  const auto ends = ends_at_nodes(streets);
+  std::vector<StreetPiece> pieces = pieces_of(streets, ends);
+  join_pieces(pieces, ends);
+  const double most = map.width_px - 1;
+  std::set<std::int64_t> roundabout;
+  for (const ExtractWay* way : streets)
+    if (way->roundabout) roundabout.insert(way->nodes.begin(), way->nodes.end());
+  std::map<std::int64_t, MapPoint> junctions;
+  for (const StreetPiece& piece : pieces) {
+    std::vector<MapPoint> line;
+    for (const GeoPoint& p : piece.points) line.push_back(project(p));
+    for (const bool last : {false, true}) {
+      const std::int64_t node = last ? piece.nodes.back() : piece.nodes.front();
+      if (ends.at(node) > 2) junctions[node] = last ? line.back() : line.front();
+    }
+    for (auto& part : inside_parts(line, most))
+      map.streets.push_back({piece.way->name, width_m_of(*piece.way) * px_per_m, std::move(part)});
+  }
+  for (const auto& [node, at] : junctions)
+    if (at.x >= 0.0 && at.y >= 0.0 && at.x <= most && at.y <= most)
+      map.junctions.push_back({at, ends.at(node), roundabout.contains(node)});
+}
+
+void add_areas(StreetMap& map, const MapExtract& extract, const Projection& project) {
+  for (const ExtractArea& area : extract.areas) {
+    std::vector<MapPoint> ring;
+    for (const GeoPoint& p : area.ring) ring.push_back(project(p));
+    ring = inside_ring(std::move(ring), map.width_px - 1);
+    if (ring.size() < 3) continue;
+    const auto kind = area.kind == ExtractArea::Kind::building ? MapArea::Kind::building
+                      : area.kind == ExtractArea::Kind::water  ? MapArea::Kind::water
+                                                               : MapArea::Kind::green;
+    map.areas.push_back({kind, std::move(ring)});
+  }
+}
+
+Result<void> check(const ExtractWindow& window) {
+  constexpr double kLeast_m = 50.0, kMost_m = 20000.0, kNorthernmost = 85.0;
+  if (!(window.width_m >= kLeast_m && window.width_m <= kMost_m))
+    return Error{ErrorCode::usage, "the width of a map's window is 50 to 20000 m", {}};
+  if (window.side_px < 64 || window.side_px > 8192)
+    return Error{ErrorCode::usage, "a map's window has 64 to 8192 pixels on a side", {}};
+  if (window.center &&
+      !(std::abs(window.center->latitude) <= kNorthernmost && std::abs(window.center->longitude) <= 180.0))
+    return Error{ErrorCode::usage, "the centre of a map is LATITUDE,LONGITUDE: -85 to 85, -180 to 180", {}};
+  return {};
+}
+
+}  // namespace
+
+bool is_street(const ExtractWay& way) {
+  const auto kind = std::find_if(kStreetKinds.begin(), kStreetKinds.end(),
+                                 [&way](const StreetKind& k) { return k.name == way.kind; });
+  return kind != kStreetKinds.end() && (kind->unnamed || !way.name.empty());
+}
+
+double width_m_of(const ExtractWay& way) {
+  if (way.width_m > 0.0) return way.width_m;
+  constexpr double kNarrow_m = 3.0;
+  for (const StreetKind& kind : kStreetKinds)
+    if (kind.name == way.kind) return kind.width_m;
+  return kNarrow_m;
+}
+
+Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& window) {
+  if (auto checked = check(window); !checked) return checked.error();
+  std::vector<const ExtractWay*> streets;
+  for (const ExtractWay& way : extract.ways)
+    if (is_street(way)) streets.push_back(&way);
+  if (streets.empty()) return invalid_input("is an extract without streets");
+  const auto center = center_of(streets, window);
+  if (!center) return center.error();
+  const Projection project(*center, window);
+  WindowMap out;
+  out.map.width_px = out.map.height_px = window.side_px;
+  add_streets(out.map, streets, project, window.side_px / window.width_m);
+  if (out.map.streets.empty())
+    return invalid_input(fmt::format("has no streets in the {:.0f} m around {:.5f},{:.5f}", window.width_m,
+                                     center->latitude, center->longitude));
+  add_areas(out.map, extract, project);
+  if (!window.center)
+    out.notes.emplace_back(
+        fmt::format("The map shows {:.0f} m around {:.5f},{:.5f}; --center and --width choose another part.",
+                    window.width_m, center->latitude, center->longitude));
+  return out;
+}
+
+}  // namespace palpable::sources

@@ -1,0 +1,43 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/note.hpp"
+#include "palpable/core/result.hpp"
+#include "palpable/core/street_map.hpp"
+#include "palpable/sources/map/map_extract.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace palpable::sources {
+
+/// Which part of an extract becomes a map: a square with north at its top.
+struct ExtractWindow {
+  /// If it is not given: the median of the places of all streets.
+  std::optional<GeoPoint> center;
+  /// Length of a side, 50 ... 20 000 m.
+  double width_m = 600.0;
+  /// Pixels of the map on a side, 64 ... 8192. They only give the scale of its positions.
+  int side_px = 1024;
+};
+
+/// The map of a window, and notes for the user about it.
+struct WindowMap {
+  StreetMap map;
+  std::vector<Note> notes;
+};
+
+/// The kinds of ways that are streets of a map to touch: for cars, and for pedestrians alone if they have a
+/// name. Footpaths, cycle ways, steps, tracks, unnamed service ways and railways are none.
+bool is_street(const ExtractWay& way);
+
+/// Width of a way: as stated, else what is usual for its kind, metres.
+double width_m_of(const ExtractWay& way);
+
+/// The streets, junctions and areas in a window, without any recognition: streets are divided where they meet
+/// and have the extract's names. Errors, without a place: usage for values out of range and a centre outside
+/// the extract; invalid_input for an extract without streets, or none in the window.
+Result<WindowMap> street_map_of(const MapExtract& extract, const ExtractWindow& window);
+
+}  // namespace palpable::sources

@@ -1,0 +1,129 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/sources/map/map_extract.hpp"
+
+#include "palpable/core/byte_reader.hpp"
+#include "palpable/sources/isolated/isolated.hpp"
+#include "palpable/sources/map/extract_reply.hpp"
+#include "palpable/sources/map/extract_window.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace palpable::sources {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Main Street from west to east in two ways, Side Street to the north from its middle, a footpath, and a
+// building of 20 m. A hundred-thousandth of a degree is 1.11 m at the equator.
+const std::string kCrossing = R"(<?xml version='1.0' encoding='UTF-8'?>
+<osm version="0.6">
+<node id="1" lat="0" lon="-0.002"/><node id="2" lat="0" lon="0"/><node id="3" lat="0" lon="0.001"/>
+<node id="4" lat="0" lon="0.01"/><node id="5" lat="0.002" lon="0"/><node id="6" lat="-0.001" lon="0"/>
+<node id="11" lat="0.0005" lon="0.0005"/><node id="12" lat="0.0005" lon="0.0007"/>
+<node id="13" lat="0.0007" lon="0.0007"/><node id="14" lat="0.0007" lon="0.0005"/>
+<way id="100"><nd ref="1"/><nd ref="2"/><nd ref="3"/><tag k="highway" v="residential"/><tag k="name" v="Main Street"/></way>
+<way id="101"><nd ref="3"/><nd ref="4"/><tag k="highway" v="residential"/><tag k="name" v="Main Street"/></way>
+<way id="102"><nd ref="2"/><nd ref="5"/><tag k="highway" v="tertiary"/><tag k="name" v="Side Street"/><tag k="width" v="7.5 m"/></way>
+<way id="103"><nd ref="2"/><nd ref="6"/><nd ref="99"/><tag k="highway" v="footway"/></way>
+<way id="104"><nd ref="11"/><nd ref="12"/><nd ref="13"/><nd ref="14"/><nd ref="11"/><tag k="building" v="yes"/></way>
+</osm>
+)";
+
+Result<MapExtract> parsed(const std::string& text) {
+  const auto reply = isolated::decode(isolated::Job::map_extract, as_bytes(text));
+  if (!reply) return reply.error();
+  return isolated::map_extract_in(reply->bytes());
+}
+
+ExtractWindow window_at(double latitude, double longitude, double width_m) {
+  ExtractWindow window;
+  window.center = GeoPoint{latitude, longitude};
+  window.width_m = width_m;
+  window.side_px = 400;
+  return window;
+}
+
+TEST(MapExtractFile, WaysAndAreasAreReadWithTheirNamesAndPlaces) {
+  const auto extract = parsed(kCrossing);
+  ASSERT_TRUE(extract) << extract.error().sentence();
+  ASSERT_EQ(extract->ways.size(), 4U);
+  EXPECT_EQ(extract->ways[0].name, "Main Street");
+  EXPECT_EQ(extract->ways[2].width_m, 7.5);
+  EXPECT_EQ(extract->ways[3].kind, "footway");
+  // The node that is not in the extract is left out.
+  EXPECT_EQ(extract->ways[3].points.size(), 2U);
+  ASSERT_EQ(extract->areas.size(), 1U);
+  EXPECT_EQ(extract->areas[0].ring.size(), 4U);
+}
+
+TEST(MapExtractFile, DamagedFilesAreRefused) {
+  for (const std::string& text :
+       {std::string("<?xml version='1.0'?><osm version=\"0.6\"><node id=\"1\" lat="),
+        std::string("\0\0\0\x0D\x0A\x09OSMHeader\x18\x7F garbage", 25),
+        std::string("<osm version=\"0.6\">")}) {
+    const auto extract = parsed(text);
+    ASSERT_FALSE(extract);
+    EXPECT_EQ(extract.error().code, ErrorCode::invalid_input);
+    EXPECT_THAT(extract.error().message, HasSubstr("damaged"));
+  }
+}
+
+TEST(ExtractWindow, StreetsAreDividedAtJunctionsAndJoinedElsewhere) {
+  const auto extract = parsed(kCrossing);
+  ASSERT_TRUE(extract);
+  const auto window = street_map_of(*extract, window_at(0.0, 0.0, 400.0));
+  ASSERT_TRUE(window) << window.error().sentence();
+  const StreetMap& map = window->map;
+  // The footpath is no street; the two ways of Main Street are one piece east of the junction.
+  ASSERT_EQ(map.streets.size(), 3U);
+  ASSERT_EQ(map.junctions.size(), 1U);
+  EXPECT_EQ(map.junctions[0].degree, 3);
+  EXPECT_NEAR(map.junctions[0].at.x, 199.5, 1e-6);
+  EXPECT_NEAR(map.junctions[0].at.y, 199.5, 1e-6);
+  for (const MapStreet& street : map.streets) {
+    EXPECT_NEAR(street.width_px, street.name == "Side Street" ? 7.5 : 6.0, 1e-9);
+    for (const MapPoint p : street.points) {
+      EXPECT_GE(std::min(p.x, p.y), 0.0);
+      EXPECT_LE(std::max(p.x, p.y), 399.0);
+    }
+  }
+  ASSERT_EQ(map.areas.size(), 1U);
+  // 0.0005 degrees are 55.6 m, to the right and up.
+  EXPECT_NEAR(map.areas[0].outline[0].x, 199.5 + 55.6, 0.1);
+  EXPECT_NEAR(map.areas[0].outline[0].y, 199.5 - 55.6, 0.1);
+}
+
+TEST(ExtractWindow, WithoutACentreItIsWhereMostStreetsAre) {
+  const auto extract = parsed(kCrossing);
+  ASSERT_TRUE(extract);
+  const auto window = street_map_of(*extract, {});
+  ASSERT_TRUE(window) << window.error().sentence();
+  ASSERT_EQ(window->notes.size(), 1U);
+  EXPECT_THAT(window->notes[0].sentence, HasSubstr("600 m around 0.00000,0.00000"));
+}
+
+TEST(ExtractWindow, RefusesAnEmptyExtractAndACentreOutsideIt) {
+  const auto empty = parsed("<?xml version='1.0'?><osm version=\"0.6\"></osm>");
+  ASSERT_TRUE(empty) << empty.error().sentence();
+  const auto none = street_map_of(*empty, {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "is an extract without streets");
+  const auto extract = parsed(kCrossing);
+  ASSERT_TRUE(extract);
+  const auto outside = street_map_of(*extract, window_at(47.14, 9.52, 400.0));
+  ASSERT_FALSE(outside);
+  EXPECT_EQ(outside.error().code, ErrorCode::usage);
+  EXPECT_THAT(outside.error().message, HasSubstr("outside this extract"));
+  const auto bare = street_map_of(*extract, window_at(0.001, 0.007, 60.0));
+  ASSERT_FALSE(bare);
+  EXPECT_THAT(bare.error().message, HasSubstr("no streets in the 60 m around"));
+  EXPECT_FALSE(street_map_of(*extract, window_at(0.0, 0.0, 1.0)));
+}
+
+}  // namespace
+}  // namespace palpable::sources

@@ -1,0 +1,77 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#include "palpable/vision/streets/gazetteer.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace palpable::vision {
+
+std::string compared_form(std::string_view name) {
+  // The base letters of U+00C0 ... U+00FF, in UTF-8 0xC3 and 0x80 ... 0xBF.
+  constexpr std::string_view kBase = "aaaaaaaceeeeiiiidnooooo\0ouuuuytsaaaaaaaceeeeiiiidnooooo\0ouuuuyty";
+  std::string out;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    if (c < 0x80) {
+      if (std::isalnum(c) != 0) out += static_cast<char>(std::tolower(c));
+      continue;
+    }
+    const bool is_latin = c == 0xC3 && i + 1 < name.size();
+    if (is_latin) {
+      const auto at = static_cast<std::size_t>(static_cast<unsigned char>(name[++i]) & 0x3FU);
+      const char base = std::string_view(kBase.data(), 64)[at];
+      if (base == '\0') continue;
+      // The sharp s is two letters.
+      out += at == 0x1F ? std::string("ss") : std::string(1, base);
+      continue;
+    }
+    const bool is_mark = c == 0xE2 && i + 2 < name.size() && static_cast<unsigned char>(name[i + 1]) == 0x80;
+    if (is_mark) {
+      i += 2;
+      continue;
+    }
+    out += name[i];
+  }
+  return out;
+}
+
+double similarity_of(std::string_view a, std::string_view b) {
+  const std::size_t longer = std::max(a.size(), b.size());
+  if (longer == 0) return 0.0;
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t before = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = before + (a[i - 1] == b[j - 1] ? 0 : 1);
+      before = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return 1.0 - static_cast<double>(row.back()) / static_cast<double>(longer);
+}
+
+std::optional<std::string> nearest_name(std::string_view read, std::span<const std::string> gazetteer,
+                                        double least) {
+  const std::string wanted = compared_form(read);
+  std::optional<std::string> best;
+  for (const std::string& name : gazetteer) {
+    const std::string form = compared_form(name);
+    // The difference of lengths alone may be too large.
+    const auto longer = static_cast<double>(std::max(form.size(), wanted.size()));
+    const auto shorter = static_cast<double>(std::min(form.size(), wanted.size()));
+    if (shorter < least * longer) continue;
+    const double similarity = similarity_of(form, wanted);
+    if (similarity < least || (best && similarity == least)) continue;
+    least = similarity;
+    best = name;
+  }
+  return best;
+}
+
+}  // namespace palpable::vision
