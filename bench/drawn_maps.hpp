@@ -1,0 +1,85 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "palpable/core/image.hpp"
+#include "palpable/core/raster.hpp"
+#include "palpable/core/street_map.hpp"
+#include "palpable/sources/map/map_extract.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+// Street maps drawn from extracts in several styles, with their exact truth.
+namespace palpable::bench {
+
+/// How a kind of street is drawn.
+struct StreetPaint {
+  Rgb8 fill{255, 255, 255};
+  Rgb8 casing{180, 180, 180};
+  double width_px = 8.0;
+  /// 0: none.
+  double casing_px = 1.0;
+};
+
+/// How a map is drawn; sizes hold for one pixel a metre and grow with the square root of the scale.
+struct DrawnMapStyle {
+  std::string name;
+  Rgb8 land{242, 239, 233};
+  Rgb8 building{217, 208, 201};
+  Rgb8 building_line{190, 180, 170};
+  bool buildings = true;
+  Rgb8 water{170, 211, 223};
+  Rgb8 green{200, 235, 180};
+  StreetPaint major, middle, minor, service, pedestrian;
+  Rgb8 path{240, 140, 120};
+  Rgb8 track{170, 120, 40};
+  Rgb8 rail{120, 120, 120};
+  std::string font = "DejaVu Sans Condensed";
+  double font_px = 11.0;
+  Rgb8 ink{0, 0, 0};
+  Rgb8 halo{255, 255, 255};
+  double halo_px = 0.0;
+  bool capitals = false;
+  /// The picture is turned by up to this angle, degrees, as a scan is.
+  double skew_deg = 0.0;
+  /// Standard deviation of the noise, grey levels, and of the blur, pixels.
+  double noise = 0.0;
+  double blur_px = 0.0;
+  /// 0: not compressed.
+  int jpeg_quality = 0;
+};
+
+/// The styles, from clean drawings to scans.
+std::vector<DrawnMapStyle> drawn_map_styles();
+
+/// The true line of a way in the picture.
+struct DrawnWay {
+  std::string kind;
+  std::string name;
+  std::vector<MapPoint> points;
+};
+
+struct DrawnMap {
+  Raster<Rgb8> picture;
+  std::vector<DrawnWay> ways;
+  /// Names of streets that are drawn whole at least once.
+  std::vector<std::string> drawn_names;
+};
+
+/// Where and how large: metres of one pixel.
+struct DrawnWindow {
+  sources::GeoPoint center;
+  double metres_per_px = 1.2;
+  int side_px = 900;
+};
+
+DrawnMap drawn_map(const sources::MapExtract& extract, const DrawnWindow& window, const DrawnMapStyle& style,
+                   std::uint64_t seed);
+
+/// A town that is not real: streets of several kinds, among them dual carriageways, bent and dead-end ones,
+/// tracks, paths, a railway, a river, parks and buildings, around 0,0. For where there are no extracts.
+sources::MapExtract drawn_town(std::uint64_t seed);
+
+}  // namespace palpable::bench
