@@ -58,11 +58,11 @@ void relax(Raster<float>& values, const std::vector<Pixel>& holes, int sweeps) {
 
 }  // namespace
 
-void close_holes(Raster<float>& values) {
+void fill_unknown_heights(Raster<float>& values) {
   if (values.empty() || all_known(values)) return;
   PALPABLE_CHECK(values.width() > 1 || values.height() > 1);
   Raster<float> coarse = pull(values);
-  close_holes(coarse);
+  fill_unknown_heights(coarse);
   std::vector<Pixel> holes;
   for (int y = 0; y < values.height(); ++y)
     for (int x = 0; x < values.width(); ++x)

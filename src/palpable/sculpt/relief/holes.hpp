@@ -9,6 +9,6 @@ namespace palpable::sculpt {
 /// Closes holes (NaN) smoothly: each takes the values of its rim, first through a pyramid of means (Gortler
 /// 1996, "pull-push"), then relaxed towards the membrane over the rim. Known values stay as they are. At
 /// least one value must be known.
-void close_holes(Raster<float>& values);
+void fill_unknown_heights(Raster<float>& values);
 
 }  // namespace palpable::sculpt

@@ -107,7 +107,7 @@ void resample(Raster<float>& nearness, const ReliefOptions& options) {
 Result<models::Relief> relief_from_nearness(Raster<float> nearness, Window window,
                                             const ReliefOptions& options, const Work& work) {
   work.report(0.2, "closing holes");
-  close_holes(nearness);
+  fill_unknown_heights(nearness);
   if (work.cancelled()) return Work::interrupted();
   stretch(nearness, window);
   if (options.resampling != Resampling::none) resample(nearness, options);

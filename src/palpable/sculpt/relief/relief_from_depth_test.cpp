@@ -220,7 +220,7 @@ TEST(CloseHoles, FillsAPlaneAlmostExactlyAndKeepsKnownValues) {
   Raster<float> holed = plane;
   for (int y = 20; y < 28; ++y)
     for (int x = 30; x < 38; ++x) holed(x, y) = kUnknownDepth;
-  close_holes(holed);
+  fill_unknown_heights(holed);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 64; ++x) {
       const bool hole = x >= 30 && x < 38 && y >= 20 && y < 28;

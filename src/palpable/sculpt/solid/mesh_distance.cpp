@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 
+#include "palpable/sculpt/solid/inside_test.hpp"
 #include "palpable/sculpt/solid/nearest_in_balls.hpp"
 #include "palpable/sculpt/solid/surface_cut.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"

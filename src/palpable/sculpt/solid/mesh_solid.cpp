@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/solid/mesh_solid.hpp"
 
-#include "palpable/core/figure.hpp"
 #include "palpable/sculpt/solid/mesh_distance.hpp"
 #include "palpable/sculpt/solid/smooth_surface.hpp"
 #include "palpable/sculpt/solid/surface_cut.hpp"
@@ -17,51 +16,7 @@
 
 namespace palpable::sculpt {
 
-std::vector<std::string> MeshRepair::notes() const {
-  std::vector<std::string> notes;
-  const auto add = [&](std::size_t count, const char* one, const char* many) {
-    if (count == 1) notes.emplace_back(one);
-    if (count > 1) notes.push_back(std::to_string(count) + many);
-  };
-  add(not_finite, "One triangle with a vertex that is not a finite number was left out.",
-      " triangles with a vertex that is not a finite number were left out.");
-  add(degenerate, "One triangle without an area was left out.", " triangles without an area were left out.");
-  add(turned_parts, "One part of the mesh was turned to face outwards.",
-      " parts of the mesh were turned to face outwards.");
-  add(closed_holes, "One hole in the mesh was closed.", " holes in the mesh were closed.");
-  add(inner, "One triangle inside the solid was left out.", " triangles inside the solid were left out.");
-  if (rounded > 0)
-    notes.push_back(std::to_string(rounded) + " small facets were smoothed, by at most " +
-                    std::to_string(std::lround(1e6 * rounded_m)) + " um.");
-  add(ground, "One triangle of the ground around the solid was left out.",
-      " triangles of the ground around the solid were left out.");
-  const auto in_mm = [](double metres) { return figure(1e3 * metres, 2); };
-  if (open_sheets > 0)
-    notes.push_back((open_sheets == 1
-                         ? "One open sheet, with air on both sides, was"
-                         : std::to_string(open_sheets) + " open sheets, with air on both sides, were") +
-                    " given a thickness of " + in_mm(wall_m) + " mm.");
-  const std::size_t own_sheets = sheets - std::min(sheets, open_sheet_triangles);
-  if (thin + own_sheets > 0)
-    notes.push_back("Walls that are too thin for the field's cells (" + std::to_string(thin + own_sheets) +
-                    " triangles, " + std::to_string(own_sheets) +
-                    " of them of sheets without a thickness) were made " + in_mm(wall_m) +
-                    " mm thick, so that they can be felt: at most " + in_mm(thickened_m) +
-                    " mm were added to a side. More cells keep them thinner.");
-  return notes;
-}
-
 namespace {
-
-/// Number of triangles with a vertex that is missing or not finite.
-std::size_t without_place(const Mesh& mesh) {
-  return static_cast<std::size_t>(
-      std::count_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-        return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
-          return v >= mesh.vertices_m.size() || !is_finite(mesh.vertices_m[v]);
-        });
-      }));
-}
 
 /// Null if there are few facets to smooth.
 std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, const FacetOptions& facets,
@@ -77,47 +32,20 @@ std::unique_ptr<DistanceSource> smoothed(const Mesh& whole, double finest_m, con
   return smooth;
 }
 
-/// A mesh without its open sheets; these, with the same vertices; and for each of their triangles its sheet.
-struct SeparatedSheets {
-  Mesh sheets;
-  std::vector<std::uint32_t> numbers;
-  std::size_t count = 0;
-};
-
-/// Orients the parts of a mesh and removes its open sheets. `holes` are those of the rest.
-SeparatedSheets separate_sheets(Mesh& whole, std::vector<Hole>& holes, MeshRepair& repair, double touching_m,
-                                const OpenSheetOptions& options, std::uint64_t seed) {
-  const auto given = whole.triangles;
-  repair.turned_parts = orient_outwards(whole, seed);
-  holes = holes_of(whole.vertices_m, whole.triangles);
-  const OpenSheets found = open_sheets_of(whole, holes, touching_m, options);
-  SeparatedSheets separated;
-  if (found.count == 0) return separated;
-  separated.count = found.count;
-  separated.sheets.vertices_m = whole.vertices_m;
-  whole.triangles.clear();
-  for (std::size_t t = 0; t < given.size(); ++t) {
-    const bool is_sheet = found.of_triangle[t] != OpenSheets::kNone;
-    (is_sheet ? separated.sheets.triangles : whole.triangles).push_back(given[t]);
-    if (is_sheet) separated.numbers.push_back(found.of_triangle[t]);
-  }
-  // Rays from a body may have met the sheets around it.
-  repair.turned_parts = orient_outwards(whole, seed);
-  holes = holes_of(whole.vertices_m, whole.triangles);
-  return separated;
-}
-
 /// Thickens walls and sheets. `sheet_candidates`: how many of the first triangles of `whole` are sheets where
 /// they are outside the solid.
-void thicken(MeshSolid& solid, const Mesh& surface, const Mesh& whole, std::size_t sheet_candidates,
-             const SeparatedSheets& open, double finest_m, const WallOptions& options, const Work& work) {
+void thicken(MeshSolid& solid, const Mesh& surface, std::size_t sheet_candidates,
+             const RepairedMesh& repaired, double finest_m, const WallOptions& options, const Work& work) {
   Mesh mesh;
-  if (sheet_candidates + open.count > 0) mesh.vertices_m = whole.vertices_m;
+  const Mesh& whole = repaired.whole;
+  if (sheet_candidates + repaired.sheet_count > 0) mesh.vertices_m = whole.vertices_m;
   mesh.triangles.assign(whole.triangles.begin(),
                         whole.triangles.begin() + static_cast<std::ptrdiff_t>(sheet_candidates));
-  mesh.triangles.insert(mesh.triangles.end(), open.sheets.triangles.begin(), open.sheets.triangles.end());
+  mesh.triangles.insert(mesh.triangles.end(), repaired.sheets.triangles.begin(),
+                        repaired.sheets.triangles.end());
   SheetCandidates candidates{mesh, std::vector<std::uint32_t>(sheet_candidates, OpenSheets::kNone)};
-  candidates.open_sheet.insert(candidates.open_sheet.end(), open.numbers.begin(), open.numbers.end());
+  candidates.open_sheet.insert(candidates.open_sheet.end(), repaired.sheet_of.begin(),
+                               repaired.sheet_of.end());
   auto walls = thickened_walls(solid.distance, surface, candidates, finest_m, options, work);
   const std::size_t own_sheets = walls.sheets - walls.open_sheet_triangles;
   solid.repair.ground = walls.ground;
@@ -140,21 +68,17 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
                                   const OpenSheetOptions& sheets) {
   work.report(0.0, "repairing the mesh");
   MeshSolid solid;
-  Mesh whole = welded(mesh, solid.repair.degenerate);
-  if (whole.triangles.empty()) return invalid_input("holds no triangle that has an area");
-  solid.repair.not_finite = without_place(mesh);
-  solid.repair.degenerate -= solid.repair.not_finite;
-  solid.repair.triangles = whole.triangles.size();
-  std::vector<Hole> holes;
-  const SeparatedSheets open = separate_sheets(whole, holes, solid.repair, finest_m, sheets, work.seed);
+  RepairedMesh repair = repaired(mesh, finest_m, sheets, work.seed, solid.repair);
+  Mesh& whole = repair.whole;
+  if (solid.repair.triangles == 0) return invalid_input("holds no triangle that has an area");
   if (work.cancelled()) return Work::interrupted();
   if (whole.triangles.empty()) {
-    thicken(solid, whole, whole, 0, open, finest_m, walls, work);
+    thicken(solid, whole, 0, repair, finest_m, walls, work);
     if (!solid.distance) return invalid_input("is a mesh that encloses no volume");
     return solid;
   }
   const std::size_t first_added = whole.triangles.size();
-  solid.repair.closed_holes = add_lids(whole, holes);
+  solid.repair.closed_holes = add_lids(whole, repair.holes);
   // Freed before the distance source builds its own tree: for millions of triangles it takes gigabytes.
   std::optional<TriangleTree> tree(whole);
   // The orientation by rays may be wrong for parts that were still open.
@@ -173,7 +97,7 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
     tree.reset();
     if (facets.rounding_m > 0.0) solid.distance = smoothed(whole, finest_m, facets, solid.repair);
     if (!solid.distance) solid.distance = mesh_distance(whole, whole);
-    thicken(solid, whole, whole, 0, open, finest_m, walls, work);
+    thicken(solid, whole, 0, repair, finest_m, walls, work);
     return solid;
   }
   const SolidSurface surface = surface_of(whole, *tree, finest_m, work);
@@ -182,10 +106,10 @@ Result<MeshSolid> solid_from_mesh(const Mesh& mesh, double finest_m, const Work&
   solid.repair.inner = surface.inner;
   if (!surface.mesh.triangles.empty())
     solid.distance = mesh_distance(surface.mesh, whole);
-  else if (open.count == 0)
+  else if (repair.sheet_count == 0)
     return invalid_input("is a mesh that encloses no volume");
   // Triangles that close holes are not sheets.
-  thicken(solid, surface.mesh, whole, first_added, open, finest_m, walls, work);
+  thicken(solid, surface.mesh, first_added, repair, finest_m, walls, work);
   if (!solid.distance) return invalid_input("is a mesh that encloses no volume");
   return solid;
 }

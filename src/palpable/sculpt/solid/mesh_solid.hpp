@@ -6,47 +6,15 @@
 #include "palpable/core/result.hpp"
 #include "palpable/core/work.hpp"
 #include "palpable/sculpt/solid/distance_source.hpp"
+#include "palpable/sculpt/solid/mesh_repair.hpp"
 #include "palpable/sculpt/solid/thin_walls.hpp"
 #include "palpable/sculpt/triangles/open_sheets.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace palpable::sculpt {
-
-/// Defects of a mesh that were found and repaired.
-struct MeshRepair {
-  std::size_t triangles = 0;
-  /// Triangles with a vertex that is missing or not finite, and triangles without an area; both are omitted.
-  std::size_t not_finite = 0;
-  std::size_t degenerate = 0;
-  /// Parts that were turned to face outwards.
-  std::size_t turned_parts = 0;
-  /// Holes that were closed by triangles between the vertices of their rims.
-  std::size_t closed_holes = 0;
-  /// Triangles with the solid on both sides or on none: not part of its surface.
-  std::size_t inner = 0;
-  /// Number of facets that were smoothed, and the greatest distance of the smooth surface from them.
-  std::size_t rounded = 0;
-  double rounded_m = 0.0;
-  /// Open sheets without thickness, which have air on both sides (open_sheets.hpp), and their triangles.
-  std::size_t open_sheets = 0;
-  std::size_t open_sheet_triangles = 0;
-  /// Number of triangles of walls that were too thin for the field, and of all sheets without thickness,
-  /// which include the open ones; the least thickness of these walls now; and the greatest thickness added
-  /// to a side.
-  std::size_t thin = 0;
-  std::size_t sheets = 0;
-  /// Number of triangles of sheets that are the ground around the solid; omitted.
-  std::size_t ground = 0;
-  double wall_m = 0.0;
-  double thickened_m = 0.0;
-  /// One sentence each, for the user.
-  std::vector<std::string> notes() const;
-};
 
 /// How the facets of a valid mesh are replaced by the smooth surface that they approximate (SmoothSurface).
 /// The noise of a scan that a field may omit was chosen on the generated meshes of bench/scanned_meshes.hpp:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/sculpt/solid/smooth_surface.hpp"
 
+#include "palpable/sculpt/solid/inside_test.hpp"
 #include "palpable/sculpt/solid/nearest_in_balls.hpp"
 
 #include <algorithm>

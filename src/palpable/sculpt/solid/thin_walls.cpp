@@ -21,9 +21,6 @@
 namespace palpable::sculpt {
 namespace {
 
-// Number of thickness steps: each wall gets about what it lacks of the least thickness.
-constexpr int kSteps = 4;
-
 /// The centre of a triangle and a point near each of its corners.
 std::array<Vec3, 4> places_of(const std::array<Vec3, 3>& c) {
   const Vec3 middle = (c[0] + c[1] + c[2]) / 3.0;
@@ -37,8 +34,8 @@ std::array<Vec3, 3> corners_at(const Mesh& mesh, std::size_t triangle) {
   return {mesh.vertices_m[t[0]], mesh.vertices_m[t[1]], mesh.vertices_m[t[2]]};
 }
 
-/// A triangle is thin if most of its sample points are.
-constexpr int kPlaces = 4, kMostPlaces = 3;
+/// Number of sample points of a triangle.
+constexpr int kPlaces = 4;
 
 /// The wall's thickness behind a triangle, at most `least_m`. At half of that depth inside a thicker wall,
 /// this face is the nearest one; inside a thin wall it is the opposite face, or the point is outside.
@@ -50,7 +47,7 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
   double sum_m = 0.0;
   for (const Vec3 place : places_of(c)) {
     // Most walls are thick, so usually two points decide.
-    if (thin + left-- < kMostPlaces) return least_m;
+    if (thin + left-- < options.least_points) return least_m;
     const models::FieldSample there = solid.at(place - depth_m * normal, hint);
     if (dot(there.gradient, normal) > -options.opposite_cosine) continue;
     const double thickness_m = depth_m - there.distance_m;
@@ -58,7 +55,7 @@ double thickness_behind(const DistanceSource& solid, DistanceSource::Hint& hint,
     ++thin;
     sum_m += thickness_m;
   }
-  return thin >= kMostPlaces ? sum_m / thin : least_m;
+  return thin >= options.least_points ? sum_m / thin : least_m;
 }
 
 /// Finds the parts of triangles that have the solid on neither side.
@@ -66,6 +63,7 @@ class SheetFinder {
  public:
   SheetFinder(const DistanceSource& solid, double finest_m, const WallOptions& options)
       : solid_(solid),
+        least_points_(options.least_points),
         finest_m_(finest_m),
         least_piece_m_(options.least_piece_cells * finest_m),
         most_piece_m_(std::max(options.least_piece_cells, options.most_piece_cells) * finest_m) {}
@@ -85,7 +83,7 @@ class SheetFinder {
         add(part, hint, sheets);
       return;
     }
-    if (outside >= kMostPlaces) sheets.push_back(c);
+    if (outside >= least_points_) sheets.push_back(c);
   }
 
  private:
@@ -97,6 +95,7 @@ class SheetFinder {
   }
 
   const DistanceSource& solid_;
+  int least_points_;
   double finest_m_, least_piece_m_, most_piece_m_;
 };
 
@@ -188,10 +187,10 @@ void add_triangle(Mesh& mesh, const std::array<Vec3, 3>& c) {
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// The thickness step of each triangle; kSteps if it is not thin, 0 for a sheet without thickness.
+/// The thickness step of each triangle; `steps_count` if it is not thin, 0 for a sheet without thickness.
 template <class StepOf>
-std::vector<int> steps_of(std::size_t count, const Work& work, const StepOf& step_of) {
-  std::vector<int> steps(count, kSteps);
+std::vector<int> steps_of(std::size_t count, int steps_count, const Work& work, const StepOf& step_of) {
+  std::vector<int> steps(count, steps_count);
   constexpr int kGrain = 512;
   parallel_for(work, static_cast<int>(count), kGrain, [&](int begin, int end) {
     DistanceSource::Hint hint;
@@ -315,38 +314,41 @@ class NoSolid final : public DistanceSource {
 }  // namespace
 
 std::vector<Parameter> parameters_of(WallOptions& o) {
-  return {{"least_cells", &o.least_cells, {0.0, 8.0}, "cells", "least thickness of a wall"},
-          {"ground_height",
-           &o.ground_height,
-           {0.0, 1.0},
-           "",
-           "lowest share of the solid's height in which ground lies"},
-          {"ground_facing",
-           &o.ground_facing,
-           {0.5, 1.0},
-           "",
-           "share of a sheet that faces up or down if it is ground"},
-          {"ground_beyond",
-           &o.ground_beyond,
-           {0.0, 1.0},
-           "",
-           "how far ground extends beyond the solid, as a share of its side"},
-          {"opposite_cosine",
-           &o.opposite_cosine,
-           {0.0, 1.0},
-           "",
-           "cosine of the angle from which two faces form a wall"},
-          {"least_lack", &o.least_lack, {0.0, 1.0}, "", "share of the least thickness that may be missing"},
-          {"least_piece_cells",
-           &o.least_piece_cells,
-           {0.1, 1000.0},
-           "cells",
-           "smallest pieces into which a sheet is divided"},
-          {"most_piece_cells",
-           &o.most_piece_cells,
-           {0.1, 1000.0},
-           "cells",
-           "largest pieces of a sheet that are not divided"}};
+  return {
+      {"least_cells", &o.least_cells, {0.0, 8.0}, "cells", "least thickness of a wall"},
+      {"ground_height",
+       &o.ground_height,
+       {0.0, 1.0},
+       "",
+       "lowest share of the solid's height in which ground lies"},
+      {"ground_facing",
+       &o.ground_facing,
+       {0.5, 1.0},
+       "",
+       "share of a sheet that faces up or down if it is ground"},
+      {"ground_beyond",
+       &o.ground_beyond,
+       {0.0, 1.0},
+       "",
+       "how far ground extends beyond the solid, as a share of its side"},
+      {"opposite_cosine",
+       &o.opposite_cosine,
+       {0.0, 1.0},
+       "",
+       "cosine of the angle from which two faces form a wall"},
+      {"least_points", &o.least_points, {1.0, 4.0}, "", "points of a triangle that must be on a thin wall"},
+      {"thickness_steps", &o.thickness_steps, {1.0, 16.0}, "", "number of different added thicknesses"},
+      {"least_lack", &o.least_lack, {0.0, 1.0}, "", "share of the least thickness that may be missing"},
+      {"least_piece_cells",
+       &o.least_piece_cells,
+       {0.1, 1000.0},
+       "cells",
+       "smallest pieces into which a sheet is divided"},
+      {"most_piece_cells",
+       &o.most_piece_cells,
+       {0.1, 1000.0},
+       "cells",
+       "largest pieces of a sheet that are not divided"}};
 }
 
 ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mesh& surface,
@@ -358,14 +360,16 @@ ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mes
   if (!(least_m > 0.0)) return walls;
   const bool has_solid = solid != nullptr;
   if (!has_solid) solid = std::make_unique<NoSolid>();
-  std::array<Mesh, kSteps> layers;
+  const int most_steps = options.thickness_steps;
+  std::vector<Mesh> layers(static_cast<std::size_t>(most_steps));
   Mesh rest;
-  const auto thin = steps_of(surface.triangles.size(), work, [&](std::size_t t, DistanceSource::Hint& hint) {
-    const double thickness_m = thickness_behind(*solid, hint, corners_at(surface, t), least_m, options);
-    return std::min(kSteps, static_cast<int>(kSteps * thickness_m / least_m));
-  });
+  const auto thin =
+      steps_of(surface.triangles.size(), most_steps, work, [&](std::size_t t, DistanceSource::Hint& hint) {
+        const double thickness_m = thickness_behind(*solid, hint, corners_at(surface, t), least_m, options);
+        return std::min(most_steps, static_cast<int>(most_steps * thickness_m / least_m));
+      });
   for (std::size_t t = 0; t < thin.size(); ++t) {
-    const bool is_thin = thin[t] < kSteps;
+    const bool is_thin = thin[t] < most_steps;
     add_triangle(is_thin ? layers[static_cast<std::size_t>(thin[t])] : rest, corners_at(surface, t));
     walls.thin += is_thin ? 1 : 0;
   }
@@ -376,9 +380,9 @@ ThickenedWalls thickened_walls(std::unique_ptr<DistanceSource>& solid, const Mes
     made.emplace_back(mesh, by_m, is_sheets);
     walls.added_m = std::max(walls.added_m, by_m);
   };
-  for (int k = 0; k < kSteps; ++k)
-    add_layer(layers[static_cast<std::size_t>(k)], 0.5 * least_m * (1.0 - static_cast<double>(k) / kSteps),
-              false);
+  for (int k = 0; k < most_steps; ++k)
+    add_layer(layers[static_cast<std::size_t>(k)],
+              0.5 * least_m * (1.0 - static_cast<double>(k) / most_steps), false);
   add_layer(sheets, 0.5 * least_m, true);
   if (!made.empty())
     walls.distance = std::make_unique<ThickenedSource>(std::move(solid), std::move(made), rest);

@@ -32,6 +32,11 @@ struct WallOptions {
   double opposite_cosine = 0.9;
   /// A wall that lacks less than this share of the least thickness is thick enough, 0 … 1.
   double least_lack = 0.02;
+  /// Of four points of a triangle, at least this many must lie on a thin wall, or outside the solid if it is
+  /// a sheet, 1 … 4.
+  int least_points = 3;
+  /// Number of different thicknesses that are added, so that each wall gets about what it lacks, 1 … 16.
+  int thickness_steps = 4;
   /// Sheets are divided where they leave the solid, down to pieces of this size; larger pieces than the
   /// second are always divided. Finest cells, 0.1 … 1000.
   double least_piece_cells = 1.0;

@@ -122,18 +122,6 @@ int inward_votes(const Mesh& mesh, const std::vector<std::uint32_t>& part, const
   return inwards;
 }
 
-/// Whether a part is to be turned. Where bodies overlap, rays are ambiguous: then the volume that a part
-/// encloses decides. A part that encloses a negative volume is the wall of a cavity if all rays agree.
-bool faces_inwards(const Mesh& mesh, const std::vector<std::uint32_t>& part, const TriangleTree& tree,
-                   double lift_m, std::mt19937_64& random) {
-  const double volume_m3 = certain_volume_m3(mesh, part);
-  if (volume_m3 > 0.0) return false;
-  const int inwards = inward_votes(mesh, part, tree, lift_m, random);
-  // A ray through an edge may be counted wrongly.
-  constexpr int kAll = kRays - 2;
-  return volume_m3 == 0.0 ? inwards > 0 : inwards > -kAll;
-}
-
 }  // namespace
 
 Mesh welded(const Mesh& mesh, std::size_t& removed) {
@@ -173,6 +161,8 @@ struct Part {
   /// Whether some were turned to agree with their neighbours, and whether the whole part was turned
   /// afterwards.
   bool made_to_agree = false, turned = false;
+  /// The share of its area that was turned to agree with the rest, at most a half.
+  double disagreeing = 0.0;
 };
 
 void turn_all(Mesh& mesh, Part& part) {
@@ -180,15 +170,25 @@ void turn_all(Mesh& mesh, Part& part) {
   part.turned = !part.turned;
 }
 
-std::vector<Part> agreeing_parts(Mesh& mesh, const std::vector<Triangle>& neighbours) {
+double area_m2(const Mesh& mesh, std::uint32_t triangle) {
+  const Triangle& t = mesh.triangles[triangle];
+  const Vec3 a = mesh.vertices_m[t[0]];
+  return 0.5 * norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+}
+
+/// `first`: triangles before this one belong to no part.
+std::vector<Part> agreeing_parts(Mesh& mesh, const std::vector<Triangle>& neighbours, std::size_t first = 0) {
   std::vector<Part> parts;
   std::vector<bool> seen(mesh.triangles.size());
-  for (std::uint32_t start = 0; start < mesh.triangles.size(); ++start) {
+  for (auto start = static_cast<std::uint32_t>(first); start < mesh.triangles.size(); ++start) {
     if (seen[start]) continue;
-    Part part{{start}, false, false};
+    Part part;
+    part.triangles = {start};
+    double turned_m2 = 0.0, all_m2 = 0.0;
     seen[start] = true;
     for (std::size_t i = 0; i < part.triangles.size(); ++i) {
       const Triangle t = mesh.triangles[part.triangles[i]];
+      all_m2 += area_m2(mesh, part.triangles[i]);
       for (std::size_t k = 0; k < 3; ++k) {
         // Neighbours were stored by an edge's position before any turning: compare the shared edge itself.
         const std::uint32_t other = neighbours[part.triangles[i]][k];
@@ -200,19 +200,33 @@ std::vector<Part> agreeing_parts(Mesh& mesh, const std::vector<Triangle>& neighb
         for (std::size_t e = 0; e < 3; ++e) same_way = same_way || runs(o, t[e], t[(e + 1) % 3]);
         if (same_way) {
           turn(o);
+          turned_m2 += area_m2(mesh, other);
           part.made_to_agree = true;
         }
       }
     }
+    // The orientation of the majority, not that of the first triangle.
+    if (turned_m2 > 0.5 * all_m2)
+      for (const std::uint32_t t : part.triangles) turn(mesh.triangles[t]);
+    part.disagreeing = std::min(turned_m2, all_m2 - turned_m2) / all_m2;
     parts.push_back(std::move(part));
   }
   return parts;
 }
 
-double area_m2(const Mesh& mesh, std::uint32_t triangle) {
-  const Triangle& t = mesh.triangles[triangle];
-  const Vec3 a = mesh.vertices_m[t[0]];
-  return 0.5 * norm(cross(mesh.vertices_m[t[1]] - a, mesh.vertices_m[t[2]] - a));
+/// Whether a part is to be turned. Where bodies overlap, rays are ambiguous: then the volume that a part
+/// encloses decides. A part that encloses a negative volume is the wall of a cavity if all rays agree and
+/// most of its triangles were given with that orientation.
+bool faces_inwards(const Mesh& mesh, const Part& part, const TriangleTree& tree, double lift_m,
+                   std::mt19937_64& random) {
+  const double volume_m3 = certain_volume_m3(mesh, part.triangles);
+  if (volume_m3 > 0.0) return false;
+  const int inwards = inward_votes(mesh, part.triangles, tree, lift_m, random);
+  // A ray through an edge may be counted wrongly.
+  constexpr int kAll = kRays - 2;
+  constexpr double kMostDisagreeing = 0.25;
+  if (volume_m3 == 0.0) return inwards > 0;
+  return inwards > -kAll || part.disagreeing > kMostDisagreeing;
 }
 
 /// The edges that more than two triangles share, with the directions in which parts use them.
@@ -301,15 +315,15 @@ void turn_as_shared_edges_want(Mesh& mesh, std::vector<Part>& parts) {
 
 }  // namespace
 
-std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed) {
-  if (mesh.triangles.empty()) return 0;
-  auto parts = agreeing_parts(mesh, neighbours_of(mesh));
+std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed, std::size_t oriented) {
+  if (mesh.triangles.size() <= oriented) return 0;
+  auto parts = agreeing_parts(mesh, neighbours_of(mesh), oriented);
   const TriangleTree tree(mesh);
   const Box box = tree.bounds();
   const double lift_m = 1e-6 * norm(box.size_m());
   std::mt19937_64 random(seed);
   for (Part& part : parts)
-    if (faces_inwards(mesh, part.triangles, tree, lift_m, random)) turn_all(mesh, part);
+    if (faces_inwards(mesh, part, tree, lift_m, random)) turn_all(mesh, part);
   turn_as_shared_edges_want(mesh, parts);
   return static_cast<std::size_t>(
       std::count_if(parts.begin(), parts.end(), [](const Part& p) { return p.made_to_agree || p.turned; }));

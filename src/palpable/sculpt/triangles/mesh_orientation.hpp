@@ -18,8 +18,9 @@ Mesh welded(const Mesh& mesh, std::size_t& removed);
 /// volume is turned if the volume is negative, unless it is the wall of a cavity; the others, if most rays
 /// from their front side cross an odd number of triangles (Takayama et al. 2014). Rays cannot decide about
 /// walls that two bodies share. So parts that meet in edges of more than two triangles are then oriented such
-/// that the open length of these edges is least. Returns the number of turned parts.
-std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed);
+/// that the open length of these edges is least. The first `oriented` triangles face outwards already and
+/// stay as they are; no edge connects them with the others. Returns the number of turned parts.
+std::size_t orient_outwards(Mesh& mesh, std::uint64_t seed, std::size_t oriented = 0);
 
 /// For a mesh whose holes are closed: turns the connected parts in front of which the winding number is
 /// mostly negative. `tree` contains the mesh before the change. Returns their number.

@@ -111,8 +111,7 @@ class Candidates {
     }
     if (all_m2 <= std::min(options.most_tall_lids, options.most_sharp_lids) * area_m2) return {};
     // Many small holes would take long, and cannot be outlines.
-    constexpr double kSmall = 0.01;
-    std::erase_if(lids, [&](const Lid& lid) { return lid.area_m2 < kSmall * area_m2; });
+    std::erase_if(lids, [&](const Lid& lid) { return lid.area_m2 < options.least_lid * area_m2; });
     double tall_m2 = 0.0, sharp_m2 = 0.0;
     const double sharp = -std::cos(options.sharp_angle_deg * std::numbers::pi / 180.0);
     for (Lid& lid : lids) {
@@ -124,10 +123,9 @@ class Candidates {
                is_sharp = sharp_m2 > options.most_sharp_lids * area_m2,
                is_tall = tall_m2 > options.most_tall_lids * area_m2;
     std::vector<const Hole*> outlines;
-    // Of several tall holes those are outlines whose rims reach through at least this share of the height.
-    constexpr double kTall = 0.25;
     for (const Lid& lid : lids)
-      if (is_all || (is_sharp && lid.facing < sharp) || (is_tall && lid.height > kTall))
+      if (is_all || (is_sharp && lid.facing < sharp) ||
+          (is_tall && lid.height > options.least_outline_height))
         outlines.push_back(lid.hole);
     return outlines;
   }
@@ -219,7 +217,8 @@ std::map<std::uint32_t, RimLength> rim_lengths(const Mesh& mesh, const std::vect
 }
 
 /// Returns sheets whose rims are hidden to the bodies, until no more are found.
-void return_hidden(const Mesh& mesh, double touching_m, std::vector<char>& is_sheet) {
+void return_hidden(const Mesh& mesh, double touching_m, const OpenSheetOptions& options,
+                   std::vector<char>& is_sheet) {
   for (bool any = true; any;) {
     any = false;
     Mesh bodies;
@@ -230,11 +229,11 @@ void return_hidden(const Mesh& mesh, double touching_m, std::vector<char>& is_sh
     close_holes(bodies);
     const std::vector<std::uint32_t> sheet = numbered(mesh, is_sheet);
     const auto lengths = rim_lengths(mesh, sheet, TriangleTree(bodies), touching_m);
-    constexpr double kMostFree = 0.02;
     for (std::size_t t = 0; t < is_sheet.size(); ++t) {
       if (sheet[t] == OpenSheets::kNone) continue;
       const auto length = lengths.find(sheet[t]);
-      if (length == lengths.end() || length->second.free_m > kMostFree * length->second.all_m) continue;
+      if (length == lengths.end() || length->second.free_m > options.most_free_rim * length->second.all_m)
+        continue;
       is_sheet[t] = 0;
       any = true;
     }
@@ -256,7 +255,19 @@ std::vector<Parameter> parameters_of(OpenSheetOptions& o) {
        {0.0, 180.0},
        "degrees",
        "angle between lid and surface below which it is sharp"},
-      {"most_lids", &o.most_lids, {0.0, 10.0}, "", "greatest share of all lids in a body's area"}};
+      {"most_lids", &o.most_lids, {0.0, 10.0}, "", "greatest share of all lids in a body's area"},
+      {"most_two_sided_lids",
+       &o.most_two_sided_lids,
+       {0.0, 10.0},
+       "",
+       "greatest share of lids in the area of a body of two-sided triangles"},
+      {"least_lid", &o.least_lid, {0.0, 1.0}, "", "share of the area below which a lid is no outline"},
+      {"least_outline_height",
+       &o.least_outline_height,
+       {0.0, 1.0},
+       "",
+       "share of the height through which an outline reaches"},
+      {"most_free_rim", &o.most_free_rim, {0.0, 1.0}, "", "greatest free share of a rim that bodies hide"}};
 }
 
 OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, double touching_m,
@@ -274,7 +285,7 @@ OpenSheets open_sheets_of(const Mesh& mesh, std::span<const Hole> holes, double 
     Candidates candidates(mesh, std::move(rest));
     rest = candidates.remove_sheets(candidates.holes(), options, is_sheet);
   }
-  return_hidden(mesh, touching_m, is_sheet);
+  return_hidden(mesh, touching_m, options, is_sheet);
   sheets.of_triangle = numbered(mesh, is_sheet);
   for (std::uint32_t t = 0; t < count; ++t) {
     std::uint32_t& sheet = sheets.of_triangle[t];

@@ -28,6 +28,16 @@ struct OpenSheetOptions {
   double sharp_angle_deg = 60.0;
   /// Greatest area of lids as a share of the surface in any case, 0 ... 10: a hoop has more.
   double most_lids = 0.99;
+  /// Greatest area of the lids of a two-sided surface as a share of its area if it is a body, 0 ... 10: such
+  /// a surface is visible from both sides, so that only small holes, as those of a scan, are closed.
+  double most_two_sided_lids = 0.02;
+  /// Smaller lids, as a share of the surface's area, are never outlines, 0 ... 1.
+  double least_lid = 0.01;
+  /// Of several tall lids those are outlines whose rims reach through at least this share of the surface's
+  /// height, 0 ... 1.
+  double least_outline_height = 0.25;
+  /// Greatest share of a rim that is neither on nor in bodies if the surface is no sheet, 0 ... 1.
+  double most_free_rim = 0.02;
 };
 std::vector<Parameter> parameters_of(OpenSheetOptions& options);
 

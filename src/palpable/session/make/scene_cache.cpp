@@ -63,15 +63,18 @@ std::string text_of(const sculpt::FieldOptions& field) {
 std::string text_of(const sculpt::WallOptions& walls) {
   // Up follows from the placement.
   const auto& [least_cells, ground_height, ground_facing, ground_beyond, opposite_cosine, least_lack,
-               least_piece_cells, most_piece_cells, up] = walls;
+               least_points, thickness_steps, least_piece_cells, most_piece_cells, up] = walls;
   static_cast<void>(up);
-  return fmt::format("{:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}", least_cells, ground_height,
-                     ground_facing, ground_beyond, opposite_cosine, least_lack, least_piece_cells,
-                     most_piece_cells);
+  return fmt::format("{:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {}; {}; {:a}; {:a}", least_cells, ground_height,
+                     ground_facing, ground_beyond, opposite_cosine, least_lack, least_points, thickness_steps,
+                     least_piece_cells, most_piece_cells);
 }
 std::string text_of(const sculpt::OpenSheetOptions& sheets) {
-  const auto& [most_tall_lids, most_sharp_lids, sharp_angle_deg, most_lids] = sheets;
-  return fmt::format("{:a}; {:a}; {:a}; {:a}", most_tall_lids, most_sharp_lids, sharp_angle_deg, most_lids);
+  const auto& [most_tall_lids, most_sharp_lids, sharp_angle_deg, most_lids, most_two_sided_lids, least_lid,
+               least_outline_height, most_free_rim] = sheets;
+  return fmt::format("{:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}; {:a}", most_tall_lids, most_sharp_lids,
+                     sharp_angle_deg, most_lids, most_two_sided_lids, least_lid, least_outline_height,
+                     most_free_rim);
 }
 std::string text_of(const recipes::FieldRecipe& recipe) {
   // Point clouds are not meshes.
