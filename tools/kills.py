@@ -3,12 +3,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Kills the program (SIGKILL) at random instants while it writes: tools/kills.py PROGRAM [--count N] [--seed S].
 
-N runs alternate between `make`, `export`, `correct`, a recording, and saving on the page; each replaces an existing file. A run is
-killed at a random instant, uniformly distributed over the duration of a complete run. Afterwards the file must be complete: a scene
+N runs alternate between `make`, `export`, `correct`, a recording, and saving on the page; each replaces an existing file. Half of the runs
+are killed at a random instant, uniformly distributed over the duration of a complete run; the others, and the page, while they write: mostly at once, at most 10 ms (page:
+100 ms, in which it saves again and again) after the first change in the folder of the output. Afterwards the file must be complete: a scene
 or an export equals the old or the new bytes, and `palpable check` can read a recording. Then the run is repeated without a kill; after
 it, the folder must contain no other file. Prints the violations and the counts; --minutes limits the time."""
 import argparse
 import collections
+import contextlib
 import os
 import pathlib
 import random
@@ -21,6 +23,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "soak"))
 from page_client import PageClient, let_in
 
+WRITING_S = 0.01
 QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "stdin": subprocess.DEVNULL}
 
 
@@ -43,13 +46,30 @@ class Case:
         self.whole_s = time.monotonic() - begin
         self.new = self.output.read_bytes()
 
-    def kill(self, instant):
+    def kill(self, rng):
         self.output.write_bytes(self.old)
+        before = self.listing()
         process = subprocess.Popen(self.command, **QUIET)
-        time.sleep(instant * self.whole_s)
+        if rng.random() < 0.5:
+            time.sleep(rng.random() * 1.05 * self.whole_s)
+        else:
+            while self.listing() == before and process.poll() is None:
+                pass
+            end = time.monotonic() + rng.random() ** 3 * WRITING_S
+            while time.monotonic() < end:
+                pass
         process.kill()
         process.wait()
         return self.kept()
+
+    def listing(self):
+        """Changes whenever a file of the folder is made, written or replaced."""
+        found = set()
+        for entry in os.scandir(self.folder):
+            with contextlib.suppress(FileNotFoundError):
+                state = entry.stat()
+                found.add((entry.name, state.st_ino, state.st_size, state.st_mtime_ns))
+        return found
 
     def kept(self):
         """The state of the file: old, new, or the reason why it is neither."""
@@ -58,7 +78,10 @@ class Case:
 
     def left_over(self):
         """Other files in the folder after a complete run."""
+        begin = time.monotonic()
         subprocess.run(self.command, check=True, **QUIET)
+        # The load of the machine changes.
+        self.whole_s = time.monotonic() - begin
         return [entry.name for entry in self.folder.iterdir() if entry != self.output]
 
 
@@ -84,24 +107,27 @@ class PageSave(Case):
         self.output = folder / "scene.palp"
         folder.mkdir()
         self.program = program
-        self.whole_s = 0.1
 
-    def kill(self, instant):
+    def kill(self, rng):
         self.output.write_bytes(self.old)
-        self.page_saves(instant)
+        before = self.listing()
+        self.page_saves(lambda: self.listing() != before, rng.random() ** 3 * 10 * WRITING_S)
         return self.kept()
 
-    def page_saves(self, instant):
+    def page_saves(self, begun, longest_s):
+        """Saves until `begun()`, for `longest_s` more, then kills."""
         process = subprocess.Popen([self.program, "touch", str(self.output), "--no-browser"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         address = next(word for line in process.stdout for word in line.split() if word.startswith("http://"))
         host, port = address.split("/")[2].split(":")
         page = PageClient(host, int(port), let_in(host, int(port), address.split("#")[1]))
         page.send(type="edit", serial=1, label=0, material={"stiffness_N_per_m": 321.0, "damping_Ns_per_m": None, "friction": None, "stickiness": None,
                                                             "texture": None})
-        end = time.monotonic() + instant * self.whole_s
-        while time.monotonic() < end:
+        end = None
+        while end is None or time.monotonic() < end:
             page.send(type="save")
-            time.sleep(0.002)
+            if end is None and begun():
+                end = time.monotonic() + longest_s
+            time.sleep(0.0005)
         process.kill()
         process.wait()
         page.close()
@@ -113,7 +139,7 @@ class PageSave(Case):
         return "new" if run.returncode == 0 else "neither: " + run.stderr.strip()
 
     def left_over(self):
-        self.page_saves(3.0)
+        self.page_saves(lambda: True, 3.0)
         return [entry.name for entry in self.folder.iterdir() if entry != self.output]
 
 
@@ -158,7 +184,7 @@ def main():
                 break
             done += 1
             case = cases[k % len(cases)]
-            kept = case.kill(rng.random() * 1.05)
+            kept = case.kill(rng)
             # Only every tenth, because a complete run doubles the time.
             left = case.left_over() if k // len(cases) % 10 == 9 else []
             counts[case.name][kept] += 1

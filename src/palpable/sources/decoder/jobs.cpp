@@ -18,6 +18,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace palpable::sources::decoder {
 namespace {
@@ -27,18 +28,23 @@ using Bytes = std::span<const std::byte>;
 
 /// The reply with the decoded value or the error.
 template <class T>
-std::vector<std::byte> reply_to(const Result<T>& decoded) {
-  return decoded ? isolated::reply_of(*decoded) : isolated::error_reply(decoded.error());
+ReplyBytes reply_to(const Result<T>& decoded) {
+  return {decoded ? isolated::reply_of(*decoded) : isolated::error_reply(decoded.error()), {}};
 }
 
-std::vector<std::byte> announcement(bool announces) {
+ReplyBytes reply_to(Result<StoredImage>&& decoded) {
+  if (!decoded) return {isolated::error_reply(decoded.error()), {}};
+  return {isolated::reply_head(*decoded), std::move(decoded->samples)};
+}
+
+ReplyBytes announcement(bool announces) {
   isolated::FlatWriter reply;
   isolated::begin_value(reply);
   reply.put(static_cast<std::uint8_t>(announces));
-  return reply.take();
+  return {reply.take(), {}};
 }
 
-std::vector<std::byte> decoded(Job job, Bytes file) {
+ReplyBytes decoded(Job job, Bytes file) {
   switch (job) {
     case Job::obj:
     case Job::stl:
@@ -75,14 +81,15 @@ void prepare(Job job) {
   if (job == Job::heif || job == Job::heif_depth || job == Job::heif_announces_depth) load_heif_plugins();
 }
 
-std::vector<std::byte> run(Job job, Bytes file) {
+ReplyBytes run(Job job, Bytes file) {
   try {
     return decoded(job, file);
   } catch (const std::bad_alloc&) {
-    return isolated::error_reply(
-        invalid_input("is damaged or too large: it needs more memory than its size explains"));
+    return {isolated::error_reply(
+                invalid_input("is damaged or too large: it needs more memory than its size explains")),
+            {}};
   } catch (const std::exception& e) {
-    return isolated::error_reply(invalid_input(std::string("is damaged: ") + e.what()));
+    return {isolated::error_reply(invalid_input(std::string("is damaged: ") + e.what())), {}};
   }
 }
 

@@ -28,7 +28,7 @@ std::span<const std::byte> input() {
   return {static_cast<const std::byte*>(begin), size};
 }
 
-bool write_reply(std::span<const std::byte> bytes) {
+bool write_bytes(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = write(protocol::kReplyDescriptor, bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
@@ -54,7 +54,8 @@ int serve(int argc, char** argv) {
                             static_cast<std::uint64_t>(*seconds)};
   const auto file = input();
   if (file.empty() || !confine(allowance, protocol::kAliveDescriptor + 1)) return protocol::kNotConfined;
-  return write_reply(run(*job, file)) ? protocol::kReplied : protocol::kNotWritten;
+  const ReplyBytes reply = run(*job, file);
+  return write_bytes(reply.head) && write_bytes(reply.body) ? protocol::kReplied : protocol::kNotWritten;
 }
 
 }  // namespace

@@ -13,14 +13,15 @@ namespace palpable::sources::decoder {
 
 void prepare(isolated::Job) {}
 
-std::vector<std::byte> run(isolated::Job job, std::span<const std::byte> file) {
+ReplyBytes run(isolated::Job job, std::span<const std::byte> file) {
   if (job != isolated::Job::video) return {};
   try {
     const auto video = decode_video(file);
-    return video ? isolated::reply_of(*video) : isolated::error_reply(video.error());
+    return {video ? isolated::reply_of(*video) : isolated::error_reply(video.error()), {}};
   } catch (const std::exception&) {
-    return isolated::error_reply(
-        invalid_input("is damaged or too large: it needs more memory than its size explains"));
+    return {isolated::error_reply(
+                invalid_input("is damaged or too large: it needs more memory than its size explains")),
+            {}};
   }
 }
 

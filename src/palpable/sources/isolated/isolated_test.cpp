@@ -10,12 +10,15 @@
 #include "palpable/sources/solid/mesh_file.hpp"
 #include "palpable/sources/solid/mesh_reply.hpp"
 
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -155,6 +158,12 @@ TEST(Isolated, TakesNoMoreMemoryThanItIsAllowed) {
 
 // Replies of a compromised decoder.
 
+std::vector<std::byte> reply_to(const StoredImage& image) {
+  std::vector<std::byte> reply = reply_head(image);
+  reply.insert(reply.end(), image.samples.begin(), image.samples.end());
+  return reply;
+}
+
 TEST(IsolatedReply, OfAMeshMustNameItsOwnVertices) {
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
   EXPECT_TRUE(mesh_in(reply_of(mesh)));
@@ -167,7 +176,7 @@ TEST(IsolatedReply, OfAMeshMustNameItsOwnVertices) {
 
 TEST(IsolatedReply, IsRefusedAtEveryLengthButItsOwn) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
-  const Image image{2, 2, 3, 8, std::vector<float>(12, 1.0F)};
+  const StoredImage image{2, 2, 3, 8, std::vector<std::byte>(12)};
   const auto check = [](const std::vector<std::byte>& whole, const auto& read) {
     EXPECT_TRUE(read(whole));
     for (std::size_t size = 0; size < whole.size(); ++size)
@@ -177,24 +186,34 @@ TEST(IsolatedReply, IsRefusedAtEveryLengthButItsOwn) {
     EXPECT_FALSE(read(longer));
   };
   check(reply_of(mesh), [](std::span<const std::byte> bytes) { return mesh_in(bytes).has_value(); });
-  check(reply_of(image), [](std::span<const std::byte> bytes) { return image_in(bytes).has_value(); });
+  check(reply_to(image), [](std::span<const std::byte> bytes) { return image_in(bytes).has_value(); });
   check(reply_of(Calibration{}),
         [](std::span<const std::byte> bytes) { return calibration_in(bytes).has_value(); });
 }
 
-TEST(IsolatedReply, KeepsSamplesBitByBit) {
-  Image image{3, 1, 1, 16, {0.0F, 1000.0F / 65535.0F, 700.0F / 1023.0F}};
-  for (const int bits : {8, 16, 32}) {
-    image.bits = bits;
-    const auto back = image_in(reply_of(image));
-    ASSERT_TRUE(back);
-    EXPECT_EQ(back->samples, image.samples) << bits;
-    EXPECT_EQ(back->bits, bits);
-  }
-  image.samples[0] = std::numeric_limits<float>::infinity();
-  EXPECT_TRUE(image_in(reply_of(image)));
-  image.bits = 16;
-  EXPECT_FALSE(image_in(reply_of(image)));
+TEST(IsolatedReply, ScalesIntegersAndKeepsFloats) {
+  const auto samples_in = [](int bits, const auto& values) {
+    const auto bytes = std::as_bytes(std::span(values));
+    const StoredImage image{3, 1, 1, bits, {bytes.begin(), bytes.end()}};
+    const auto back = image_in(reply_to(image));
+    EXPECT_TRUE(back && back->bits == bits);
+    return back ? back->samples : std::vector<float>();
+  };
+  using testing::ElementsAre;
+  EXPECT_THAT(samples_in(8, std::array<std::uint8_t, 3>{0, 100, 255}), ElementsAre(0, 100.0F / 255.0F, 1));
+  EXPECT_THAT(samples_in(16, std::array<std::uint16_t, 3>{0, 1000, 65535}),
+              ElementsAre(0, 1000.0F / 65535.0F, 1));
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(samples_in(32, std::array<float, 3>{-2.5F, kInfinity, 7}), ElementsAre(-2.5F, kInfinity, 7));
+}
+
+TEST(IsolatedReply, OfAPictureWithAnUnknownLayoutIsRefused) {
+  const std::vector<std::byte> samples(12);
+  EXPECT_TRUE(image_in(reply_to({2, 2, 3, 8, samples})));
+  EXPECT_FALSE(image_in(reply_to({2, 2, 3, 4, samples})));
+  EXPECT_FALSE(image_in(reply_to({2, 2, 0, 8, samples})));
+  EXPECT_FALSE(image_in(reply_to({-2, -2, 3, 8, samples})));
+  EXPECT_FALSE(image_in(reply_to({2, 2, 3, 16, samples})));
 }
 
 TEST(IsolatedReply, OfAnErrorIsPlainTextOfOneLine) {

@@ -4,6 +4,7 @@
 
 #include "palpable/core/image.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/sources/picture/stored_image.hpp"
 
 #include <cstddef>
 #include <span>
@@ -17,9 +18,9 @@ namespace palpable::sources {
 
 /// Grey or RGB, with or without alpha, of 8 or 16 bit integers or 32-bit floats, in strips or tiles;
 /// everything else that libtiff knows (palettes, YCbCr, fax) as 8-bit RGBA.
-Result<Image> decode_tiff(std::span<const std::byte> file);
+Result<StoredImage> decode_tiff(std::span<const std::byte> file);
 /// The first frame, as RGB or RGBA.
-Result<Image> decode_webp(std::span<const std::byte> file);
+Result<StoredImage> decode_webp(std::span<const std::byte> file);
 /// 1, 4 or 8 bits with a palette, 16, 24 or 32 bits with masks; no run-length coding.
 Result<Image> decode_bmp(std::span<const std::byte> file);
 /// P1 to P6, up to 16 bits.

@@ -1,10 +1,12 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/core/byte_reader.hpp"
+#include "palpable/core/image.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 
@@ -76,6 +78,32 @@ void read_plane(const heif_image* image, heif_channel channel, int row_samples, 
   }
 }
 
+/// The interleaved samples with as many bits as `image` has: those of 9 to 15 bits are scaled to 16.
+std::vector<std::byte> colours_in(const heif_image* pixels, const StoredImage& image) {
+  int stride = 0;
+  const std::uint8_t* plane = heif_image_get_plane_readonly(pixels, heif_channel_interleaved, &stride);
+  const auto row_samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+  const auto sample_bytes = static_cast<std::size_t>(image.bits / 8);
+  std::vector<std::byte> out(row_samples * static_cast<std::size_t>(image.height) * sample_bytes);
+  const auto bits =
+      static_cast<unsigned>(heif_image_get_bits_per_pixel_range(pixels, heif_channel_interleaved));
+  const std::uint32_t most = (1U << bits) - 1U;
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint8_t* row = plane + static_cast<std::ptrdiff_t>(y) * stride;
+    std::byte* to = out.data() + static_cast<std::size_t>(y) * row_samples * sample_bytes;
+    if (image.bits == 8) {
+      std::memcpy(to, row, row_samples);
+      continue;
+    }
+    for (std::size_t x = 0; x < row_samples; ++x) {
+      const std::uint32_t raw = std::min<std::uint32_t>(row[2 * x] | (row[2 * x + 1] << 8U), most);
+      const auto scaled = static_cast<std::uint16_t>((raw * 65535U + most / 2) / most);
+      std::memcpy(to + 2 * x, &scaled, sizeof scaled);
+    }
+  }
+  return out;
+}
+
 void apply_representation(const heif_image_handle* primary, heif_item_id id, PhotoDepth& depth) {
   const heif_depth_representation_info* raw = nullptr;
   if (heif_image_handle_get_depth_image_representation_info(primary, id, &raw) == 0 || raw == nullptr) return;
@@ -96,7 +124,7 @@ void apply_representation(const heif_image_handle* primary, heif_item_id id, Pho
 
 void load_heif_plugins() { heif_init(nullptr); }
 
-Result<Image> decode_heif(std::span<const std::byte> file) {
+Result<StoredImage> decode_heif(std::span<const std::byte> file) {
   const auto opened = open(file);
   if (!opened) return opened.error();
   const bool alpha = heif_image_handle_has_alpha_channel(opened->primary.get()) != 0;
@@ -106,14 +134,13 @@ Result<Image> decode_heif(std::span<const std::byte> file) {
            : (alpha ? heif_chroma_interleaved_RGBA : heif_chroma_interleaved_RGB);
   const auto pixels = pixels_of(opened->primary.get(), heif_colorspace_RGB, chroma);
   if (!pixels) return pixels.error();
-  Image image;
+  StoredImage image;
   image.width = heif_image_get_width(pixels->get(), heif_channel_interleaved);
   image.height = heif_image_get_height(pixels->get(), heif_channel_interleaved);
   image.channels = alpha ? 4 : 3;
   image.bits = deep ? 16 : 8;
   if (auto size = check_picture_size(image.width, image.height); !size) return std::move(size).error();
-  read_plane(pixels->get(), heif_channel_interleaved, image.width * image.channels, image.height,
-             image.samples);
+  image.samples = colours_in(pixels->get(), image);
   return image;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "palpable/core/image.hpp"
 #include "palpable/core/raster.hpp"
 #include "palpable/core/result.hpp"
+#include "palpable/sources/picture/stored_image.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,8 +43,8 @@ bool announces_depth(std::span<const std::byte> file);
 /// Loads libheif's plug-ins. Must be called once before the functions below if files cannot be opened later.
 void load_heif_plugins();
 
-/// The primary picture of a HEIF file, upright. Errors: invalid_input.
-Result<Image> decode_heif(std::span<const std::byte> file);
+/// The primary picture of a HEIF file, upright; 9 to 15 bits are scaled to 16. Errors: invalid_input.
+Result<StoredImage> decode_heif(std::span<const std::byte> file);
 
 /// The auxiliary depth of a HEIF file's primary picture. Otherwise as depth_in_jpeg().
 bool heif_announces_depth(std::span<const std::byte> file);

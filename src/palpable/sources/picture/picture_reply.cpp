@@ -6,77 +6,46 @@
 #include "palpable/sources/isolated/isolated.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace palpable::sources::isolated {
 namespace {
 
-/// Coding of the samples in a reply: integers take a quarter or half of the size of floats.
-enum class Coding : std::uint8_t { u8, u16, f32 };
-
-/// Table of sample values of integer files.
+/// Integer samples as 0 ... 1, by a table.
 template <class T>
-const std::vector<float>& sample_values() {
+std::vector<float> scaled(std::span<const std::byte> raw) {
   static const std::vector<float> kValues = [] {
     constexpr std::size_t kMost = std::numeric_limits<T>::max();
     std::vector<float> values(kMost + 1);
     for (std::size_t k = 0; k <= kMost; ++k) values[k] = static_cast<float>(k) / static_cast<float>(kMost);
     return values;
   }();
-  return kValues;
-}
-
-template <class T>
-std::vector<float> floats(std::span<const std::byte> raw) {
-  const std::vector<float>& values = sample_values<T>();
-  std::vector<float> out;
-  out.reserve(raw.size() / sizeof(T));
-  for (std::size_t k = 0; k + sizeof(T) <= raw.size(); k += sizeof(T)) {
+  std::vector<float> out(raw.size() / sizeof(T));
+  for (std::size_t k = 0; k < out.size(); ++k) {
     T code{};
-    std::memcpy(&code, raw.data() + k, sizeof(T));
-    out.push_back(values[code]);
+    std::memcpy(&code, raw.data() + k * sizeof(T), sizeof(T));
+    out[k] = kValues[code];
   }
   return out;
 }
 
-/// Writes samples as integers. False, with nothing written, if a sample would not be restored exactly.
-template <class T>
-bool put_integers(FlatWriter& reply, const std::vector<float>& samples, Coding coding) {
-  const std::vector<float>& values = sample_values<T>();
-  const float most = std::numeric_limits<T>::max();
-  std::vector<T> codes;
-  codes.reserve(samples.size());
-  for (const float v : samples) {
-    // Also rejects NaN.
-    if (!(v >= 0.0F && v <= 1.0F)) return false;
-    const auto code = static_cast<T>(v * most + 0.5F);
-    if (values[code] != v) return false;
-    codes.push_back(code);
-  }
-  reply.put(coding);
-  reply.put_array(std::span<const T>(codes));
-  return true;
+void put_layout(FlatWriter& reply, const std::array<std::int32_t, 4>& width_height_channels_bits) {
+  begin_value(reply);
+  for (const std::int32_t value : width_height_channels_bits) reply.put(value);
 }
 
-void put_samples(FlatWriter& reply, const Image& image) {
-  if (image.bits == 8 && put_integers<std::uint8_t>(reply, image.samples, Coding::u8)) return;
-  if (image.bits == 16 && put_integers<std::uint16_t>(reply, image.samples, Coding::u16)) return;
-  reply.put(Coding::f32);
-  reply.put_array(std::span<const float>(image.samples));
-}
-
-std::vector<float> get_samples(FlatReader& reply, std::uint64_t count) {
-  switch (reply.get<Coding>()) {
-    case Coding::u8:
-      return floats<std::uint8_t>(reply.get_bytes(count));
-    case Coding::u16:
-      return floats<std::uint16_t>(reply.get_bytes(count * sizeof(std::uint16_t)));
-    case Coding::f32:
+std::vector<float> get_samples(FlatReader& reply, int bits, std::uint64_t count) {
+  switch (bits) {
+    case 8:
+      return scaled<std::uint8_t>(reply.get_bytes(count));
+    case 16:
+      return scaled<std::uint16_t>(reply.get_bytes(count * sizeof(std::uint16_t)));
+    default:
       return reply.get_array<float>(count);
   }
-  return {};
 }
 
 void put_raster(FlatWriter& reply, const Raster<float>& values) {
@@ -116,12 +85,16 @@ Result<T> in_child(Job job, std::span<const std::byte> file, Result<T> (*read)(s
 
 }  // namespace
 
+std::vector<std::byte> reply_head(const StoredImage& image) {
+  FlatWriter reply;
+  put_layout(reply, {image.width, image.height, image.channels, image.bits});
+  return reply.take();
+}
+
 std::vector<std::byte> reply_of(const Image& image) {
   FlatWriter reply;
-  begin_value(reply);
-  for (const int value : {image.width, image.height, image.channels, image.bits})
-    reply.put(static_cast<std::int32_t>(value));
-  put_samples(reply, image);
+  put_layout(reply, {image.width, image.height, image.channels, image.bits});
+  reply.put_array(std::span<const float>(image.samples));
   return reply.take();
 }
 
@@ -156,13 +129,10 @@ Result<Image> image_in(std::span<const std::byte> bytes) {
       image.channels >= 1 && image.channels <= 4 && (image.bits == 8 || image.bits == 16 || image.bits == 32);
   if (!known || !check_picture_size(image.width, image.height)) return invalid_reply();
   image.samples =
-      get_samples(reply, static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height) *
-                             static_cast<std::uint64_t>(image.channels));
+      get_samples(reply, image.bits,
+                  static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height) *
+                      static_cast<std::uint64_t>(image.channels));
   if (!reply.done()) return invalid_reply();
-  // Also false for NaN; float files may contain any value.
-  const auto in_range = [](float v) { return v >= 0.0F && v <= 1.0F; };
-  if (image.bits != 32 && !std::all_of(image.samples.begin(), image.samples.end(), in_range))
-    return invalid_reply();
   return image;
 }
 

@@ -6,6 +6,7 @@
 #include "palpable/core/raster.hpp"
 #include "palpable/core/result.hpp"
 #include "palpable/sources/picture/photo_depth.hpp"
+#include "palpable/sources/picture/stored_image.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -16,12 +17,15 @@
 // run in that process, which all of palpable uses. Errors as there, and those of isolated::decode().
 namespace palpable::sources::isolated {
 
+/// The start of the reply; the image's samples follow it.
+std::vector<std::byte> reply_head(const StoredImage& image);
+/// For pictures of floats (32 bits).
 std::vector<std::byte> reply_of(const Image& image);
 std::vector<std::byte> reply_of(const Raster<float>& values);
 std::vector<std::byte> reply_of(const std::optional<PhotoDepth>& depth);
 
-/// Decodes and checks a reply: size, number of samples, integer samples in 0 ... 1. Errors: those in the
-/// reply; invalid_input for an invalid reply.
+/// Decodes and checks a reply: size and number of samples. Errors: those in the reply; invalid_input for an
+/// invalid reply.
 Result<Image> image_in(std::span<const std::byte> reply);
 Result<Raster<float>> raster_in(std::span<const std::byte> reply);
 Result<std::optional<PhotoDepth>> photo_depth_in(std::span<const std::byte> reply);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -244,9 +245,18 @@ TEST(Tga, KeepsAlphaAndPalettes) {
   EXPECT_EQ(std::lround(255 * indexed->pixel(0, 0)[0]), 6);
 }
 
-/// Writes the values 0, 1, 2 … as a TIFF of floats or 16-bit numbers, in tiles or rows, with interleaved or
-/// separate planes.
-std::filesystem::path written_tiff(bool floats, bool tiles, bool apart, int channels) {
+struct TiffLayout {
+  /// 8 or 16: integers; 32: floats.
+  int bits = 8;
+  bool tiles = false;
+  bool planes_apart = false;
+  int channels = 1;
+  bool white_is_zero = false;
+};
+
+/// Writes the values 0, 1, 2 … (modulo 256 with 8 bits).
+std::filesystem::path written_tiff(const TiffLayout& layout) {
+  const auto [bits, tiles, apart, channels, white_is_zero] = layout;
   const auto path = std::filesystem::path(testing::TempDir()) / "palpable-layout.tiff";
   constexpr int kWidth = 21;
   constexpr int kHeight = 19;
@@ -254,30 +264,37 @@ std::filesystem::path written_tiff(bool floats, bool tiles, bool apart, int chan
   TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, kWidth);
   TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, kHeight);
   TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, channels);
-  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, floats ? 32 : 16);
-  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, floats ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
-  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, channels == 1 ? PHOTOMETRIC_MINISBLACK : PHOTOMETRIC_RGB);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+  TIFFSetField(tiff, TIFFTAG_SAMPLEFORMAT, bits == 32 ? SAMPLEFORMAT_IEEEFP : SAMPLEFORMAT_UINT);
+  const int grey = white_is_zero ? PHOTOMETRIC_MINISWHITE : PHOTOMETRIC_MINISBLACK;
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, channels == 1 ? grey : PHOTOMETRIC_RGB);
   TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, apart ? PLANARCONFIG_SEPARATE : PLANARCONFIG_CONTIG);
   TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_LZW);
   const int planes = apart ? channels : 1;
   const int step = apart ? 1 : channels;
   const auto block = [&](int left, int top, int width, int height, int plane) {
-    std::vector<float> as_float;
-    std::vector<std::uint16_t> as_int;
+    std::vector<std::byte> raw;
+    const auto add = [&raw](auto value) {
+      const auto bytes = std::as_bytes(std::span(&value, 1));
+      raw.insert(raw.end(), bytes.begin(), bytes.end());
+    };
     for (int y = top; y < top + height; ++y)
       for (int x = left; x < left + width; ++x)
         for (int c = 0; c < step; ++c) {
           const int value = ((y * kWidth + x) * channels) + c + plane;
-          as_float.push_back(static_cast<float>(value));
-          as_int.push_back(static_cast<std::uint16_t>(value));
+          if (bits == 32)
+            add(static_cast<float>(value));
+          else if (bits == 16)
+            add(static_cast<std::uint16_t>(value));
+          else
+            add(static_cast<std::uint8_t>(value));
         }
+    const auto row = static_cast<std::uint32_t>(top);
+    const auto sample = static_cast<std::uint16_t>(plane);
     if (tiles)
-      TIFFWriteTile(tiff, floats ? static_cast<void*>(as_float.data()) : as_int.data(),
-                    static_cast<std::uint32_t>(left), static_cast<std::uint32_t>(top), 0,
-                    static_cast<std::uint16_t>(plane));
+      TIFFWriteTile(tiff, raw.data(), static_cast<std::uint32_t>(left), row, 0, sample);
     else
-      TIFFWriteScanline(tiff, floats ? static_cast<void*>(as_float.data()) : as_int.data(),
-                        static_cast<std::uint32_t>(top), static_cast<std::uint16_t>(plane));
+      TIFFWriteScanline(tiff, raw.data(), row, sample);
   };
   if (tiles) {
     TIFFSetField(tiff, TIFFTAG_TILEWIDTH, 16);
@@ -291,19 +308,29 @@ std::filesystem::path written_tiff(bool floats, bool tiles, bool apart, int chan
   return path;
 }
 
+/// Reads the written file and compares every sample.
+void expect_tiff_read(const TiffLayout& layout) {
+  SCOPED_TRACE(testing::Message() << layout.bits << layout.tiles << layout.channels << layout.planes_apart);
+  const auto image = read_picture(written_tiff(layout));
+  ASSERT_TRUE(image) << image.error().sentence();
+  ASSERT_EQ(image->channels, layout.channels);
+  ASSERT_EQ(image->bits, layout.bits);
+  const double one = layout.bits == 32 ? 1.0 : layout.bits == 16 ? 65535.0 : 255.0;
+  for (std::size_t i = 0; i < image->samples.size(); ++i) {
+    const double value = static_cast<double>(layout.bits == 8 ? i % 256 : i) / one;
+    ASSERT_FLOAT_EQ(image->samples[i], static_cast<float>(layout.white_is_zero ? 1.0 - value : value)) << i;
+  }
+}
+
 TEST(Tiff, IsReadInTilesOrRowsWithPlanesApartOrNot) {
-  for (const bool floats : {false, true})
+  for (const int bits : {8, 16, 32})
     for (const bool tiles : {false, true})
       for (const int channels : {1, 3})
-        for (const bool apart : {false, true}) {
-          SCOPED_TRACE(testing::Message() << floats << tiles << channels << apart);
-          const auto image = read_picture(written_tiff(floats, tiles, apart, channels));
-          ASSERT_TRUE(image) << image.error().sentence();
-          ASSERT_EQ(image->channels, channels);
-          ASSERT_EQ(image->bits, floats ? 32 : 16);
-          for (std::size_t i = 0; i < image->samples.size(); ++i)
-            ASSERT_FLOAT_EQ(image->samples[i] * (floats ? 1.0F : 65535.0F), static_cast<float>(i)) << i;
-        }
+        for (const bool apart : {false, true}) expect_tiff_read({bits, tiles, apart, channels, false});
+}
+
+TEST(Tiff, WhoseZeroIsWhiteIsInverted) {
+  for (const int bits : {8, 16, 32}) expect_tiff_read({bits, false, false, 1, true});
 }
 
 TEST(Picture, SideBySideSplitsIntoItsHalves) {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -113,20 +113,24 @@ std::optional<Layout> plain_layout(TIFF* tiff) {
   return layout;
 }
 
-float sample_at(const std::byte* place, const Layout& layout) {
-  float value = 0.0F;
-  if (layout.floats) {
-    std::memcpy(&value, place, sizeof value);
-    return value;
+/// Turns samples of a picture whose zero is white into those of one whose zero is black.
+template <class T>
+void invert(std::span<std::byte> samples, T white) {
+  for (std::size_t at = 0; at + sizeof(T) <= samples.size(); at += sizeof(T)) {
+    T value{};
+    std::memcpy(&value, samples.data() + at, sizeof value);
+    value = static_cast<T>(white - value);
+    std::memcpy(samples.data() + at, &value, sizeof value);
   }
-  if (layout.bits == 16) {
-    std::uint16_t raw = 0;
-    std::memcpy(&raw, place, sizeof raw);
-    value = static_cast<float>(raw) / 65535.0F;
-  } else {
-    value = static_cast<float>(std::to_integer<int>(*place)) / 255.0F;
-  }
-  return layout.white_is_zero ? 1.0F - value : value;
+}
+
+void invert(const Layout& layout, StoredImage& image) {
+  if (layout.floats)
+    invert(image.samples, 1.0F);
+  else if (layout.bits == 16)
+    invert(image.samples, std::numeric_limits<std::uint16_t>::max());
+  else
+    invert(image.samples, std::numeric_limits<std::uint8_t>::max());
 }
 
 /// One strip or tile and its position in the picture.
@@ -136,33 +140,28 @@ struct Block {
 };
 
 /// Copies a decoded block into the picture, without the part outside the picture (a tile's padding).
-void place_block(const std::vector<std::byte>& raw, const Block& block, const Layout& layout, Image& image) {
+void place_block(const std::vector<std::byte>& raw, const Block& block, const Layout& layout,
+                 StoredImage& image) {
   const auto sample_bytes = static_cast<std::size_t>(layout.bits / 8);
-  const std::size_t step = layout.planes_apart ? 1 : static_cast<std::size_t>(layout.channels);
+  const auto channels = static_cast<std::size_t>(layout.channels);
+  const std::size_t step = layout.planes_apart ? 1 : channels;
   const std::uint32_t columns = std::min(block.width, layout.width - block.left);
   const std::uint32_t rows = std::min(block.height, layout.height - block.top);
-  std::array<float, 256> of_byte{};
-  for (std::size_t k = 0; layout.bits == 8 && k < of_byte.size(); ++k) {
-    // As long as the longest sample that sample_at() may read.
-    const std::array<std::byte, sizeof(float)> sample{static_cast<std::byte>(k)};
-    of_byte[k] = sample_at(sample.data(), layout);
-  }
   for (std::size_t y = 0; y < rows; ++y) {
     const std::byte* from = raw.data() + y * block.width * step * sample_bytes;
-    const std::size_t first =
-        ((block.top + y) * layout.width + block.left) * static_cast<std::size_t>(layout.channels);
-    float* to = image.samples.data() + first + (layout.planes_apart ? block.channel : 0);
-    const std::size_t apart = layout.planes_apart ? static_cast<std::size_t>(layout.channels) : 1;
-    if (layout.bits == 8)
-      for (std::size_t i = 0; i < columns * step; ++i)
-        to[i * apart] = of_byte[std::to_integer<std::size_t>(from[i])];
-    else
-      for (std::size_t i = 0; i < columns * step; ++i)
-        to[i * apart] = sample_at(from + i * sample_bytes, layout);
+    const std::size_t first = ((block.top + y) * layout.width + block.left) * channels;
+    if (!layout.planes_apart) {
+      std::memcpy(image.samples.data() + first * sample_bytes, from, columns * step * sample_bytes);
+      continue;
+    }
+    const std::size_t plane = first + static_cast<std::size_t>(block.channel);
+    for (std::size_t x = 0; x < columns; ++x)
+      std::memcpy(image.samples.data() + (plane + x * channels) * sample_bytes, from + x * sample_bytes,
+                  sample_bytes);
   }
 }
 
-bool read_tiles(TIFF* tiff, const Layout& layout, Image& image) {
+bool read_tiles(TIFF* tiff, const Layout& layout, StoredImage& image) {
   const auto width = field<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH, 0);
   const auto height = field<std::uint32_t>(tiff, TIFFTAG_TILELENGTH, 0);
   const tmsize_t bytes = TIFFTileSize(tiff);
@@ -182,7 +181,7 @@ bool read_tiles(TIFF* tiff, const Layout& layout, Image& image) {
   return true;
 }
 
-bool read_rows(TIFF* tiff, const Layout& layout, Image& image) {
+bool read_rows(TIFF* tiff, const Layout& layout, StoredImage& image) {
   const tmsize_t bytes = TIFFScanlineSize(tiff);
   const std::size_t step = layout.planes_apart ? 1 : static_cast<std::size_t>(layout.channels);
   const std::size_t needed = layout.width * step * static_cast<std::size_t>(layout.bits / 8);
@@ -197,25 +196,38 @@ bool read_rows(TIFF* tiff, const Layout& layout, Image& image) {
 }
 
 /// Reads all other layouts by libtiff's conversion to 8-bit RGBA.
-bool read_converted(TIFF* tiff, std::uint32_t width, std::uint32_t height, Image& image) {
-  std::vector<std::uint32_t> rgba(static_cast<std::size_t>(width) * height);
+bool read_converted(TIFF* tiff, StoredImage& image) {
+  std::vector<std::uint32_t> rgba(static_cast<std::size_t>(image.width) *
+                                  static_cast<std::size_t>(image.height));
   // The orientation is applied by the caller, as for every other format.
   TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
   constexpr int kStopOnError = 1;
-  if (TIFFReadRGBAImageOriented(tiff, width, height, rgba.data(), ORIENTATION_TOPLEFT, kStopOnError) != 1)
+  if (TIFFReadRGBAImageOriented(tiff, static_cast<std::uint32_t>(image.width),
+                                static_cast<std::uint32_t>(image.height), rgba.data(), ORIENTATION_TOPLEFT,
+                                kStopOnError) != 1)
     return false;
   image.channels = 4;
   image.bits = 8;
   image.samples.reserve(4 * rgba.size());
   for (const std::uint32_t p : rgba)
     for (const std::uint32_t v : {TIFFGetR(p), TIFFGetG(p), TIFFGetB(p), TIFFGetA(p)})
-      image.samples.push_back(static_cast<float>(v) / 255.0F);
+      image.samples.push_back(static_cast<std::byte>(v));
   return true;
+}
+
+bool read_plain(TIFF* tiff, const Layout& layout, StoredImage& image) {
+  image.channels = layout.channels;
+  image.bits = layout.bits;
+  image.samples.resize(static_cast<std::size_t>(layout.width) * layout.height *
+                       static_cast<std::size_t>(layout.channels * (layout.bits / 8)));
+  const bool read = TIFFIsTiled(tiff) != 0 ? read_tiles(tiff, layout, image) : read_rows(tiff, layout, image);
+  if (read && layout.white_is_zero) invert(layout, image);
+  return read;
 }
 
 }  // namespace
 
-Result<Image> decode_tiff(std::span<const std::byte> file) {
+Result<StoredImage> decode_tiff(std::span<const std::byte> file) {
   Source source{file, 0, {}};
   const auto damaged = [&source] {
     return invalid_input(std::string("is a TIFF picture that is damaged, cut off or of an unknown kind (") +
@@ -227,17 +239,10 @@ Result<Image> decode_tiff(std::span<const std::byte> file) {
   const auto height = field<std::uint32_t>(tiff.get(), TIFFTAG_IMAGELENGTH, 0);
   if (auto size = check_picture_size(width, height); !size) return std::move(size).error();
 
-  Image image{static_cast<int>(width), static_cast<int>(height), 1, 8, {}};
-  if (const auto layout = plain_layout(tiff.get())) {
-    image.channels = layout->channels;
-    image.bits = layout->bits;
-    image.samples.resize(static_cast<std::size_t>(width) * height * static_cast<std::size_t>(image.channels));
-    const bool read = TIFFIsTiled(tiff.get()) != 0 ? read_tiles(tiff.get(), *layout, image)
-                                                   : read_rows(tiff.get(), *layout, image);
-    if (!read) return damaged();
-  } else if (!read_converted(tiff.get(), width, height, image)) {
+  StoredImage image{static_cast<int>(width), static_cast<int>(height), 1, 8, {}};
+  const auto layout = plain_layout(tiff.get());
+  if (!(layout ? read_plain(tiff.get(), *layout, image) : read_converted(tiff.get(), image)))
     return damaged();
-  }
   return image;
 }
 
