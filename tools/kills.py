@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Kills the program (SIGKILL) at random instants while it writes: tools/kills.py PROGRAM [--count N] [--seed S].
 
-N runs alternate between `make`, `export`, `correct`, a recording, and saving on the page; each replaces an existing file. Half of the runs
-are killed at a random instant, uniformly distributed over the duration of a complete run; the others, and the page, while they write: mostly at once, at most 10 ms (page:
-100 ms, in which it saves again and again) after the first change in the folder of the output. Afterwards the file must be complete: a scene
-or an export equals the old or the new bytes, and `palpable check` can read a recording. Then the run is repeated without a kill; after
-it, the folder must contain no other file. Prints the violations and the counts; --minutes limits the time."""
+N runs alternate between `make`, `export`, `correct`, a recording, and saving on the page; each replaces an existing file. Half of the
+runs are killed at a random instant, uniformly distributed over the duration of a complete run; the others, and the page, while they
+write: mostly at once, at most 10 ms (page: 100 ms, in which it saves again and again) after the first change in the folder of the
+output. Afterwards the file must be complete: a scene or an export equals the old or the new bytes, and `palpable check` can read a
+recording. Then the run is repeated without a kill; after it, the folder must contain no other file. Prints the violations and the
+counts; --minutes limits the time."""
 import argparse
 import collections
 import contextlib

@@ -150,7 +150,8 @@ MapColours find_map_colours(const Raster<Rgb8>& picture, const MapColourOptions&
   cv::Mat distance, label;
   cv::Mat away = seen == 0;
   cv::distanceTransform(away, distance, label, cv::DIST_L2, 5, cv::DIST_LABEL_PIXEL);
-  std::vector<std::uint8_t> colour_of(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + 1, 0);
+  std::vector<std::uint8_t> colour_of(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) + 1,
+                                      0);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
       if (seen.at<std::uint8_t>(y, x) != 0)
