@@ -88,7 +88,7 @@ TEST(Ring, RefusesAndCountsWhenFull) {
 }
 
 TEST(Ring, LosesNothingAndKeepsTheOrderBetweenThreads) {
-  constexpr std::uint64_t kValues = 200000;
+  constexpr std::uint64_t kValues = 50000;
   Ring<Wide> ring(16);
   std::thread writer([&] {
     for (std::uint64_t n = 0; n < kValues;) {
