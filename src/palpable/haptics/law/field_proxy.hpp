@@ -33,6 +33,9 @@ struct FieldProxy {
   double bend_per_m = 0.0;
   Phase phase = Phase::fresh;
   bool slipping = false;
+  /// The last step of the tick was rejected, as in a crease, where the proxy is held by more than one face
+  /// and the force does not point along the normal of one of them.
+  bool blocked = false;
 };
 
 /// `proxy` on a solid: a spring from the hand to a point that stays on the surface and slides towards the
@@ -76,7 +79,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       return output;
     }
     const Vec3 stretched = proxy.place_m - hand.position.v;
-    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, {proxy.normal, 1.0});
+    output.force_N.v = proxy_force(hand, contact, proxy.place_m, before, outward(proxy, stretched));
     output.stored_J = 0.5 * contact.stiffness_N_per_m * squared_norm(stretched);
     output.spring_N.v = contact.stiffness_N_per_m * stretched;
     if (textures_.any())
@@ -131,6 +134,13 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   static constexpr double kSafe = 0.95;
   /// Cosine between the normals of places half a cell apart on one face.
   static constexpr double kSameFace = 0.9;
+
+  /// The direction in which the surface pushes. Where the proxy is held in a crease, it is that of the
+  /// spring: a damper along the normal of one face would not damp the whole spring.
+  static Outward outward(const FieldProxy& proxy, Vec3 stretched) noexcept {
+    const double length_m = proxy.blocked ? norm(stretched) : 0.0;
+    return {length_m > kTolerance_m ? stretched / length_m : proxy.normal, 1.0};
+  }
 
   models::FieldSample sample(Vec3 place_m) const noexcept {
     models::FieldSample s = this->surface().sample(place_m);
@@ -266,6 +276,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     proxy.phase = FieldProxy::Phase::touching;
     proxy.slipping = false;
     proxy.step_share = 0.0;
+    proxy.bend_per_m = 0.0;
   }
 
   /// Slides the proxy along the surface towards the hand; false if the hand is on the free side.
@@ -273,6 +284,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
              int& evaluations) const noexcept {
     double share = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     bool moved = false;
+    proxy.blocked = false;
     const double coefficient = proxy.slipping ? friction.sliding : friction.at_rest;
     for (;;) {
       const Vec3 d = hand_m - proxy.place_m;
@@ -282,7 +294,10 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       const Vec3 along = d - lifted * proxy.normal;
       const double along_m = norm(along);
       const double held_m = -lifted * (moved ? friction.sliding : coefficient);
-      if (along_m <= held_m + kTolerance_m) break;
+      if (along_m <= held_m + kTolerance_m) {
+        proxy.blocked = false;
+        break;
+      }
       // Newton's step: the step in the tangent plane, corrected by the curvature.
       const double bent = std::clamp(1.0 + proxy.bend_per_m * lifted, kLeastBent, kMostBent);
       const double step_m = share * std::min((along_m - held_m) / bent, longest_m);
@@ -297,7 +312,14 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       // a wall.
       const Vec3 out = next - aimed;
       const bool through = dot(out, normal) > kOn_m && dot(out, along) > 0.0;
+      // With friction, a proxy that is led beyond its place ahead of the hand stays there and pushes the hand
+      // on.
+      if (bent < 1.0 && held_m > 0.0 && dot(hand_m - next, along) < 0.0) {
+        proxy.bend_per_m = 0.0;
+        continue;
+      }
       if (!settled || through || squared_norm(hand_m - next) >= squared_norm(d)) {
+        proxy.blocked = true;
         share *= 0.25;
         if (step_m < kShortest_m) {
           share = 1.0;
@@ -305,6 +327,7 @@ class FieldProxyLaw : public ContactLaw<Surface> {
         }
         continue;
       }
+      proxy.blocked = false;
       share = std::min(1.0, 4.0 * share);
       moved = true;
       proxy.bend_per_m = dot(normal - proxy.normal, along) / (along_m * step_m);

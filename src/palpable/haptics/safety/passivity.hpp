@@ -80,6 +80,7 @@ class PassivityObserver {
     }
     made_J_ = received_J > 0.0 ? std::max({balance_J_, work_J_, 0.0}) : 0.0;
     made_max_J_ = std::max(made_max_J_, made_J_);
+    end_work(step);
     return balance_J_;
   }
 
@@ -94,6 +95,9 @@ class PassivityObserver {
     if (step.scene_changes && std::isfinite(step.stored_J)) began_in_air_ = false;
     if (began_in_air_) work_J_ += received_J;
     if (!began_in_air_) work_J_ = 0.0;
+  }
+
+  void end_work(const Step& step) noexcept {
     // A spring may return energy after a tick without force. A law that stores no energy may not.
     const bool ends = !step.contact || !std::isfinite(step.stored_J);
     if (ends && !step.weakened && step.held_force_N == Vector<DeviceFrame>{}) {

@@ -58,6 +58,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
     drop_force();
   }
   const ReadingUse use = accept(reading, dt_s);
+  count_received();
   const bool good = use == ReadingUse::continues || use == ReadingUse::new_touch;
   const bool is_glitch = use == ReadingUse::glitch;
   if (fading()) fade(dt_s);
@@ -112,6 +113,7 @@ void TickPipeline::drop_force() noexcept {
   rise_.drop();
   uncontrolled_rise_.drop();
   dropped_ = held();
+  dropped_velocity_m_per_s_ = velocity_m_per_s_;
   written_N_ = {};
   uncontrolled_N_ = {};
   written_Nm_ = {};
@@ -203,6 +205,9 @@ void TickPipeline::change(const HapticScene& scene) noexcept {
     scene.touchable->take_over(now_.scene->touchable->hand_over(now_.state), coming_.state);
   }
   faded_ = 0.0;
+  const double held_J = given_J(rise_);
+  stored_before_change_J_ = std::isfinite(held_J) ? held_J : 0.0;
+  change_work_J_ = change_brought_J_ = 0.0;
 }
 
 const HapticScene* TickPipeline::take_retired() noexcept { return std::exchange(retired_, nullptr); }
@@ -246,7 +251,7 @@ void TickPipeline::make_force(double dt_s) noexcept {
   if (gain > 0.0) control_energy(dt_s);
   if (rise_.is_weaker()) counts_.withheld_max_J = std::max(counts_.withheld_max_J, rise_.withheld_J());
   if (capped.limited) flags_ |= flag::kForceCapped;
-  if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRateCapped;
+  if (risen.limited || rise_.share() < ramp_.value()) flags_ |= flag::kRiseLimited;
   if (gain < 1.0) flags_ |= flag::kRamping;
   if (paused_) flags_ |= flag::kPaused;
   scene_changes_ = fading() && !same_surface_;
@@ -268,7 +273,7 @@ void TickPipeline::make_torque(double risen_s) noexcept {
   written_Nm_ = risen.force_N;
   torque_capped_ = capped.limited;
   if (capped.limited) flags_ |= flag::kForceCapped;
-  if (risen.limited) flags_ |= flag::kRateCapped;
+  if (risen.limited) flags_ |= flag::kRiseLimited;
 }
 
 void TickPipeline::send() noexcept {
@@ -328,8 +333,8 @@ void TickPipeline::emit(TouchEvent::Kind kind, std::uint32_t value) noexcept {
 void TickPipeline::count() noexcept {
   const double written = norm(written_N_);
   counts_.max_force_N = std::max(counts_.max_force_N, written);
-  counts_.clamped_ticks += sample_.has(flag::kForceCapped) ? 1 : 0;
-  counts_.rate_capped_ticks += sample_.has(flag::kRateCapped) ? 1 : 0;
+  counts_.force_capped_ticks += sample_.has(flag::kForceCapped) ? 1 : 0;
+  counts_.rise_limited_ticks += sample_.has(flag::kRiseLimited) ? 1 : 0;
   counts_.passivity_ticks += sample_.has(flag::kPassivityActed) ? 1 : 0;
   counts_.contact_ticks += sample_.has(flag::kContact) ? 1 : 0;
   counts_.fault_ticks += healthy_ ? 0 : 1;

@@ -91,12 +91,20 @@ class TickPipeline {
   /// What of it the hand gave.
   double given_J(const RiseLimit& rise) const noexcept;
   void account_spring(double dt_s, bool wanted) noexcept;
+  void account_stall(RiseLimit::Input in, double dt_s) noexcept;
   void make_torque(double risen_s) noexcept;
   void control_energy(double dt_s) noexcept;
   void send() noexcept;
   bool evaluate_laws(double dt_s) noexcept;
   void fade(double dt_s) noexcept;
   void end_fade() noexcept;
+  /// Work on the hand since the previous tick, of the written forces and of those without the controller.
+  struct Received {
+    double written_J = 0.0;
+    double uncontrolled_J = 0.0;
+  };
+  void count_received() noexcept;
+  void count_scene_change() noexcept;
   void observe(double dt_s) noexcept;
   bool is_free() const noexcept;
   Vector<DeviceFrame> with_transient(Vector<DeviceFrame> force_N, double dt_s) noexcept;
@@ -143,6 +151,11 @@ class TickPipeline {
   /// For the written force, and for the force as it would be without the controller.
   RiseLimit rise_;
   RiseLimit uncontrolled_rise_;
+  /// What the springs held before the current change of scene; the work on the hand during it; and the most
+  /// energy that it has brought so far.
+  double stored_before_change_J_ = 0.0;
+  double change_work_J_ = 0.0;
+  double change_brought_J_ = 0.0;
   /// What the law stores, as of the last account.
   double stored_J_ = 0.0;
   /// And its spring's force.
@@ -168,6 +181,8 @@ class TickPipeline {
   std::size_t newest_ = 0;
   /// What the motors held when the force was dropped.
   Sent dropped_;
+  Vector<DeviceFrame> dropped_velocity_m_per_s_;
+  Received received_;
   std::size_t delay_;
   /// The forces that the motors held since the last reading: written one tick ago, plus the device's delay.
   const Sent& held() const noexcept { return sent_[(newest_ + sent_.size() - delay_) % sent_.size()]; }

@@ -60,14 +60,43 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
   in.spring_N = p.spring_N;
   in.stored_J = is_accounted() ? p.stored_J : std::numeric_limits<double>::quiet_NaN();
   if (fading()) in.changed_J = p.stored_J - potential(faded_before_).stored_J;
-  const Sent& held_now = (flags_ & flag::kStalled) != 0 ? dropped_ : held();
   in.delay_ticks = static_cast<double>(delay_);
   const double spring_N = norm(p.spring_N);
   if (spring_N > 0.0) in.moved_out_m = dot(p.spring_N, moved_) / spring_N;
-  in.received_J = dot(held_now.written_N, moved_) + dot(held_now.written_Nm, turned_);
+  if ((flags_ & flag::kStalled) != 0) {
+    account_stall(in, dt_s);
+    return;
+  }
+  in.received_J = received_.written_J;
   rise_.account(in);
-  in.received_J = dot(held_now.uncontrolled_N, moved_) + dot(held_now.uncontrolled_Nm, turned_);
+  in.received_J = received_.uncontrolled_J;
   uncontrolled_rise_.account(in);
+}
+
+void TickPipeline::count_received() noexcept {
+  const Sent& acted = held();
+  received_ = {dot(acted.written_N, moved_) + dot(acted.written_Nm, turned_),
+               dot(acted.uncontrolled_N, moved_) + dot(acted.uncontrolled_Nm, turned_)};
+}
+
+void TickPipeline::account_stall(RiseLimit::Input in, double dt_s) noexcept {
+  // How the hand moved until the watchdog cut the force is not known. It may have come back since, so the
+  // spring returns the energy only that it would also hold after a movement out at the last velocity, with
+  // the acceleration of the device's own mass.
+  const double held_s = std::min(dt_s, options_.stall_s);
+  const double mass_kg = device_.traits().mass_kg;
+  const auto account = [&](RiseLimit& rise, Vector<DeviceFrame> force_N, Vector<DeviceFrame> torque_Nm) {
+    const double shown_J = std::max(0.0, held_s / dt_s * (dot(force_N, moved_) + dot(torque_Nm, turned_)));
+    const double accelerated_m = mass_kg > 0.0 ? 0.5 * held_s * held_s * norm(force_N) / mass_kg : 0.0;
+    const double possible_J =
+        held_s * dot(force_N, dropped_velocity_m_per_s_) + accelerated_m * norm(force_N);
+    const double before_J = rise.input_energy_J();
+    in.received_J = std::max(shown_J, possible_J);
+    rise.account(in);
+    return std::max(shown_J, before_J - rise.input_energy_J());
+  };
+  received_ = {account(rise_, dropped_.written_N, dropped_.written_Nm),
+               account(uncontrolled_rise_, dropped_.uncontrolled_N, dropped_.uncontrolled_Nm)};
 }
 
 double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
@@ -75,21 +104,32 @@ double TickPipeline::given_J(const RiseLimit& rise) const noexcept {
   return is_accounted() && rise.is_weaker() ? rise.input_energy_J() : stored_J_;
 }
 
+void TickPipeline::count_scene_change() noexcept {
+  // What a change brings: the work during it, and what the springs store more than before it.
+  if ((flags_ & flag::kFading) == 0 || same_surface_) return;
+  const double given = given_J(rise_);
+  change_work_J_ += received_.written_J;
+  const double brought_J = change_work_J_ + (std::isfinite(given) ? given - stored_before_change_J_ : 0.0);
+  const double most_J = std::max(change_brought_J_, brought_J);
+  counts_.scene_change_J += most_J - change_brought_J_;
+  change_brought_J_ = most_J;
+}
+
 void TickPipeline::observe(double dt_s) noexcept {
   const bool contact = now_.output.contact;
+  const bool stalled = (flags_ & flag::kStalled) != 0;
   PassivityObserver::Step step;
   step.held_force_N = held().written_N;
   step.moved_m = moved_;
-  step.turned_J = dot(held().written_Nm, turned_);
+  step.turned_J = stalled ? received_.written_J : dot(held().written_Nm, turned_);
   step.dt_s = dt_s;
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
   step.shortened = shortened_;
   step.scene_changes = scene_changes_;
   step.weakened = held().weakened;
+  count_scene_change();
   // The springs of two scenes cannot be compared: during a change only their work is counted.
-  if ((flags_ & flag::kFading) != 0)
-    counts_.scene_change_J += dot(step.held_force_N, step.moved_m) + step.turned_J;
   const bool new_account =
       (flags_ & flag::kNewTouch) != 0 || ((flags_ & flag::kFading) != 0 && !same_surface_);
   if (new_account) {
@@ -107,7 +147,7 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.stored_J = given_J(uncontrolled_rise_);
   step.weakened = false;
   step.held_force_N = held().uncontrolled_N;
-  step.turned_J = dot(held().uncontrolled_Nm, turned_);
+  step.turned_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, turned_);
   without_controller_.update(step);
 }
 

@@ -72,7 +72,7 @@ TEST(Tick, CapsTheForceAtTheDevicesGreatestAndCountsIt) {
   EXPECT_NEAR(loop.written().z, 3.0, 1e-12);
   EXPECT_TRUE(sample.has(flag::kForceCapped));
   EXPECT_NEAR(sample.raw_force_N.v.z, 10.0, 1e-9);
-  EXPECT_EQ(loop.tick->counts().clamped_ticks, 400U);
+  EXPECT_EQ(loop.tick->counts().force_capped_ticks, 400U);
 }
 
 TEST(Tick, LimitsTheForcesRiseButNotItsRelease) {
@@ -82,7 +82,7 @@ TEST(Tick, LimitsTheForcesRiseButNotItsRelease) {
   loop.run(300);
   loop.device.reading.position.v = {0.0, 0.0, -0.002};
   const auto& sample = loop.run(1);
-  EXPECT_TRUE(sample.has(flag::kRateCapped));
+  EXPECT_TRUE(sample.has(flag::kRiseLimited));
   EXPECT_NEAR(loop.written().z, 0.3, 1e-9);
   loop.run(20);
   EXPECT_NEAR(loop.written().z, 1.0, 1e-9);

@@ -38,8 +38,8 @@ std::string to_json(const TouchStatistics& statistics) {
                    {"period_us", percentiles(servo.period_us)},
                    {"compute_us", percentiles(servo.compute_us)}};
   json["force"] = {{"max_N", number(touch.max_force_N)},
-                   {"clamped_ticks", touch.clamped_ticks},
-                   {"rate_capped_ticks", touch.rate_capped_ticks}};
+                   {"clamped_ticks", touch.force_capped_ticks},
+                   {"rate_capped_ticks", touch.rise_limited_ticks}};
   json["energy"] = {{"made_max_J", number(touch.made_max_J)},
                     {"made_max_without_controller_J", number(touch.made_max_without_controller_J)},
                     {"controlled_ticks", touch.passivity_ticks},
