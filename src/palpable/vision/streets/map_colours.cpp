@@ -23,22 +23,64 @@ int difference(Rgb8 a, Rgb8 b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// Typical difference between neighbours inside flat areas: the median difference of horizontal neighbours
-/// that differ little. 0 for a clean drawing.
-double noise_of(const Raster<Rgb8>& picture) {
-  std::array<std::size_t, 33> counts{};
+/// The differences of horizontal neighbours that are no edges.
+struct SmallDifferences {
+  static constexpr int kEdge = 32;
+  std::array<std::size_t, kEdge + 1> counts{};
   std::size_t all = 0;
+
+  /// The least difference that `part` of those from `first` on do not exceed.
+  int quantile(double part, std::size_t first) const {
+    std::size_t below = 0;
+    for (std::size_t d = 0; d < first; ++d) below += counts[d];
+    const double wanted = part * static_cast<double>(all - below);
+    std::size_t sum = 0;
+    for (std::size_t d = first; d < counts.size(); ++d)
+      if (static_cast<double>(sum += counts[d]) >= wanted) return static_cast<int>(d);
+    return kEdge;
+  }
+};
+
+SmallDifferences small_differences(const Raster<Rgb8>& picture) {
+  SmallDifferences out;
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 1; x < picture.width(); ++x) {
       const int d = difference(picture(x, y), picture(x - 1, y));
-      if (d > 32) continue;
-      ++counts[static_cast<std::size_t>(d)];
-      ++all;
+      if (d > SmallDifferences::kEdge) continue;
+      ++out.counts[static_cast<std::size_t>(d)];
+      ++out.all;
     }
-  std::size_t sum = 0;
-  for (std::size_t d = 0; d < counts.size(); ++d)
-    if ((sum += counts[d]) * 2 >= all) return static_cast<double>(d);
-  return 0.0;
+  return out;
+}
+
+/// Typical difference between neighbours inside flat areas: the median difference. 0 for a clean drawing.
+double noise_of(const Raster<Rgb8>& picture) { return small_differences(picture).quantile(0.5, 0); }
+
+/// Whether a picture has the noise of a scan or of lossy compression, which may be near edges only: many
+/// neighbours differ, and most of these by little.
+bool is_noisy(const Raster<Rgb8>& picture, const MapColourOptions& options) {
+  const SmallDifferences differences = small_differences(picture);
+  const auto same = static_cast<double>(differences.counts[0]);
+  return same < (1.0 - options.noisy_part) * static_cast<double>(differences.all) &&
+         differences.quantile(0.5, 1) <= options.most_noise;
+}
+
+/// Without noise, if there is any; edges stay.
+Raster<Rgb8> without_noise(const Raster<Rgb8>& picture, const MapColourOptions& options) {
+  if (!is_noisy(picture, options)) return picture;
+  const cv::Mat view(picture.height(), picture.width(), CV_8UC3,
+                     const_cast<void*>(static_cast<const void*>(picture.data())));
+  Raster<Rgb8> out(picture.width(), picture.height());
+  cv::Mat smooth(picture.height(), picture.width(), CV_8UC3, out.data());
+  constexpr int kRounds = 2;
+  cv::Mat before = view;
+  for (int round = 0; round < kRounds; ++round) {
+    cv::Mat after;
+    cv::bilateralFilter(before, after, 0, options.noise_difference, options.noise_reach_px);
+    before = after;
+  }
+  before.copyTo(smooth);
+  return out;
 }
 
 /// Finds the most frequent colours, the most frequent first; each takes the pixels around it.
@@ -107,7 +149,10 @@ void add_thin_lines(const cv::Mat& all, cv::Mat& mask, const MapColourOptions& o
 
 }  // namespace
 
-MapColours find_map_colours(const Raster<Rgb8>& picture, const MapColourOptions& options) {
+MapColours find_map_colours(const Raster<Rgb8>& given, const MapColourOptions& options) {
+  MapColours out;
+  out.picture = without_noise(given, options);
+  const Raster<Rgb8>& picture = out.picture;
   const double tolerance = options.tolerance + 2.0 * noise_of(picture);
   std::vector<MapColour> peaks = peaks_of(picture, tolerance, options);
   const int width = picture.width();
@@ -125,7 +170,6 @@ MapColours find_map_colours(const Raster<Rgb8>& picture, const MapColourOptions&
         }
     }
   }
-  MapColours out;
   out.seen = Raster<std::uint8_t>(width, height);
   cv::Mat seen(height, width, CV_8U, out.seen.data());
   std::array<std::uint8_t, 256> index{};

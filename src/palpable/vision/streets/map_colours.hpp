@@ -13,6 +13,13 @@ struct MapColourOptions {
   /// Largest difference, in one channel (0 ... 255), between a pixel and its colour in a clean picture. Noise
   /// of scans and JPEG widens it.
   double tolerance = 8.0;
+  /// A picture is noisy if at least this part of the neighbouring pixels differs, half of these by at most
+  /// this much, grey levels. It is smoothed first, without its edges (Tomasi & Manduchi 1998): the greatest
+  /// difference that counts as noise, summed over the channels, and the reach, pixels.
+  double noisy_part = 0.28;
+  int most_noise = 10;
+  double noise_difference = 24.0;
+  double noise_reach_px = 1.5;
   /// A colour that fills less than this part of the picture is not an area of the map.
   double least_part = 0.0005;
   /// Most colours that are distinguished, 2 ... 64.
@@ -34,6 +41,8 @@ struct MapColour {
 
 /// The map without its lettering and borders: each pixel has the colour of the area in which it lies.
 struct MapColours {
+  /// The picture without noise.
+  Raster<Rgb8> picture;
   static constexpr std::uint8_t kNone = 255;
   std::vector<MapColour> colours;
   /// Index of the colour of each pixel.

@@ -10,12 +10,15 @@
 namespace palpable::vision {
 namespace {
 
-/// Maps draw water blue and vegetation green in nearly every style.
-MapLayer layer_by_hue(Rgb8 c) {
+/// Maps draw water blue and vegetation green in nearly every style, compared with the land, which is blue on
+/// maps for the night.
+MapLayer layer_by_hue(Rgb8 c, Rgb8 land) {
   constexpr int kBlue = 24;
   constexpr int kGreen = 12;
-  if (c.b - c.r >= kBlue && c.b >= c.g - kGreen) return MapLayer::water;
-  if (c.g - std::max(c.r, c.b) >= kGreen) return MapLayer::green;
+  const auto blue = [](Rgb8 v) { return v.b - v.r; };
+  const auto green = [](Rgb8 v) { return v.g - std::max(v.r, v.b); };
+  if (blue(c) - std::max(0, blue(land)) >= kBlue && c.b >= c.g - kGreen) return MapLayer::water;
+  if (green(c) - std::max(-kGreen, green(land)) >= kGreen) return MapLayer::green;
   return MapLayer::land;
 }
 
@@ -83,9 +86,15 @@ double seen_part(const CentreLine& line, const MapColours& colours) {
   return seen / static_cast<double>(p.size());
 }
 
-double ribbon_length(const CentreLine& line, double most_width_px, const StreetColourOptions& options) {
+/// The line's length if it is a ribbon, else 0. Between two junctions it may be short, unless it is land
+/// between buildings.
+double ribbon_length(const CentreLine& line, const std::vector<int>& degrees, bool is_land,
+                     double most_width_px, const StreetColourOptions& options) {
   const double length = length_px(line.points);
-  const bool is_ribbon = length > 2.0 * line.radius_px * options.least_length_widths &&
+  const bool is_between = !is_land && degrees[static_cast<std::size_t>(line.first)] > 2 &&
+                          degrees[static_cast<std::size_t>(line.last)] > 2 && line.first != line.last;
+  const double widths = is_between ? options.least_block_widths : options.least_length_widths;
+  const bool is_ribbon = length > 2.0 * line.radius_px * widths &&
                          line.radius_spread_px < options.most_width_spread * line.radius_px &&
                          2.0 * line.radius_px < most_width_px;
   return is_ribbon ? length : 0.0;
@@ -102,7 +111,7 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
     if (colours.colours[k].pixels > colours.colours[background].pixels) background = k;
   for (std::size_t k = 0; k < out.size(); ++k) {
     LayerOfColour& layer = out[k];
-    layer.layer = layer_by_hue(colours.colours[k].value);
+    layer.layer = layer_by_hue(colours.colours[k].value, colours.colours[background].value);
     if (layer.layer != MapLayer::land) continue;
     Raster<std::uint8_t> mask(of_pixel.width(), of_pixel.height());
     std::transform(of_pixel.values().begin(), of_pixel.values().end(), mask.values().begin(),
@@ -112,11 +121,13 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
     std::erase_if(layer.lines.lines,
                   [&](const CentreLine& line) { return seen_part(line, colours) < options.least_seen_part; });
     join_lines(layer.lines);
+    const std::vector<int> degrees = degrees_of(layer.lines);
     double length = 0.0;
     double area = 0.0;
     double widths = 0.0;
     for (const CentreLine& line : layer.lines.lines) {
-      const double ribbon = ribbon_length(line, options.most_width_part * side, options);
+      const double ribbon =
+          ribbon_length(line, degrees, k == background, options.most_width_part * side, options);
       length += ribbon;
       area += 2.0 * line.radius_px * ribbon;
       widths += ribbon / (2.0 * line.radius_px);

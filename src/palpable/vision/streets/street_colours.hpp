@@ -19,6 +19,8 @@ struct StreetColourOptions {
   double least_ribbon_part = 0.45;
   /// A ribbon is longer than this many times its width.
   double least_length_widths = 4.0;
+  /// The same of one between two junctions.
+  double least_block_widths = 1.5;
   /// Largest standard deviation of a ribbon's width, as a part of the width.
   double most_width_spread = 0.3;
   /// Greatest width of a street, as a part of the picture's shorter side.

@@ -60,23 +60,65 @@ double flat_part(const Raster<Rgb8>& pixels, const MapColours& colours,
   return all == 0 ? 0.0 : static_cast<double>(flat) / static_cast<double>(all);
 }
 
-/// Whether what was found is a network of streets in a drawing, not stripes in a photograph.
-bool is_street_map(const Raster<Rgb8>& pixels, const MapColours& colours,
-                   const std::vector<LayerOfColour>& layers, const CentreLines& graph,
-                   const StreetMapOptions& options) {
-  if (graph.lines.empty()) return false;
-  if (flat_part(pixels, colours, layers) >= options.least_flat_part) return true;
-  double all = 0.0;
+/// What tells a network of streets from stripes and from the outlines of things.
+struct NetworkShape {
+  double length_px = 0.0;
+  /// Part of the length that is of nearly constant width.
+  double ribbon_part = 0.0;
+  int junctions = 0;
+  /// Ends that are not at the picture's border, and those that are.
+  int dead_ends = 0;
+  int border_ends = 0;
+  /// Part of the picture that has colours of streets.
+  double street_part = 0.0;
+};
+
+NetworkShape shape_of(const MapColours& colours, const std::vector<LayerOfColour>& layers,
+                      const CentreLines& graph, const StreetMapOptions& options) {
+  NetworkShape shape;
   double ribbons = 0.0;
   for (const CentreLine& line : graph.lines) {
     const double length = length_px(line.points);
-    all += length;
+    shape.length_px += length;
     const bool is_ribbon = length > 2.0 * options.streets.least_length_widths * line.radius_px &&
                            line.radius_spread_px < options.streets.most_width_spread * line.radius_px;
     ribbons += is_ribbon ? length : 0.0;
   }
-  return all >= options.lossy_length * std::min(pixels.width(), pixels.height()) &&
-         ribbons >= options.lossy_ribbon_part * all;
+  shape.ribbon_part = ribbons / std::max(1.0, shape.length_px);
+  const std::vector<int> degrees = degrees_of(graph);
+  const double right = colours.of_pixel.width() - 1;
+  const double bottom = colours.of_pixel.height() - 1;
+  constexpr double kBorder_px = 4.0;
+  for (std::size_t n = 0; n < degrees.size(); ++n) {
+    const MapPoint p = graph.nodes[n];
+    shape.junctions += degrees[n] > 2 ? 1 : 0;
+    if (degrees[n] != 1) continue;
+    const bool at_border = std::min({p.x, p.y, right - p.x, bottom - p.y}) <= kBorder_px;
+    ++(at_border ? shape.border_ends : shape.dead_ends);
+  }
+  std::size_t streets = 0;
+  for (const std::uint8_t c : colours.of_pixel.values())
+    streets += c != MapColours::kNone && layers[c].layer == MapLayer::street ? 1 : 0;
+  shape.street_part = static_cast<double>(streets) / static_cast<double>(colours.of_pixel.count());
+  return shape;
+}
+
+/// Whether what was found is a network of streets in a drawing, not stripes or a photograph.
+bool is_street_map(const MapColours& colours, const std::vector<LayerOfColour>& layers,
+                   const CentreLines& graph, const StreetMapOptions& options) {
+  if (graph.lines.empty()) return false;
+  const NetworkShape shape = shape_of(colours, layers, graph, options);
+  const bool is_one_street = shape.junctions == 0 && shape.border_ends == 2;
+  if (shape.street_part > options.most_street_part || (shape.junctions < 1 && !is_one_street) ||
+      shape.dead_ends > options.dead_ends_per_junction * shape.junctions)
+    return false;
+  const bool is_small = shape.junctions < options.least_junctions;
+  const bool is_colourful = static_cast<int>(colours.colours.size()) > options.most_colours;
+  if (is_small && is_colourful) return false;
+  if (flat_part(colours.picture, colours, layers) >= options.least_flat_part) return true;
+  return shape.length_px >=
+             options.lossy_length * std::min(colours.of_pixel.width(), colours.of_pixel.height()) &&
+         !is_small && !is_colourful && shape.ribbon_part >= options.lossy_ribbon_part;
 }
 
 }  // namespace
@@ -93,7 +135,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   work.report(0.3, "joining streets");
   const std::vector<TextLine> text = find_text_lines(pixels, options.text);
   const CentreLines graph = join_streets(colours, layers, text, options.graph);
-  if (!is_street_map(pixels, colours, layers, graph, options))
+  if (!is_street_map(colours, layers, graph, options))
     return invalid_input(
         "no streets were found in this picture: it is not a street map drawn in flat colours");
   FoundStreetMap out;

@@ -25,13 +25,19 @@ struct StreetMapOptions {
   StreetGraphOptions graph;
   ReadTextOptions reading;
   StreetNameOptions names;
+  /// Streets meet, and leave land between them: a map has at most this many dead ends for each junction, and
+  /// at most this part of it has colours of streets.
+  double dead_ends_per_junction = 1.6;
+  double most_street_part = 0.6;
   /// A drawing has flat colours: at least this part of the neighbouring pixels inside its streets differ by
   /// at most one grey level. A lossy copy has not; it is taken for a map if its streets are this long in
   /// total, in the picture's shorter side, and at least this part of their length is of nearly constant
-  /// width.
+  /// width. It must have this many junctions and at most this many colours; a drawing, one of the two.
   double least_flat_part = 0.9;
-  double lossy_length = 4.5;
-  double lossy_ribbon_part = 0.62;
+  double lossy_length = 2.0;
+  double lossy_ribbon_part = 0.55;
+  int least_junctions = 5;
+  int most_colours = 26;
   /// Areas smaller than this are left out, pixels.
   double least_area_px = 40.0;
   /// Largest distance of a simplified line from the original one, pixels.

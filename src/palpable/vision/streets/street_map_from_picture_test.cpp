@@ -104,8 +104,45 @@ TEST(StreetMapFromPicture, RefusesStripesInAPhotograph) {
   ASSERT_TRUE(street_map_from_picture(picture, {}, Work{}));
   std::mt19937 random(7);
   std::normal_distribution<float> grain(0.0F, 0.012F);
-  for (float& v : picture.samples) v = std::clamp(0.9F * v + grain(random), 0.0F, 1.0F);
+  // With the shades of a photograph.
+  for (std::size_t i = 0; i < picture.samples.size(); ++i) {
+    const auto x = static_cast<float>(i / 3 % 400);
+    const float shade = 0.5F + 0.4F * x / 400.0F;
+    picture.samples[i] = std::clamp(shade * picture.samples[i] + grain(random), 0.0F, 1.0F);
+  }
   EXPECT_FALSE(street_map_from_picture(picture, {}, Work{}));
+}
+
+TEST(StreetMapFromPicture, FindsStreetsInANoisyScan) {
+  Image picture = drawn_map(crossing());
+  std::mt19937 random(7);
+  std::normal_distribution<float> grain(0.0F, 0.015F);
+  for (float& v : picture.samples) v = std::clamp(v + grain(random), 0.0F, 1.0F);
+  const auto found = street_map_from_picture(picture, {}, Work{});
+  ASSERT_TRUE(found);
+  EXPECT_GT(found_part(found->map, crossing()), 0.95);
+}
+
+TEST(StreetMapFromPicture, FindsBlueStreetsOnAMapForTheNight) {
+  const DrawnStyle night{{29, 44, 77}, {70, 92, 132}, {20, 32, 60}, {38, 54, 90}};
+  const auto found = street_map_from_picture(drawn_map(crossing(), night), {}, Work{});
+  ASSERT_TRUE(found);
+  EXPECT_GT(found_part(found->map, crossing()), 0.97);
+}
+
+TEST(StreetMapFromPicture, RefusesRampsStripesAndRings) {
+  constexpr int kSide = 300;
+  const auto grey = [](auto&& value) {
+    Image image{kSide, kSide, 1, 8, {}};
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) image.samples.push_back(static_cast<float>(value(x, y)));
+    return image;
+  };
+  const Image ramp = grey([](int x, int) { return (x / 12) / 25.0; });
+  const Image stripes = grey([](int x, int y) { return (x + y) / 12 % 3 / 2.0; });
+  const Image rings =
+      grey([](int x, int y) { return static_cast<int>(std::hypot(x - 150, y - 150)) / 10 % 2; });
+  for (const Image& image : {ramp, stripes, rings}) EXPECT_FALSE(street_map_from_picture(image, {}, Work{}));
 }
 
 TEST(StreetMapFromPicture, SeparatesBuildingsFromStreets) {
