@@ -178,7 +178,7 @@ TEST_F(Touch, OptionAsSelectsTheKindOfScene) {
 }
 
 TEST_F(Touch, ShowsProgressInOneLine) {
-  write_pair(folder_.string(), textured_pair(640, 480));
+  write_pair(folder_.string(), textured_pair(400, 300));
   const Outcome outcome = palpable_on_a_terminal({"make", path("left.png"), path("right.png"), "-o",
                                                   path("a.palp"), "--method", "best", "--threads", "1"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
