@@ -13,7 +13,6 @@
 namespace palpable::describe {
 namespace {
 
-constexpr int kLongestPeakSide = 128;
 // A surface with a smaller height range is level.
 constexpr double kLevel_m = 1e-5;
 
@@ -27,10 +26,10 @@ struct HeightGrid {
   }
 };
 
-HeightGrid grid_of(const models::Relief& surface, double sign) {
+HeightGrid grid_of(const models::Relief& surface, double sign, int longest_side) {
   const auto& samples = surface.samples_m();
   const int longest = std::max(samples.width(), samples.height());
-  const double shrink = std::min(1.0, static_cast<double>(kLongestPeakSide) / longest);
+  const double shrink = std::min(1.0, static_cast<double>(longest_side) / longest);
   const auto side = [&](int n) { return std::max(2, static_cast<int>(std::lround(n * shrink))); };
   HeightGrid grid{Raster<float>(side(samples.width()), side(samples.height()))};
   grid.cell_x_m = surface.size_x_m() / grid.height_m.width();
@@ -47,32 +46,33 @@ HeightGrid grid_of(const models::Relief& surface, double sign) {
 /// meets the region of a higher one.
 class Basins {
  public:
-  explicit Basins(std::size_t cells) : parent_(cells, kNone), cells_(cells) {}
+  explicit Basins(std::size_t cells) : parent_(cells, kNone), next_(cells, kNone), last_(cells, kNone) {}
 
   bool contains(std::size_t cell) const { return parent_[cell] != kNone; }
-  void add(std::size_t cell) {
-    parent_[cell] = cell;
-    cells_[cell] = {cell};
-  }
+  void add(std::size_t cell) { parent_[cell] = last_[cell] = cell; }
   std::size_t summit_of(std::size_t cell) {
     while (parent_[cell] != cell) cell = parent_[cell] = parent_[parent_[cell]];
     return cell;
   }
-  /// Of a summit.
-  const std::vector<std::size_t>& cells_of(std::size_t summit) const { return cells_[summit]; }
+  /// Calls visit(cell) for the cells of a summit.
+  template <class Visit>
+  void visit_cells(std::size_t summit, Visit&& visit) const {
+    for (std::size_t cell = summit; cell != kNone; cell = next_[cell]) visit(cell);
+  }
   /// A summit that counts keeps its cells.
   enum class Cells { go_along, stay };
   void merge(std::size_t keeps, std::size_t ends, Cells cells) {
     parent_[ends] = keeps;
-    if (cells == Cells::go_along)
-      cells_[keeps].insert(cells_[keeps].end(), cells_[ends].begin(), cells_[ends].end());
-    cells_[ends] = {};
+    if (cells == Cells::stay) return;
+    next_[last_[keeps]] = ends;
+    last_[keeps] = last_[ends];
   }
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   std::vector<std::size_t> parent_;
-  std::vector<std::vector<std::size_t>> cells_;
+  /// The cells of a summit as a list that begins with it; its last cell, for each summit.
+  std::vector<std::size_t> next_, last_;
 };
 
 struct Summit {
@@ -131,13 +131,12 @@ std::vector<Summit> summits_of(const Raster<float>& height_m, double least_m) {
   const auto close = [&](std::size_t summit, float saddle_m) {
     const double prominence_m = double{heights[summit]} - double{saddle_m};
     if (prominence_m < least_m) return Basins::Cells::go_along;
-    const auto& cells = basins.cells_of(summit);
     const double half_m = double{heights[summit]} - 0.5 * prominence_m;
-    const auto above = std::count_if(cells.begin(), cells.end(),
-                                     [&](std::size_t cell) { return double{heights[cell]} >= half_m; });
+    std::size_t above = 0;
+    basins.visit_cells(summit, [&](std::size_t cell) { above += double{heights[cell]} >= half_m ? 1 : 0; });
     constexpr double kTop = 0.02;
     const std::size_t middle = middle_of_top(height_m, summit, double{heights[summit]} - kTop * prominence_m);
-    summits.push_back({summit, middle, prominence_m, static_cast<std::size_t>(above)});
+    summits.push_back({summit, middle, prominence_m, above});
     return Basins::Cells::stay;
   };
   const int width = height_m.width(), height = height_m.height();
@@ -195,7 +194,7 @@ std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& o
   const double range_m = surface.highest_m() - surface.lowest_m();
   if (range_m < kLevel_m) return {};
   const double sign = options.turned_over ? -1.0 : 1.0;
-  const HeightGrid grid = grid_of(surface, sign);
+  const HeightGrid grid = grid_of(surface, sign, options.longest_side);
   const double cell_m2 = grid.cell_x_m * grid.cell_y_m;
   std::vector<Peak> peaks;
   for (const Summit& summit : summits_of(grid.height_m, options.least_prominence * range_m)) {

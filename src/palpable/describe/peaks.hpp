@@ -38,10 +38,13 @@ struct PeakOptions {
   double least_area = 5e-4;
   /// Whether the surface is inverted, as when a scene is touched engraved: then hollows are the peaks.
   bool turned_over = false;
+  /// Places along the longer side of the grid on which peaks are searched, 2 ... 4096; at most the surface's
+  /// own samples.
+  int longest_side = 128;
 };
 
 /// The peaks that satisfy `options`, the most prominent first; none on a level surface. They are searched on
-/// a grid of 128 places along the longer side; place and height of each peak come from the surface's own
+/// a grid (PeakOptions::longest_side); place and height of each peak come from the surface's own
 /// samples.
 std::vector<Peak> find_peaks(const models::Relief& surface, const PeakOptions& options = {});
 

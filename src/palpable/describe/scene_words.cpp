@@ -5,6 +5,7 @@
 #include "palpable/describe/contour_words.hpp"
 #include "palpable/describe/numbers.hpp"
 #include "palpable/describe/solid_words.hpp"
+#include "palpable/models/field/solid_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -211,15 +212,28 @@ std::string nine_parts(const models::Scene& scene, double height_factor) {
   return words;
 }
 
+/// Of a view of the solid's own box whose pixels are no larger than the field's cells, between 256 and 512
+/// along the longer side.
+template <models::DistanceSurface Distance>
+std::vector<std::string> parts_of_solid(const models::SolidField<Distance>& solid, const models::Scene& scene,
+                                        Place probe) {
+  const Vec3 size = solid.most_m - solid.least_m, middle = 0.5 * (solid.most_m + solid.least_m);
+  constexpr double kFewest = 256.0, kMost = 512.0;
+  const double longest_m = std::max({size.x, size.y, solid.distance.cell_m()});
+  const double pixel_m = std::clamp(solid.distance.cell_m(), longest_m / kMost, longest_m / kFewest);
+  const models::Relief view = models::solid_view(solid, pixel_m);
+  const Place at{middle.x, middle.y};
+  return solid_parts({&view, solid.least_m.z, size, scene.pose, at, at}, sentence(name_of(scene)), probe);
+}
+
 std::vector<std::string> parts_of(const models::Scene& scene, double height_factor, Place probe) {
   if (const auto* contours = std::get_if<std::shared_ptr<const models::Contours>>(&scene.model))
     return contour_parts((*contours)->boundaries, sentence(name_of(scene)), probe);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::Field>>(&scene.model))
+    return parts_of_solid(**field, scene, probe);
+  if (const auto* field = std::get_if<std::shared_ptr<const models::FieldOnLattice>>(&scene.model))
+    return parts_of_solid(**field, scene, probe);
   const models::Relief& surface = *models::relief_of(scene);
-  if (models::is_field(scene.model)) {
-    const Vec3 size = models::size_m(scene), centre = models::centre_m(scene);
-    return solid_parts({&surface, centre.z - 0.5 * size.z, size, scene.pose, {centre.x, centre.y}},
-                       sentence(name_of(scene)), probe);
-  }
   constexpr double kFlat_m = 1e-5;
   if (std::abs(height_factor) * (surface.highest_m() - surface.lowest_m()) < kFlat_m)
     return {fmt::format("{} {}, level at {}.", sentence(name_of(scene)), capitalised(size_words(scene)),

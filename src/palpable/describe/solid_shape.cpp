@@ -85,6 +85,14 @@ OutlineKind outline_kind(const Mask& mask, const PixelBox& box, double alike) {
                                                                       : OutlineKind::oval;
 }
 
+Pixel pixel_at(const models::Relief& surface, Place place) {
+  const auto at = [](double share, int count) {
+    return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
+  };
+  return {at(place.x_m / surface.width_m() + 0.5, surface.samples_m().width()),
+          at(0.5 - place.y_m / surface.size_y_m(), surface.samples_m().height())};
+}
+
 class Openings {
  public:
   Openings(const models::Relief& surface, const Mask& mask, std::size_t least_pixels)
@@ -106,7 +114,7 @@ class Openings {
   /// `pits`: the peaks of the inverted surface.
   void add_hollows(const std::vector<Peak>& pits, std::vector<Opening>& openings) {
     for (const Peak& pit : pits) {
-      const Pixel at = pixel_of(pit.place);
+      const Pixel at = pixel_at(surface_, pit.place);
       if (mask_(at.x, at.y) == 0) continue;
       Mask below(mask_.width(), mask_.height(), 0);
       const double half_m = pit.height_m + 0.5 * pit.prominence_m;
@@ -120,13 +128,6 @@ class Openings {
   }
 
  private:
-  Pixel pixel_of(Place place) const {
-    const auto at = [](double share, int count) {
-      return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
-    };
-    return {at(place.x_m / surface_.size_x_m() + 0.5, mask_.width()),
-            at(0.5 - place.y_m / surface_.size_y_m(), mask_.height())};
-  }
   Opening opening(const std::vector<Pixel>& pixels, double depth_m, bool through) const {
     const PixelBox box = box_of(pixels);
     const double pixel_m = surface_.pixel_m();
@@ -143,6 +144,49 @@ class Openings {
   std::size_t least_pixels_;
   Raster<int> marks_;
 };
+
+/// Gives a part the height of the highest sample beside its place: between samples thin tops are lower.
+void raise_to_samples(const models::Relief& surface, Peak& part) {
+  const auto& samples = surface.samples_m();
+  const Pixel at = pixel_at(surface, part.place);
+  double highest_m = part.height_m;
+  for (int y = std::max(0, at.y - 1); y <= std::min(samples.height() - 1, at.y + 1); ++y)
+    for (int x = std::max(0, at.x - 1); x <= std::min(samples.width() - 1, at.x + 1); ++x)
+      highest_m = std::max(highest_m, double{samples(x, y)});
+  part.prominence_m += highest_m - part.height_m;
+  part.height_m = highest_m;
+}
+
+/// Whether the heights of a solid differ by less than `least_m`, without the pixels at its outline.
+bool is_flat_solid(const models::Relief& surface, const Mask& mask, double least_m) {
+  const auto& samples = surface.samples_m();
+  double lowest_m = surface.highest_m();
+  for (int y = 1; y + 1 < mask.height(); ++y)
+    for (int x = 1; x + 1 < mask.width(); ++x)
+      if (mask(x, y) != 0 && mask(x - 1, y) != 0 && mask(x + 1, y) != 0 && mask(x, y - 1) != 0 &&
+          mask(x, y + 1) != 0)
+        lowest_m = std::min(lowest_m, double{samples(x, y)});
+  return surface.highest_m() - lowest_m < least_m;
+}
+
+/// The highest place: of the highest part, or the highest sample if there is none.
+void set_highest(const models::Relief& surface, SolidShape& shape) {
+  const auto part = std::max_element(shape.parts.begin(), shape.parts.end(),
+                                     [](const Peak& a, const Peak& b) { return a.height_m < b.height_m; });
+  constexpr double kTop = 0.01;
+  const double range_m = surface.highest_m() - surface.lowest_m();
+  if (part != shape.parts.end() && part->height_m >= surface.highest_m() - kTop * range_m) {
+    shape.highest = part->place;
+    shape.highest_m = part->height_m;
+    return;
+  }
+  const auto& samples = surface.samples_m();
+  const auto most = static_cast<int>(std::max_element(samples.values().begin(), samples.values().end()) -
+                                     samples.values().begin());
+  shape.highest = {(most % samples.width() + 0.5 - 0.5 * samples.width()) * surface.pixel_m(),
+                   (0.5 * samples.height() - most / samples.width() - 0.5) * surface.pixel_m()};
+  shape.highest_m = surface.highest_m();
+}
 
 }  // namespace
 
@@ -175,8 +219,13 @@ SolidShape solid_shape(const models::Relief& from_above, double base_m, const So
       overlap(whole, box, [&](int x, int y) { return whole(box.left + box.right - x, y) != 0; });
   shape.top_bottom =
       overlap(whole, box, [&](int x, int y) { return whole(x, box.top + box.bottom - y) != 0; });
-  PeakOptions peaks{options.least_prominence, options.least_area, false};
+  PeakOptions peaks{options.least_prominence, options.least_area, false,
+                    std::max(surface.samples_m().width(), surface.samples_m().height())};
   shape.parts = find_peaks(surface, peaks);
+  for (Peak& part : shape.parts) raise_to_samples(surface, part);
+  shape.is_flat =
+      is_flat_solid(surface, mask, options.least_prominence * (surface.highest_m() - surface.lowest_m()));
+  set_highest(surface, shape);
   Openings openings(surface, mask, least_pixels);
   openings.add_holes(shape.openings);
   peaks.turned_over = true;

@@ -38,14 +38,19 @@ struct SolidShape {
   std::vector<Opening> openings;
   /// Local maxima, the most prominent first (find_peaks()).
   std::vector<Peak> parts;
+  /// The highest place: of the highest part, or of the samples if there is none.
+  Place highest;
+  double highest_m = 0.0;
+  /// Whether the solid's heights differ by less than the least prominence of a part.
+  bool is_flat = false;
 };
 
 /// Fractions of the solid's height or of the area of its box.
 struct SolidShapeOptions {
   /// Minimum prominence of a part and depth of a hollow, 0 … 1; the default is 3 mm of 100 mm.
   double least_prominence = 0.03;
-  /// Minimum area of a part, a piece and an opening, 0 … 1.
-  double least_area = 5e-4;
+  /// Minimum area of a part, a piece and an opening, 0 … 1; the default is a pin of 0.5 mm on 100 x 100 mm.
+  double least_area = 2.5e-5;
   /// Minimum intersection over union of an outline and the shape it is named by, 0.5 … 1.
   double alike = 0.95;
 };

@@ -10,7 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -47,9 +48,10 @@ std::string openings_words(const SolidShape& shape) {
   return listed(counts);
 }
 
-/// A place relative to the middle of the solid's box.
+/// A place of the surface relative to the middle of the solid's box.
 Place from_middle(Place place, const SolidView& solid) {
-  return {place.x_m - solid.middle.x_m, place.y_m - solid.middle.y_m};
+  return {place.x_m + solid.surface_at.x_m - solid.middle.x_m,
+          place.y_m + solid.surface_at.y_m - solid.middle.y_m};
 }
 
 std::string region_of(Place place, const SolidView& solid) {
@@ -62,11 +64,6 @@ std::string opening_words(const Opening& o, const SolidView& solid) {
   return fmt::format("{}, {}, {}, {}", what, region_of(o.place, solid),
                      spoken_lengths(o.width_m, "by", o.height_m),
                      from_middle_words(from_middle(o.place, solid)));
-}
-
-const Peak& highest_of(const std::vector<Peak>& parts) {
-  return *std::max_element(parts.begin(), parts.end(),
-                           [](const Peak& a, const Peak& b) { return a.height_m < b.height_m; });
 }
 
 /// How the extent towards the user is called.
@@ -108,6 +105,24 @@ std::string extents(const SolidView& solid) {
                      flat ? "deep" : "high", spoken_length(size.z), flat ? "high" : "deep");
 }
 
+/// The regions of parts; several in one region as "3 upper left".
+std::string part_places(std::span<const Peak> parts, const SolidView& solid) {
+  std::vector<std::pair<std::string, std::size_t>> regions;
+  for (const Peak& part : parts) {
+    const std::string region = region_of(part.place, solid);
+    const auto same =
+        std::find_if(regions.begin(), regions.end(), [&](const auto& r) { return r.first == region; });
+    if (same == regions.end())
+      regions.emplace_back(region, 1);
+    else
+      ++same->second;
+  }
+  std::vector<std::string> places;
+  for (const auto& [region, count] : regions)
+    places.push_back(count == 1 ? region : fmt::format("{} {}", count, region));
+  return fmt::format("{}", fmt::join(places, "; "));
+}
+
 std::string brief_of(const SolidShape& shape, const SolidView& solid, const std::string& heading) {
   const PoseWords& pose = words_for(solid.pose);
   std::vector<std::string> seen;
@@ -116,29 +131,28 @@ std::string brief_of(const SolidShape& shape, const SolidView& solid, const std:
   seen.push_back(openings_words(shape));
   std::string words =
       fmt::format("{} A solid, {}. {}: {}. ", heading, extents(solid), pose.seen, fmt::join(seen, "; "));
-  if (shape.parts.empty()) return words + fmt::format("{}.", pose.flat_surface);
-  std::vector<std::string> places;
-  for (std::size_t k = 0; k < std::min(shape.parts.size(), kMostParts); ++k)
-    places.push_back(region_of(shape.parts[k].place, solid));
+  if (shape.is_flat) return words + fmt::format("{}.", pose.flat_surface);
+  const std::size_t listed_parts = std::min(shape.parts.size(), kMostParts);
   const char* const most = shape.parts.size() > kMostParts ? "; the most prominent" : "";
   if (shape.parts.size() > 1)
     words += fmt::format("{} {}{}: {}. ", capitalised(counted(shape.parts.size(), "part", "parts")),
-                         pose.rise, most, fmt::join(places, "; "));
-  const Peak& highest = highest_of(shape.parts);
+                         pose.rise, most, part_places({shape.parts.data(), listed_parts}, solid));
   return words + fmt::format("{} place: {}, {} {}.", capitalised(pose.foremost),
-                             region_of(highest.place, solid), spoken_length(highest.height_m - solid.base_m),
+                             region_of(shape.highest, solid), spoken_length(shape.highest_m - solid.base_m),
                              pose.from_base);
 }
 
 std::string details_of(const SolidShape& shape, const SolidView& solid, Place probe) {
   const PoseWords& pose = words_for(solid.pose);
   std::string words;
-  if (!shape.parts.empty()) {
-    const Place at = highest_of(shape.parts).place;
-    words = fmt::format("From the probe to the {} place: {}.", pose.foremost,
-                        offset_words(at.x_m - probe.x_m, at.y_m - probe.y_m));
+  if (!shape.is_flat) {
+    const Place at = shape.highest;
+    words = fmt::format(
+        "From the probe to the {} place: {}.", pose.foremost,
+        offset_words(at.x_m + solid.surface_at.x_m - probe.x_m, at.y_m + solid.surface_at.y_m - probe.y_m));
   }
-  for (std::size_t k = 0; k < std::min(shape.parts.size(), kMostParts); ++k) {
+  const std::size_t listed_parts = shape.is_flat ? 0 : std::min(shape.parts.size(), kMostParts);
+  for (std::size_t k = 0; k < listed_parts; ++k) {
     const Peak& part = shape.parts[k];
     const std::string rises =
         k == 0 ? "" : fmt::format(", {} {}", spoken_length(part.prominence_m), pose.above);
@@ -148,49 +162,46 @@ std::string details_of(const SolidShape& shape, const SolidView& solid, Place pr
   }
   for (std::size_t k = 0; k < std::min(shape.openings.size(), kMostParts); ++k)
     words += fmt::format(" {}.", capitalised(opening_words(shape.openings[k], solid)));
+  if (words.starts_with(' ')) words.erase(0, 1);
   return words;
 }
 
-/// The nearest of the surface's samples: beside the solid, interpolated heights are of neither.
-double nearest_sample_m(const models::Relief& surface, double x_m, double y_m) {
-  const auto& samples = surface.samples_m();
-  const auto at = [](double share, int count) {
-    return std::clamp(static_cast<int>(std::floor(share * count)), 0, count - 1);
+/// The mean heights of the ninths of the box where the solid is, row by row from the upper left; NaN where
+/// there is nothing of it.
+std::array<double, 9> mean_heights_m(const SolidView& solid) {
+  std::array<double, 9> sums{};
+  std::array<int, 9> counts{};
+  const auto& samples = solid.surface->samples_m();
+  const auto third = [](double share) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(std::floor(3.0 * share)), 0, 2));
   };
-  return samples(at(x_m / surface.size_x_m() + 0.5, samples.width()),
-                 at(0.5 - y_m / surface.size_y_m(), samples.height()));
-}
-
-/// The mean height of a ninth of the box where the solid is; nullopt where there is hardly any.
-std::optional<double> mean_height_m(const SolidView& solid, int column, int row) {
-  constexpr int kPlaces = 24;
-  constexpr double kLeastShare = 0.02;
-  double sum_m = 0.0;
-  int count = 0;
-  for (int j = 0; j < kPlaces; ++j)
-    for (int i = 0; i < kPlaces; ++i) {
-      const double x_m = solid.middle.x_m + ((column + (i + 0.5) / kPlaces) / 3.0 - 0.5) * solid.size_m.x,
-                   y_m = solid.middle.y_m + (0.5 - (row + (j + 0.5) / kPlaces) / 3.0) * solid.size_m.y;
-      const double height_m = nearest_sample_m(*solid.surface, x_m, y_m) - solid.base_m;
+  for (int y = 0; y < samples.height(); ++y)
+    for (int x = 0; x < samples.width(); ++x) {
+      const double height_m = double{samples(x, y)} - solid.base_m;
       if (!is_of_solid(height_m, solid.size_m.z)) continue;
-      sum_m += height_m;
-      ++count;
+      const Place place = from_middle({(x + 0.5 - 0.5 * samples.width()) * solid.surface->pixel_m(),
+                                       (0.5 * samples.height() - y - 0.5) * solid.surface->pixel_m()},
+                                      solid);
+      const std::size_t ninth =
+          3 * third(0.5 - place.y_m / solid.size_m.y) + third(place.x_m / solid.size_m.x + 0.5);
+      sums.at(ninth) += height_m;
+      ++counts.at(ninth);
     }
-  if (count < kLeastShare * kPlaces * kPlaces) return std::nullopt;
-  return sum_m / count;
+  for (std::size_t k = 0; k < sums.size(); ++k) sums.at(k) /= counts.at(k);
+  return sums;
 }
 
 std::string ninths_of(const SolidView& solid) {
   constexpr std::array kRows{"Upper", "Middle", "Lower"};
   std::string words = words_for(solid.pose).averages;
-  for (int row = 0; row < 3; ++row) {
+  const std::array<double, 9> heights_m = mean_heights_m(solid);
+  for (std::size_t row = 0; row < 3; ++row) {
     std::array<std::string, 3> heights;
-    for (int column = 0; column < 3; ++column) {
-      const auto height_m = mean_height_m(solid, column, row);
-      heights[static_cast<std::size_t>(column)] = height_m ? figure(std::round(1e3 * *height_m)) : "nothing";
+    for (std::size_t column = 0; column < 3; ++column) {
+      const double height_m = heights_m.at(3 * row + column);
+      heights.at(column) = std::isnan(height_m) ? "nothing" : figure(std::round(1e3 * height_m));
     }
-    words += fmt::format(" {} third, left to right: {}.", kRows[static_cast<std::size_t>(row)],
-                         fmt::join(heights, ", "));
+    words += fmt::format(" {} third, left to right: {}.", kRows.at(row), fmt::join(heights, ", "));
   }
   return words;
 }

@@ -20,6 +20,8 @@ struct SolidView {
   models::SolidPose pose = models::SolidPose::upright;
   /// The middle of that box; regions and offsets are relative to it.
   Place middle = {};
+  /// The place of the surface's own origin.
+  Place surface_at = {};
 };
 
 /// Describes a solid in three parts. First: `heading` (the name with a full stop), size, what is seen of it

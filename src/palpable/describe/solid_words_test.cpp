@@ -78,7 +78,7 @@ TEST(SolidWords, AreRelativeToTheSolidsOwnBoxWhereverItIs) {
                        {0.0, 0.0175}};
   const auto parts = solid_parts(view, "Table.", {});
   EXPECT_THAT(parts[0], HasSubstr("Nearest place: upper middle, 50 millimetres from its back."));
-  EXPECT_THAT(parts[1], HasSubstr("From the probe to the nearest place: 33 millimetres up."));
+  EXPECT_THAT(parts[1], HasSubstr("From the probe to the nearest place: 32 millimetres up."));
   EXPECT_THAT(parts[1], HasSubstr("Upper middle: front 50 millimetres from its back, 15 millimetres up from "
                                   "the middle."));
   EXPECT_EQ(parts[2],

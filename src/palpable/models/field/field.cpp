@@ -3,6 +3,7 @@
 #include "palpable/models/field/field.hpp"
 
 #include "palpable/core/work.hpp"
+#include "palpable/models/field/solid_view.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,70 @@ Result<SolidField<Distance>> seen_from_above(Distance distance, Vec3 least_m, Ve
       std::move(distance), least_m, most_m, std::make_shared<const Relief>(std::move(*relief)), {}};
 }
 
+/// The greatest height at which a disc around a vertical line may meet the solid: above it there is nothing.
+template <DistanceSurface Distance>
+double clear_above_m(const Distance& field, double x_m, double y_m, double radius_m, double lowest_m) {
+  constexpr double kShare = 0.95;
+  for (double z_m = field.origin_m().z + field.size_m().z; z_m > lowest_m;) {
+    const double clear_m = kShare * field.sample({x_m, y_m, z_m}).distance_m;
+    // Of a clear ball, the part within the disc's cylinder.
+    const double down_m = clear_m > radius_m ? std::sqrt(clear_m * clear_m - radius_m * radius_m) : 0.0;
+    if (down_m < field.cell_m()) return z_m;
+    z_m -= down_m;
+  }
+  return lowest_m;
+}
+
+/// The surface's height on a vertical line, from a height that is outside; interpolated between the last two
+/// samples.
+template <DistanceSurface Distance>
+double height_below_m(const Distance& field, double x_m, double y_m, double from_m, double lowest_m) {
+  constexpr double kShare = 0.95;
+  const double shortest_m = 0.25 * field.cell_m();
+  double above_m = from_m, above_distance_m = 0.0;
+  for (double z_m = from_m; z_m > lowest_m;) {
+    const double distance_m = field.sample({x_m, y_m, z_m}).distance_m;
+    if (distance_m <= 0.0) {
+      const double rise_m = above_distance_m - distance_m;
+      return rise_m > 0.0 ? z_m + (above_m - z_m) * (-distance_m / rise_m) : z_m;
+    }
+    above_m = z_m;
+    above_distance_m = distance_m;
+    z_m -= std::max(kShare * distance_m, shortest_m);
+  }
+  return lowest_m;
+}
+
+template <DistanceSurface Distance>
+Relief view_over_box(const SolidField<Distance>& solid, double pixel_m) {
+  const Vec3 size = solid.most_m - solid.least_m, middle = 0.5 * (solid.most_m + solid.least_m);
+  constexpr int kTile = 8, kMostPixels = 4096;
+  const auto count = [&](double extent_m) {
+    return std::clamp(static_cast<int>(std::ceil(extent_m / pixel_m - 1e-6)), 2, kMostPixels);
+  };
+  Raster<float> heights(count(size.x), count(size.y));
+  const int columns = heights.width(), rows = heights.height();
+  const auto x_of = [&](double i) { return middle.x + (i - 0.5 * (columns - 1)) * pixel_m; };
+  const auto y_of = [&](double j) { return middle.y - (j - 0.5 * (rows - 1)) * pixel_m; };
+  // From a tile's centre to its farthest pixel centre.
+  const double radius_m = 0.5 * (kTile - 1) * std::sqrt(2.0) * pixel_m;
+  parallel_for({}, (rows + kTile - 1) / kTile, 1, [&](int begin, int end) {
+    for (int v = begin; v < end; ++v)
+      for (int u = 0; u < columns; u += kTile) {
+        constexpr double kHalf = 0.5 * (kTile - 1);
+        const double from_m = clear_above_m(solid.distance, x_of(u + kHalf), y_of(v * kTile + kHalf),
+                                            radius_m, solid.least_m.z);
+        for (int j = v * kTile; j < std::min(rows, (v + 1) * kTile); ++j)
+          for (int i = u; i < std::min(columns, u + kTile); ++i)
+            heights(i, j) = static_cast<float>(
+                passes_through(solid.distance, x_of(i), y_of(j))
+                    ? height_below_m(solid.distance, x_of(i), y_of(j), from_m, solid.least_m.z)
+                    : solid.least_m.z);
+      }
+  });
+  return *Relief::from_samples(std::move(heights), pixel_m);
+}
+
 }  // namespace
 
 Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
@@ -85,5 +150,8 @@ Result<Field> field_of(DistanceField distance, Vec3 least_m, Vec3 most_m) {
 Result<FieldOnLattice> field_of(DenseField distance, Vec3 least_m, Vec3 most_m) {
   return seen_from_above(std::move(distance), least_m, most_m);
 }
+
+Relief solid_view(const Field& solid, double pixel_m) { return view_over_box(solid, pixel_m); }
+Relief solid_view(const FieldOnLattice& solid, double pixel_m) { return view_over_box(solid, pixel_m); }
 
 }  // namespace palpable::models

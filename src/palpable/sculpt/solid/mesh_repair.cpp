@@ -264,7 +264,7 @@ class Divider {
 
   /// Two-sided triangles that meet other triangles where these have no opening, such as a wall between two
   /// houses, need both of their sides; where the others are open, they continue them with one side.
-  void add_reverse_sides(const std::vector<std::uint32_t>& kept, Mesh& mesh) const {
+  void add_reverse_sides(const std::vector<std::uint32_t>& kept, Mesh& mesh) {
     std::vector<std::uint32_t> two_sided;
     for (const std::uint32_t t : kept)
       if (is_two_sided_[t] != 0) two_sided.push_back(t);
@@ -290,6 +290,7 @@ class Divider {
       if (opening == opening_m.end() || opening->second > 0.0) continue;
       const auto& given = mesh_.triangles[t];
       mesh.triangles.push_back({given[0], given[2], given[1]});
+      --repair_.two_sided;
     }
   }
 
