@@ -7,11 +7,13 @@
 #include "palpable/sculpt/triangles/enclosed_cells.hpp"
 #include "palpable/sculpt/triangles/mesh_edges.hpp"
 #include "palpable/sculpt/triangles/mesh_orientation.hpp"
+#include "palpable/sculpt/triangles/touching_edges.hpp"
 #include "palpable/sculpt/triangles/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -166,15 +168,17 @@ class Divider {
   Divider(Mesh mesh, std::vector<char> is_two_sided, MeshRepair& repair)
       : mesh_(std::move(mesh)), is_two_sided_(std::move(is_two_sided)), repair_(repair) {}
 
-  Division divided(const OpenSheetOptions& options, std::uint64_t seed) {
-    const std::vector<char> is_examined = to_be_examined(mesh_, is_two_sided_);
+  Division divided(double touching_m, const OpenSheetOptions& options, std::uint64_t seed) {
     Division division;
-    if (is_examined.empty()) {
-      division.mesh = std::move(mesh_);
-      return division;
+    if (!find_cells_of_divided_edges(touching_m)) {
+      const std::vector<char> is_examined = to_be_examined(mesh_, is_two_sided_);
+      if (is_examined.empty()) {
+        division.mesh = std::move(mesh_);
+        return division;
+      }
+      if (is_two_sided_.empty()) is_two_sided_.assign(mesh_.triangles.size(), 0);
+      sides_ = find_enclosed_cells(mesh_, is_examined);
     }
-    if (is_two_sided_.empty()) is_two_sided_.assign(mesh_.triangles.size(), 0);
-    sides_ = find_enclosed_cells(mesh_, is_examined);
     add_bodies(division);
     std::vector<std::uint32_t> open;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -186,6 +190,35 @@ class Divider {
   }
 
  private:
+  /// Divides edges that rims touch. If the surfaces that share edges only afterwards enclose cells that they
+  /// did not enclose before, keeps the divided mesh and its cells; else changes nothing and returns false.
+  bool find_cells_of_divided_edges(double touching_m) {
+    std::optional<DividedMesh> divided = divide_touching_edges(mesh_, touching_m);
+    if (!divided) return false;
+    Mesh& mesh = divided->mesh;
+    const std::vector<std::uint32_t>& part = divided->part_of;
+    std::vector<char> is_two_sided;
+    if (!is_two_sided_.empty())
+      for (const std::uint32_t t : part) is_two_sided.push_back(is_two_sided_[t]);
+    const std::vector<char> is_examined = to_be_examined(mesh, is_two_sided);
+    if (is_examined.empty()) return false;
+    std::vector<CellSide> sides = find_enclosed_cells(mesh, is_examined);
+    const std::vector<char> before = to_be_examined(mesh_, is_two_sided_);
+    Mesh undivided = mesh_;
+    const std::vector<CellSide> sides_before =
+        before.empty() ? std::vector<CellSide>(mesh_.triangles.size(), CellSide::open)
+                       : find_enclosed_cells(undivided, before);
+    bool is_more = false;
+    for (std::size_t t = 0; t < part.size(); ++t)
+      is_more = is_more || (sides[t] == CellSide::boundary && sides_before[part[t]] == CellSide::open);
+    if (!is_more) return false;
+    mesh_ = std::move(mesh);
+    is_two_sided_ = std::move(is_two_sided);
+    if (is_two_sided_.empty()) is_two_sided_.assign(mesh_.triangles.size(), 0);
+    sides_ = std::move(sides);
+    return true;
+  }
+
   /// Bodies get vertices of their own, so that no edge connects them with sheets.
   void add_bodies(Division& division) {
     const std::size_t count = mesh_.triangles.size();
@@ -314,8 +347,11 @@ RepairedMesh repaired(const Mesh& mesh, double touching_m, const OpenSheetOption
   repair.repeated = coincident.repeated;
   repair.two_sided =
       static_cast<std::size_t>(std::count(coincident.is_two_sided.begin(), coincident.is_two_sided.end(), 1));
-  Division division =
-      Divider(std::move(clean), std::move(coincident.is_two_sided), repair).divided(options, seed);
+  // Files use single precision: places that coincide may be apart by the last digit.
+  constexpr double kTouchingShare = 2e-7;
+  const double size_m = norm(bounds_of(clean).size_m());
+  Division division = Divider(std::move(clean), std::move(coincident.is_two_sided), repair)
+                          .divided(kTouchingShare * size_m, options, seed);
   Mesh& whole = result.whole;
   whole = std::move(division.mesh);
   const auto given = whole.triangles;

@@ -249,9 +249,10 @@ class SceneMaker {
     const Vec3 origin{mm(-30, 10), mm(-30, 10), mm(-5, 20)};
     const auto cells = static_cast<std::uint32_t>(whole(1, 3));
     const int first = whole(0, 3);
-    const auto grid = [&](Vec3 from, Vec3 u, Vec3 v, std::uint32_t columns, std::uint32_t rows) {
-      return grid_sheet(columns, rows, [&](double a, double b) {
-        return origin + g * (from + std::round(a * columns) * u + std::round(b * rows) * v);
+    // Sides of so many steps, each in `divisions` parts.
+    const auto grid = [&](Vec3 from, Vec3 u, Vec3 v, double columns, double rows, std::uint32_t divisions) {
+      return grid_sheet(divisions, divisions, [&](double a, double b) {
+        return origin + g * (from + (a * columns) * u + (b * rows) * v);
       });
     };
     const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -259,21 +260,23 @@ class SceneMaker {
     const Vec3 corner = at * x;
     SheetScene box, stage;
     const bool has_back = whole(0, 2) == 0, is_fin = whole(0, 2) == 0;
+    // Where the box has other divisions than the stage, their edges touch without common vertices.
+    const std::uint32_t divisions = whole(0, 1) == 0 ? cells : static_cast<std::uint32_t>(whole(1, 4));
     for (const auto& [from, u, v] : {std::array{n * z, x, y}, {Vec3{}, z, y}, {n * x, y, z}, {n * y, z, x}})
-      box.mesh = together(std::move(box.mesh), grid(corner + from, u, v, cells, cells));
+      box.mesh = together(std::move(box.mesh), grid(corner + from, u, v, n, n, divisions));
     if (has_back || is_fin) {
-      box.mesh = together(std::move(box.mesh), grid(corner, y, x, cells, cells));
-      box.mesh = together(std::move(box.mesh), grid(corner, x, z, cells, cells));
+      box.mesh = together(std::move(box.mesh), grid(corner, y, x, n, n, divisions));
+      box.mesh = together(std::move(box.mesh), grid(corner, x, z, n, n, divisions));
     }
     const Vec3 low = origin + g * corner, high = low + (g * n) * Vec3{1, 1, 1};
     box.bodies.emplace_back([=](Vec3 p) { return box_distance(p, low, high); });
     if (is_fin) {
       box.words = "box with a fin, ";
-      stage.add_sheet(grid(corner + n * x + n * y, x + y, z, 4, cells));
+      stage.add_sheet(grid(corner + n * x + n * y, x + y, z, n, n, cells));
     } else {
       box.words = has_back ? "box welded to floor and wall, " : "box without two faces in a corner, ";
-      stage.add_sheet(grid({}, x, y, 8, 5));
-      stage.add_sheet(grid({}, x, z, 8, 5));
+      stage.add_sheet(grid({}, x, y, 8, 8, 8));
+      stage.add_sheet(grid({}, x, z, 8, 8, 8));
     }
     const Sides sides = whole(0, 1) == 0 ? Sides::one : Sides::mixed;
     add_piece(scene, std::move(box), is_fin || has_back ? any_sides() : sides);
