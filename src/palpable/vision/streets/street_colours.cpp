@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -148,6 +149,10 @@ std::vector<LayerOfColour> layers_of(const MapColours& colours, const StreetColo
         pieces.largest < kLargest * static_cast<double>(of_pixel.count()))
       layer.layer = MapLayer::building;
   }
+  std::vector<CentreLines*> streets;
+  for (LayerOfColour& layer : out)
+    if (layer.layer == MapLayer::street) streets.push_back(&layer.lines);
+  divide_carriageways(std::move(streets), options.carriageways);
   return out;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "palpable/vision/streets/carriageways.hpp"
 #include "palpable/vision/streets/centre_lines.hpp"
 #include "palpable/vision/streets/map_colours.hpp"
 
@@ -34,6 +35,7 @@ struct StreetColourOptions {
   /// A centre line of which the picture shows less than this part (the rest is under lettering or borders) is
   /// none.
   double least_seen_part = 0.35;
+  CarriagewayOptions carriageways;
 };
 
 /// One colour's meaning, and its centre lines if it is one of streets.

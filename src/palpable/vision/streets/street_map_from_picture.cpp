@@ -121,6 +121,25 @@ bool is_street_map(const MapColours& colours, const std::vector<LayerOfColour>& 
          !is_small && !is_colourful && shape.ribbon_part >= options.lossy_ribbon_part;
 }
 
+/// Whether the most frequent colour is dark: then lettering is light.
+bool has_dark_land(const MapColours& colours) {
+  const MapColour* land = nullptr;
+  for (const MapColour& c : colours.colours)
+    if (land == nullptr || c.pixels > land->pixels) land = &c;
+  constexpr int kDark = 110;
+  return land != nullptr && (299 * land->value.r + 587 * land->value.g + 114 * land->value.b) / 1000 < kDark;
+}
+
+/// Light lettering becomes dark, as the reader expects it.
+Raster<Rgb8> inverted(const Raster<Rgb8>& picture) {
+  Raster<Rgb8> out(picture.width(), picture.height());
+  const auto negative = [](std::uint8_t v) { return static_cast<std::uint8_t>(255 - v); };
+  std::transform(picture.values().begin(), picture.values().end(), out.values().begin(), [&negative](Rgb8 c) {
+    return Rgb8{negative(c.r), negative(c.g), negative(c.b)};
+  });
+  return out;
+}
+
 }  // namespace
 
 Result<FoundStreetMap> street_map_from_picture(const Image& picture, const StreetMapOptions& options,
@@ -133,7 +152,8 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   const std::vector<LayerOfColour> layers = layers_of(colours, options.streets);
   if (work.cancelled()) return Work::interrupted();
   work.report(0.3, "joining streets");
-  const std::vector<TextLine> text = find_text_lines(pixels, options.text);
+  const Raster<Rgb8> lettering = has_dark_land(colours) ? inverted(pixels) : pixels;
+  const std::vector<TextLine> text = find_text_lines(lettering, options.text);
   const CentreLines graph = join_streets(colours, layers, text, options.graph);
   if (!is_street_map(colours, layers, graph, options))
     return invalid_input(
@@ -153,7 +173,7 @@ Result<FoundStreetMap> street_map_from_picture(const Image& picture, const Stree
   for (std::size_t k = 0; k < layers.size(); ++k)
     if (const auto kind = area_kind(layers[k].layer)) add_areas(colours, k, *kind, options, map.areas);
   work.report(0.4, "reading names");
-  auto reading = read_text_lines(pixels, text, options.reading, work);
+  auto reading = read_text_lines(lettering, text, options.reading, work);
   if (!reading) return reading.error();
   add_names(map, text, reading->lines, options.names);
   out.notes = std::move(reading->notes);

@@ -150,7 +150,8 @@ MapLabel label_of(const TextLine& line, const ReadLine& read, bool names_street)
 
 /// What is read as a street's name, spelled as in the gazetteer; nullopt if that has no such name.
 std::optional<std::string> name_of(const ReadLine& read, const StreetNameOptions& options) {
-  if (options.gazetteer.empty()) return read.text;
+  if (options.gazetteer.empty())
+    return read.confidence >= options.least_confidence ? std::optional(read.text) : std::nullopt;
   return nearest_name(read.text, options.gazetteer, options.least_similarity);
 }
 

@@ -21,6 +21,8 @@ struct StreetNameOptions {
   /// angle, degrees, and whose width differs by at most this part.
   double most_turn_deg = 30.0;
   double most_width_change = 0.35;
+  /// Without a gazetteer, names that are read with less confidence are labels of places, 0 ... 1.
+  double least_confidence = 0.7;
   /// Names of the streets of the place, UTF-8; what is read becomes the most similar of them. Empty: none.
   std::vector<std::string> gazetteer;
   /// Least similarity of a name with that of the gazetteer, 0 ... 1: one minus their edit distance

@@ -6,6 +6,7 @@
 #include "palpable/vision/text/ink.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <chrono>
@@ -224,6 +225,7 @@ Result<std::vector<ReadLine>> read_pictures(const std::vector<cv::Mat>& pictures
   const std::size_t processes =
       std::clamp<std::size_t>(work.thread_count(), 1, std::max<std::size_t>(1, pictures.size() / 4));
   std::vector<ReadLine> out(pictures.size());
+  if (pictures.empty()) return out;
   std::vector<std::optional<Error>> errors(processes);
   const TemporaryFolder folder;
   if (folder.path().empty()) return Error{ErrorCode::failed, "no temporary folder could be made", {}};
@@ -279,6 +281,49 @@ std::string installed_languages() {
   return out;
 }
 
+/// What is compared of two readings of a line.
+std::string letters_of(const std::string& text) {
+  std::string out;
+  for (const char c : text)
+    if (is_letter(static_cast<unsigned char>(c)) || std::isdigit(static_cast<unsigned char>(c)) != 0)
+      out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return out;
+}
+
+/// Reads the lines again, smaller and larger: a line on which no two sizes agree is not read.
+Result<void> keep_agreed(std::vector<ReadLine>& read, std::span<const TextLine> lines,
+                         const cv::Mat& lettering, const fs::path& tesseract, const std::string& languages,
+                         const ReadTextOptions& options, const Work& work) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < read.size(); ++i)
+    if (!read[i].text.empty()) numbers.push_back(i);
+  std::vector<std::vector<ReadLine>> again;
+  for (const double scale : {options.larger, options.smaller}) {
+    ReadTextOptions scaled = options;
+    scaled.letter_px = static_cast<int>(std::lround(scale * options.letter_px));
+    std::vector<cv::Mat> pictures;
+    for (const std::size_t i : numbers)
+      pictures.push_back(straightened(lettering, lines[i], read[i].reversed, scaled));
+    auto part = read_pictures(pictures, tesseract, languages, scaled, work);
+    if (!part) return part.error();
+    again.push_back(*std::move(part));
+  }
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    ReadLine& line = read[numbers[k]];
+    const bool reversed = line.reversed;
+    const std::array<ReadLine, 3> readings{line, again[0][k], again[1][k]};
+    line = {};
+    for (std::size_t a = 0; a < readings.size(); ++a)
+      for (std::size_t b = a + 1; b < readings.size(); ++b) {
+        const bool same =
+            !readings[a].text.empty() && letters_of(readings[a].text) == letters_of(readings[b].text);
+        const double confidence = std::max(readings[a].confidence, readings[b].confidence);
+        if (same && confidence > line.confidence) line = {readings[a].text, confidence, reversed};
+      }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const TextLine> lines,
@@ -316,7 +361,6 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
     unsure.push_back(i);
     pictures.push_back(straightened(lettering, lines[i], !leftwards(lines[i]), options));
   }
-  if (unsure.empty()) return out;
   auto second = read_pictures(pictures, tesseract, languages, options, work);
   if (!second) return second.error();
   for (std::size_t k = 0; k < unsure.size(); ++k) {
@@ -326,6 +370,8 @@ Result<TextReading> read_text_lines(const Raster<Rgb8>& picture, std::span<const
     line = std::move((*second)[k]);
     line.reversed = reversed;
   }
+  const auto agreed = keep_agreed(out.lines, lines, lettering, tesseract, languages, options, work);
+  if (!agreed) return agreed.error();
   return out;
 }
 

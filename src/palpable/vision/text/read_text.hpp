@@ -20,6 +20,9 @@ struct ReadTextOptions {
   /// Height of the straightened letters, and the space around them in that height.
   int letter_px = 32;
   double margin = 0.35;
+  /// Each line is read at two more sizes, as parts of letter_px; two of the three readings must agree.
+  double larger = 1.3;
+  double smaller = 0.8;
   /// Lines that are read with less confidence are dropped, 0 ... 1.
   double least_confidence = 0.4;
   /// Lines that are read with less confidence are also read upside down.
