@@ -62,7 +62,7 @@ struct RecordedTime {
 
 /// A rotation matrix, row-major.
 using Rotation = std::array<double, 9>;
-inline constexpr Rotation kNotTurned{1, 0, 0, 0, 1, 0, 0, 0, 1};
+inline constexpr Rotation kIdentityRotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 struct Reading {
   Point<DeviceFrame> position;
@@ -70,7 +70,7 @@ struct Reading {
   /// Bit k is set if button k is pressed.
   std::uint32_t buttons = 0;
   /// Orientation of the handle, device_from_tool; valid if Traits::has_torque.
-  Rotation rotation = kNotTurned;
+  Rotation rotation = kIdentityRotation;
   std::optional<RecordedTime> recorded = std::nullopt;
 };
 

@@ -41,7 +41,7 @@ struct TouchSample {
   std::uint32_t coming_scene_id = 0;
   /// For devices with torque: the orientation as read, and the values that the law received. Torques are
   /// about the handle's origin.
-  Rotation device_rotation = kNotTurned;
+  Rotation device_rotation = kIdentityRotation;
   Vector<SceneFrame> angular_velocity_rad_per_s;
   Vector<SceneFrame> raw_torque_Nm;
   Vector<SceneFrame> written_torque_Nm;

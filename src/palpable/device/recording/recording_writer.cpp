@@ -55,7 +55,7 @@ void put_turn(ByteWriter& out, const TouchSample& tick) {
 }
 
 bool is_turned(const TouchSample& tick) {
-  return tick.device_rotation != kNotTurned || tick.angular_velocity_rad_per_s.v != Vec3{} ||
+  return tick.device_rotation != kIdentityRotation || tick.angular_velocity_rad_per_s.v != Vec3{} ||
          tick.raw_torque_Nm.v != Vec3{} || tick.written_torque_Nm.v != Vec3{};
 }
 

@@ -87,7 +87,7 @@ class SimulatedHand final : public Device, public Guardable {
   std::array<Vec3, kMostDelay + 1> on_the_way_Nm_{};
   /// The torque of the next write().
   Vec3 torque_Nm_;
-  Rotation rotation_ = kNotTurned;
+  Rotation rotation_ = kIdentityRotation;
   Vec3 angular_velocity_rad_per_s_;
   double turning_s_ = 0.0;
   std::size_t delayed_ = 0;

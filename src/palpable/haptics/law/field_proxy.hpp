@@ -36,6 +36,9 @@ struct FieldProxy {
   /// The last step of the tick was rejected, as in a crease, where the proxy is held by more than one face
   /// and the force does not point along the normal of one of them.
   bool blocked = false;
+  /// A ball that is inside the solid: the hand in it needs no evaluation to know that it is not in the air.
+  Vec3 inside_at_m;
+  double inside_m = 0.0;
 };
 
 /// `proxy` on a solid: a spring from the hand to a point that stays on the surface and slides towards the
@@ -132,6 +135,8 @@ class FieldProxyLaw : public ContactLaw<Surface> {
   static constexpr double kShortest_m = 1e-7;
   /// A field's gradient is within a few per cent of 1.
   static constexpr double kSafe = 0.95;
+  /// Cosine between the proxy's normal and that of the far face of a wall.
+  static constexpr double kFarFace = -0.5;
   /// Cosine between the normals of places half a cell apart on one face.
   static constexpr double kSameFace = 0.9;
 
@@ -279,12 +284,23 @@ class FieldProxyLaw : public ContactLaw<Surface> {
     proxy.bend_per_m = 0.0;
   }
 
+  /// Whether the hand left the solid beside the proxy, as from a thin crest: friction must not hold it there,
+  /// in the air. A hand on the far side of a thin wall is not beside the proxy.
+  bool is_beside(Vec3 hand_m, FieldProxy& proxy) const noexcept {
+    if (norm(hand_m - proxy.inside_at_m) < kSafe * proxy.inside_m) return false;
+    const models::FieldSample s = sample(hand_m);
+    proxy.inside_at_m = hand_m;
+    proxy.inside_m = std::max(0.0, -s.distance_m);
+    return s.distance_m > 0.0 && dot(s.gradient, proxy.normal) > kFarFace;
+  }
+
   /// Slides the proxy along the surface towards the hand; false if the hand is on the free side.
   bool slide(Vec3 hand_m, double longest_m, Friction friction, FieldProxy& proxy,
              int& evaluations) const noexcept {
     double share = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
     bool moved = false;
     proxy.blocked = false;
+    bool grips = true;
     const double coefficient = proxy.slipping ? friction.sliding : friction.at_rest;
     for (;;) {
       const Vec3 d = hand_m - proxy.place_m;
@@ -293,8 +309,12 @@ class FieldProxyLaw : public ContactLaw<Surface> {
       if (evaluations <= 0) break;
       const Vec3 along = d - lifted * proxy.normal;
       const double along_m = norm(along);
-      const double held_m = -lifted * (moved ? friction.sliding : coefficient);
+      const double held_m = grips ? -lifted * (moved ? friction.sliding : coefficient) : 0.0;
       if (along_m <= held_m + kTolerance_m) {
+        if (along_m > kTolerance_m && held_m > 0.0 && is_beside(hand_m, proxy)) {
+          grips = false;
+          continue;
+        }
         proxy.blocked = false;
         break;
       }
@@ -319,6 +339,13 @@ class FieldProxyLaw : public ContactLaw<Surface> {
         continue;
       }
       if (!settled || through || squared_norm(hand_m - next) >= squared_norm(d)) {
+        // At a sharp edge the next face may see the hand, although no step on it is nearer.
+        if (settled && !through && dot(hand_m - next, normal) > 0.0 &&
+            norm(hand_m - next) <= norm(d) + kOn_m && is_beside(hand_m, proxy)) {
+          proxy.place_m = next;
+          proxy.normal = normal;
+          return false;
+        }
         proxy.blocked = true;
         share *= 0.25;
         if (step_m < kShortest_m) {

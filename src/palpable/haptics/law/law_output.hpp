@@ -16,7 +16,7 @@ struct Hand {
   Vector<SceneFrame> velocity_m_per_s;
   double dt_s = 0.001;
   /// Orientation of the handle, scene_from_tool, and its angular velocity; for devices with torque.
-  device::Rotation rotation = device::kNotTurned;
+  device::Rotation rotation = device::kIdentityRotation;
   Vector<SceneFrame> angular_velocity_rad_per_s = {};
   /// Time from the reading to the middle of the interval in which the motors hold the resulting force: the
   /// device's delay plus half a tick. 0 if no loop holds a force.

@@ -5,6 +5,7 @@
 #include "palpable/core/check.hpp"
 #include "palpable/haptics/law/averaged.hpp"
 #include "palpable/haptics/law/grid_law.hpp"
+#include "palpable/haptics/law/groove.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/penalty.hpp"
 #include "palpable/haptics/law/proxy.hpp"

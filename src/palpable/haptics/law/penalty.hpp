@@ -36,16 +36,17 @@ class PenaltyLaw : public ContactLaw<Surface> {
     LawOutput output;
     output.label = this->materials().label_at(p.x, p.y);
     output.stored_J = 0.0;
-    const double depth = radius_m_ - s.distance_m;
-    output.contact = depth > 0.0;
+    const double penetration_m = radius_m_ - s.distance_m;
+    output.contact = penetration_m > 0.0;
     if (!output.contact) return output;
     const Contact& contact = this->materials().contact(output.label);
-    output.stored_J = 0.5 * contact.stiffness_N_per_m * depth * depth;
+    output.stored_J = 0.5 * contact.stiffness_N_per_m * penetration_m * penetration_m;
     const double length = norm(s.gradient);
     if (!(length > 0.0)) return output;
     const Vec3 outward = s.gradient / length;
-    output.spring_N.v = (contact.stiffness_N_per_m * depth) * s.gradient;
-    const double spring_N = contact.stiffness_N_per_m * depth * (shading_ + (1.0 - shading_) * length);
+    output.spring_N.v = (contact.stiffness_N_per_m * penetration_m) * s.gradient;
+    const double spring_N =
+        contact.stiffness_N_per_m * penetration_m * (shading_ + (1.0 - shading_) * length);
     const Vec3 velocity = hand.velocity_m_per_s.v;
     output.force_N.v =
         damped_push(spring_N, outward, velocity, contact) +

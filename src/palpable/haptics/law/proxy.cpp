@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::array kParameters{kStiffness, kContactDamping, kStaticFriction, kDynamicFriction, kRadius};
 
-MadeLaw make(const LawInput& in) {
+}  // namespace
+
+MadeLaw make_proxy(const LawInput& in) {
   Textures textures(in.scene.materials);
   if (models::is_field(in.scene.model))
     return make_on_field(in, [&]<class S>(const std::shared_ptr<const S>& surface, MaterialMap materials,
@@ -31,8 +33,6 @@ MadeLaw make(const LawInput& in) {
       });
 }
 
-}  // namespace
-
 constexpr LawDescription kProxyLaw{.law = Law::proxy,
                                    .name = "proxy",
                                    .title = "Surface with friction",
@@ -42,17 +42,6 @@ constexpr LawDescription kProxyLaw{.law = Law::proxy,
                                    .conservative = true,
                                    .is_contact = true,
                                    .renders_textures = true,
-                                   .make = make};
-
-constexpr LawDescription kGrooveLaw{.law = Law::groove,
-                                    .name = "groove",
-                                    .title = "Grooves",
-                                    .models = {.contours = true},
-                                    .parameters = kParameters,
-                                    .strength = &LawParameters::stiffness_N_per_m,
-                                    .conservative = true,
-                                    .is_contact = true,
-                                    .renders_textures = true,
-                                    .make = make};
+                                   .make = make_proxy};
 
 }  // namespace palpable::haptics

@@ -14,9 +14,8 @@
 namespace palpable::haptics {
 
 extern const LawDescription kProxyLaw;
-/// The boundaries of a picture as grooves in a plate, rendered by `proxy`: passive, for exploration by touch
-/// alone.
-extern const LawDescription kGrooveLaw;
+/// Makes the law for a relief, a field, or the grooves of contours.
+MadeLaw make_proxy(const LawInput& in);
 
 /// `proxy`: a spring from the hand to a proxy on the surface, which slides under a friction cone with a
 /// static and a dynamic coefficient, and a damper along the surface normal. The proxy corresponds to w of

@@ -210,13 +210,25 @@ class ProxyFollower {
     dy *= surface_.pixel_m() / length_m;
   }
 
+  /// Whether the hand is in free air beside the crest on which the proxy is (offset `d`, sample `s`):
+  /// friction must not hold it there. Evaluates the surface only where its curvature at the proxy suggests
+  /// that.
+  bool is_beside_crest(Vec3 d, const models::CurvedSample& s, double steep2, Vec3 hand_m) const noexcept {
+    if (steep2 > kSteep2) return false;
+    const double bent = s.dzdx * d.x + s.dzdy * d.y +
+                        0.5 * (s.dzdxx_per_m * d.x * d.x + s.dzdyy_per_m * d.y * d.y) +
+                        s.dzdxy_per_m * d.x * d.y;
+    return bent < d.z && !is_below(hand_m);
+  }
+
   /// Slides the proxy along the surface towards the hand.
   template <Steps kSteps>
   Slid slide(Vec3 hand_m, double longest_m, SurfaceProxy& proxy, int& evaluations) const noexcept {
     // The dependency chain between steps is kept short, since it determines the time of the tick.
     models::CurvedSample s = proxy.surface;
     Vec3 place = proxy.place_m;
-    double mu = proxy.slipping ? friction_.sliding : friction_.at_rest;
+    double sliding = friction_.sliding;
+    double mu = proxy.slipping ? sliding : friction_.at_rest;
     bool moved = false;
     Slid slid = Slid::rests;
     double shorter = proxy.step_share > 0.0 ? proxy.step_share : 1.0;
@@ -236,7 +248,11 @@ class ProxyFollower {
       const double along2 = std::max(0.0, whole2 * steep2 - normal2);
       const double held2 = mu * mu * normal2;
       const double near = kTolerance_m * std::sqrt(steep2) - mu * lifted;
-      if (along2 <= near * near) break;
+      if (along2 <= near * near) {
+        if (mu <= 0.0 || !is_beside_crest(d, s, steep2, hand_m)) break;
+        mu = sliding = 0.0;
+        continue;
+      }
       if (evaluations <= 0 || (kSteps == Steps::longer && left_m <= 0.0)) {
         slid = Slid::unfinished;
         break;
@@ -270,7 +286,7 @@ class ProxyFollower {
         break;
       }
       moved = true;
-      mu = friction_.sliding;
+      mu = sliding;
       if constexpr (kSteps == Steps::longer)
         left_m -= std::sqrt(dx * dx + dy * dy + (next.z_m - place.z) * (next.z_m - place.z));
       place = {x, y, next.z_m};

@@ -152,10 +152,10 @@ LawOutput TracingLaw::evaluate(const Hand& hand, State& s) const noexcept {
   s.last_x_m = x;
   s.last_y_m = y;
   const Vec3 v = hand.velocity_m_per_s.v;
-  const double depth = std::max(0.0, -hand.position.v.z);
+  const double penetration_m = std::max(0.0, -hand.position.v.z);
   output.force_N.v = {s.last_fx_N - p_.damping_Ns_per_m * v.x, s.last_fy_N - p_.damping_Ns_per_m * v.y,
-                      p_.wall_N_per_m * depth};
-  output.contact = b.strength > 0.0 || depth > 0.0;
+                      p_.wall_N_per_m * penetration_m};
+  output.contact = b.strength > 0.0 || penetration_m > 0.0;
   return output;
 }
 

@@ -40,7 +40,7 @@ class PassivityObserver {
     Vector<DeviceFrame> held_force_N;
     Vector<DeviceFrame> moved_m;
     /// Work of the held torque on the hand since then, J; 0 for devices without torque.
-    double turned_J = 0.0;
+    double rotation_J = 0.0;
     double dt_s = 0.001;
     /// Stored energy at the new position in the device frame (LawOutput::stored_J / scene_from_device.scale),
     /// without the part that a rise limit withholds. NaN: the law has no potential.
@@ -71,7 +71,7 @@ class PassivityObserver {
 
   /// The balance W after this step, J.
   double update(const Step& step) noexcept {
-    const double received_J = dot(step.held_force_N, step.moved_m) + step.turned_J;
+    const double received_J = dot(step.held_force_N, step.moved_m) + step.rotation_J;
     count_work(step, received_J);
     if (std::isfinite(step.stored_J)) {
       count_balance(step, received_J);
@@ -109,7 +109,7 @@ class PassivityObserver {
   void count_balance(const Step& step, double received_J) noexcept {
     const double along = norm(step.held_force_N);
     const double speed =
-        along > 0.0 && step.dt_s > 0.0 ? (received_J - step.turned_J) / (along * step.dt_s) : 0.0;
+        along > 0.0 && step.dt_s > 0.0 ? (received_J - step.rotation_J) / (along * step.dt_s) : 0.0;
     reserve_J_ += step.damping_Ns_per_m * speed * speed * step.dt_s -
                   reserve_J_ * std::min(1.0, step.dt_s / kReserve_s);
     const double made_J = received_J + step.stored_J - stored_J_;

@@ -5,7 +5,7 @@
 // A simulated hand that counts what it receives, for tests of energy.
 
 #include "palpable/device/simulated/simulated_hand.hpp"
-#include "palpable/haptics/servo/turn.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ class CountedHand final : public device::Device {
     hand_.write_torque(written_Nm_);
     hand_.write(force_N);
     received_J_ += dot(acts.force_N.v, hand_.true_position_m() - before_m) +
-                   dot(acts.torque_Nm, turn_between(before, hand_.read().rotation));
+                   dot(acts.torque_Nm, rotation_between(before, hand_.read().rotation));
     most_J_ = std::max(most_J_, received_J_);
   }
   void stop() noexcept override { hand_.stop(); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "palpable/haptics/servo/reading_filter.hpp"
 
-#include "palpable/haptics/servo/turn.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace palpable::haptics {
 
 ReadingFilter::ReadingFilter(const device::Traits& device, const TickOptions& options) noexcept
     : max_speed_m_per_s_(device.pushes_back ? options.max_speed_m_per_s : options.max_pointer_speed_m_per_s),
-      max_turn_rad_per_s_(options.max_turn_rad_per_s),
+      max_rotation_rad_per_s_(options.max_rotation_rad_per_s),
       reach_m_(options.reach_in_workspaces * norm(device.workspace_m)),
       glitch_readings_(options.glitch_readings),
       has_torque_(device.has_torque),
@@ -23,8 +23,8 @@ JudgedReading ReadingFilter::judge(const device::Reading& reading, double dt_s) 
   if (has_torque_ && !is_rotation(reading.rotation)) return {ReadingUse::none, true};
   const Point<DeviceFrame> position = reading.position;
   JudgedReading judged{ReadingUse::continues, false, !std::isfinite(since_good_s_), since_good_s_};
-  const bool plausible =
-      judged.first ? is_in_reach(position) : is_plausible(position) && is_plausible_turn(reading.rotation);
+  const bool plausible = judged.first ? is_in_reach(position)
+                                      : is_plausible(position) && is_plausible_rotation(reading.rotation);
   if (!plausible) {
     judged.use = judge_jump(position, dt_s);
     judged.first = true;
@@ -55,8 +55,9 @@ bool ReadingFilter::is_plausible(Point<DeviceFrame> position) const noexcept {
   return agreeing_ == 0 || norm(position - jumped_to_) >= from_last_m;
 }
 
-bool ReadingFilter::is_plausible_turn(const device::Rotation& rotation) const noexcept {
-  return !has_torque_ || norm(turn_between(rotation_, rotation)) <= max_turn_rad_per_s_ * since_good_s_;
+bool ReadingFilter::is_plausible_rotation(const device::Rotation& rotation) const noexcept {
+  return !has_torque_ ||
+         norm(rotation_between(rotation_, rotation)) <= max_rotation_rad_per_s_ * since_good_s_;
 }
 
 ReadingUse ReadingFilter::judge_jump(Point<DeviceFrame> position, double dt_s) noexcept {

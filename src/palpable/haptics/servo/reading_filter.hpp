@@ -48,11 +48,11 @@ class ReadingFilter {
  private:
   bool is_in_reach(Point<DeviceFrame> position) const noexcept;
   bool is_plausible(Point<DeviceFrame> position) const noexcept;
-  bool is_plausible_turn(const device::Rotation& rotation) const noexcept;
+  bool is_plausible_rotation(const device::Rotation& rotation) const noexcept;
   ReadingUse judge_jump(Point<DeviceFrame> position, double dt_s) noexcept;
 
   double max_speed_m_per_s_;
-  double max_turn_rad_per_s_;
+  double max_rotation_rad_per_s_;
   double reach_m_;
   int glitch_readings_;
   bool has_torque_;
@@ -62,7 +62,7 @@ class ReadingFilter {
   /// Time since the last valid reading; infinite before the first.
   double since_good_s_ = std::numeric_limits<double>::infinity();
   Point<DeviceFrame> position_;
-  device::Rotation rotation_ = device::kNotTurned;
+  device::Rotation rotation_ = device::kIdentityRotation;
   /// Consecutive readings that were not plausible, and how many of the newest of them agree about the
   /// position.
   int implausible_ = 0;

@@ -84,7 +84,7 @@ const TouchSample& TickPipeline::step(double clock_t_s, double clock_dt_s) noexc
 
 ReadingUse TickPipeline::accept(const device::Reading& reading, double dt_s) noexcept {
   moved_ = {};
-  turned_ = {};
+  rotated_ = {};
   const JudgedReading judged = readings_.judge(reading, dt_s);
   if (judged.implausible) flags_ |= flag::kImplausible;
   if (judged.use == ReadingUse::new_touch) {
@@ -103,9 +103,9 @@ void TickPipeline::take(const device::Reading& reading, const JudgedReading& jud
   const Point<DeviceFrame> now = fine_.update(position_, velocity_m_per_s_, judged.passed_s);
   if (!judged.first) moved_ = now - before;
   if (!has_torque_) return;
-  if (judged.first) turn_.begin();
-  turn_.update(reading.rotation, judged.passed_s);
-  turned_ = turn_.turned_rad();
+  if (judged.first) rotation_.begin();
+  rotation_.update(reading.rotation, judged.passed_s);
+  rotated_ = rotation_.rotated_rad();
 }
 
 void TickPipeline::drop_force() noexcept {
@@ -130,8 +130,8 @@ bool TickPipeline::evaluate_law(Side& side, double dt_s) noexcept {
   Hand hand{scene_from_device * position_, scene_from_device * velocity_m_per_s_, dt_s};
   hand.acts_after_s = (static_cast<double>(delay_) + 0.5) * std::min(dt_s, options_.max_rise_time_s);
   if (has_torque_) {
-    hand.rotation = turned_by(scene_from_device, turn_.rotation());
-    hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, turn_.velocity_rad_per_s());
+    hand.rotation = rotation_in_scene(scene_from_device, rotation_.rotation());
+    hand.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
   }
   const LawOutput output = side.scene->touchable->evaluate(hand, side.state);
   if (!is_finite(output.force_N) || !is_finite(output.torque_Nm)) return false;
@@ -178,7 +178,7 @@ void TickPipeline::begin_touch() noexcept {
   uncontrolled_rise_.reset();
   velocity_.begin();
   velocity_m_per_s_ = {};
-  turn_.begin();
+  rotation_.begin();
   flags_ |= flag::kNewTouch;
 }
 
@@ -294,7 +294,7 @@ void TickPipeline::describe(const device::Reading& reading) noexcept {
   sample_.energy_J = observer_.balance_J();
   if (has_torque_) {
     sample_.device_rotation = reading.rotation;
-    sample_.angular_velocity_rad_per_s = rotate_force(scene_from_device, turn_.velocity_rad_per_s());
+    sample_.angular_velocity_rad_per_s = rotate_force(scene_from_device, rotation_.velocity_rad_per_s());
     sample_.raw_torque_Nm = now_.output.torque_Nm;
     sample_.written_torque_Nm = rotate_force(scene_from_device, written_Nm_);
   }

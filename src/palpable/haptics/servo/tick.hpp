@@ -8,10 +8,10 @@
 #include "palpable/haptics/safety/passivity.hpp"
 #include "palpable/haptics/safety/rise_limit.hpp"
 #include "palpable/haptics/servo/reading_filter.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 #include "palpable/haptics/servo/servo_types.hpp"
 #include "palpable/haptics/servo/tick_options.hpp"
 #include "palpable/haptics/servo/transient_player.hpp"
-#include "palpable/haptics/servo/turn.hpp"
 #include "palpable/haptics/servo/velocity.hpp"
 
 #include <array>
@@ -143,9 +143,9 @@ class TickPipeline {
   TransientPlayer transient_;
   /// The law was in contact in the previous tick.
   bool was_in_contact_ = false;
-  TurnEstimator turn_;
+  RotationEstimator rotation_;
   /// Since the previous tick, rad.
-  Vector<DeviceFrame> turned_;
+  Vector<DeviceFrame> rotated_;
 
   Ramp ramp_;
   /// For the written force, and for the force as it would be without the controller.

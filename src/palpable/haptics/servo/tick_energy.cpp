@@ -75,8 +75,8 @@ void TickPipeline::account_spring(double dt_s, bool wanted) noexcept {
 
 void TickPipeline::count_received() noexcept {
   const Sent& acted = held();
-  received_ = {dot(acted.written_N, moved_) + dot(acted.written_Nm, turned_),
-               dot(acted.uncontrolled_N, moved_) + dot(acted.uncontrolled_Nm, turned_)};
+  received_ = {dot(acted.written_N, moved_) + dot(acted.written_Nm, rotated_),
+               dot(acted.uncontrolled_N, moved_) + dot(acted.uncontrolled_Nm, rotated_)};
 }
 
 void TickPipeline::account_stall(RiseLimit::Input in, double dt_s) noexcept {
@@ -86,7 +86,7 @@ void TickPipeline::account_stall(RiseLimit::Input in, double dt_s) noexcept {
   const double held_s = std::min(dt_s, options_.stall_s);
   const double mass_kg = device_.traits().mass_kg;
   const auto account = [&](RiseLimit& rise, Vector<DeviceFrame> force_N, Vector<DeviceFrame> torque_Nm) {
-    const double shown_J = std::max(0.0, held_s / dt_s * (dot(force_N, moved_) + dot(torque_Nm, turned_)));
+    const double shown_J = std::max(0.0, held_s / dt_s * (dot(force_N, moved_) + dot(torque_Nm, rotated_)));
     const double accelerated_m = mass_kg > 0.0 ? 0.5 * held_s * held_s * norm(force_N) / mass_kg : 0.0;
     const double possible_J =
         held_s * dot(force_N, dropped_velocity_m_per_s_) + accelerated_m * norm(force_N);
@@ -121,7 +121,7 @@ void TickPipeline::observe(double dt_s) noexcept {
   PassivityObserver::Step step;
   step.held_force_N = held().written_N;
   step.moved_m = moved_;
-  step.turned_J = stalled ? received_.written_J : dot(held().written_Nm, turned_);
+  step.rotation_J = stalled ? received_.written_J : dot(held().written_Nm, rotated_);
   step.dt_s = dt_s;
   step.contact = contact || (fading() && coming_.output.contact);
   step.damping_Ns_per_m = contact ? now_.scene->touchable->damping_Ns_per_m() : 0.0;
@@ -147,13 +147,14 @@ void TickPipeline::observe(double dt_s) noexcept {
   step.stored_J = given_J(uncontrolled_rise_);
   step.weakened = false;
   step.held_force_N = held().uncontrolled_N;
-  step.turned_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, turned_);
+  step.rotation_J = stalled ? received_.uncontrolled_J : dot(held().uncontrolled_Nm, rotated_);
   without_controller_.update(step);
 }
 
 void TickPipeline::control_energy(double dt_s) noexcept {
   if (options_.passivity != Passivity::control || now_.energy == EnergyModel::self_limited) return;
-  const double gives_W = dot(written_N_, velocity_m_per_s_) + dot(written_Nm_, turn_.velocity_rad_per_s());
+  const double gives_W =
+      dot(written_N_, velocity_m_per_s_) + dot(written_Nm_, rotation_.velocity_rad_per_s());
   const double factor = passivity_factor(gives_W, observer_.made_J(), dt_s);
   if (factor >= 1.0) return;
   flags_ |= flag::kPassivityActed;

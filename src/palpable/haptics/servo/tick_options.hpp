@@ -32,7 +32,7 @@ struct TickOptions {
   double max_speed_m_per_s = 2.5;
   double max_pointer_speed_m_per_s = 8.0;
   /// The same for the rotation of a handle.
-  double max_turn_rad_per_s = 60.0;
+  double max_rotation_rad_per_s = 60.0;
   /// Number of consecutive implausible readings that are treated as a glitch.
   int glitch_readings = 2;
   /// A reading farther out than this many workspace sizes is implausible.

@@ -4,8 +4,8 @@
 #include "palpable/device/simulated/simulated_hand.hpp"
 #include "palpable/haptics/law/law_making.hpp"
 #include "palpable/haptics/law/tool.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 #include "palpable/haptics/servo/tick.hpp"
-#include "palpable/haptics/servo/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +57,7 @@ TEST(TurnBetween, IsTheRotationVectorThatWasApplied) {
         axis.y * axis.x * t + axis.z * s, c + axis.y * axis.y * t,          axis.y * axis.z * t - axis.x * s,
         axis.z * axis.x * t - axis.y * s, axis.z * axis.y * t + axis.x * s, c + axis.z * axis.z * t};
     ASSERT_TRUE(is_rotation(rotation));
-    EXPECT_LT(norm(turn_between(device::kNotTurned, rotation).v - angle * axis), 1e-6);
+    EXPECT_LT(norm(rotation_between(device::kIdentityRotation, rotation).v - angle * axis), 1e-6);
   }
   EXPECT_FALSE(is_rotation({1, 0, 0, 0, 1, 0, 0, 0, -1}));
   EXPECT_FALSE(is_rotation({std::nan(""), 0, 0, 0, 1, 0, 0, 0, 1}));
@@ -115,7 +115,7 @@ TEST(ToolInTheServo, CountsTheWorkOfATorque) {
   observer.update(air);
   PassivityObserver::Step step = air;
   step.contact = true;
-  step.turned_J = 2e-4;
+  step.rotation_J = 2e-4;
   step.held_force_N = {{0.0, 0.0, 1e-9}};
   observer.update(step);
   EXPECT_NEAR(observer.made_J(), 2e-4, 1e-12);

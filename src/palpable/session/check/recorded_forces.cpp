@@ -3,7 +3,7 @@
 #include "palpable/session/check/recorded_forces.hpp"
 
 #include "palpable/haptics/safety/limits.hpp"
-#include "palpable/haptics/servo/turn.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,7 +149,7 @@ bool is_in_free_air(const haptics::HapticScene& scene, const device::TouchSample
   const auto is_clear = [&](Vec3 place) {
     haptics::TouchState state;
     haptics::Hand hand{{place}, {}, tick.dt_s};
-    hand.rotation = haptics::turned_by(scene.scene_from_device, tick.device_rotation);
+    hand.rotation = haptics::rotation_in_scene(scene.scene_from_device, tick.device_rotation);
     return !scene.touchable->evaluate(hand, state).contact;
   };
   const auto is_way_clear = [&](Vec3 from, Vec3 to) {

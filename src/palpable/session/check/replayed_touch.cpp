@@ -4,7 +4,7 @@
 
 #include "palpable/device/recording/replay.hpp"
 #include "palpable/haptics/servo/real_time.hpp"
-#include "palpable/haptics/servo/turn.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 
 #include <utility>
 
@@ -91,7 +91,7 @@ const device::TouchSample* ReplayedTouch::step(const device::TouchSample& record
 
 haptics::Hand recorded_hand(const device::TouchSample& recorded, const haptics::HapticScene& scene) {
   haptics::Hand hand{recorded.position, recorded.velocity_m_per_s, recorded.dt_s};
-  hand.rotation = haptics::turned_by(scene.scene_from_device, recorded.device_rotation);
+  hand.rotation = haptics::rotation_in_scene(scene.scene_from_device, recorded.device_rotation);
   hand.angular_velocity_rad_per_s = recorded.angular_velocity_rad_per_s;
   return hand;
 }

@@ -27,7 +27,7 @@ struct TickNumber {
 constexpr TickNumber kTickNumbers[]{
     {"max_force_N", &haptics::TickOptions::max_force_N},
     {"max_torque_rate_Nm_per_s", &haptics::TickOptions::max_torque_rate_Nm_per_s},
-    {"max_turn_rad_per_s", &haptics::TickOptions::max_turn_rad_per_s},
+    {"max_turn_rad_per_s", &haptics::TickOptions::max_rotation_rad_per_s},
     {"max_force_rate_N_per_s", &haptics::TickOptions::max_force_rate_N_per_s},
     {"fade_s", &haptics::TickOptions::fade_s},
     {"ramp_down_s", &haptics::TickOptions::ramp_down_s},

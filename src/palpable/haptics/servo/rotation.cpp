@@ -1,6 +1,6 @@
 // Copyright 2026 The Palpable authors
 // SPDX-License-Identifier: Apache-2.0
-#include "palpable/haptics/servo/turn.hpp"
+#include "palpable/haptics/servo/rotation.hpp"
 
 #include "palpable/haptics/law/tool_touch.hpp"
 
@@ -9,7 +9,7 @@
 
 namespace palpable::haptics {
 
-Vector<DeviceFrame> turn_between(const device::Rotation& from, const device::Rotation& to) noexcept {
+Vector<DeviceFrame> rotation_between(const device::Rotation& from, const device::Rotation& to) noexcept {
   // to * from^T: its antisymmetric part is sin(angle) times the axis, its trace is 1 + 2 cos(angle).
   const auto at = [&](std::size_t i, std::size_t j) {
     return to[3 * i] * from[3 * j] + to[3 * i + 1] * from[3 * j + 1] + to[3 * i + 2] * from[3 * j + 2];
@@ -23,8 +23,8 @@ Vector<DeviceFrame> turn_between(const device::Rotation& from, const device::Rot
   return {sine > kSmall ? (0.5 * angle / sine) * twice_sine : Vec3{}};
 }
 
-device::Rotation turned_by(const Transform<SceneFrame, DeviceFrame>& scene_from_device,
-                           const device::Rotation& device_from_tool) noexcept {
+device::Rotation rotation_in_scene(const Transform<SceneFrame, DeviceFrame>& scene_from_device,
+                                   const device::Rotation& device_from_tool) noexcept {
   return (Transform<SceneFrame, DeviceFrame>{scene_from_device.rotation, {}, 1.0} *
           Transform<DeviceFrame, ToolFrame>{device_from_tool, {}, 1.0})
       .rotation;
@@ -41,11 +41,11 @@ bool is_rotation(const device::Rotation& rotation) noexcept {
   return off < kOff;
 }
 
-void TurnEstimator::update(const device::Rotation& rotation, double dt_s) noexcept {
-  turned_ = known_ ? turn_between(rotation_, rotation) : Vector<DeviceFrame>{};
+void RotationEstimator::update(const device::Rotation& rotation, double dt_s) noexcept {
+  rotated_ = known_ ? rotation_between(rotation_, rotation) : Vector<DeviceFrame>{};
   rotation_ = rotation;
   known_ = true;
-  angle_ = angle_ + turned_;
+  angle_ = angle_ + rotated_;
   velocity_rad_per_s_ = velocity_.update(angle_, dt_s);
 }
 

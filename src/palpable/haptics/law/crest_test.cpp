@@ -1,0 +1,73 @@
+// Copyright 2026 The Palpable authors
+// SPDX-License-Identifier: Apache-2.0
+// Hands that press on a thin crest and slip off it, into the air beside it.
+#include "palpable/haptics/law/stroke_scenes.hpp"
+#include "palpable/haptics/law/test_scenes.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace palpable::haptics {
+namespace {
+
+struct SlippedHands {
+  int in_air = 0;
+  int held = 0;
+};
+
+/// Hands that move from above a crest at `top_m` along x = 0 down beside it and wait there.
+template <class Height>
+SlippedHands slip_off(const Touchable& touchable, double top_m, Height height_over) {
+  std::mt19937 random(3);
+  const auto uniform = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  SlippedHands hands;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec3 from{uniform(-1e-4, 1e-4), 0.0, top_m + 0.0005};
+    const Vec3 to{uniform(-0.0015, 0.0015), 0.0, top_m - uniform(0.0005, 0.0045)};
+    if (height_over(to) < 1e-5) continue;
+    const int ticks = std::uniform_int_distribution<int>(10, 70)(random);
+    TouchState state;
+    LawOutput output;
+    for (int n = 0; n < ticks + 50; ++n)
+      output = output_at(touchable, state, from + std::min(1.0, 1.0 * n / ticks) * (to - from));
+    ++hands.in_air;
+    hands.held += norm(output.force_N) > 1e-3 ? 1 : 0;
+  }
+  return hands;
+}
+
+TEST(Crest, OfASolidHoldsNoHandInTheAirBesideIt) {
+  for (const double friction : {0.0, 0.5, 1.0}) {
+    const SlippedHands hands =
+        slip_off(SolidTouchable<Walls>(friction), 0.009, [](Vec3 p) { return Walls().sample(p).distance_m; });
+    EXPECT_GT(hands.in_air, 500);
+    EXPECT_EQ(hands.held, 0) << friction;
+  }
+}
+
+TEST(Crest, OfAReliefHoldsNoMoreHandsByFrictionThanWithoutIt) {
+  Raster<float> z(200, 160, 0.001F);
+  for (int y = 0; y < z.height(); ++y) z(99, y) = z(100, y) = 0.008F;
+  models::limit_slope(z, kPixel_m, 10.0);
+  const models::Scene scene = scene_of(std::move(z));
+  const auto relief = models::relief_of(scene);
+  int without = 0;
+  for (const double friction : {0.0, 0.5, 1.0}) {
+    LawParameters parameters = frictionless();
+    parameters.static_friction = friction;
+    const SlippedHands hands = slip_off(*made(scene, parameters), relief->sample(0.0, 0.0).z_m,
+                                        [&](Vec3 p) { return p.z - relief->sample(p.x, p.y).z_m; });
+    EXPECT_GT(hands.in_air, 500);
+    if (friction == 0.0) without = hands.held;
+    EXPECT_LE(hands.held, without) << friction;
+  }
+  // Deep beside it, a few wait at a place from which no step on the surface is nearer.
+  EXPECT_LE(without, 10);
+}
+
+}  // namespace
+}  // namespace palpable::haptics
