@@ -289,7 +289,7 @@ class SceneMaker {
   int whole(int least, int most) { return std::uniform_int_distribution<int>(least, most)(random_); }
   double mm(int least, int most) { return 1e-3 * whole(least, most); }
 
-  /// `with_bowls`: two-sided bowls are sheets.
+  /// Without `with_bowls` openings are small: two-sided bowls, and boxes with several holes, may be sheets.
   void add_body(SheetScene& scene, bool with_bowls = true) {
     const Vec3 at{mm(-30, 30), mm(-30, 30), mm(-5, 30)};
     int kind = whole(0, 4);
@@ -297,7 +297,8 @@ class SceneMaker {
     if (kind <= 1) {
       const Vec3 half{mm(4, 15), mm(4, 15), mm(4, 15)};
       const Vec3 low = at - half, high = at + half;
-      scene.mesh = together(std::move(scene.mesh), kind == 0 ? box_mesh(low, high) : holed_box(low, high));
+      scene.mesh = together(std::move(scene.mesh),
+                            kind == 0 ? box_mesh(low, high) : holed_box(low, high, with_bowls ? 3 : 1));
       scene.bodies.emplace_back([=](Vec3 p) { return box_distance(p, low, high); });
       scene.words += kind == 0 ? "box, " : "box with holes, ";
       return;
@@ -335,8 +336,8 @@ class SceneMaker {
     return mesh;
   }
 
-  /// A box of small squares, of which one to three are missing.
-  Mesh holed_box(Vec3 low, Vec3 high) {
+  /// A box of small squares, of which one or more are missing.
+  Mesh holed_box(Vec3 low, Vec3 high, int most_missing) {
     const Vec3 size = high - low;
     Mesh mesh;
     constexpr std::uint32_t kSquares = 6;
@@ -351,7 +352,7 @@ class SceneMaker {
           for (auto& t : face.triangles) std::swap(t[1], t[2]);
         mesh = together(std::move(mesh), face);
       }
-    const int missing = whole(1, 3);
+    const int missing = whole(1, most_missing);
     for (int k = 0; k < missing; ++k) {
       // The two triangles of a square.
       const auto first =

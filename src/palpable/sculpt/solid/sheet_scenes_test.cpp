@@ -83,6 +83,16 @@ TEST(SheetScenes, SayWhatWasAssumedOfTrianglesWithBothOrientations) {
   EXPECT_LT(scene->distance->at({0.0, 0.0, 0.02}, other).distance_m, -0.019);
 }
 
+TEST(SheetScenes, WithstandTrianglesThatAreNearlyLinesBesideRims) {
+  // The third vertex of a sliver lies on its longest side, which is a rim of a second sheet too.
+  Mesh mesh = box_mesh({-0.02, -0.02, 0.0}, {0.02, 0.02, 0.02});
+  Mesh slivers;
+  slivers.vertices_m = {
+      {0.03, 0.0, 0.0}, {0.05, 0.0, 0.0}, {0.04, 1e-10, 0.0}, {0.04, 0.02, 0.0}, {0.04, 0.0, 0.02}};
+  slivers.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
+  EXPECT_TRUE(solid_from_mesh(together(mesh, slivers), kCell_m, {}, {}, kTwoCellWalls));
+}
+
 TEST(SheetScenes, SayWhatBecameOfSheets) {
   // A floor and a wall that share an edge, and a cube on them.
   const Mesh stage = together(grid_sheet(1, 1,

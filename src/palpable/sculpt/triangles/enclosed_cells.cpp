@@ -27,6 +27,11 @@ struct Leaf {
   std::uint32_t ahead = 0, behind = 0;
 };
 
+Vec3 any_across(Vec3 along) {
+  const Vec3 x = cross(along, {1.0, 0.0, 0.0}), y = cross(along, {0.0, 1.0, 0.0});
+  return squared_norm(x) > squared_norm(y) ? x : y;
+}
+
 void join_sides_at(const Mesh& mesh, std::span<const EdgeUse> edge, DisjointSets& sides) {
   const auto low = static_cast<std::uint32_t>(edge.front().key >> 32U),
              high = static_cast<std::uint32_t>(edge.front().key);
@@ -38,6 +43,8 @@ void join_sides_at(const Mesh& mesh, std::span<const EdgeUse> edge, DisjointSets
     for (const std::uint32_t v : mesh.triangles[use.triangle])
       if (v != low && v != high) away = mesh.vertices_m[v] - from;
     away = away - dot(away, along) * along;
+    // A triangle that is a line to rounding has no direction.
+    if (!(squared_norm(away) > 0.0)) away = leaves.empty() ? any_across(along) : first;
     if (leaves.empty()) {
       first = unit(away);
       second = cross(along, first);

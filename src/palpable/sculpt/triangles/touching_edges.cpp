@@ -89,6 +89,7 @@ class EdgeDivider {
 
 /// The vertices strictly between two vertices of an edge, from `a` to `b`. `line`: all vertices of the edge.
 std::vector<std::uint32_t> between(const std::vector<std::uint32_t>& line, std::uint32_t a, std::uint32_t b) {
+  if (a == b) return {};
   const auto first = std::find(line.begin(), line.end(), a), last = std::find(line.begin(), line.end(), b);
   if (first == line.end() || last == line.end()) return {};
   std::vector<std::uint32_t> found;
@@ -105,7 +106,9 @@ void divide(const Indices& t, std::span<const std::vector<std::uint32_t>> lines,
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
     for (const auto& line : lines) {
-      const auto inner = between(line, a, b);
+      auto inner = between(line, a, b);
+      // The third vertex of a triangle that is nearly a line may lie on its longest side.
+      std::erase(inner, c);
       if (inner.empty()) continue;
       const std::uint32_t middle = inner[inner.size() / 2];
       divide({a, middle, c}, lines, pieces);
